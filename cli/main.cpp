@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// polhode: a table of verbs, one file each.
+#include <fmt/core.h>
+
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Verb {
+  const char* name;
+  const char* description;
+  Action (*declare)(CLI::App&);
+};
+
+const std::vector<Verb> verbs = {};
+
+int run(int argc, char** argv) {
+  CLI::App app{"polhode: molecular dynamics of rigid molecules with the exact free rotor",
+               "polhode"};
+  app.set_version_flag("--version", "polhode " POLHODE_VERSION);
+  app.require_subcommand(1);
+  std::vector<std::pair<CLI::App*, Action>> actions;
+  for (const Verb& verb : verbs) {
+    CLI::App* command = app.add_subcommand(verb.name, verb.description);
+    actions.emplace_back(command, verb.declare(*command));
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int code = app.exit(e);
+    return code == 0 ? 0 : 2;
+  }
+  for (const auto& [command, action] : actions)
+    if (command->parsed()) return action();
+  return 2;
+}
+
+}  // namespace
+}  // namespace polhode::cli
+
+int main(int argc, char** argv) {
+  try {
+    return polhode::cli::run(argc, argv);
+  } catch (const polhode::Error& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    if (!e.where().empty()) fmt::print(stderr, "  in   {}\n", e.where());
+    return 2;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return 1;
+  }
+}

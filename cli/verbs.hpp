@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// The verbs of the command line. A verb declares its options on its own subcommand and returns what
+// to do once they are parsed; the return value of that is the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace polhode::cli {
+
+using Action = std::function<int()>;
+
+}  // namespace polhode::cli

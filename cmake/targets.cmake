@@ -1,0 +1,40 @@
+# Loops over packs are compiled once for each instruction set, with its flags. Inline functions of the
+# standard library that such a file instantiates must not be shared with the rest of the program, or
+# the linker might keep the copy with the wrong instructions: each set is linked into one object whose
+# only global symbols are the project's own, which bear the name of the set.
+
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  set(POLHODE_TARGET_NAMES scalar sse4 avx2 avx512)
+  set(POLHODE_FLAGS_scalar -march=x86-64 -DHWY_COMPILE_ONLY_SCALAR)
+  set(POLHODE_FLAGS_sse4 -march=x86-64-v2)
+  set(POLHODE_FLAGS_avx2 -march=x86-64-v3)
+  set(POLHODE_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+else()
+  set(POLHODE_TARGET_NAMES scalar)
+  set(POLHODE_FLAGS_scalar -DHWY_COMPILE_ONLY_SCALAR)
+endif()
+
+function(polhode_compile_per_target library)
+  foreach(name IN LISTS POLHODE_TARGET_NAMES)
+    set(objects ${library}_${name})
+    add_library(${objects} OBJECT ${ARGN})
+    target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags hwy::hwy)
+    target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast)
+    target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES)
+    if(POLHODE_SANITIZE)  # built where it runs, so sharing does no harm
+      target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
+    else()
+      set(merged ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)
+      add_custom_command(
+        OUTPUT ${merged}
+        COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${merged}
+                $<TARGET_OBJECTS:${objects}>
+        COMMAND ${CMAKE_OBJCOPY} --wildcard "--keep-global-symbol=*polhode*loops_${name}*" ${merged}
+        DEPENDS ${objects} $<TARGET_OBJECTS:${objects}>
+        COMMAND_EXPAND_LISTS VERBATIM
+        COMMENT "Joining the ${name} loops")
+      set_source_files_properties(${merged} PROPERTIES EXTERNAL_OBJECT ON GENERATED ON)
+      target_sources(${library} PRIVATE ${merged})
+    endif()
+  endforeach()
+endfunction()

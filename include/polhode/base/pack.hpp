@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// Packs: as many numbers as the instruction set handles at once, behaving as one Real. The only
+// file with vector types. It is included by files that are compiled once per instruction set (the
+// `targets` folders), each with its own compiler flags.
+#pragma once
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#include "polhode/base/quaternion.hpp"
+#include "polhode/base/vec3.hpp"
+
+namespace polhode {
+inline namespace HWY_NAMESPACE {  // packs of different instruction sets are different types
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// The largest pack of doubles or floats of this instruction set.
+template <class T>
+struct Pack {
+  using Tag = hn::ScalableTag<T>;
+  using IndexTag = hn::RebindToSigned<Tag>;
+  using Index = hn::Vec<IndexTag>;
+  static constexpr std::size_t width = HWY_LANES(T);
+
+  hn::Vec<Tag> v;
+
+  Pack() : v(hn::Zero(Tag())) {}
+  Pack(T value) : v(hn::Set(Tag(), value)) {}  // implicit, as a Real is made of a literal
+  Pack(hn::Vec<Tag> value) requires(!std::is_same_v<hn::Vec<Tag>, T>) : v(value) {}
+
+  static Pack load(const T* p) { return Pack(hn::Load(Tag(), p)); }
+  void store(T* p) const { hn::Store(v, Tag(), p); }
+
+  friend Pack operator+(Pack a, Pack b) { return Pack(hn::Add(a.v, b.v)); }
+  friend Pack operator-(Pack a, Pack b) { return Pack(hn::Sub(a.v, b.v)); }
+  friend Pack operator*(Pack a, Pack b) { return Pack(hn::Mul(a.v, b.v)); }
+  friend Pack operator/(Pack a, Pack b) { return Pack(hn::Div(a.v, b.v)); }
+  friend Pack operator-(Pack a) { return Pack(hn::Neg(a.v)); }
+  Pack& operator+=(Pack b) { return *this = *this + b; }
+  Pack& operator-=(Pack b) { return *this = *this - b; }
+  Pack& operator*=(Pack b) { return *this = *this * b; }
+};
+
+/// The truth of a comparison, lane by lane.
+template <class T>
+struct PackMask {
+  hn::Mask<typename Pack<T>::Tag> m;
+  friend PackMask operator&&(PackMask a, PackMask b) { return {hn::And(a.m, b.m)}; }
+  friend PackMask operator||(PackMask a, PackMask b) { return {hn::Or(a.m, b.m)}; }
+  friend PackMask operator!(PackMask a) { return {hn::Not(a.m)}; }
+};
+
+template <class T>
+PackMask<T> operator<(Pack<T> a, Pack<T> b) {
+  return {hn::Lt(a.v, b.v)};
+}
+template <class T>
+PackMask<T> operator>(Pack<T> a, Pack<T> b) {
+  return {hn::Gt(a.v, b.v)};
+}
+template <class T>
+PackMask<T> operator<=(Pack<T> a, Pack<T> b) {
+  return {hn::Le(a.v, b.v)};
+}
+template <class T>
+PackMask<T> operator>=(Pack<T> a, Pack<T> b) {
+  return {hn::Ge(a.v, b.v)};
+}
+
+template <class T>
+bool any(PackMask<T> mask) {
+  return !hn::AllFalse(typename Pack<T>::Tag(), mask.m);
+}
+template <class T>
+bool all(PackMask<T> mask) {
+  return hn::AllTrue(typename Pack<T>::Tag(), mask.m);
+}
+/// The first `count` lanes.
+template <class T>
+PackMask<T> first_lanes(std::size_t count) {
+  return {hn::FirstN(typename Pack<T>::Tag(), count)};
+}
+template <class T>
+Pack<T> select(PackMask<T> mask, Pack<T> if_true, Pack<T> if_false) {
+  return Pack<T>(hn::IfThenElse(mask.m, if_true.v, if_false.v));
+}
+
+template <class T>
+Pack<T> sqrt(Pack<T> a) {
+  return Pack<T>(hn::Sqrt(a.v));
+}
+template <class T>
+Pack<T> abs(Pack<T> a) {
+  return Pack<T>(hn::Abs(a.v));
+}
+/// a b + c with one rounding where the hardware has it.
+template <class T>
+Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
+  return Pack<T>(hn::MulAdd(a.v, b.v, c.v));
+}
+/// The sum of all lanes.
+template <class T>
+T sum(Pack<T> a) {
+  return hn::GetLane(hn::SumOfLanes(typename Pack<T>::Tag(), a.v));
+}
+
+/// p[i0], p[i1], ... for a pack of indices.
+template <class T>
+Pack<T> gather(const T* p, typename Pack<T>::Index index) {
+  return Pack<T>(hn::GatherIndex(typename Pack<T>::Tag(), p, index));
+}
+/// p[i] = value, lane by lane.
+template <class T>
+void scatter(Pack<T> value, T* p, typename Pack<T>::Index index) {
+  hn::ScatterIndex(value.v, typename Pack<T>::Tag(), p, index);
+}
+
+}  // namespace HWY_NAMESPACE
+
+template <class T>
+struct MaskOf<Pack<T>> {
+  using type = PackMask<T>;
+};
+
+}  // namespace polhode

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Instruction sets: loops over packs are compiled once for each, and one is chosen at start-up.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace polhode {
+
+enum class Target { scalar, sse4, avx2, avx512 };
+
+const char* name(Target target);
+
+/// The targets that were compiled and that this processor runs, slowest first.
+std::vector<Target> available_targets();
+
+/// The target in use: the last of the available ones, unless the environment variable
+/// POLHODE_TARGET or force_target() names another.
+/// @throws Error  if POLHODE_TARGET names one that does not exist or does not run here
+Target current_target();
+
+/// Use this target from now on; for tests and benchmarks. Not while other threads compute.
+void force_target(Target target);
+
+// A file in a `targets` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
+// build sets to loops_scalar, loops_sse4 and so on. Their callers declare them once for all targets
+// with POLHODE_DECLARE_LOOPS and pick the current one with POLHODE_CURRENT_LOOPS.
+#if defined(__x86_64__)
+#define POLHODE_DECLARE_LOOPS(...) \
+  namespace loops_scalar {         \
+  __VA_ARGS__                      \
+  }                                \
+  namespace loops_sse4 {           \
+  __VA_ARGS__                      \
+  }                                \
+  namespace loops_avx2 {           \
+  __VA_ARGS__                      \
+  }                                \
+  namespace loops_avx512 {         \
+  __VA_ARGS__                      \
+  }
+#define POLHODE_CURRENT_LOOPS(function)                                                         \
+  (::polhode::pick(::polhode::current_target(), &loops_scalar::function, &loops_sse4::function, \
+                   &loops_avx2::function, &loops_avx512::function))
+#else
+#define POLHODE_DECLARE_LOOPS(...) \
+  namespace loops_scalar {         \
+  __VA_ARGS__                      \
+  }
+#define POLHODE_CURRENT_LOOPS(function) (&loops_scalar::function)
+#endif
+
+/// One of four functions, by target.
+template <class Function>
+constexpr Function pick(Target target, Function scalar, Function sse4, Function avx2,
+                        Function avx512) {
+  switch (target) {
+    case Target::sse4:
+      return sse4;
+    case Target::avx2:
+      return avx2;
+    case Target::avx512:
+      return avx512;
+    case Target::scalar:
+      break;
+  }
+  return scalar;
+}
+
+}  // namespace polhode

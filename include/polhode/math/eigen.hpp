@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Eigenvectors of small symmetric matrices: principal axes, and the best rotation between point
+// sets.
+#pragma once
+
+#include <span>
+
+#include "polhode/base/quaternion.hpp"
+
+namespace polhode {
+
+struct Eigen3 {
+  Vec3<double> values;   ///< ascending
+  Mat3<double> vectors;  ///< rows, orthonormal, right-handed
+};
+
+/// Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix.
+Eigen3 symmetric_eigen(const Mat3<double>& m);
+
+/// The rotation A (body → lab) that minimises Σ w |A body − lab|² (horn1987, quaternion form).
+/// Both sets are relative to their weighted centres. Collinear sets get one of the equivalent ones.
+Quaternion<double> best_rotation(std::span<const Vec3<double>> body,
+                                 std::span<const Vec3<double>> lab, std::span<const double> weight);
+
+}  // namespace polhode

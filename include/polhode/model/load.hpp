@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What the bodies feel: forces, torques, and the potential by term. It does not know how it was
+// made.
+#pragma once
+
+#include "polhode/base/column.hpp"
+
+namespace polhode {
+
+struct Load {
+  Vec3Column f;              ///< force [kJ/mol/nm], lab
+  Vec3Column tau;            ///< torque about the centre of mass [kJ/mol], lab
+  double lennard_jones = 0;  ///< [kJ/mol]
+  double coulomb = 0;        ///< [kJ/mol]
+
+  Load() = default;
+  explicit Load(std::size_t bodies) : f(bodies), tau(bodies) {}
+  double potential() const { return lennard_jones + coulomb; }
+};
+
+}  // namespace polhode

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// A phase space point Γ = {q, p, S, ℓ} of all bodies (vanzon2008), with the box and the time.
+#pragma once
+
+#include "polhode/base/column.hpp"
+#include "polhode/model/box.hpp"
+
+namespace polhode {
+
+struct State {
+  Vec3Column q;               ///< centres of mass [nm], lab, unwrapped
+  Vec3Column p;               ///< momenta [u nm/ps], lab
+  QuaternionColumn attitude;  ///< body → lab; its transposed matrix is S
+  Vec3Column ell;             ///< angular momenta about the centres [u nm²/ps], lab
+  Box box;                    ///< [nm]
+  double time = 0;            ///< [ps]
+
+  State() = default;
+  State(std::size_t bodies, const Box& box)
+      : q(bodies), p(bodies), attitude(bodies), ell(bodies), box(box) {}
+  std::size_t size() const { return q.size(); }
+};
+
+}  // namespace polhode

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What exists: molecules and their counts, and per body what stays constant in a run.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "polhode/base/column.hpp"
+#include "polhode/model/molecule.hpp"
+
+namespace polhode {
+
+/// Molecule types with their counts; bodies of one type are contiguous, in this order.
+struct Topology {
+  struct Part {
+    Molecule molecule;
+    std::size_t count = 0;
+  };
+  std::vector<Part> parts;
+
+  std::size_t size() const;  ///< number of bodies
+  double mass() const;       ///< [u]
+};
+
+/// Per body: mass and principal moments with their inverses. An inverse of a vanishing moment is 0:
+/// no angular momentum lives there.
+struct Bodies {
+  Column<double> m;               ///< [u]
+  Column<double> inverse_m;       ///< [1/u]
+  Vec3Column J;                   ///< [u nm²]
+  Vec3Column inverse_J;           ///< [1/(u nm²)]
+  std::vector<std::size_t> part;  ///< index into Topology::parts
+
+  explicit Bodies(const Topology& topology);
+  std::size_t size() const { return part.size(); }
+};
+
+}  // namespace polhode

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/model/molecule.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/math/eigen.hpp"
+
+namespace polhode {
+namespace {
+
+// Moments closer than this, relative to the largest, count as equal, or as zero: geometries are
+// given with 10 digits or more, and their squares carry a few times that rounding.
+constexpr double same_moment = 1e-9;
+
+void check(const Site& site, const std::string& molecule) {
+  const auto refuse = [&](const std::string& what) {
+    throw Error("molecule '" + molecule + "', site '" + site.name + "': " + what);
+  };
+  for (const double x :
+       {site.r.x, site.r.y, site.r.z, site.mass, site.charge, site.sigma, site.epsilon})
+    if (!std::isfinite(x))
+      refuse("a number is not finite; write finite numbers for every property");
+  const auto negative = [&](const char* what, double value) {
+    if (value < 0)
+      refuse(std::string(what) + " = " + std::to_string(value) +
+             " is negative; it must be 0 or more");
+  };
+  negative("mass", site.mass);
+  negative("sigma", site.sigma);
+  negative("epsilon", site.epsilon);
+  if (site.epsilon > 0 && site.sigma == 0)
+    refuse("epsilon is given but sigma is 0; a Lennard-Jones site needs both");
+}
+
+// `rounding` bounds the moments that coordinates of one single mass point leave behind.
+Top kind(Vec3<double>& J, double rounding) {
+  const double tiny = same_moment * J.z;
+  if (J.z <= rounding) {
+    J = {};
+    return Top::atom;
+  }
+  if (J.x <= tiny) {
+    J.x = 0;
+    J.y = J.z = (J.y + J.z) / 2;
+    return Top::linear;
+  }
+  const bool low = J.y - J.x <= tiny, high = J.z - J.y <= tiny;
+  if (low && high) return Top::spherical;
+  return low || high ? Top::symmetric : Top::asymmetric;
+}
+
+// A body without inertia about an axis cannot take a torque about it: its sites lie on that axis.
+void check_lever(Site& site, Top top, const std::string& molecule) {
+  if (top != Top::linear && top != Top::atom) return;
+  double& along = site.r.x;
+  const double off = top == Top::linear ? std::hypot(site.r.y, site.r.z) : norm(site.r);
+  if (off > 1e-7 && (site.charge != 0 || site.epsilon != 0))
+    throw Error("molecule '" + molecule + "', site '" + site.name + "' lies " +
+                std::to_string(off) + " nm off the " +
+                (top == Top::linear ? "axis of a linear body" : "only mass point") +
+                "; its torque would meet no inertia, so give mass to sites off the axis");
+  site.r = {top == Top::linear ? along : 0.0, 0.0, 0.0};
+}
+
+}  // namespace
+
+const char* name(Top top) {
+  switch (top) {
+    case Top::atom:
+      return "atom";
+    case Top::linear:
+      return "linear";
+    case Top::spherical:
+      return "spherical";
+    case Top::symmetric:
+      return "symmetric";
+    case Top::asymmetric:
+      return "asymmetric";
+  }
+  return "";
+}
+
+double Molecule::charge() const {
+  double q = 0;
+  for (const Site& site : sites) q += site.charge;
+  return q;
+}
+
+double Molecule::dipole() const {
+  Vec3<double> mu{};
+  for (const Site& site : sites) mu += site.charge * site.r;
+  return norm(mu);
+}
+
+int Molecule::rotational_freedoms() const {
+  return top == Top::atom ? 0 : top == Top::linear ? 2 : 3;
+}
+
+double Molecule::reach() const {
+  double far = 0;
+  for (const Site& site : sites)
+    if (site.charge != 0 || site.epsilon != 0) far = std::max(far, norm(site.r));
+  return far;
+}
+
+Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
+  Molecule molecule;
+  Vec3<double> centre{};
+  double far = 0;  // Σ m r² before the centre is known
+  for (const Site& site : sites) {
+    check(site, name);
+    molecule.mass += site.mass;
+    centre += site.mass * site.r;
+    far += site.mass * norm2(site.r);
+  }
+  if (molecule.mass == 0)
+    throw Error("molecule '" + name +
+                "' has mass 0 u; a body needs mass to move, so give a mass to one site at least");
+  centre = centre / molecule.mass;
+
+  double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;  // Σ m r r
+  for (Site& site : sites) {
+    site.r -= centre;
+    const auto& [x, y, z] = site.r;
+    xx += site.mass * x * x, yy += site.mass * y * y, zz += site.mass * z * z;
+    xy += site.mass * x * y, yz += site.mass * y * z, zx += site.mass * z * x;
+  }
+  const Eigen3 principal =
+      symmetric_eigen({{yy + zz, -xy, -zx}, {-xy, xx + zz, -yz}, {-zx, -yz, xx + yy}});
+  molecule.J = principal.values;
+  molecule.top = kind(molecule.J, 1e-28 * far);
+  for (Site& site : sites) {
+    site.r = principal.vectors * site.r;
+    check_lever(site, molecule.top, name);
+  }
+  molecule.name = std::move(name);
+  molecule.sites = std::move(sites);
+  return molecule;
+}
+
+}  // namespace polhode
