@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Run files: TOML, quantities with units. Everything a run or a study needs, in internal units.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/base/vec3.hpp"
+#include "polhode/forces/settings.hpp"
+
+namespace polhode {
+
+struct SystemSettings {
+  struct Component {
+    std::string model;      ///< name of a model, or path of a molecule file
+    std::size_t count = 0;  ///< 0: as many as the start configuration holds
+  };
+  std::vector<Component> molecules;
+  std::optional<double> density;          ///< [u/nm³], without a start configuration
+  std::optional<Vec3<double>> box;        ///< [nm], without a start configuration
+  double temperature = 297;               ///< [K]
+  std::uint64_t seed = 1;
+  std::string start;  ///< path of a .gro file; "w512" is the one within the program; empty: lattice
+};
+
+struct IntegratorSettings {
+  std::string scheme = "hoa2";  ///< name, or stages as text
+  double step = 0.002;          ///< [ps]
+  double lambda = 1e-4;         ///< of the finite-difference gradient (vanzon2008)
+};
+
+struct RunSettings {
+  double equilibrate = 0;  ///< [ps], with velocity rescaling
+  double length = 15;      ///< [ps]
+  double sample = 0.004;   ///< between samples of the energies [ps]
+};
+
+struct OutputSettings {
+  std::string prefix = "polhode-run";         ///< of all output files
+  double trajectory_every = 0.1;              ///< [ps]; 0: no trajectory
+  std::vector<std::string> formats = {"xyz", "gro"};
+  std::string plot = "svg";                   ///< "svg", "png" or "none"
+};
+
+struct StudySettings {
+  std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
+  std::vector<double> steps;  ///< [ps]; empty: a ladder per scheme
+  int runs = 10;              ///< independent starts per point
+  double length = 15;         ///< of each run [ps]
+  double decorrelate = 2;     ///< between starts [ps]
+};
+
+struct Config {
+  SystemSettings system;
+  ForceSettings forces;
+  IntegratorSettings integrator;
+  RunSettings run;
+  OutputSettings output;
+  StudySettings study;
+  std::string source;  ///< path of the file, or "default"
+  std::string text;    ///< as read: its hash names outputs
+};
+
+/// Reads and checks a run file. A relative path in it is relative to the file.
+/// @throws Error  with file, line and key
+Config read_config(const std::string& path);
+
+/// The default run: 512 TIP4P waters from the configuration within the program.
+Config default_config();
+
+}  // namespace polhode
