@@ -23,4 +23,10 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
 using std::abs;
 using std::sqrt;
 
+/// 1/√a.
+template <class Real>
+Real inverse_sqrt(Real a) {
+  return Real(1.0) / sqrt(a);
+}
+
 }  // namespace polhode

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// The forces by the shortest way: every pair of molecules, every image in reach, no list, no packs.
+// The pair loops are tested against it, and with dual numbers it yields exact derivatives.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "polhode/forces/molecule_pair.hpp"
+#include "polhode/model/state.hpp"
+
+namespace polhode {
+
+/// Where a body is; Real = Dual carries a displacement along.
+template <class Real>
+struct Pose {
+  Vec3<Real> q;
+  Quaternion<Real> attitude;
+};
+
+template <class Real>
+struct ReferenceLoad {
+  std::vector<Vec3<Real>> f, tau;
+  Real lennard_jones{0.0}, coulomb{0.0};
+  Real potential() const { return lennard_jones + coulomb; }
+};
+
+template <Truncation truncation, class Real>
+ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings& settings,
+                                   const Box& box, const std::vector<Pose<Real>>& poses) {
+  const std::size_t n = poses.size();
+  const PairLaws laws(settings);
+  const PairTables tables(topology);
+  const Bodies bodies(topology);
+  std::vector<std::vector<Site>> sites;
+  for (const auto& part : topology.parts) sites.push_back(interacting_sites(part.molecule));
+
+  std::vector<std::vector<Vec3<Real>>> arms(n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (const Site& site : sites[bodies.part[i]])
+      arms[i].push_back(
+          to_lab(poses[i].attitude, Vec3<Real>{Real(site.r.x), Real(site.r.y), Real(site.r.z)}));
+
+  ReferenceLoad<Real> load{std::vector<Vec3<Real>>(n), std::vector<Vec3<Real>>(n)};
+  const Vec3<Real> edge{Real(box.edge.x), Real(box.edge.y), Real(box.edge.z)};
+  const auto nearest = [](Real x) {  // the whole number nearest to x, a constant for derivatives
+    double k = 0;
+    while (x > Real(k + 0.5)) k += 1;
+    while (x < Real(k - 0.5)) k -= 1;
+    return Real(k);
+  };
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const PairTable& table = tables(bodies.part[i], bodies.part[j]);
+      Vec3<Real> R0 = poses[j].q - poses[i].q;
+      R0 -= Vec3<Real>{nearest(R0.x / edge.x) * edge.x, nearest(R0.y / edge.y) * edge.y,
+                       nearest(R0.z / edge.z) * edge.z};
+      for (int image = 0; image < 27; ++image) {
+        const Vec3<Real> shift{Real(image % 3 - 1), Real(image / 3 % 3 - 1), Real(image / 9 - 1)};
+        const PairLoad<Real> pair = molecule_pair<truncation, Real>(
+            table, laws, R0 + scaled(shift, edge), arms[i].data(), arms[j].data());
+        load.f[i] -= pair.f;
+        load.f[j] += pair.f;
+        load.tau[i] += pair.tau_a;
+        load.tau[j] += pair.tau_b;
+        load.lennard_jones += pair.lennard_jones;
+        load.coulomb += pair.coulomb;
+      }
+    }
+  return load;
+}
+
+/// Forces, torques and energies of all pairs. Time grows with the square of the number of bodies.
+template <class Real>
+ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings& settings,
+                                   const Box& box, const std::vector<Pose<Real>>& poses) {
+  return settings.truncation == Truncation::molecule_switch
+             ? all_pairs_load<Truncation::molecule_switch>(topology, settings, box, poses)
+             : all_pairs_load<Truncation::reaction_field>(topology, settings, box, poses);
+}
+
+}  // namespace polhode

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// Plays a scheme on a state: drifts and kicks in order, with forces from any callable.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <utility>
+
+#include "polhode/base/quaternion.hpp"
+#include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+/// Anything that computes the Load of a State.
+template <class F>
+concept ForceModel = requires(F& forces, const State& state, Load& load) {
+  {forces(state, load)};
+};
+
+/// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v) turns
+/// a body by the body-frame vector v (vanzon2008, below Eq. 8; S̃ = R(v) S).
+inline Quaternion<double> rodrigues(const Vec3<double>& v) {
+  const double half = norm(v) / 2;
+  const double s = half > 0 ? std::sin(half) / (2 * half) : 0.5;
+  return {std::cos(half), s * v.x, s * v.y, s * v.z};
+}
+
+/// Moves every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
+/// (vanzon2008, Eq. 8 with c = 2 ξ λ h²).
+inline void displace(State& state, const Bodies& bodies, const Load& load, double c) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Quaternion<double> a = state.attitude[i];
+    const Vec3<double> v = scaled(bodies.inverse_J[i], to_body(a, load.tau[i]));  // J⁻¹ S τ
+    state.q.add(i, c * bodies.inverse_m[i] * load.f[i]);
+    state.attitude.set(i, a * rodrigues(c * v));
+  }
+}
+
+/// An integrator owns its scratch space and the last Load; a step does not allocate.
+template <ForceModel Forces>
+class Integrator {
+ public:
+  /// @param forces  kept by reference
+  /// @param lambda  of the finite difference in gradient kicks (vanzon2008, Eq. 7)
+  Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4)
+      : scheme_(scheme),
+        bodies_(bodies),
+        forces_(forces),
+        lambda_(lambda),
+        load_(bodies.size()),
+        gradient_load_(bodies.size()),
+        shifted_(bodies.size(), Box{}) {}
+
+  /// Steps e^{Lh}, `steps` times (vanzon2008, Eq. 1). Between two steps the last stage of one and
+  /// the first of the next are one flow, played at once; at the end the state is synchronised:
+  /// positions and momenta belong to the same time.
+  void advance(State& state, double h, std::size_t steps = 1) {
+    const std::span<const Stage> stages = scheme_.stages();
+    const bool mergeable = scheme_.mergeable();
+    for (std::size_t n = 0; n < steps; ++n) {
+      const bool first = n == 0, last = n + 1 == steps;
+      for (std::size_t k = 0; k < stages.size(); ++k) {
+        if (mergeable && k == 0 && !first)
+          continue;  // played with the last stage of the step before
+        Stage stage = stages[k];
+        if (mergeable && k + 1 == stages.size() && !last) stage.fraction *= 2;
+        play(stage, state, h);
+      }
+    }
+    state.time += static_cast<double>(steps) * h;
+  }
+
+  /// The Load at the state's positions: that of the last kick where the positions are still the
+  /// same, else a new evaluation, which is counted as a measurement and not as part of the
+  /// integration.
+  const Load& load(const State& state) {
+    if (!current_) {
+      forces_(state, load_);
+      ++measurements_;
+      current_ = true;
+    }
+    return load_;
+  }
+
+  /// To be called when someone else has moved the bodies.
+  void forget() { current_ = false; }
+
+  const Scheme& scheme() const { return scheme_; }
+  std::uint64_t force_evaluations() const { return evaluations_; }  ///< by steps
+  std::uint64_t measurements() const { return measurements_; }      ///< for load() alone
+
+ private:
+  void play(const Stage& stage, State& state, double h) {
+    if (stage.flow == Flow::drift) {
+      drift(state, bodies_, stage.fraction * h);
+      current_ = false;
+      return;
+    }
+    if (!current_) {
+      forces_(state, load_);  // f, τ
+      ++evaluations_;
+      current_ = true;
+    }
+    kick(state, load_, stage.fraction * h);
+    if (stage.xi != 0) gradient_kick(stage, state, h);
+  }
+
+  /// The part of e^{B̂(ξ)} beyond e^B: Δf = [f(q̃, S̃) − f(q, S)]/λ and the same of τ, both in the lab
+  /// frame (vanzon2008, Eqs. 6 to 8). The step h in 2 ξ λ h² is the whole one, whatever the kick's
+  /// weight.
+  void gradient_kick(const Stage& stage, State& state, double h) {
+    shifted_.q = state.q;
+    shifted_.attitude = state.attitude;
+    shifted_.box = state.box;
+    displace(shifted_, bodies_, load_, 2 * stage.xi * lambda_ * h * h);
+    forces_(shifted_, gradient_load_);
+    ++evaluations_;
+    const double t = stage.fraction * h / lambda_;
+    kick(state, gradient_load_, t);
+    kick(state, load_, -t);
+  }
+
+  Scheme scheme_;
+  const Bodies& bodies_;
+  Forces& forces_;
+  double lambda_;
+  Load load_, gradient_load_;
+  State shifted_;  // q̃, S̃
+  bool current_ = false;
+  std::uint64_t evaluations_ = 0, measurements_ = 0;
+};
+
+}  // namespace polhode

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/integrate/scheme_text.hpp"
+
+#include <fmt/core.h>
+
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "polhode/integrate/schemes.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr const char* example = "B(1/6) A(1/2) B(2/3, 1/48) A(1/2) B(1/6)";
+
+/// Reads a scheme from left to right; errors tell the position.
+class Reader {
+ public:
+  explicit Reader(std::string_view text) : text_(text) {}
+
+  std::vector<Stage> stages() {
+    std::vector<Stage> all;
+    for (skip_space(); at_ < text_.size(); skip_space()) {
+      all.push_back(stage());
+      if (all.size() > Scheme::most_stages)
+        throw Error(fmt::format("the scheme has more than {} stages; write a shorter one",
+                                Scheme::most_stages));
+    }
+    return all;
+  }
+
+ private:
+  Stage stage() {
+    const char flow = text_[at_];
+    if (flow != 'A' && flow != 'B') refuse("A(...) for a drift or B(...) for a kick");
+    ++at_;
+    expect('(');
+    Stage result{flow == 'A' ? Flow::drift : Flow::kick, number(), 0};
+    skip_space();
+    if (at_ < text_.size() && text_[at_] == ',') {
+      if (flow == 'A') refuse("')': a drift has one argument");
+      ++at_;
+      skip_space();
+      if (text_.substr(at_).starts_with("xi")) {
+        at_ += 2;
+        expect('=');
+      }
+      result.xi = number();
+    }
+    expect(')');
+    return result;
+  }
+
+  double number() {  // a fraction of two decimals, or one
+    const double above = decimal();
+    skip_space();
+    if (at_ >= text_.size() || text_[at_] != '/') return above;
+    ++at_;
+    const double below = decimal();
+    if (below == 0) refuse("a denominator other than 0");
+    return above / below;
+  }
+
+  double decimal() {
+    skip_space();
+    double value = 0;
+    const auto [end, error] =
+        std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) refuse("a finite number like 0.25 or 1/4");
+    at_ = static_cast<std::size_t>(end - text_.data());
+    return value;
+  }
+
+  void expect(char c) {
+    skip_space();
+    if (at_ >= text_.size() || text_[at_] != c) refuse(fmt::format("'{}'", c));
+    ++at_;
+  }
+
+  void skip_space() {
+    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
+  }
+
+  [[noreturn]] void refuse(const std::string& expected) const {
+    const std::string found =
+        at_ < text_.size() ? fmt::format("'{}'", text_.substr(at_, 10)) : "the end";
+    throw Error(
+        fmt::format("scheme text has {} at character {} where {} must stand; a scheme reads "
+                    "like \"{}\"",
+                    found, at_ + 1, expected, example));
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace
+
+Scheme scheme_of(std::string_view name_or_text) {
+  for (const Scheme& scheme : schemes)
+    if (scheme.name() == name_or_text) return scheme;
+  if (name_or_text.find('(') == std::string_view::npos) {
+    std::vector<std::string> names;
+    for (const Scheme& scheme : schemes) names.emplace_back(scheme.name());
+    throw Error(
+        fmt::format("there is no scheme '{}'; {}'polhode schemes' lists all of them, and a text "
+                    "like \"{}\" spells one",
+                    name_or_text, did_you_mean(name_or_text, names), example));
+  }
+  const Scheme scheme(Reader(name_or_text).stages(), 0);
+  if (!scheme.consistent())
+    throw Error(
+        fmt::format("the drifts A of the scheme sum to {:.17g} and the kicks B to {:.17g}; both "
+                    "must sum to 1, or a step is not a step; adjust the coefficients",
+                    scheme.total(Flow::drift), scheme.total(Flow::kick)));
+  return scheme;
+}
+
+std::string text_of(const Scheme& scheme) {
+  std::string text;
+  for (const Stage& stage : scheme.stages()) {
+    text += text.empty() ? "" : " ";
+    text += fmt::format("{}({}", stage.flow == Flow::drift ? 'A' : 'B', stage.fraction);
+    text += stage.xi != 0 ? fmt::format(", {})", stage.xi) : ")";
+  }
+  return text;
+}
+
+}  // namespace polhode
