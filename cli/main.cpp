@@ -18,7 +18,10 @@ struct Verb {
   Action (*declare)(CLI::App&);
 };
 
-const std::vector<Verb> verbs = {};
+const std::vector<Verb> verbs = {
+    {"schemes", "list the splitting schemes, or show one", schemes_verb},
+    {"verify", "measure the order of a scheme", verify_verb},
+};
 
 int run(int argc, char** argv) {
   CLI::App app{"polhode: molecular dynamics of rigid molecules with the exact free rotor",

@@ -10,4 +10,7 @@ namespace polhode::cli {
 
 using Action = std::function<int()>;
 
+Action schemes_verb(CLI::App& app);
+Action verify_verb(CLI::App& app);
+
 }  // namespace polhode::cli

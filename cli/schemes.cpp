@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// polhode schemes [NAME]: the table of splitting schemes.
+#include <fmt/core.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/integrate/schemes.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+nlohmann::json as_json(const Scheme& scheme) {
+  nlohmann::json stages = nlohmann::json::array();
+  for (const Stage& s : scheme.stages())
+    stages.push_back({{"flow", s.flow == Flow::drift ? "drift" : "kick"},
+                      {"fraction", s.fraction},
+                      {"xi", s.xi}});
+  return {{"name", scheme.name()},     {"order", scheme.order()},
+          {"stages", stages},          {"force_evaluations", scheme.force_evaluations()},
+          {"source", scheme.source()}, {"text", text_of(scheme)}};
+}
+
+void print_one(const Scheme& scheme) {
+  fmt::print(
+      "{}\n  order              {}\n  force evaluations  {} per step\n  source             {}\n"
+      "  stages\n",
+      scheme.name(), scheme.order() ? fmt::format("{}", scheme.order()) : "unknown",
+      scheme.force_evaluations(), scheme.source().empty() ? "-" : scheme.source());
+  for (const Stage& s : scheme.stages())
+    fmt::print("    {}\n",
+               s.flow == Flow::drift ? fmt::format("A({:<20})  drift", s.fraction)
+               : s.xi == 0           ? fmt::format("B({:<20})  kick", s.fraction)
+                           : fmt::format("B({:<20}, xi = {})  gradient kick", s.fraction, s.xi));
+  fmt::print("  as text\n    \"{}\"\n", text_of(scheme));
+}
+
+}  // namespace
+
+Action schemes_verb(CLI::App& app) {
+  struct Options {
+    std::string name;
+    bool json = false;
+  };
+  auto o = std::make_shared<Options>();
+  app.add_option("NAME", o->name, "a scheme's name, or its stages as text; without it: all");
+  app.add_flag("--json", o->json, "print JSON");
+  return [o] {
+    if (!o->name.empty()) {
+      const Scheme scheme = scheme_of(o->name);
+      if (o->json)
+        fmt::print("{}\n", as_json(scheme).dump(2));
+      else
+        print_one(scheme);
+      return 0;
+    }
+    if (o->json) {
+      nlohmann::json all = nlohmann::json::array();
+      for (const Scheme& scheme : schemes) all.push_back(as_json(scheme));
+      fmt::print("{}\n", all.dump(2));
+      return 0;
+    }
+    fmt::print("{:<16} {:>5}  {:>17}  {:<12} {}\n", "name", "order", "force evaluations", "source",
+               "stages");
+    for (const Scheme& s : schemes)
+      fmt::print("{:<16} {:>5}  {:>17}  {:<12} {}\n", s.name(), s.order(), s.force_evaluations(),
+                 s.source(), text_of(s));
+    return 0;
+  };
+}
+
+}  // namespace polhode::cli

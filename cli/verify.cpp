@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// polhode verify NAME|TEXT: the order of a scheme by the slope of its energy error.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/measure/order.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+
+Action verify_verb(CLI::App& app) {
+  struct Options {
+    std::string scheme;
+    int order = 0;
+    double lambda = 1e-4;
+    bool json = false;
+  };
+  auto o = std::make_shared<Options>();
+  app.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text")->required();
+  app.add_option("--order", o->order, "the order it should have; default: the one in the table")
+      ->check(CLI::Range(1, 12));
+  app.add_option("--lambda", o->lambda, "of the finite-difference gradient")
+      ->check(CLI::Range(1e-8, 1.0));
+  app.add_flag("--json", o->json, "print JSON");
+  return [o] {
+    const Scheme scheme = scheme_of(o->scheme);
+    const OrderMeasurement m = measured_order(scheme, o->lambda);
+    const int declared = o->order ? o->order : scheme.order();
+    // A symmetric scheme errs by C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²), below 0.1 here.
+    const bool holds = declared != 0 && std::abs(m.order - declared) < 0.1;
+    if (o->json) {
+      nlohmann::json points = nlohmann::json::array();
+      for (const auto& p : m.points) points.push_back({{"step", p.step}, {"error", p.error}});
+      fmt::print("{}\n", nlohmann::json{{"scheme", scheme.name()},
+                                        {"measured_order", m.order},
+                                        {"declared_order", declared},
+                                        {"holds", declared ? nlohmann::json(holds) : nullptr},
+                                        {"points", points}}
+                             .dump(2));
+    } else {
+      fmt::print("{:>12}  {:>16}  {:>6}\n", "step [fs]", "energy error", "order");
+      for (std::size_t i = 0; i < m.points.size(); ++i)
+        fmt::print(
+            "{:>12.6g}  {:>16.3e}  {:>6}\n", m.points[i].step * 1000, m.points[i].error,
+            i == 0 ? ""
+                   : fmt::format("{:.2f}", std::log2(m.points[i - 1].error / m.points[i].error)));
+      fmt::print("measured order {:.2f}", m.order);
+      if (declared == 0)
+        fmt::print("; none was declared, so there is nothing to compare with (--order N)\n");
+      else
+        fmt::print(", declared {}: {}\n", declared, holds ? "it holds" : "it does NOT hold");
+    }
+    return declared == 0 || holds ? 0 : 1;
+  };
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Means and lines with their standard errors, and how likely chance alone explains them.
+#pragma once
+
+#include <span>
+
+namespace polhode {
+
+struct Estimate {
+  double value = 0;
+  double error = 0;  ///< standard error; 0 where one value tells nothing about it
+};
+
+/// The mean of independent values and its standard error.
+Estimate mean(std::span<const double> values);
+
+/// The slope of the least-squares line through (x, y) and its standard error from the residuals,
+/// which are taken as independent.
+Estimate slope(std::span<const double> x, std::span<const double> y);
+
+/// The probability that chance alone moves an estimate as far from zero as this one: two-sided
+/// Student t with as many degrees of freedom. 1 if value and error are 0.
+double chance(const Estimate& estimate, double degrees_of_freedom);
+
+}  // namespace polhode

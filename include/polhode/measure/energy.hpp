@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Energies and momenta of a state.
+#pragma once
+
+#include <array>
+
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+struct Energies {
+  double time = 0;                 ///< [ps]
+  double lennard_jones = 0;        ///< [kJ/mol]
+  double coulomb = 0;              ///< [kJ/mol]
+  double translation = 0;          ///< Σ p²/2m [kJ/mol]
+  std::array<double, 3> rotation;  ///< Σ L_k²/2J_k for each principal axis [kJ/mol]
+
+  double potential() const { return lennard_jones + coulomb; }
+  double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
+  double total() const { return potential() + kinetic(); }
+};
+
+/// The energies of a state with the Load at its positions.
+Energies energies(const State& state, const Bodies& bodies, const Load& load);
+
+/// Σ p [u nm/ps].
+Vec3<double> total_momentum(const State& state);
+
+/// Σ q × p + ℓ about the origin [u nm²/ps].
+Vec3<double> total_angular_momentum(const State& state);
+
+/// How many ways of moving carry energy kT/2 each: translations without those of the total
+/// momentum, and rotations about each principal axis that has inertia.
+struct Freedoms {
+  double translation = 0;
+  std::array<double, 3> rotation{};
+  double all() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
+};
+
+Freedoms freedoms(const Topology& topology);
+
+/// 2 E/(n k_B) [K]; 0 without freedoms.
+double temperature(double kinetic_energy, double freedoms);
+
+}  // namespace polhode

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/math/fit.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+
+namespace polhode {
+
+Estimate mean(std::span<const double> values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0;
+  for (const double v : values) sum += v;
+  const double average = sum / n;
+  double squares = 0;
+  for (const double v : values) squares += (v - average) * (v - average);
+  return {average, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0.0};
+}
+
+Estimate slope(std::span<const double> x, std::span<const double> y) {
+  const auto n = static_cast<double>(x.size());
+  const double x0 = mean(x).value, y0 = mean(y).value;
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xx += (x[i] - x0) * (x[i] - x0);
+    xy += (x[i] - x0) * (y[i] - y0);
+  }
+  const double b = xy / xx;
+  double residual = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double r = y[i] - y0 - b * (x[i] - x0);
+    residual += r * r;
+  }
+  return {b, n > 2 ? std::sqrt(residual / (n - 2) / xx) : 0.0};
+}
+
+double chance(const Estimate& estimate, double degrees_of_freedom) {
+  if (estimate.value == 0) return 1;
+  if (estimate.error == 0) return 0;
+  const boost::math::students_t t(degrees_of_freedom);
+  return 2 *
+         boost::math::cdf(boost::math::complement(t, std::abs(estimate.value / estimate.error)));
+}
+
+}  // namespace polhode
