@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
@@ -18,9 +19,9 @@ struct SystemSettings {
     std::size_t count = 0;  ///< 0: as many as the start configuration holds
   };
   std::vector<Component> molecules;
-  std::optional<double> density;          ///< [u/nm³], without a start configuration
-  std::optional<Vec3<double>> box;        ///< [nm], without a start configuration
-  double temperature = 297;               ///< [K]
+  std::optional<double> density;    ///< [u/nm³], without a start configuration
+  std::optional<Vec3<double>> box;  ///< [nm], without a start configuration
+  double temperature = 297;         ///< [K]
   std::uint64_t seed = 1;
   std::string start;  ///< path of a .gro file; "w512" is the one within the program; empty: lattice
 };
@@ -38,10 +39,10 @@ struct RunSettings {
 };
 
 struct OutputSettings {
-  std::string prefix = "polhode-run";         ///< of all output files
-  double trajectory_every = 0.1;              ///< [ps]; 0: no trajectory
+  std::string prefix = "polhode-run";  ///< of all output files
+  double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  std::string plot = "svg";                   ///< "svg", "png" or "none"
+  std::string plot = "svg";  ///< "svg", "png" or "none"
 };
 
 struct StudySettings {
@@ -66,6 +67,9 @@ struct Config {
 /// Reads and checks a run file. A relative path in it is relative to the file.
 /// @throws Error  with file, line and key
 Config read_config(const std::string& path);
+
+/// The run that the text of a run file describes; `file` is its name in errors.
+Config parse_config(std::string_view text, const std::string& file);
 
 /// The default run: 512 TIP4P waters from the configuration within the program.
 Config default_config();

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Quantities as users write them, "2 fs", turned into internal units. The only file that knows
+// conversion factors.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "polhode/base/vec3.hpp"
+
+namespace polhode {
+
+enum class Dimension {
+  length,       ///< [nm]
+  time,         ///< [ps]
+  mass,         ///< [u]
+  charge,       ///< [e]
+  temperature,  ///< [K]
+  energy,       ///< [kJ/mol]; "K" means energy over Boltzmann's constant
+  density,      ///< [u/nm³]
+  dipole,       ///< [e nm]
+  fraction,     ///< [1], written in %
+};
+
+/// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is what the text stands
+/// for, and `example` what to write instead where the dimension's own example misleads.
+/// @throws Error  if the unit is missing, unknown or of another dimension, or the number not finite
+double quantity(std::string_view text, Dimension dimension, std::string_view name,
+                std::string_view example = {});
+
+/// Three numbers and their common unit: "0 0.015 0 nm".
+Vec3<double> vector_quantity(std::string_view text, Dimension dimension, std::string_view name);
+
+/// What a user should have written instead of a bare number: `step = 2 has no unit; write for
+/// example "2 fs"`.
+std::string no_unit(std::string_view name, std::string_view number, Dimension dimension,
+                    std::string_view example = {});
+
+/// The value of a unit in internal units: unit("fs", Dimension::time) = 0.001.
+/// @throws Error  if there is no such unit
+double unit(std::string_view symbol, Dimension dimension);
+
+}  // namespace polhode

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/config.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/embedded.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/suggest.hpp"
+#include "toml_table.hpp"
+
+namespace polhode {
+namespace {
+
+using std::filesystem::path;
+
+// Sets `value` if the key is there.
+template <class T>
+void take(T& value, const std::optional<T>& found) {
+  if (found) value = *found;
+}
+
+void take_time(TomlTable& table, std::string_view key, double& value, std::string_view example) {
+  take(value, table.quantity(key, Dimension::time, example));
+}
+
+std::string one_of(TomlTable& table, std::string_view key, const std::string& fallback,
+                   const std::vector<std::string>& names) {
+  const std::string value = table.text(key).value_or(fallback);
+  table.require(std::find(names.begin(), names.end(), value) != names.end(), key,
+                fmt::format("must be one of: {}{}", listed(names), did_you_mean(value, names)));
+  return value;
+}
+
+std::string beside(const path& folder, const std::string& name) {
+  return (folder / name).lexically_normal().string();
+}
+
+SystemSettings::Component read_component(TomlTable table, const path& folder, bool from_file) {
+  SystemSettings::Component component;
+  const auto model = table.text("model");
+  if (!model) table.refuse("model", "a molecule has no model; write for example model = \"tip4p\"");
+  component.model = is_molecule_path(*model) ? beside(folder, *model) : *model;
+  const auto count = table.integer("count");
+  table.refuse_unknown();
+  if (!count && !from_file)
+    table.refuse("count",
+                 "a molecule has no count and there is no start configuration to count "
+                 "them in; write for example count = 512");
+  table.require(count.value_or(0) >= (from_file ? 0 : 1), "count",
+                from_file ? "must be 0 or more; 0 takes as many as the start configuration holds"
+                          : "must be 1 or more");
+  component.count = static_cast<std::size_t>(count.value_or(0));
+  try {
+    read_molecule(component.model);
+  } catch (const Error& e) {
+    throw e.at(table.where("model"));
+  }
+  return component;
+}
+
+Vec3<double> read_box(TomlTable& table) {
+  if (table.holds_text("box")) {
+    const double edge = *table.quantity("box", Dimension::length, "2.5 nm");
+    return {edge, edge, edge};
+  }
+  if (!table.holds_list("box"))  // a bare number, or a kind that has no business here
+    table.quantity("box", Dimension::length, "2.5 nm");
+  const auto edges = table.texts("box");
+  table.require(edges->size() == 3, "box", "must be one edge or a list of three");
+  Vec3<double> box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    try {
+      box[k] = quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k), "2.5 nm");
+    } catch (const Error& e) {
+      throw e.at(table.where("box"));
+    }
+  }
+  return box;
+}
+
+void read_extent(TomlTable& table, SystemSettings& system) {
+  system.density = table.quantity("density", Dimension::density);
+  table.require(system.density.value_or(1) > 0, "density", "must be above 0 g/cm3");
+  if (table.has("box")) system.box = read_box(table);
+  if (system.box)
+    table.require(std::min({system.box->x, system.box->y, system.box->z}) > 0, "box",
+                  "must have edges longer than 0 nm");
+  const bool start = !system.start.empty();
+  if (system.density && system.box)
+    table.refuse("density", "stands beside a box, which fixes the density already; leave one out");
+  if (start && (system.density || system.box))
+    table.refuse(system.box ? "box" : "density",
+                 "stands beside a start configuration, which brings its own box; leave one out");
+  if (!start && !system.density && !system.box)
+    table.refuse("",
+                 "there is neither a density nor a box nor a start configuration; "
+                 "write for example density = \"1 g/cm3\"");
+}
+
+void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
+  system.start = table.text("start").value_or("");
+  if (system.start.empty()) return;
+  if (embedded_text("start/" + system.start + ".gro")) return;
+  std::string file = beside(folder, system.start);
+  table.require(std::filesystem::is_regular_file(file), "start",
+                fmt::format("is no file and no start configuration of the program; \"w512\" is "
+                            "one, and a file would be '{}'",
+                            file));
+  system.start = std::move(file);
+}
+
+void read_system(TomlTable table, const path& folder, SystemSettings& system) {
+  read_start(table, folder, system);
+  const auto components = table.tables("molecules");
+  if (!components || components->empty())
+    table.refuse("",
+                 "there are no molecules; write for example "
+                 "molecules = [{ model = \"tip4p\", count = 512 }]");
+  for (const TomlTable& component : *components)
+    system.molecules.push_back(read_component(component, folder, !system.start.empty()));
+  const auto open = [](const auto& component) { return component.count == 0; };
+  if (system.molecules.size() > 1 &&
+      std::any_of(system.molecules.begin(), system.molecules.end(), open))
+    table.refuse("molecules",
+                 "has several models, of which one has no count; only a single model "
+                 "can be counted in the start configuration");
+  read_extent(table, system);
+  take(system.temperature, table.quantity("temperature", Dimension::temperature));
+  table.require(system.temperature > 0, "temperature", "must be above 0 K; molecules move");
+  const auto seed = table.integer("seed");
+  table.require(seed.value_or(0) >= 0, "seed", "must be 0 or more");
+  if (seed) system.seed = static_cast<std::uint64_t>(*seed);
+  table.refuse_unknown();
+}
+
+double read_dielectric(TomlTable& table, const ForceSettings& forces) {
+  double value = forces.dielectric;
+  if (table.holds_text("dielectric")) {
+    table.require(table.text("dielectric") == "infinite", "dielectric",
+                  "must be a number of 1 or more, or \"infinite\"");
+    value = std::numeric_limits<double>::infinity();
+  } else {
+    take(value, table.number("dielectric"));
+    table.require(value >= 1, "dielectric", "must be 1 (vacuum) or more, or \"infinite\"");
+  }
+  return value;
+}
+
+void read_forces(TomlTable table, ForceSettings& forces) {
+  const std::string truncation =
+      one_of(table, "truncation", "molecule-switch", {"molecule-switch", "reaction-field"});
+  forces.truncation =
+      truncation == "reaction-field" ? Truncation::reaction_field : Truncation::molecule_switch;
+  const auto cutoff = table.quantity("cutoff", Dimension::length);
+  take(forces.cutoff, cutoff);
+  table.require(forces.cutoff > 0, "cutoff", "must be longer than 0 nm");
+  const auto from = table.quantity("switch", Dimension::length, "0.85 nm");
+  // Without a word, the switch takes the outer 15 % of the range, as 0.85 nm does of 1 nm.
+  forces.switch_from = from.value_or(0.85 * forces.cutoff);
+  table.require(forces.switch_from > 0 && forces.switch_from < forces.cutoff, "switch",
+                fmt::format("must be longer than 0 nm and shorter than the cutoff, {} nm: between "
+                            "the two the forces fade",
+                            forces.cutoff));
+  const auto smoothness = table.integer("smoothness").value_or(forces.smoothness);
+  table.require(smoothness >= 1 && smoothness <= 3, "smoothness",
+                "must be 1, 2 or 3, the number of continuous derivatives of the switch");
+  forces.smoothness = static_cast<int>(smoothness);
+  if (table.has("dielectric")) {
+    table.require(forces.truncation == Truncation::reaction_field, "dielectric",
+                  "has no meaning without truncation = \"reaction-field\"; leave it out");
+    forces.dielectric = read_dielectric(table, forces);
+  }
+  take(forces.skin, table.quantity("skin", Dimension::length, "0.1 nm"));
+  table.require(forces.skin >= 0, "skin", "must be 0 nm or more");
+  table.refuse_unknown();
+}
+
+void read_integrator(TomlTable table, IntegratorSettings& integrator) {
+  take(integrator.scheme, table.text("scheme"));
+  table.require(!integrator.scheme.empty(), "scheme", "must name a scheme, for example \"hoa2\"");
+  take_time(table, "step", integrator.step, "2 fs");
+  table.require(integrator.step > 0, "step", "must be longer than 0 fs: time goes on in steps");
+  take(integrator.lambda, table.number("lambda"));
+  table.require(integrator.lambda > 0 && integrator.lambda <= 1, "lambda",
+                "must be above 0 and not above 1, the scale of a finite difference");
+  table.refuse_unknown();
+}
+
+void read_run(TomlTable table, RunSettings& run) {
+  take_time(table, "equilibrate", run.equilibrate, "5 ps");
+  table.require(run.equilibrate >= 0, "equilibrate", "must be 0 ps or longer");
+  take_time(table, "length", run.length, "15 ps");
+  table.require(run.length > 0, "length", "must be longer than 0 ps");
+  take_time(table, "sample", run.sample, "4 fs");
+  table.require(run.sample > 0, "sample", "must be longer than 0 fs");
+  table.refuse_unknown();
+}
+
+void read_output(TomlTable table, OutputSettings& output) {
+  take(output.prefix, table.text("prefix"));
+  table.require(!output.prefix.empty(), "prefix", "must not be empty; output files begin with it");
+  take_time(table, "trajectory_every", output.trajectory_every, "0.1 ps");
+  table.require(output.trajectory_every >= 0, "trajectory_every",
+                "must be 0 ps or longer; 0 ps writes no trajectory");
+  take(output.formats, table.texts("formats"));
+  const std::vector<std::string> known = {"xyz", "gro"};
+  for (const std::string& format : output.formats)
+    table.require(std::find(known.begin(), known.end(), format) != known.end(), "formats",
+                  fmt::format("has the unknown format '{}'{}; there are: {}", format,
+                              did_you_mean(format, known), listed(known)));
+  output.plot = one_of(table, "plot", output.plot, {"svg", "png", "none"});
+  table.refuse_unknown();
+}
+
+void read_study(TomlTable table, StudySettings& study) {
+  take(study.schemes, table.texts("schemes"));
+  table.require(!study.schemes.empty(), "schemes", "must name at least one scheme");
+  for (const std::string& text : table.texts("steps").value_or(std::vector<std::string>{})) {
+    try {
+      study.steps.push_back(quantity(text, Dimension::time, "steps", "2 fs"));
+    } catch (const Error& e) {
+      throw e.at(table.where("steps"));
+    }
+    table.require(study.steps.back() > 0, "steps", "must be longer than 0 fs, each of them");
+  }
+  const auto runs = table.integer("runs").value_or(study.runs);
+  table.require(runs >= 2 && runs <= 1'000'000, "runs",
+                "must be 2 or more, for an error bar, and not above a million");
+  study.runs = static_cast<int>(runs);
+  take_time(table, "length", study.length, "15 ps");
+  table.require(study.length > 0, "length", "must be longer than 0 ps");
+  take_time(table, "decorrelate", study.decorrelate, "2 ps");
+  table.require(study.decorrelate >= 0, "decorrelate", "must be 0 ps or longer");
+  table.refuse_unknown();
+}
+
+}  // namespace
+
+Config parse_config(std::string_view text, const std::string& file) {
+  const toml::table document = parse_toml(text, file);
+  TomlTable table(document, file);
+  Config config;
+  config.source = file;
+  config.text = text;
+  auto system = table.table("system");
+  auto forces = table.table("forces");
+  auto integrator = table.table("integrator");
+  auto run = table.table("run");
+  auto output = table.table("output");
+  auto study = table.table("study");
+  table.refuse_unknown();
+  if (!system)
+    throw Error(
+        "there is no table [system], which says what is simulated; begin with [system], "
+        "molecules = [{ model = \"tip4p\", count = 512 }], density = \"1 g/cm3\"",
+        file);
+  read_system(*system, path(file).parent_path(), config.system);
+  if (forces) read_forces(*forces, config.forces);
+  if (integrator) read_integrator(*integrator, config.integrator);
+  if (run) read_run(*run, config.run);
+  if (output) read_output(*output, config.output);
+  if (study) read_study(*study, config.study);
+  return config;
+}
+
+Config read_config(const std::string& file) { return parse_config(file_text(file), file); }
+
+Config default_config() {
+  return parse_config(embedded_text("runs/default.toml").value(), "default");
+}
+
+}  // namespace polhode

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/molecule_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/embedded.hpp"
+#include "polhode/io/suggest.hpp"
+#include "toml_table.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view folder = "molecules/", ending = ".toml";
+
+std::string needed_text(TomlTable& table, std::string_view key, std::string_view example) {
+  const auto value = table.text(key);
+  if (!value)
+    table.refuse(
+        key, fmt::format("there is no {} here; write for example {} = \"{}\"", key, key, example));
+  table.require(!value->empty(), key,
+                fmt::format("must not be empty; write for example \"{}\"", example));
+  return *value;
+}
+
+double not_negative(TomlTable& table, std::string_view key, Dimension dimension) {
+  const double value = table.quantity(key, dimension).value_or(0);
+  table.require(value >= 0, key, "must be 0 or more; leave it out where the site has none");
+  return value;
+}
+
+Site read_site(TomlTable table) {
+  Site site;
+  site.name = needed_text(table, "name", "OW");
+  site.element = table.text("element").value_or("");
+  const auto position = table.vector("position", Dimension::length);
+  if (!position)
+    table.refuse("position", fmt::format("site '{}' has no position; write for example "
+                                         "position = \"0 0.015 0 nm\"",
+                                         site.name));
+  site.r = *position;
+  site.mass = not_negative(table, "mass", Dimension::mass);
+  site.charge = table.quantity("charge", Dimension::charge).value_or(0);
+  site.sigma = not_negative(table, "sigma", Dimension::length);
+  site.epsilon = not_negative(table, "epsilon", Dimension::energy);
+  table.refuse_unknown();
+  if (site.mass > 0 && site.element.empty())
+    table.refuse("element", fmt::format("site '{}' has mass but no element, which coordinate files "
+                                        "need; write for example element = \"O\"",
+                                        site.name));
+  return site;
+}
+
+}  // namespace
+
+Molecule parse_molecule(std::string_view text, const std::string& file) {
+  const toml::table document = parse_toml(text, file);
+  TomlTable table(document, file);
+  const std::string name = needed_text(table, "name", "tip4p");
+  const std::string description = table.text("description").value_or("");
+  const std::string source = needed_text(table, "source", "jorgensen1983");
+  const auto site_tables = table.tables("site");
+  table.refuse_unknown();
+  if (!site_tables || site_tables->empty())
+    throw Error("there is no site; describe at least one, in a table [[site]]", file);
+  std::vector<Site> sites;
+  for (const TomlTable& site : *site_tables) sites.push_back(read_site(site));
+  try {
+    Molecule molecule = rigid_molecule(name, std::move(sites));
+    molecule.description = description;
+    molecule.source = source;
+    return molecule;
+  } catch (const Error& e) {
+    throw e.at(file);
+  }
+}
+
+std::vector<std::string> molecule_names() {
+  std::vector<std::string> names;
+  for (const EmbeddedFile& file : embedded_files())
+    if (file.path.starts_with(folder) && file.path.ends_with(ending))
+      names.emplace_back(
+          file.path.substr(folder.size(), file.path.size() - folder.size() - ending.size()));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+bool is_molecule_path(std::string_view name) {
+  return name.find('/') != name.npos || name.ends_with(ending);
+}
+
+Molecule read_molecule(const std::string& name_or_path) {
+  if (is_molecule_path(name_or_path)) return parse_molecule(file_text(name_or_path), name_or_path);
+  const std::string path = std::string(folder) + name_or_path + std::string(ending);
+  if (const auto text = embedded_text(path)) return parse_molecule(*text, path);
+  const auto names = molecule_names();
+  const auto near = did_you_mean(name_or_path, names);
+  throw Error(
+      fmt::format("there is no molecule '{}'{}; there are: {}; the path of an own file "
+                  "ends in .toml",
+                  name_or_path, near, listed(names)));
+}
+
+}  // namespace polhode

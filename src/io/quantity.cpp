@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/quantity.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/io/suggest.hpp"
+
+namespace polhode {
+namespace {
+
+struct Unit {
+  std::string_view symbol;
+  Dimension dimension;
+  double value;  // in internal units
+};
+
+constexpr double electronvolt = units::elementary_charge * units::avogadro * 1e-3;  // [kJ/mol]
+// 1 D = 10⁻²¹ C m²/s over the speed of light.
+constexpr double debye = 1e-21 / 299792458.0 / (units::elementary_charge * 1e-9);  // [e nm]
+
+// clang-format off
+constexpr std::array all_units = {
+    Unit{"nm", Dimension::length, 1},        Unit{"A", Dimension::length, 0.1},
+    Unit{"Å", Dimension::length, 0.1},       Unit{"pm", Dimension::length, 1e-3},
+    Unit{"um", Dimension::length, 1e3},
+    Unit{"fs", Dimension::time, 1e-3},       Unit{"ps", Dimension::time, 1},
+    Unit{"ns", Dimension::time, 1e3},        Unit{"us", Dimension::time, 1e6},
+    Unit{"u", Dimension::mass, 1},           Unit{"g/mol", Dimension::mass, 1},
+    Unit{"Da", Dimension::mass, 1},
+    Unit{"e", Dimension::charge, 1},
+    Unit{"K", Dimension::temperature, 1},
+    Unit{"kJ/mol", Dimension::energy, 1},    Unit{"kcal/mol", Dimension::energy, 4.184},
+    Unit{"K", Dimension::energy, units::boltzmann},
+    Unit{"eV", Dimension::energy, electronvolt},
+    Unit{"g/cm3", Dimension::density, units::gram_per_cm3},
+    Unit{"g/cm^3", Dimension::density, units::gram_per_cm3},
+    Unit{"g/cm³", Dimension::density, units::gram_per_cm3},
+    Unit{"kg/m3", Dimension::density, units::gram_per_cm3 * 1e-3},
+    Unit{"kg/m^3", Dimension::density, units::gram_per_cm3 * 1e-3},
+    Unit{"kg/m³", Dimension::density, units::gram_per_cm3 * 1e-3},
+    Unit{"u/nm3", Dimension::density, 1},
+    Unit{"D", Dimension::dipole, debye},     Unit{"e nm", Dimension::dipole, 1},
+    Unit{"%", Dimension::fraction, 0.01},
+};
+// clang-format on
+
+struct Words {
+  const char* article;
+  const char* noun;
+  std::string_view example;
+};
+
+Words words(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::length:
+      return {"a", "length", "1 nm"};
+    case Dimension::time:
+      return {"a", "time", "2 fs"};
+    case Dimension::mass:
+      return {"a", "mass", "15.9994 u"};
+    case Dimension::charge:
+      return {"a", "charge", "0.52 e"};
+    case Dimension::temperature:
+      return {"a", "temperature", "297 K"};
+    case Dimension::energy:
+      return {"an", "energy", "0.65 kJ/mol"};
+    case Dimension::density:
+      return {"a", "density", "1 g/cm3"};
+    case Dimension::dipole:
+      return {"a", "dipole moment", "1.85 D"};
+    case Dimension::fraction:
+      return {"a", "fraction", "0.5 %"};
+  }
+  return {"", "", ""};
+}
+
+const Unit* find(std::string_view symbol, Dimension dimension) {
+  for (const Unit& u : all_units)
+    if (u.symbol == symbol && u.dimension == dimension) return &u;
+  return nullptr;
+}
+
+std::vector<std::string> symbols(Dimension dimension) {
+  std::vector<std::string> names;
+  for (const Unit& u : all_units)
+    if (u.dimension == dimension) names.emplace_back(u.symbol);
+  return names;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
+  return text;
+}
+
+// The name, the text and what to write: everything that complaints about a quantity share.
+struct Written {
+  std::string_view text, name;
+  Dimension dimension;
+  std::string_view example;
+
+  [[noreturn]] void refuse(const std::string& complaint) const {
+    throw Error(fmt::format("{} = \"{}\"{}; write for example \"{}\"", name, text, complaint,
+                            example.empty() ? words(dimension).example : example));
+  }
+};
+
+// Takes the number at the front of `rest` away.
+double number(std::string_view& rest, const Written& written) {
+  rest = trimmed(rest);
+  if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
+  double value = 0;
+  const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  if (status == std::errc::invalid_argument) written.refuse(" has no number where one is needed");
+  if (status == std::errc::result_out_of_range || !std::isfinite(value))
+    written.refuse(" is not finite or not a number that fits; it must be a finite number");
+  rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
+  if (!rest.empty() && rest.front() == ',')
+    written.refuse(" has a comma in a number; decimals follow a point");
+  return value;
+}
+
+double unit_at(std::string_view rest, const Written& written) {
+  const std::string_view symbol = trimmed(rest);
+  if (symbol.empty())
+    throw Error(no_unit(written.name, fmt::format("\"{}\"", written.text), written.dimension,
+                        written.example));
+  if (const Unit* u = find(symbol, written.dimension)) return u->value;
+  const auto wanted = symbols(written.dimension);
+  const auto [article, noun, example] = words(written.dimension);
+  for (const Unit& u : all_units)
+    if (u.symbol == symbol)
+      written.refuse(fmt::format(" is {} {}; it must be {} {}, in one of: {}",
+                                 words(u.dimension).article, words(u.dimension).noun, article, noun,
+                                 listed(wanted)));
+  const auto near = nearest_name(symbol, wanted);
+  written.refuse(fmt::format(": there is no unit '{}' of {}{}; there are: {}", symbol, noun,
+                             near ? fmt::format(" (did you mean '{}'?)", *near) : "",
+                             listed(wanted)));
+}
+
+}  // namespace
+
+std::string no_unit(std::string_view name, std::string_view number, Dimension dimension,
+                    std::string_view example) {
+  if (example.empty()) example = words(dimension).example;
+  std::string_view bare = number;
+  if (bare.size() > 1 && bare.front() == '"') bare = bare.substr(1, bare.size() - 2);
+  const std::string_view symbol = example.substr(example.find_last_of(' ') + 1);
+  return fmt::format("{} = {} has no unit; write for example \"{} {}\"", name, number,
+                     trimmed(bare), symbol);
+}
+
+double quantity(std::string_view text, Dimension dimension, std::string_view name,
+                std::string_view example) {
+  const Written written{text, name, dimension, example};
+  std::string_view rest = text;
+  const double value = number(rest, written);
+  return value * unit_at(rest, written);
+}
+
+Vec3<double> vector_quantity(std::string_view text, Dimension dimension, std::string_view name) {
+  const Written written{text, name, dimension, "0 0.015 0 nm"};
+  std::string_view rest = text;
+  const double x = number(rest, written), y = number(rest, written), z = number(rest, written);
+  return Vec3<double>{x, y, z} * unit_at(rest, written);
+}
+
+double unit(std::string_view symbol, Dimension dimension) {
+  if (const Unit* u = find(symbol, dimension)) return u->value;
+  throw Error(fmt::format("there is no unit '{}' of {}; there are: {}", symbol,
+                          words(dimension).noun, listed(symbols(dimension))));
+}
+
+}  // namespace polhode

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "toml_table.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/suggest.hpp"
+
+namespace polhode {
+
+std::string file_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  if (file) text << file.rdbuf();
+  if (!file || file.bad())
+    throw Error(fmt::format("there is no readable file '{}'; check its path", path));
+  return text.str();
+}
+
+toml::table parse_toml(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& e) {
+    std::string what(e.description());
+    if (!what.empty()) what[0] = static_cast<char>(std::tolower(what[0]));
+    throw Error(fmt::format("the text is not TOML here: {}; quantities stand in quotes, as in "
+                            "step = \"2 fs\"",
+                            what),
+                fmt::format("{}:{}", file, e.source().begin.line));
+  }
+}
+
+const toml::node* TomlTable::find(std::string_view key) {
+  asked_.emplace_back(key);
+  return table_->get(key);
+}
+
+std::string TomlTable::full(std::string_view key) const {
+  if (key.empty()) return path_;
+  return path_.empty() ? std::string(key) : fmt::format("{}.{}", path_, key);
+}
+
+std::string TomlTable::where(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  const auto line = (node != nullptr ? node->source() : table_->source()).begin.line;
+  const std::string place = line > 0 ? fmt::format("{}:{}", file_, line) : file_;
+  const std::string name = full(key);
+  return name.empty() ? place : fmt::format("{}, {}", place, name);
+}
+
+void TomlTable::refuse(std::string_view key, const std::string& complaint) const {
+  const toml::node* node = table_->get(key);
+  if (node == nullptr) throw Error(complaint, where(key));
+  std::ostringstream written;
+  if (const auto text = node->value<std::string>(); text && node->is_string())
+    written << '"' << *text << '"';
+  else
+    node->visit([&](const auto& n) { written << n; });
+  throw Error(fmt::format("{} = {} {}", key, written.str(), complaint), where(key));
+}
+
+void TomlTable::refuse_kind(std::string_view key, std::string_view must) const {
+  refuse(key, fmt::format("must be {}", must));
+}
+
+std::optional<std::string> TomlTable::text(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_string()) refuse_kind(key, "a text in quotes");
+  return node->value<std::string>();
+}
+
+std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension,
+                                          std::string_view example) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (node->is_number()) {
+    std::ostringstream written;
+    node->visit([&](const auto& n) { written << n; });
+    throw Error(no_unit(key, written.str(), dimension, example), where(key));
+  }
+  const auto words = text(key);
+  try {
+    return polhode::quantity(*words, dimension, key, example);
+  } catch (const Error& e) {
+    throw e.at(where(key));
+  }
+}
+
+std::optional<Vec3<double>> TomlTable::vector(std::string_view key, Dimension dimension) {
+  const auto words = text(key);
+  if (!words) return std::nullopt;
+  try {
+    return vector_quantity(*words, dimension, key);
+  } catch (const Error& e) {
+    throw e.at(where(key));
+  }
+}
+
+std::optional<double> TomlTable::number(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_number()) refuse_kind(key, "a number without unit, not in quotes");
+  const double value = *node->value<double>();
+  if (!std::isfinite(value)) refuse_kind(key, "a finite number");
+  return value;
+}
+
+std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_integer()) refuse_kind(key, "a whole number without unit, not in quotes");
+  return node->value<std::int64_t>();
+}
+
+std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  std::vector<std::string> values;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) refuse_kind(key, "a list of texts, [\"...\", \"...\"]");
+  for (const toml::node& entry : *list) {
+    if (!entry.is_string()) refuse_kind(key, "a list of texts, each in quotes");
+    values.push_back(*entry.value<std::string>());
+  }
+  return values;
+}
+
+std::optional<TomlTable> TomlTable::table(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_table()) refuse_kind(key, fmt::format("a table, [{}]", full(key)));
+  return TomlTable(*node->as_table(), file_, full(key));
+}
+
+std::optional<std::vector<TomlTable>> TomlTable::tables(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  const toml::array* list = node->as_array();
+  if (list == nullptr) refuse_kind(key, "a list of tables, [{ ... }, { ... }]");
+  std::vector<TomlTable> values;
+  for (const toml::node& entry : *list) {
+    if (!entry.is_table()) refuse_kind(key, "a list of tables, [{ ... }, { ... }]");
+    values.emplace_back(*entry.as_table(), file_, fmt::format("{}[{}]", full(key), values.size()));
+  }
+  return values;
+}
+
+bool TomlTable::holds_list(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_array();
+}
+
+bool TomlTable::holds_text(std::string_view key) const {
+  const toml::node* node = table_->get(key);
+  return node != nullptr && node->is_string();
+}
+
+void TomlTable::refuse_unknown() const {
+  for (const auto& [key, node] : *table_) {
+    const std::string_view name = key.str();
+    if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
+    const std::string place = path_.empty() ? "" : fmt::format(" in {}", path_);
+    std::string hint = did_you_mean(name, asked_);
+    if (hint.empty()) hint = fmt::format("; there are: {}", listed(asked_));
+    throw Error(fmt::format("there is no {} '{}'{}{}", node.is_table() ? "table" : "key", name,
+                            place, hint),
+                where(name));
+  }
+}
+
+}  // namespace polhode

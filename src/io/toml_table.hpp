@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// A table of a TOML file that knows where it stands, so that every complaint names file, line and
+// key. It remembers which keys were asked for; all others are unknown.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+
+/// The whole file's text, or an Error that names it.
+std::string file_text(const std::string& path);
+
+/// @throws Error  with file and line if the text is not TOML
+toml::table parse_toml(std::string_view text, const std::string& file);
+
+class TomlTable {
+ public:
+  TomlTable(const toml::table& table, std::string file, std::string path = {})
+      : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
+
+  bool has(std::string_view key) { return find(key) != nullptr; }
+
+  // What stands under a key, if anything does.
+  std::optional<std::string> text(std::string_view key);
+  std::optional<double> quantity(std::string_view key, Dimension dimension,
+                                 std::string_view example = {});
+  std::optional<Vec3<double>> vector(std::string_view key, Dimension dimension);
+  std::optional<double> number(std::string_view key);
+  std::optional<std::int64_t> integer(std::string_view key);
+  std::optional<std::vector<std::string>> texts(std::string_view key);
+  std::optional<TomlTable> table(std::string_view key);
+  std::optional<std::vector<TomlTable>> tables(std::string_view key);
+  bool holds_list(std::string_view key) const;
+  bool holds_text(std::string_view key) const;
+
+  /// "water.toml:9, forces.cutoff"; the table's own place if it has no such key.
+  std::string where(std::string_view key) const;
+
+  /// Throws `key = value complaint`, or without a key just the complaint.
+  [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;
+
+  /// Throws unless `good` holds: `step = "-2 fs" must be ...`.
+  void require(bool good, std::string_view key, const std::string& must) const {
+    if (!good) refuse(key, must);
+  }
+
+  /// Throws if the table has a key that nobody asked for.
+  void refuse_unknown() const;
+
+ private:
+  const toml::node* find(std::string_view key);
+  [[noreturn]] void refuse_kind(std::string_view key, std::string_view must) const;
+  std::string full(std::string_view key) const;
+
+  const toml::table* table_;
+  std::string file_, path_;
+  std::vector<std::string> asked_;
+};
+
+}  // namespace polhode

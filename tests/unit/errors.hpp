@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Checks of what an error says and where.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <initializer_list>
+#include <string>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+
+/// The error that an expression throws, with every one of `parts` in its text and place.
+template <class Action>
+void check_error(Action action, std::initializer_list<const char*> parts) {
+  try {
+    action();
+    FAIL("no error");
+  } catch (const Error& e) {
+    const std::string whole = std::string(e.what()) + "\n  in   " + e.where();
+    CAPTURE(whole);
+    for (const char* part : parts) {
+      CAPTURE(part);
+      CHECK(whole.find(part) != std::string::npos);
+    }
+    for (const char* word : {"invalid", "illegal", "failed", "please"})
+      CHECK(whole.find(word) == std::string::npos);
+    const std::string text = e.what();
+    CHECK(text.back() != '.');
+    CHECK((text.front() < 'A' || text.front() > 'Z'));
+  }
+}
+
+}  // namespace polhode

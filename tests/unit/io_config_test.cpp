@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/config.hpp"
+
+#include <cmath>
+
+#include "errors.hpp"
+
+using namespace polhode;
+
+namespace {
+
+const std::string system_table =
+    "[system]\nmolecules = [{ model = \"tip4p\", count = 2 }]\ndensity = \"1 g/cm3\"\n";
+
+// The lines of `more` begin at line 4.
+void check_text(const std::string& more, std::initializer_list<const char*> parts) {
+  check_error([&] { parse_config(system_table + more, "water.toml"); }, parts);
+}
+void check_system(const std::string& lines, std::initializer_list<const char*> parts) {
+  check_error([&] { parse_config("[system]\n" + lines, "water.toml"); }, parts);
+}
+const std::string two = "molecules = [{ model = \"tip4p\", count = 2 }]\n";
+
+}  // namespace
+
+TEST_CASE("the default run is the paper's system") {
+  const Config config = default_config();
+  CHECK(config.source == "default");
+  CHECK(config.system.molecules.front().model == "tip4p");
+  CHECK(config.system.molecules.front().count == 512);
+  CHECK(config.system.start == "w512");
+  CHECK(config.system.temperature == 297);
+  CHECK(config.integrator.scheme == "hoa2");
+  CHECK(config.integrator.step == 4 * 1e-3);
+  CHECK(config.run.length == 15);
+  CHECK(config.forces.switch_from == 0.85);
+}
+
+TEST_CASE("every key of a run file is read") {
+  const Config config = parse_config(R"([system]
+molecules = [{ model = "tip4p", count = 100 }]
+box = ["3 nm", "3 nm", "40 A"]
+temperature = "310 K"
+seed = 7
+[forces]
+truncation = "reaction-field"
+cutoff = "1.2 nm"
+switch = "1.1 nm"
+smoothness = 3
+dielectric = "infinite"
+skin = "0.2 nm"
+[integrator]
+scheme = "gier4"
+step = "5 fs"
+lambda = 1e-3
+[run]
+equilibrate = "1 ps"
+length = "2 ns"
+sample = "10 fs"
+[output]
+prefix = "a/b"
+trajectory_every = "1 ps"
+formats = ["gro"]
+plot = "png"
+[study]
+schemes = ["hoa2"]
+steps = ["1 fs", "2 fs"]
+runs = 3
+length = "4 ps"
+decorrelate = "5 ps"
+)",
+                                     "x.toml");
+  CHECK(config.system.box->z == 4);
+  CHECK(config.system.temperature == 310);
+  CHECK(config.system.seed == 7);
+  CHECK(config.forces.truncation == Truncation::reaction_field);
+  CHECK(config.forces.cutoff == 1.2);
+  CHECK(config.forces.switch_from == 1.1);
+  CHECK(config.forces.smoothness == 3);
+  CHECK(std::isinf(config.forces.dielectric));
+  CHECK(config.forces.skin == 0.2);
+  CHECK(config.integrator.scheme == "gier4");
+  CHECK(config.integrator.step == 5 * 1e-3);
+  CHECK(config.integrator.lambda == 1e-3);
+  CHECK(config.run.equilibrate == 1);
+  CHECK(config.run.length == 2000);
+  CHECK(config.run.sample == 10 * 1e-3);
+  CHECK(config.output.prefix == "a/b");
+  CHECK(config.output.trajectory_every == 1);
+  CHECK(config.output.formats == std::vector<std::string>{"gro"});
+  CHECK(config.output.plot == "png");
+  CHECK(config.study.schemes == std::vector<std::string>{"hoa2"});
+  CHECK(config.study.steps == std::vector<double>{1 * 1e-3, 2 * 1e-3});
+  CHECK(config.study.runs == 3);
+  CHECK(config.study.length == 4);
+  CHECK(config.study.decorrelate == 5);
+}
+
+TEST_CASE("unknown keys and tables meet their nearest name") {
+  check_text("[forces]\ncutof = \"1 nm\"",
+             {"no key 'cutof' in forces; did you mean 'cutoff'?", "water.toml:5, forces.cutof"});
+  check_text("[integratr]", {"no table 'integratr'; did you mean 'integrator'?", "water.toml:4"});
+  check_text("[run]\nfoo = 1", {"no key 'foo' in run", "equilibrate, length, sample"});
+}
+
+TEST_CASE("a text that is not TOML names its line") {
+  check_text("[run", {"not TOML", "water.toml:4"});
+  check_text("[run]\nlength = 2 ps", {"not TOML", "water.toml:5", "in quotes"});
+  check_error([] { read_config("/nowhere/water.toml"); },
+              {"no readable file '/nowhere/water.toml'"});
+}
+
+TEST_CASE("the system is described once and in full") {
+  check_error([] { parse_config("", "water.toml"); }, {"no table [system]", "water.toml"});
+  check_system("", {"there are no molecules", "model = \"tip4p\"", "water.toml:1, system"});
+  check_system(two, {"neither a density nor a box nor a start", "density = \"1 g/cm3\""});
+  check_system(two + "density = \"1 g/cm3\"\nbox = \"2 nm\"", {"beside a box", "water.toml:3"});
+  check_system(two + "density = \"1 g/cm3\"\nstart = \"w512\"",
+               {"density = \"1 g/cm3\" stands beside a start configuration"});
+  check_system(two + "box = \"1 nm\"\nstart = \"w512\"",
+               {"box = \"1 nm\" stands beside a start configuration"});
+  check_system(two + "box = 2.5", {"box = 2.5 has no unit", "\"2.5 nm\""});
+  check_system(two + "box = [\"1 nm\", \"2 nm\"]", {"one edge or a list of three"});
+  check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 nm\"]", {"longer than 0 nm"});
+  check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 ps\"]", {"box[2]", "is a time"});
+  check_system(two + "density = \"0 g/cm3\"", {"density = \"0 g/cm3\" must be above 0"});
+  check_system(two + "start = \"nowhere.gro\"",
+               {"start = \"nowhere.gro\" is no file", "w512", "water.toml:3, system.start"});
+  check_system("molecules = [{ model = \"tip4p\" }]\nbox = \"2 nm\"", {"has no count"});
+  check_system("molecules = [{ model = \"tip4p\", count = 0 }]\nbox = \"2 nm\"",
+               {"count = 0 must be 1 or more", "system.molecules[0].count"});
+  check_system("molecules = [{ count = 1 }]\nbox = \"2 nm\"", {"no model"});
+  check_system("molecules = [{ model = \"tip4\", count = 1 }]\nbox = \"2 nm\"",
+               {"no molecule 'tip4'; did you mean 'tip4p'?", "water.toml:2, system.molecules[0]"});
+  check_system("molecules = [{ model = \"tip4p\" }, { model = \"tip4p\" }]\nstart = \"w512\"",
+               {"several models"});
+  check_system("molecules = 3\nbox = \"2 nm\"", {"must be a list of tables"});
+  CHECK(parse_config("[system]\nmolecules = [{ model = \"tip4p\" }]\nstart = \"w512\"", "x")
+            .system.molecules.front()
+            .count == 0);
+}
+
+TEST_CASE("numbers outside their domain are refused with it") {
+  check_text("temperature = \"0 K\"", {"temperature = \"0 K\" must be above 0 K", "water.toml:4"});
+  check_text("temperature = 297", {"temperature = 297 has no unit", "\"297 K\""});
+  check_text("seed = -1", {"seed = -1 must be 0 or more"});
+  check_text("[forces]\ncutoff = \"0.8 nm\"\nswitch = \"0.9 nm\"",
+             {"switch = \"0.9 nm\" must be", "shorter than the cutoff, 0.8 nm"});
+  check_text("[forces]\nswitch = \"0 nm\"", {"longer than 0 nm"});
+  check_text("[forces]\ncutoff = \"-1 nm\"", {"cutoff = \"-1 nm\" must be"});
+  check_text("[forces]\nsmoothness = 4", {"smoothness = 4 must be 1, 2 or 3"});
+  check_text("[forces]\nsmoothness = 2.5", {"must be a whole number"});
+  check_text("[forces]\ntruncation = \"reaction-feild\"",
+             {"must be one of: molecule-switch, reaction-field; did you mean 'reaction-field'?"});
+  check_text("[forces]\ndielectric = 80", {"no meaning without truncation"});
+  check_text("[forces]\ntruncation = \"reaction-field\"\ndielectric = 0.5",
+             {"dielectric = 0.5 must be 1"});
+  check_text("[forces]\ntruncation = \"reaction-field\"\ndielectric = nan", {"finite"});
+  check_text("[forces]\nskin = \"-0.1 nm\"", {"must be 0 nm or more"});
+  check_text("[integrator]\nstep = 2", {R"(step = 2 has no unit; write for example "2 fs")",
+                                        "water.toml:5, integrator.step"});
+  check_text("[integrator]\nstep = \"0 fs\"", {"step = \"0 fs\" must be longer than 0 fs"});
+  check_text("[integrator]\nlambda = 0", {"lambda = 0 must be above 0"});
+  check_text("[integrator]\nlambda = 1.5", {"not above 1"});
+  check_text("[integrator]\nscheme = \"\"", {"must name a scheme"});
+  check_text("[run]\nlength = \"0 ps\"", {"length = \"0 ps\" must be longer"});
+  check_text("[run]\nlength = 15", {R"(write for example "15 ps")"});
+  check_text("[run]\nequilibrate = \"-1 ps\"", {"must be 0 ps or longer"});
+  check_text("[run]\nsample = \"0 ps\"", {"must be longer than 0 fs"});
+  check_text("[output]\nformats = [\"xzy\"]", {"'xzy'; did you mean 'xyz'?"});
+  check_text("[output]\nformats = \"xyz\"", {"must be a list of texts"});
+  check_text("[output]\nplot = \"pdf\"", {"must be one of: svg, png, none"});
+  check_text("[output]\nprefix = \"\"", {"must not be empty"});
+  check_text("[output]\ntrajectory_every = \"-1 ps\"", {"must be 0 ps or longer"});
+  check_text("[study]\nruns = 1", {"runs = 1 must be 2 or more", "error bar"});
+  check_text("[study]\nsteps = [\"1 fs\", \"2\"]", {"has no unit", "study.steps"});
+  check_text("[study]\nsteps = [\"0 fs\"]", {"longer than 0 fs"});
+  check_text("[study]\nschemes = []", {"at least one scheme"});
+  check_text("[study]\ndecorrelate = \"-1 ps\"", {"must be 0 ps or longer"});
+}
