@@ -18,9 +18,9 @@ struct SystemSettings {
     std::size_t count = 0;  ///< 0: as many as the start configuration holds
   };
   std::vector<Component> molecules;
-  std::optional<double> density;          ///< [u/nm³], without a start configuration
-  std::optional<Vec3<double>> box;        ///< [nm], without a start configuration
-  double temperature = 297;               ///< [K]
+  std::optional<double> density;    ///< [u/nm³], without a start configuration
+  std::optional<Vec3<double>> box;  ///< [nm], without a start configuration
+  double temperature = 297;         ///< [K]
   std::uint64_t seed = 1;
   std::string start;  ///< path of a .gro file; "w512" is the one within the program; empty: lattice
 };
@@ -38,10 +38,10 @@ struct RunSettings {
 };
 
 struct OutputSettings {
-  std::string prefix = "polhode-run";         ///< of all output files
-  double trajectory_every = 0.1;              ///< [ps]; 0: no trajectory
+  std::string prefix = "polhode-run";  ///< of all output files
+  double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  std::string plot = "svg";                   ///< "svg", "png" or "none"
+  std::string plot = "svg";  ///< "svg", "png" or "none"
 };
 
 struct StudySettings {
