@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Data files that the program carries within itself: molecule models, the default run and its start.
 
 # polhode_embed(VARIABLE FILE...): VARIABLE names a generated source that defines embedded_files().

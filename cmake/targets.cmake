@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Loops over packs are compiled once for each instruction set, with its flags. Inline functions of the
 # standard library that such a file instantiates must not be shared with the rest of the program, or
 # the linker might keep the copy with the wrong instructions: each set is linked into one object whose

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: MIT
 # Writes a C++ source that holds each file as a raw string under its path below data/.
 string(REPLACE "|" ";" files "${FILES}")
 set(text "#include \"polhode/io/embedded.hpp\"\n\nnamespace polhode {\n\n")

@@ -19,7 +19,7 @@ concept ForceModel = requires(F& forces, const State& state, Load& load) {
 };
 
 /// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v) turns
-/// a body by the body-frame vector v (vanzon2008, below Eq. 8; S̃ = R(v) S).
+/// a body by the body-frame vector v (vanzon2008, below Eq. 7; S̃ = R(v) S).
 inline Quaternion<double> rodrigues(const Vec3<double>& v) {
   const double half = norm(v) / 2;
   const double s = half > 0 ? std::sin(half) / (2 * half) : 0.5;
@@ -27,7 +27,7 @@ inline Quaternion<double> rodrigues(const Vec3<double>& v) {
 }
 
 /// Moves every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
-/// (vanzon2008, Eq. 8 with c = 2 ξ λ h²).
+/// (vanzon2008, Eq. 7 with c = 2 ξ λ h²).
 inline void displace(State& state, const Bodies& bodies, const Load& load, double c) {
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Quaternion<double> a = state.attitude[i];
@@ -42,7 +42,7 @@ template <ForceModel Forces>
 class Integrator {
  public:
   /// @param forces  kept by reference
-  /// @param lambda  of the finite difference in gradient kicks (vanzon2008, Eq. 7)
+  /// @param lambda  of the finite difference in gradient kicks (vanzon2008, Eq. 6)
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4)
       : scheme_(scheme),
         bodies_(bodies),
@@ -107,7 +107,7 @@ class Integrator {
   }
 
   /// The part of e^{B̂(ξ)} beyond e^B: Δf = [f(q̃, S̃) − f(q, S)]/λ and the same of τ, both in the lab
-  /// frame (vanzon2008, Eqs. 6 to 8). The step h in 2 ξ λ h² is the whole one, whatever the kick's
+  /// frame (vanzon2008, Eqs. 6 and 7). The step h in 2 ξ λ h² is the whole one, whatever the kick's
   /// weight.
   void gradient_kick(const Stage& stage, State& state, double h) {
     shifted_.q = state.q;

@@ -17,7 +17,7 @@ enum class Flow { drift, kick };
 struct Stage {
   Flow flow = Flow::drift;
   double fraction = 0;  ///< of the step h
-  double xi = 0;        ///< ξ of a gradient kick (vanzon2008, Eqs. 4 to 8); 0 for a plain one
+  double xi = 0;        ///< ξ of a gradient kick (vanzon2008, Eqs. 4 to 7); 0 for a plain one
   friend constexpr bool operator==(const Stage&, const Stage&) = default;
 };
 

@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""Every lint turns red on a fault planted in a small tree, and stays green without it."""
+
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+SPDX = "// SPDX-License-Identifier: MIT\n"
+BIB = "@article{one1990,\n  author = {A},\n  title = {B},\n  year = {1990}\n}\n"
+SOUND = {
+    ".clang-format": (HERE.parents[1] / ".clang-format").read_text(),
+    "docs/references.bib": BIB,
+    "docs/notes.md": "As in one1990; energies in kJ/mol/nm.\n",
+    "data/molecules/a.toml": 'source = "one1990"\n',
+    "include/polhode/base/pack.hpp": SPDX + "#include <hwy/highway.h>\n",
+    "include/polhode/io/file.hpp": SPDX + '#include "polhode/forces/settings.hpp"\n',
+    "src/io/file.cpp": SPDX + "#include <fmt/core.h>\n\n"
+                              'void f() { throw Error(message("x = {} is 0; write 1", x)); }\n',
+}
+# lint, file, text appended to it (or the whole of a new file), line that must be named
+FAULTS = [
+    ("floors", "include/polhode/base/low.hpp", SPDX + '#include "polhode/run/study.hpp"\n', 2),
+    ("floors", "include/polhode/io/file.hpp", '#include "polhode/measure/energy.hpp"\n', 3),
+    ("floors", "include/polhode/rotor/a.hpp", SPDX + '#include "polhode/forces/laws.hpp"\n', 2),
+    ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <hwy/highway.h>\n", 2),
+    ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fmt/core.h>\n", 2),
+    ("floors", "cli/run.cpp", SPDX + '#include "polhode/engine/a.hpp"\n', 2),
+    ("format", "src/io/file.cpp", "void  g( ) ;\n", 5),
+    ("citations", "src/io/file.cpp", "/// @source nobody1999, Eq. 3\n", 5),
+    ("citations", "docs/notes.md", "See [nobody1999].\n", 2),
+    ("citations", "data/molecules/b.toml", 'source = "my own"\n', 1),
+    ("citations", "docs/references.bib", BIB.replace("one1990", "two1990"), 6),
+    ("citations", "docs/references.bib", BIB.replace("one1990", "one1991"), 6),
+    ("citations", "docs/more.bib", BIB, 1),
+    ("errors", "src/io/file.cpp", 'void g() { throw Error("The box is 0 nm"); }\n', 5),
+    ("errors", "src/io/file.cpp", 'void g() { throw Error("box is 0 nm."); }\n', 5),
+    ("errors", "src/io/file.cpp", 'void g() { throw Error("box " + b + " is invalid"); }\n', 5),
+    ("errors", "src/io/file.cpp", 'void g() { throw Error(message("a "\n"b failed")); }\n', 5),
+    ("contents", "src/io/other.cpp", "int x;\n", 1),
+    ("contents", "src/io/file.cpp", "// TO" "DO\n", 5),
+    ("contents", "docs/notes.md", "Look in /ho" "me/someone.\n", 2),
+    ("contents", "src/io/file.cpp", "\n" * 500, 500),
+]
+
+
+def lint(name, tree):
+    """(exit code, output) of one lint over a tree of texts."""
+    with tempfile.TemporaryDirectory() as folder:
+        for path, text in tree.items():
+            target = Path(folder) / path
+            target.parent.mkdir(parents=True, exist_ok=True)
+            target.write_text(text)
+        run = subprocess.run([sys.executable, HERE / f"{name}.py", "--root", folder], text=True,
+                             capture_output=True, check=False)
+    return run.returncode, run.stdout + run.stderr
+
+
+def main():
+    wrong, skipped = [], set()
+    for name in sorted({fault[0] for fault in FAULTS}):
+        code, output = lint(name, SOUND)
+        if code == 77:
+            skipped.add(name)
+        elif code != 0:
+            wrong.append(f"{name} is red on a sound tree:\n{output}")
+    for name, path, text, line in FAULTS:
+        if name in skipped:
+            continue
+        code, output = lint(name, {**SOUND, path: SOUND.get(path, "") + text})
+        if code != 1 or f"{path}:{line}: " not in output:
+            wrong.append(f"{name} does not name {path}:{line} with {text!r}:\n{output}")
+    print("\n".join(wrong) or f"{len(FAULTS)} planted faults found; skipped: {skipped or 'none'}")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
