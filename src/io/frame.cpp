@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/io/frame.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 namespace polhode {
@@ -13,6 +15,7 @@ double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
 Frame frame_of(const State& state, const Topology& topology, MasslessSites massless) {
   Frame frame;
+  frame.title = fmt::format("polhode t= {:.6f}", state.time);  // GROMACS finds the time here
   frame.box = state.box;
   frame.time = state.time;
   frame.has_velocities = true;
