@@ -11,6 +11,7 @@
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/suggest.hpp"
+#include "text_file.hpp"
 #include "toml_table.hpp"
 
 namespace polhode {

@@ -8,6 +8,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/suggest.hpp"
+#include "text_file.hpp"
 #include "toml_table.hpp"
 
 namespace polhode {

@@ -4,22 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <sstream>
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/suggest.hpp"
 
 namespace polhode {
-
-std::string file_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (file) text << file.rdbuf();
-  if (!file || file.bad())
-    throw Error(fmt::format("there is no readable file '{}'; check its path", path));
-  return text.str();
-}
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
   try {

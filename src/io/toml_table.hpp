@@ -15,9 +15,6 @@
 
 namespace polhode {
 
-/// The whole file's text, or an Error that names it.
-std::string file_text(const std::string& path);
-
 /// @throws Error  with file and line if the text is not TOML
 toml::table parse_toml(std::string_view text, const std::string& file);
 

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// A frame: the atoms of one instant as coordinate files know them, without rigid bodies. Readers
+// make it, writers take it, and these functions lead from bodies to atoms and back.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+struct Atom {
+  int residue = 0;           ///< number of its molecule
+  std::string residue_name;  ///< "SOL"
+  std::string name;          ///< "OW"
+  std::string element;       ///< "O"; empty if the file does not tell, or for massless sites
+  Vec3<double> r;            ///< [nm]
+  Vec3<double> v;            ///< [nm/ps]
+};
+
+struct Frame {
+  std::string title;
+  std::vector<Atom> atoms;
+  bool has_velocities = false;
+  Box box;             ///< [nm]
+  double time = 0;     ///< [ps]
+  std::string source;  ///< file that it was read from
+};
+
+enum class MasslessSites { kept, left_out };
+
+/// All sites of all bodies: r = q + x, v = p/m + ω × x. Molecules stay whole, with their centres
+/// moved into the box.
+Frame frame_of(const State& state, const Topology& topology,
+               MasslessSites massless = MasslessSites::kept);
+
+/// What a frame gives for rigid bodies.
+struct FittedState {
+  State state;                  ///< at time 0
+  bool has_velocities = false;  ///< else all momenta are zero
+  double deviation = 0;         ///< largest distance of an atom from its site [nm]
+};
+
+/// Rigid bodies fitted to atoms. Atoms belong to the topology's bodies in order; sites without mass
+/// may be missing. Molecules broken across the boundary are made whole; attitudes minimise Σ m
+/// |Δr|² (horn1987), and momenta are those of the atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
+/// @throws Error  if atoms do not match sites, are too few or too many, or lie further than
+///                `fit_tolerance` from the model
+FittedState fitted_state(const Frame& frame, const Topology& topology);
+
+/// Atoms may lie this far from the sites of a rigid model [nm]: the geometries of water models
+/// differ by up to 0.01 nm, another isomer by more than twice that.
+inline constexpr double fit_tolerance = 0.02;
+
+/// The topology with its only count, if it is 0, set to the number of molecules in the frame.
+Topology completed(Topology topology, const Frame& frame);
+
+}  // namespace polhode

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// GRO files, as GROMACS reads and writes them: positions [nm] and velocities [nm/ps] in columns
+// whose width the distance between the decimal points tells.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+#include "polhode/io/frame.hpp"
+
+namespace polhode {
+
+/// The first frame of a GRO file.
+/// @throws Error  with file and line: what was found, and what was expected
+Frame read_gro(const std::string& path);
+
+/// The first frame in a text; `file` is its name in errors.
+Frame parse_gro(std::string_view text, const std::string& file);
+
+/// A start configuration: "w512", which is within the program, or the path of a GRO file.
+Frame read_start(const std::string& name_or_path);
+
+/// Writes a frame; positions have `decimals` decimals, velocities one more, as GROMACS has it.
+void write_gro(std::ostream& out, const Frame& frame, int decimals = 10);
+
+}  // namespace polhode

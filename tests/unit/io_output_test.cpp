@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "errors.hpp"
+#include "polhode/io/gro.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/io/xyz.hpp"
+
+using namespace polhode;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A folder of its own that goes away afterwards.
+struct Folder {
+  fs::path path = fs::temp_directory_path() /
+                  ("polhode-test-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("an extended XYZ frame is in angstrom and says so") {
+  Frame frame;
+  frame.box = {{1, 2, 3}};
+  frame.time = 0.5;
+  frame.has_velocities = true;
+  frame.atoms = {{.name = "OW", .element = "O", .r = {0.1, -0.2, 0.3}, .v = {1, 0, -1}},
+                 {.name = "MW", .r = {0, 0, 0}}};
+  std::ostringstream out;
+  write_xyz(out, frame);
+  std::istringstream in(out.str());
+  std::string count, comment, species;
+  std::getline(in, count);
+  std::getline(in, comment);
+  CHECK(count == "2");
+  CHECK(comment ==
+        "Lattice=\"10 0 0 0 20 0 0 0 30\" Properties=species:S:1:pos:R:3:velo:R:3 Time=0.500000 "
+        "pbc=\"T T T\"");
+  double x, y, z, u, v, w;
+  in >> species >> x >> y >> z >> u >> v >> w;
+  CHECK(species == "O");
+  // Decimal fractions of eight digits: the nearest double, so they are equal.
+  CHECK(Vec3<double>{x, y, z} == Vec3<double>{1, -2, 3});
+  CHECK(Vec3<double>{u, v, w} == Vec3<double>{10, 0, -10});
+  in >> species;
+  CHECK(species == "X");
+}
+
+TEST_CASE("the hash of a text is FNV-1a") {
+  // Test vectors of the authors of FNV (Noll).
+  CHECK(text_hash("") == "cbf29ce484222325");
+  CHECK(text_hash("a") == "af63dc4c8601ec8c");
+  CHECK(text_hash("foobar") == "85944171f73967e8");
+}
+
+TEST_CASE("a table keeps every digit and begins with what made it") {
+  const double third = 1.0 / 3;
+  const Table table{{{"time", "ps"}, {"R", "%"}},
+                    {{0, third}, {0.1, std::numeric_limits<double>::quiet_NaN()}}};
+  std::ostringstream out;
+  write_csv(out, table, {"1.2.3", "polhode run\nx", "foobar", "avx2", 7});
+  std::istringstream in(out.str());
+  std::string line;
+  for (const char* expected :
+       {"# polhode 1.2.3", "# command: polhode run x", "# config hash: 85944171f73967e8",
+        "# target: avx2", "# seed: 7", "time [ps],R [%]"}) {
+    std::getline(in, line);
+    CHECK(line == expected);
+  }
+  std::getline(in, line);
+  CHECK(std::stod(line.substr(line.find(',') + 1)) == third);
+  std::getline(in, line);
+  CHECK(line == "0.1,");
+}
+
+TEST_CASE("outputs are not overwritten unless asked for") {
+  const Folder folder;
+  const std::string file = folder / "a.csv";
+  refuse_existing(file, false);
+  write_file(file, [](std::ostream& out) { out << "first"; });
+  CHECK(text_of(file) == "first");
+  check_error([&] { refuse_existing(file, false); }, {"a.csv' is there already", "--force"});
+  refuse_existing(file, true);
+  check_error([&] { refuse_existing(folder / "none/a.csv", false); }, {"there is no folder"});
+  check_error([&] { refuse_existing(folder.path.string(), true); }, {"is a folder"});
+}
+
+TEST_CASE("a file is written whole or not at all") {
+  const Folder folder;
+  const std::string file = folder / "a.csv";
+  write_file(file, [](std::ostream& out) { out << "old"; });
+  CHECK_THROWS(write_file(file, [](std::ostream& out) {
+    out << "half";
+    throw std::runtime_error("stop");
+  }));
+  CHECK(text_of(file) == "old");
+  check_error([&] { write_file(folder / "none/a.csv", [](std::ostream&) {}); },
+              {"cannot be written", "name another output"});
+  // Nothing is left behind but the file itself.
+  CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
+}
