@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "polhode/base/error.hpp"
@@ -108,6 +109,7 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
 }
 
 void NeighbourList::update(const State& state) {
+  const auto begin = std::chrono::steady_clock::now();
   const std::size_t n = state.size();
   double moved2 = rebuilds_ == 0 ? 2 * allowed2_ : 0;
   for (std::size_t i = 0; i < n; ++i) {
@@ -121,6 +123,7 @@ void NeighbourList::update(const State& state) {
     moved2 = d2 > moved2 ? d2 : moved2;
   }
   if (!(moved2 < allowed2_)) build(state);
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void NeighbourList::build(const State& state) {

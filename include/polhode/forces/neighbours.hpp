@@ -58,6 +58,7 @@ class NeighbourList {
   std::size_t longest_row() const { return longest_row_; }
   std::size_t rebuilds() const { return rebuilds_; }
   std::size_t pairs() const { return entries_.size(); }
+  double seconds() const { return seconds_; }  ///< spent in update(), wall-clock
 
  private:
   void build(const State& state);
@@ -77,6 +78,7 @@ class NeighbourList {
   std::vector<std::uint32_t> cell_begin_, cell_of_, in_cell_;  // scratch of build
   std::size_t longest_row_ = 0;
   std::size_t rebuilds_ = 0;
+  double seconds_ = 0;
 };
 
 }  // namespace polhode

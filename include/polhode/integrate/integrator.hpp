@@ -83,6 +83,9 @@ class Integrator {
     return load_;
   }
 
+  /// The Load of the last kick, wherever that was.
+  const Load& last_load() const { return load_; }
+
   /// To be called when someone else has moved the bodies.
   void forget() { current_ = false; }
 

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Starts in which molecules sit inside each other.
+#pragma once
+
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// The closest that sites with mass or Lennard-Jones of two molecules may be [nm]: half of the
+/// shortest contact in liquids, that of a hydrogen bond (0.17 nm).
+inline constexpr double closest_contact = 0.085;
+
+/// @throws Error  naming the molecules if two of them are closer than that
+void check_overlap(const Topology& topology, const State& state);
+
+}  // namespace polhode

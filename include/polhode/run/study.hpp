@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The paper's study: accuracy against cost for each scheme over a ladder of steps, from independent
+// runs (vanzon2008, Fig. 1).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/measure/fluctuation.hpp"
+
+namespace polhode {
+
+/// One run: a scheme with a step from one of the starts.
+struct StudyRun {
+  std::string scheme;
+  double step = 0;  ///< [ps]
+  int start = 0;    ///< which of the starts; the same ones serve every scheme
+  bool stable = true;       ///< false: it blew up, and the numbers below are void
+  double ratio = 0;         ///< R
+  double drift = 0;         ///< [kJ/mol/ps]
+  double total = 0;         ///< rms fluctuation of the total energy [kJ/mol]
+  double potential = 0;     ///< rms fluctuation of the potential energy [kJ/mol]
+  double temperature = 0;   ///< mean over the run [K]
+};
+
+/// A point of the figure: all runs of a scheme with one step.
+struct EfficiencyPoint {
+  std::string scheme;
+  double step = 0;  ///< [ps]
+  double cost = 0;  ///< force evaluations per ps
+  int runs = 0;
+  bool stable = true;  ///< no run blew up
+  Estimate ratio;      ///< R with its standard error over the runs
+  Drift drift;         ///< of the series, as the paper has it
+  double temperature = 0;  ///< [K]
+  /// No run blew up, and the drift is not significant.
+  bool usable() const { return stable && drift.chance >= significance; }
+};
+
+/// The costs of each scheme at one accuracy.
+struct Guideline {
+  struct Entry {
+    std::string scheme;
+    std::optional<double> cost;  ///< force evaluations per ps; none: not reached without drift
+    double step = 0;             ///< [ps]
+    bool extrapolated = false;   ///< beyond the measured steps by the scheme's order
+  };
+  double ratio = 0;  ///< R
+  std::vector<Entry> entries;
+  std::optional<std::size_t> best;  ///< index of the cheapest
+};
+
+/// The (scheme, step) pairs that a study measures.
+struct StudyPoint {
+  Scheme scheme;
+  double step;
+};
+std::vector<StudyPoint> study_points(const StudySettings& settings);
+
+struct StudyProgress {
+  std::function<void(double done, const std::string& what)> report;  ///< fraction of the work
+  std::function<bool()> stop;
+};
+
+/// Runs what is not in `known` yet, on all cores, and reports each run as it ends.
+void run_study(const Config& config, const std::vector<StudyRun>& known,
+               const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress);
+
+/// Points from runs, in the order of schemes and steps.
+std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
+                                               const std::vector<StudyRun>& runs);
+
+/// Where a scheme's curve ends: the index of its first point, by growing step, that is not usable.
+std::optional<std::size_t> end_of_stability(const std::vector<EfficiencyPoint>& of_one_scheme);
+
+/// Costs at given accuracies, by interpolation of log cost over log R along each scheme's usable
+/// points; below the smallest R measured, by the scheme's order.
+std::vector<Guideline> guidelines(const std::vector<EfficiencyPoint>& points,
+                                  const std::vector<double>& ratios);
+
+}  // namespace polhode

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Everything that a run file describes, put together and ready to move.
+#pragma once
+
+#include "polhode/forces/force_field.hpp"
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+struct System {
+  Topology topology;
+  Bodies bodies;
+  State state;
+  ForceSettings forces;
+  double temperature;          ///< wanted [K]
+  double fit_deviation = 0;    ///< of a start configuration from the rigid models [nm]
+  bool new_velocities = true;  ///< the start had none, or it is a lattice
+};
+
+/// Molecules, start and momenta of a run file.
+/// @throws Error  if anything does not fit: counts, box, cutoff, overlapping molecules
+System assembled(const Config& config);
+
+/// Draws all momenta anew at the system's temperature, without total momentum.
+void draw_momenta(System& system, std::uint64_t seed);
+
+/// Brings translations and rotations to a temperature [K] by scaling their momenta.
+void rescale(State& state, const Topology& topology, const Bodies& bodies, double temperature);
+
+}  // namespace polhode

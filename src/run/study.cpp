@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/study.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <thread>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/run/trajectory.hpp"
+
+namespace polhode {
+namespace {
+
+// The default ladder [fs]: fine enough to interpolate, from about R = 0.1 % to the end of stability.
+std::vector<double> default_steps(const Scheme& scheme) {
+  std::vector<double> fs = {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8};
+  if (scheme.force_evaluations() > 1) fs = {1, 1.5, 2, 3, 4, 5, 6, 7, 8};
+  if (scheme.order() > 2) fs = {2, 3, 4, 5, 6, 7, 8, 9};
+  for (double& h : fs) h /= 1000;
+  return fs;
+}
+
+double cost(const Scheme& scheme, double step) { return scheme.force_evaluations() / step; }
+
+bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
+
+/// The energies several times per 10 fs: the fast librations alias otherwise.
+constexpr double longest_sample = 0.0025;  // [ps]
+
+StudyRun one_run(const System& start, int index, const StudyPoint& point, const Config& config,
+                 const StudyProgress& progress) {
+  StudyRun run{std::string(config.study.schemes.empty() ? "" : point.scheme.name()), point.step,
+               index};
+  System system = start;
+  ForceField forces(system.topology, system.forces, system.state.box);
+  try {
+    const Trajectory t = trajectory(system, forces,
+                                    {point.scheme, point.step, config.study.length,
+                                     longest_sample, config.integrator.lambda},
+                                    {nullptr, progress.stop});
+    std::vector<double> total, potential;
+    double kinetic = 0;
+    for (const Energies& e : t.samples) {
+      total.push_back(e.total());
+      potential.push_back(e.potential());
+      kinetic += e.kinetic() / static_cast<double>(t.samples.size());
+    }
+    run.ratio = fluctuation_ratio(t.samples);
+    run.drift = drift_rate(t.samples);
+    run.total = fluctuation(total);
+    run.potential = fluctuation(potential);
+    run.temperature = temperature(kinetic, freedoms(system.topology).all());
+  } catch (const RunError&) {
+    run.stable = false;
+  }
+  return run;
+}
+
+/// Calls work(i) for 0 ≤ i < count on all cores until done or stopped; rethrows the first error.
+void on_all_cores(std::size_t count, const std::function<bool()>& stop,
+                  const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::exception_ptr error;
+  std::mutex guard;
+  const auto loop = [&] {
+    for (std::size_t i = next++; i < count && !(stop && stop()); i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::lock_guard lock(guard);
+        if (!error) error = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::jthread> threads;
+  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
+  for (std::size_t k = 1; k < std::min(cores, count); ++k) threads.emplace_back(loop);
+  loop();
+  threads.clear();
+  if (error) std::rethrow_exception(error);
+}
+
+std::vector<EfficiencyPoint> of_scheme(const std::vector<EfficiencyPoint>& points,
+                                       const std::string& scheme) {
+  std::vector<EfficiencyPoint> chosen;
+  std::copy_if(points.begin(), points.end(), std::back_inserter(chosen),
+               [&](const EfficiencyPoint& p) { return p.scheme == scheme; });
+  std::sort(chosen.begin(), chosen.end(),
+            [](const auto& a, const auto& b) { return a.step < b.step; });
+  return chosen;
+}
+
+Guideline::Entry entry(const std::string& scheme, const std::vector<EfficiencyPoint>& all, double R) {
+  Guideline::Entry e{scheme, std::nullopt, 0, false};
+  const std::vector<EfficiencyPoint> points = of_scheme(all, scheme);
+  const std::size_t end = end_of_stability(points).value_or(points.size());
+  if (end == 0) return e;
+  const double evaluations = points[0].cost * points[0].step;
+  double step = 0;
+  if (R < points[0].ratio.value) {
+    const int order = scheme_of(scheme).order();
+    if (order == 0) return e;
+    step = points[0].step * std::pow(R / points[0].ratio.value, 1.0 / order);
+    e.extrapolated = true;
+  }
+  for (std::size_t i = 0; i + 1 < end && step == 0; ++i) {
+    const double low = points[i].ratio.value, high = points[i + 1].ratio.value;
+    if (R < low || R > high) continue;
+    const double x = std::log(R / low) / std::log(high / low);
+    step = points[i].step * std::pow(points[i + 1].step / points[i].step, x);
+  }
+  if (step == 0) return e;
+  e.step = step;
+  e.cost = evaluations / step;
+  return e;
+}
+
+}  // namespace
+
+std::vector<StudyPoint> study_points(const StudySettings& settings) {
+  std::vector<StudyPoint> points;
+  for (const std::string& text : settings.schemes) {
+    const Scheme scheme = scheme_of(text);
+    for (const double h : settings.steps.empty() ? default_steps(scheme) : settings.steps)
+      points.push_back({scheme, h});
+  }
+  return points;
+}
+
+void run_study(const Config& config, const std::vector<StudyRun>& known,
+               const std::function<void(const StudyRun&)>& finished,
+               const StudyProgress& progress) {
+  struct Job {
+    StudyPoint point;
+    int start;
+  };
+  std::vector<Job> jobs;
+  std::vector<bool> needed(static_cast<std::size_t>(config.study.runs), false);
+  double work = 0;
+  for (const StudyPoint& point : study_points(config.study))
+    for (int r = 0; r < config.study.runs; ++r) {
+      const bool done = std::any_of(known.begin(), known.end(), [&](const StudyRun& k) {
+        return k.scheme == point.scheme.name() && same(k.step, point.step) && k.start == r;
+      });
+      if (done) continue;
+      jobs.push_back({point, r});
+      needed[static_cast<std::size_t>(r)] = true;
+      work += cost(point.scheme, point.step) * config.study.length;
+    }
+  if (jobs.empty()) return;
+  // The dearest first, so that the last ones to end are short.
+  std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) {
+    return cost(a.point.scheme, a.point.step) > cost(b.point.scheme, b.point.step);
+  });
+
+  const double preparation =
+      1000 * config.study.decorrelate *
+      static_cast<double>(std::count(needed.begin(), needed.end(), true));  // 1 fs steps
+  work += preparation;
+  std::mutex guard;
+  double done = 0;
+  const auto advance = [&](double by, const std::string& what) {
+    const std::lock_guard lock(guard);
+    done += by;
+    if (progress.report) progress.report(done / work, what);
+  };
+
+  const System base = assembled(config);
+  std::vector<System> starts(needed.size(), base);
+  on_all_cores(starts.size(), progress.stop, [&](std::size_t r) {
+    if (!needed[r]) return;
+    draw_momenta(starts[r], config.system.seed + 1 + r);
+    ForceField forces(base.topology, base.forces, base.state.box);
+    equilibrate(starts[r], forces, config.study.decorrelate, {nullptr, progress.stop});
+    advance(1000 * config.study.decorrelate, "preparing starts");
+  });
+  if (progress.stop && progress.stop()) return;
+
+  on_all_cores(jobs.size(), progress.stop, [&](std::size_t k) {
+    const Job& job = jobs[k];
+    const StudyRun run = one_run(starts[static_cast<std::size_t>(job.start)], job.start, job.point,
+                                 config, progress);
+    if (progress.stop && progress.stop()) return;  // it may have been cut short
+    {
+      const std::lock_guard lock(guard);
+      finished(run);
+    }
+    advance(cost(job.point.scheme, job.point.step) * config.study.length, run.scheme);
+  });
+}
+
+std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
+                                               const std::vector<StudyRun>& runs) {
+  std::vector<EfficiencyPoint> result;
+  for (const StudyPoint& point : points) {
+    EfficiencyPoint e;
+    e.scheme = point.scheme.name();
+    e.step = point.step;
+    e.cost = cost(point.scheme, point.step);
+    std::vector<double> ratios, drifts, temperatures;
+    for (const StudyRun& run : runs) {
+      if (run.scheme != e.scheme || !same(run.step, e.step)) continue;
+      ++e.runs;
+      if (!run.stable) {
+        e.stable = false;
+        continue;
+      }
+      ratios.push_back(run.ratio);
+      drifts.push_back(run.drift);
+      temperatures.push_back(run.temperature);
+    }
+    if (e.runs == 0) continue;
+    if (!ratios.empty()) {
+      e.ratio = mean(ratios);
+      e.drift = drift_of_series(drifts);
+      e.temperature = mean(temperatures).value;
+    }
+    result.push_back(e);
+  }
+  return result;
+}
+
+std::optional<std::size_t> end_of_stability(const std::vector<EfficiencyPoint>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!points[i].usable()) return i;
+  return std::nullopt;
+}
+
+std::vector<Guideline> guidelines(const std::vector<EfficiencyPoint>& points,
+                                  const std::vector<double>& ratios) {
+  std::vector<std::string> names;
+  for (const EfficiencyPoint& p : points)
+    if (std::find(names.begin(), names.end(), p.scheme) == names.end()) names.push_back(p.scheme);
+  std::vector<Guideline> table;
+  for (const double R : ratios) {
+    Guideline line{R, {}, std::nullopt};
+    for (const std::string& name : names) {
+      line.entries.push_back(entry(name, points, R));
+      const auto& e = line.entries.back();
+      if (e.cost && (!line.best || *e.cost < *line.entries[*line.best].cost))
+        line.best = line.entries.size() - 1;
+    }
+    table.push_back(line);
+  }
+  return table;
+}
+
+}  // namespace polhode

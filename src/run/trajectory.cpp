@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/trajectory.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+
+namespace polhode {
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// The forces, with a clock.
+struct TimedForces {
+  ForceField& forces;
+  double seconds = 0;
+  void operator()(const State& state, Load& load) {
+    Stopwatch watch;
+    forces(state, load);
+    seconds += watch.lap();
+  }
+};
+
+[[noreturn]] void blown_up(const TrajectorySettings& s, std::size_t step, const std::string& what) {
+  throw RunError(fmt::format(
+      "the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for {}, or the start "
+      "is too rough: try {:g} fs, or equilibrate first",
+      step, static_cast<double>(step) * s.step, what, s.step * 1000, s.scheme.name(),
+      s.step * 500));
+}
+
+}  // namespace
+
+std::size_t TrajectorySettings::steps() const {
+  return static_cast<std::size_t>(std::llround(length / step));
+}
+
+std::size_t TrajectorySettings::steps_per_sample() const {
+  return std::max<std::size_t>(1, static_cast<std::size_t>(sample / step * (1 + 1e-12)));
+}
+
+Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
+                      const Watch& watch) {
+  TimedForces timed{forces};
+  Integrator integrator(settings.scheme, system.bodies, timed, settings.lambda);
+  Trajectory result;
+  const std::size_t steps = settings.steps(), interval = settings.steps_per_sample();
+  const double list_before = forces.neighbours().seconds();
+  double motion = 0;
+  Stopwatch whole, part;
+
+  const auto sample = [&] {
+    motion += part.lap();
+    result.samples.push_back(energies(system.state, system.bodies, integrator.load(system.state)));
+    const Energies& now = result.samples.back();
+    const Energies& start = result.samples.front();
+    if (!std::isfinite(now.total()))
+      blown_up(settings, result.steps, "the total energy is no longer a finite number");
+    if (std::abs(now.total() - start.total()) > start.kinetic() && start.kinetic() > 0)
+      blown_up(settings, result.steps,
+               fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the kinetic "
+                           "energy at the start",
+                           start.total(), now.total()));
+    if (watch.sample) watch.sample(result.steps, system.state, now);
+    part.lap();
+  };
+
+  sample();
+  const double start_time = system.state.time;
+  while (result.steps < steps && !result.stopped) {
+    const std::size_t chunk = std::min(interval, steps - result.steps);
+    for (std::size_t k = 0; k < chunk; ++k) {  // one by one: a step that fails is known
+      try {
+        integrator.advance(system.state, settings.step);
+      } catch (const RunError& e) {
+        blown_up(settings, result.steps + 1, e.what());
+      }
+      ++result.steps;
+      if (!std::isfinite(integrator.last_load().potential()))
+        blown_up(settings, result.steps, "the potential energy is no longer a finite number");
+    }
+    system.state.time = start_time + static_cast<double>(result.steps) * settings.step;
+    sample();
+    if (watch.stop && watch.stop()) result.stopped = true;
+  }
+  motion += part.lap();
+
+  result.force_evaluations = integrator.force_evaluations();
+  result.measurements = integrator.measurements();
+  const double all = whole.lap(), list = forces.neighbours().seconds() - list_before;
+  // Forces run within motion, and in schemes that end with a drift within measurement.
+  const double forces_in_motion = timed.seconds *
+                                  static_cast<double>(result.force_evaluations) /
+                                  static_cast<double>(result.force_evaluations + result.measurements);
+  result.timings = {timed.seconds - list, list, motion - forces_in_motion, 0};
+  result.timings.measurement = std::max(0.0, all - timed.seconds - result.timings.motion);
+  return result;
+}
+
+bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch) {
+  constexpr double step = 0.001, interval = 0.02;  // [ps]
+  const Scheme scheme = scheme_of("velocity-verlet");
+  double done = 0;
+  while (done < length) {
+    rescale(system.state, system.topology, system.bodies, system.temperature);
+    const double piece = std::min(interval, length - done);
+    const Trajectory part =
+        trajectory(system, forces, {scheme, step, std::max(piece, step), interval}, watch);
+    done += piece;
+    if (part.stopped) return false;
+  }
+  rescale(system.state, system.topology, system.bodies, system.temperature);
+  system.state.time = 0;
+  return true;
+}
+
+}  // namespace polhode
