@@ -34,8 +34,7 @@ constexpr double longest_sample = 0.0025;  // [ps]
 
 StudyRun one_run(const System& start, int index, const StudyPoint& point, const Config& config,
                  const StudyProgress& progress) {
-  StudyRun run{std::string(config.study.schemes.empty() ? "" : point.scheme.name()), point.step,
-               index};
+  StudyRun run{.scheme = point.name, .step = point.step, .start = index};
   System system = start;
   ForceField forces(system.topology, system.forces, system.state.box);
   try {
@@ -86,41 +85,6 @@ void on_all_cores(std::size_t count, const std::function<bool()>& stop,
   if (error) std::rethrow_exception(error);
 }
 
-std::vector<EfficiencyPoint> of_scheme(const std::vector<EfficiencyPoint>& points,
-                                       const std::string& scheme) {
-  std::vector<EfficiencyPoint> chosen;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(chosen),
-               [&](const EfficiencyPoint& p) { return p.scheme == scheme; });
-  std::sort(chosen.begin(), chosen.end(),
-            [](const auto& a, const auto& b) { return a.step < b.step; });
-  return chosen;
-}
-
-Guideline::Entry entry(const std::string& scheme, const std::vector<EfficiencyPoint>& all, double R) {
-  Guideline::Entry e{scheme, std::nullopt, 0, false};
-  const std::vector<EfficiencyPoint> points = of_scheme(all, scheme);
-  const std::size_t end = end_of_stability(points).value_or(points.size());
-  if (end == 0) return e;
-  const double evaluations = points[0].cost * points[0].step;
-  double step = 0;
-  if (R < points[0].ratio.value) {
-    const int order = scheme_of(scheme).order();
-    if (order == 0) return e;
-    step = points[0].step * std::pow(R / points[0].ratio.value, 1.0 / order);
-    e.extrapolated = true;
-  }
-  for (std::size_t i = 0; i + 1 < end && step == 0; ++i) {
-    const double low = points[i].ratio.value, high = points[i + 1].ratio.value;
-    if (R < low || R > high) continue;
-    const double x = std::log(R / low) / std::log(high / low);
-    step = points[i].step * std::pow(points[i + 1].step / points[i].step, x);
-  }
-  if (step == 0) return e;
-  e.step = step;
-  e.cost = evaluations / step;
-  return e;
-}
-
 }  // namespace
 
 std::vector<StudyPoint> study_points(const StudySettings& settings) {
@@ -128,7 +92,7 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
   for (const std::string& text : settings.schemes) {
     const Scheme scheme = scheme_of(text);
     for (const double h : settings.steps.empty() ? default_steps(scheme) : settings.steps)
-      points.push_back({scheme, h});
+      points.push_back({text, scheme, h});
   }
   return points;
 }
@@ -146,7 +110,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   for (const StudyPoint& point : study_points(config.study))
     for (int r = 0; r < config.study.runs; ++r) {
       const bool done = std::any_of(known.begin(), known.end(), [&](const StudyRun& k) {
-        return k.scheme == point.scheme.name() && same(k.step, point.step) && k.start == r;
+        return k.scheme == point.name && same(k.step, point.step) && k.start == r;
       });
       if (done) continue;
       jobs.push_back({point, r});
@@ -200,7 +164,7 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
   std::vector<EfficiencyPoint> result;
   for (const StudyPoint& point : points) {
     EfficiencyPoint e;
-    e.scheme = point.scheme.name();
+    e.scheme = point.name;
     e.step = point.step;
     e.cost = cost(point.scheme, point.step);
     std::vector<double> ratios, drifts, temperatures;
@@ -224,31 +188,6 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     result.push_back(e);
   }
   return result;
-}
-
-std::optional<std::size_t> end_of_stability(const std::vector<EfficiencyPoint>& points) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!points[i].usable()) return i;
-  return std::nullopt;
-}
-
-std::vector<Guideline> guidelines(const std::vector<EfficiencyPoint>& points,
-                                  const std::vector<double>& ratios) {
-  std::vector<std::string> names;
-  for (const EfficiencyPoint& p : points)
-    if (std::find(names.begin(), names.end(), p.scheme) == names.end()) names.push_back(p.scheme);
-  std::vector<Guideline> table;
-  for (const double R : ratios) {
-    Guideline line{R, {}, std::nullopt};
-    for (const std::string& name : names) {
-      line.entries.push_back(entry(name, points, R));
-      const auto& e = line.entries.back();
-      if (e.cost && (!line.best || *e.cost < *line.entries[*line.best].cost))
-        line.best = line.entries.size() - 1;
-    }
-    table.push_back(line);
-  }
-  return table;
 }
 
 }  // namespace polhode

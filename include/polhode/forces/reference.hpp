@@ -52,13 +52,17 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
       const PairTable& table = tables(bodies.part[i], bodies.part[j]);
+      const double reach = settings.cutoff + topology.parts[bodies.part[i]].molecule.reach() +
+                           topology.parts[bodies.part[j]].molecule.reach();
       Vec3<Real> R0 = poses[j].q - poses[i].q;
       R0 -= Vec3<Real>{nearest(R0.x / edge.x) * edge.x, nearest(R0.y / edge.y) * edge.y,
                        nearest(R0.z / edge.z) * edge.z};
       for (int image = 0; image < 27; ++image) {
         const Vec3<Real> shift{Real(image % 3 - 1), Real(image / 3 % 3 - 1), Real(image / 9 - 1)};
-        const PairLoad<Real> pair = molecule_pair<truncation, Real>(
-            table, laws, R0 + scaled(shift, edge), arms[i].data(), arms[j].data());
+        const Vec3<Real> R = R0 + scaled(shift, edge);
+        if (norm2(R) > Real(reach * reach)) continue;
+        const PairLoad<Real> pair =
+            molecule_pair<truncation, Real>(table, laws, R, arms[i].data(), arms[j].data());
         load.f[i] -= pair.f;
         load.f[j] += pair.f;
         load.tau[i] += pair.tau_a;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,23 +40,11 @@ struct EfficiencyPoint {
   bool usable() const { return stable && drift.chance >= significance; }
 };
 
-/// The costs of each scheme at one accuracy.
-struct Guideline {
-  struct Entry {
-    std::string scheme;
-    std::optional<double> cost;  ///< force evaluations per ps; none: not reached without drift
-    double step = 0;             ///< [ps]
-    bool extrapolated = false;   ///< beyond the measured steps by the scheme's order
-  };
-  double ratio = 0;  ///< R
-  std::vector<Entry> entries;
-  std::optional<std::size_t> best;  ///< index of the cheapest
-};
-
 /// The (scheme, step) pairs that a study measures.
 struct StudyPoint {
+  std::string name;  ///< of the scheme, or its text, as the run file has it
   Scheme scheme;
-  double step;
+  double step;  ///< [ps]
 };
 std::vector<StudyPoint> study_points(const StudySettings& settings);
 
@@ -73,13 +60,5 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
 /// Points from runs, in the order of schemes and steps.
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
                                                const std::vector<StudyRun>& runs);
-
-/// Where a scheme's curve ends: the index of its first point, by growing step, that is not usable.
-std::optional<std::size_t> end_of_stability(const std::vector<EfficiencyPoint>& of_one_scheme);
-
-/// Costs at given accuracies, by interpolation of log cost over log R along each scheme's usable
-/// points; below the smallest R measured, by the scheme's order.
-std::vector<Guideline> guidelines(const std::vector<EfficiencyPoint>& points,
-                                  const std::vector<double>& ratios);
 
 }  // namespace polhode

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// polhode energy [FILE]: single-point energies, and the load of every body as CSV.
+#include <fmt/core.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "polhode/base/target.hpp"
+#include "polhode/run/system.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  bool forces = false, gradient = false, json = false;
+};
+
+/// The displacement of the gradient kick: f/m of each body and J⁻¹ S τ, so that grad W = 2 D(f, τ)
+/// along it.
+void gradient_direction(const System& system, const Load& load, Vec3Column& dq,
+                        Vec3Column& dtheta) {
+  dq = dtheta = Vec3Column(system.state.size());
+  for (std::size_t i = 0; i < system.state.size(); ++i) {
+    dq.set(i, system.bodies.inverse_m[i] * load.f[i]);
+    dtheta.set(i, scaled(system.bodies.inverse_J[i], to_body(system.state.attitude[i], load.tau[i])));
+  }
+}
+
+void print_csv(const System& system, const Load& load, const Load* slope) {
+  fmt::print("body,molecule,fx,fy,fz,taux,tauy,tauz{}\n",
+             slope ? ",dfx,dfy,dfz,dtaux,dtauy,dtauz" : "");
+  const auto print = [](const Vec3<double>& v) {
+    fmt::print(",{:.17g},{:.17g},{:.17g}", v.x, v.y, v.z);
+  };
+  for (std::size_t i = 0; i < system.state.size(); ++i) {
+    fmt::print("{},{}", i + 1, system.topology.parts[system.bodies.part[i]].molecule.name);
+    print(load.f[i]);
+    print(load.tau[i]);
+    if (slope) {
+      print(slope->f[i]);
+      print(slope->tau[i]);
+    }
+    fmt::print("\n");
+  }
+}
+
+int energy(const Options& o) {
+  const Config config = o.file.empty() ? default_config() : read_config(o.file);
+  const System system = assembled(config);
+  ForceField forces(system.topology, system.forces, system.state.box);
+  Load load;
+  forces(system.state, load);
+
+  std::FILE* const out = o.forces || o.gradient ? stderr : stdout;
+  if (o.json) {
+    fmt::print(out, "{}\n",
+               nlohmann::json{{"molecules", system.topology.size()},
+                              {"lennard_jones_kJ_per_mol", load.lennard_jones},
+                              {"coulomb_kJ_per_mol", load.coulomb},
+                              {"potential_kJ_per_mol", load.potential()},
+                              {"target", name(current_target())}}
+                   .dump(2));
+  } else {
+    fmt::print(out, "molecules       {}\n", system.topology.size());
+    fmt::print(out, "Lennard-Jones   {:.17g} kJ/mol\n", load.lennard_jones);
+    fmt::print(out, "Coulomb         {:.17g} kJ/mol\n", load.coulomb);
+    fmt::print(out, "potential       {:.17g} kJ/mol\n", load.potential());
+  }
+  if (!o.forces && !o.gradient) return 0;
+  if (!o.gradient) {
+    print_csv(system, load, nullptr);
+    return 0;
+  }
+  Vec3Column dq, dtheta;
+  gradient_direction(system, load, dq, dtheta);
+  const Load slope = forces.directional_derivative(system.state, dq, dtheta);
+  print_csv(system, load, &slope);
+  return 0;
+}
+
+}  // namespace
+
+Action energy_verb(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  app.add_flag("--forces", o->forces,
+               "print force [kJ/mol/nm] and torque [kJ/mol] of every body as CSV; energies go to "
+               "standard error");
+  app.add_flag("--gradient", o->gradient,
+               "add the directional derivative of force and torque along the displacement (f/m, "
+               "J^-1 S tau) of the gradient kick; implies --forces");
+  app.add_flag("--json", o->json, "print the energies as JSON");
+  return [o] { return energy(*o); };
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// Ctrl-C and SIGTERM as a question that loops may ask: what was computed is then written.
+#pragma once
+
+namespace polhode::cli {
+
+/// From now on the signals only set a flag; a second one ends the program at once.
+void catch_interrupts();
+
+bool interrupted();
+
+}  // namespace polhode::cli

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// polhode run [FILE]: a trajectory with its energies, pictures and summary.
+#include <fmt/core.h>
+
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+#include "interrupt.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/target.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/gro.hpp"
+#include "polhode/io/plot.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/io/xyz.hpp"
+#include "polhode/run/summary.hpp"
+#include "progress.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::string file, scheme, step, length, output;
+  bool force = false, json = false;
+};
+
+Config configured(const Options& o) {
+  Config config = o.file.empty() ? default_config() : read_config(o.file);
+  if (!o.scheme.empty()) config.integrator.scheme = o.scheme;
+  if (!o.step.empty()) config.integrator.step = positive_time(o.step, "--step");
+  if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
+  if (!o.output.empty()) config.output.prefix = o.output;
+  return config;
+}
+
+/// The files of a run, by their use.
+struct Files {
+  std::string energies, final_state, plot;
+  std::vector<std::string> trajectories;
+
+  explicit Files(const OutputSettings& output)
+      : energies(output.prefix + "-energies.csv"), final_state(output.prefix + "-final.gro") {
+    if (output.plot != "none") plot = output.prefix + "-energies." + output.plot;
+    if (output.trajectory_every > 0)
+      for (const std::string& format : output.formats)
+        trajectories.push_back(output.prefix + "-trajectory." + format);
+  }
+  std::vector<std::string> all() const {
+    std::vector<std::string> files = trajectories;
+    files.push_back(energies);
+    files.push_back(final_state);
+    if (!plot.empty()) files.push_back(plot);
+    return files;
+  }
+};
+
+/// Frames appended as the run goes, so that an interrupt leaves what was done.
+class TrajectoryFiles {
+ public:
+  TrajectoryFiles(const std::vector<std::string>& paths, const Topology& topology)
+      : topology_(topology) {
+    for (const std::string& path : paths) {
+      streams_.emplace_back(path, std::ofstream(path));
+      if (!streams_.back().second)
+        throw Error("'" + path + "' cannot be written; check the folder and its permissions");
+    }
+  }
+  void write(const State& state) {
+    const Frame frame = frame_of(state, topology_);
+    for (auto& [path, stream] : streams_) {
+      if (path.ends_with(".gro"))
+        write_gro(stream, frame);
+      else
+        write_xyz(stream, frame);
+      stream.flush();
+      if (!stream) throw RunError("'" + path + "' could not be written to the end; is the disk full?");
+    }
+  }
+
+ private:
+  const Topology& topology_;
+  std::vector<std::pair<std::string, std::ofstream>> streams_;
+};
+
+Table energy_table(const std::vector<Energies>& samples, const Freedoms& freedoms) {
+  Table table;
+  table.columns = {{"time", "ps"},          {"total", "kJ/mol"},
+                   {"potential", "kJ/mol"}, {"lennard_jones", "kJ/mol"},
+                   {"coulomb", "kJ/mol"},   {"kinetic_translation", "kJ/mol"},
+                   {"kinetic_rotation", "kJ/mol"}, {"temperature", "K"}};
+  for (const Energies& e : samples)
+    table.rows.push_back({e.time, e.total(), e.potential(), e.lennard_jones, e.coulomb,
+                          e.translation, e.kinetic() - e.translation,
+                          temperature(e.kinetic(), freedoms.all())});
+  return table;
+}
+
+std::string verdict(const Drift& drift) {
+  return drift.chance < significance ? "significant" : "not significant";
+}
+
+void print_summary(const RunSummary& s, const TrajectorySettings& t, const Scheme& scheme) {
+  const auto percent = [](double x) { return 100 * x; };
+  fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
+             s.molecules, s.steps, t.step * 1000, scheme.name(), s.length, s.sample * 1000);
+  fmt::print("R                     {:.4f} ± {:.4f} %   (rms of total energy {:.4g} over that of the "
+             "potential {:.4g} kJ/mol)\n",
+             percent(s.ratio.value), percent(s.ratio.error), s.total_fluctuation,
+             s.potential_fluctuation);
+  fmt::print("drift                 {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g})\n",
+             s.drift.rate.value, s.drift.rate.error, verdict(s.drift), s.drift.chance);
+  fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
+  fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
+  fmt::print("temperature           {:.2f} K: translation {:.2f}, rotation", s.temperature,
+             s.translation);
+  for (std::size_t k = 0; k < 3; ++k)
+    fmt::print(" {}", s.freedoms.rotation[k] > 0 ? fmt::format("{:.2f}", s.rotation[k]) : "-");
+  fmt::print(" K\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
+  fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
+             static_cast<double>(s.force_evaluations) / s.length);
+  if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
+  fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
+  const double all = s.timings.all();
+  fmt::print("time                  {:.2f} s: forces {:.0f} %, list {:.0f} %, drifts and kicks {:.0f} %, "
+             "energies and output {:.0f} %\n",
+             all, percent(s.timings.forces / all), percent(s.timings.list / all),
+             percent(s.timings.motion / all), percent(s.timings.measurement / all));
+  fmt::print("speed                 {:.4g} ns/day\n", s.ns_per_day);
+}
+
+nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const Files& files,
+                       bool stopped) {
+  return {{"molecules", s.molecules},
+          {"scheme", text_of(t.scheme)},
+          {"step_fs", t.step * 1000},
+          {"steps", s.steps},
+          {"length_ps", s.length},
+          {"sample_fs", s.sample * 1000},
+          {"interrupted", stopped},
+          {"R", s.ratio.value},
+          {"R_error", s.ratio.error},
+          {"rms_total_kJ_per_mol", s.total_fluctuation},
+          {"rms_potential_kJ_per_mol", s.potential_fluctuation},
+          {"drift_kJ_per_mol_ps", s.drift.rate.value},
+          {"drift_error", s.drift.rate.error},
+          {"drift_chance", s.drift.chance},
+          {"drift_significant", s.drift.chance < significance},
+          {"potential_kJ_per_mol", s.potential},
+          {"total_kJ_per_mol", s.total},
+          {"temperature_K", s.temperature},
+          {"temperature_translation_K", s.translation},
+          {"temperature_rotation_K", s.rotation},
+          {"momentum", s.momentum},
+          {"force_evaluations", s.force_evaluations},
+          {"force_evaluations_for_energies", s.measurements},
+          {"list_rebuilds", s.list_rebuilds},
+          {"seconds",
+           {{"all", s.timings.all()},
+            {"forces", s.timings.forces},
+            {"list", s.timings.list},
+            {"motion", s.timings.motion},
+            {"energies_and_output", s.timings.measurement}}},
+          {"ns_per_day", s.ns_per_day},
+          {"files", files.all()}};
+}
+
+int run(const Options& o) {
+  const Config config = configured(o);
+  const Scheme scheme = scheme_of(config.integrator.scheme);
+  const TrajectorySettings settings{scheme, config.integrator.step, config.run.length,
+                                    config.run.sample, config.integrator.lambda};
+  if (settings.steps() == 0)
+    throw Error(fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
+                            config.run.length * 1000, config.integrator.step * 1000));
+  System system = assembled(config);
+  ForceField forces(system.topology, system.forces, system.state.box);
+  const Files files(config.output);
+  for (const std::string& file : files.all()) refuse_existing(file, o.force);
+
+  const Provenance provenance{POLHODE_VERSION, "polhode run " + o.file, config.text,
+                              name(current_target()), config.system.seed};
+  fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}\n",
+             POLHODE_VERSION, system.topology.size(), config.source, scheme.name(),
+             settings.step * 1000, provenance.target);
+  if (system.fit_deviation > 1e-4)
+    fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
+               system.fit_deviation);
+
+  catch_interrupts();
+  if (config.run.equilibrate > 0) {
+    Progress progress("equilibrating");
+    double now = 0;
+    const Watch watch{[&](std::size_t, const State& state, const Energies&) {
+                        now = std::max(now, state.time);
+                        progress.show(now / config.run.equilibrate);
+                      },
+                      interrupted};
+    if (!equilibrate(system, forces, config.run.equilibrate, watch)) {
+      fmt::print(stderr, "interrupted while equilibrating; nothing was written\n");
+      return 130;
+    }
+  }
+
+  TrajectoryFiles frames(files.trajectories, system.topology);
+  const auto steps_per_frame = static_cast<std::size_t>(
+      std::max(1.0, config.output.trajectory_every / settings.step + 1e-9));
+  std::size_t next_frame = 0;
+  Trajectory t;
+  {
+    Progress progress("running");
+    const Watch watch{
+        [&](std::size_t step, const State& state, const Energies&) {
+          progress.show(static_cast<double>(step) / static_cast<double>(settings.steps()));
+          if (files.trajectories.empty() || step < next_frame) return;
+          frames.write(state);
+          next_frame = step + steps_per_frame;
+        },
+        interrupted};
+    t = trajectory(system, forces, settings, watch);
+  }
+  if (t.stopped) fmt::print(stderr, "interrupted after {} steps; what was computed follows\n", t.steps);
+
+  const RunSummary s = summary(system, forces, settings, t);
+  write_file(files.energies, [&](std::ostream& out) {
+    write_csv(out, energy_table(t.samples, s.freedoms), provenance);
+  });
+  write_file(files.final_state,
+             [&](std::ostream& out) { write_gro(out, frame_of(system.state, system.topology)); });
+  if (!files.plot.empty()) energy_plot(files.energies, files.plot);
+
+  if (o.json) {
+    fmt::print("{}\n", as_json(s, settings, files, t.stopped).dump(2));
+  } else {
+    print_summary(s, settings, scheme);
+    fmt::print("files                ");
+    for (const std::string& file : files.all()) fmt::print(" {}", file);
+    fmt::print("\n");
+  }
+  return t.stopped ? 130 : 0;
+}
+
+}  // namespace
+
+Action run_verb(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  app.add_option("--scheme", o->scheme, "instead of the run file's: a name, or stages as text");
+  app.add_option("--step", o->step, "instead of the run file's: \"2 fs\"");
+  app.add_option("--length", o->length, "instead of the run file's: \"15 ps\"");
+  app.add_option("--output", o->output, "prefix of the output files, instead of the run file's");
+  app.add_flag("--force", o->force, "overwrite output files that exist");
+  app.add_flag("--json", o->json, "print the summary as JSON");
+  return [o] { return run(*o); };
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// polhode study [FILE]: accuracy against cost of each scheme, the paper's figure.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "interrupt.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/target.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/plot.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/run/guideline.hpp"
+#include "progress.hpp"
+#include "study_files.hpp"
+#include "times.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::string file, output = "study", length, decorrelate;
+  std::vector<std::string> schemes, steps;
+  int runs = 0;
+  bool quick = false, force = false, json = false;
+};
+
+/// A small version that is honest about its size: fewer runs, shorter ones, fewer steps.
+void make_quick(StudySettings& study) {
+  study.runs = 4;
+  study.length = 8;
+  study.decorrelate = 2;
+  study.steps = {0.002, 0.003, 0.004, 0.005, 0.006};
+}
+
+Config configured(const Options& o) {
+  Config config = o.file.empty() ? default_config() : read_config(o.file);
+  StudySettings& study = config.study;
+  if (o.quick) make_quick(study);
+  if (!o.schemes.empty()) study.schemes = o.schemes;
+  if (!o.steps.empty()) {
+    study.steps.clear();
+    for (const std::string& step : o.steps) study.steps.push_back(positive_time(step, "--steps"));
+    std::sort(study.steps.begin(), study.steps.end());
+  }
+  if (o.runs != 0) study.runs = o.runs;
+  if (!o.length.empty()) study.length = positive_time(o.length, "--length");
+  if (!o.decorrelate.empty()) study.decorrelate = positive_time(o.decorrelate, "--decorrelate");
+  return config;
+}
+
+int study(const Options& o) {
+  const Config config = configured(o);
+  const std::vector<StudyPoint> points = study_points(config.study);  // checks the schemes
+  for (const StudyPoint& point : points)
+    if (config.study.length < 10 * point.step)
+      throw Error(fmt::format("study length {:g} ps is less than ten steps of {:g} fs; R needs more, so "
+                              "ask for longer runs",
+                              config.study.length, point.step * 1000));
+  const System system = assembled(config);
+  const ForceField check(system.topology, system.forces, system.state.box);  // cutoff against box
+
+  const StudyFiles files(o.output);
+  const Provenance provenance{POLHODE_VERSION, "polhode study", study_identity(config),
+                              name(current_target()), config.system.seed};
+  StudyRecord record(files.runs, provenance, o.force);
+  std::vector<StudyRun> runs = record.known();
+  fmt::print(stderr, "polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}\n",
+             POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
+             config.study.length, provenance.target);
+  if (!runs.empty()) fmt::print(stderr, "{} runs are known from {}\n", runs.size(), files.runs);
+
+  catch_interrupts();
+  {
+    Progress progress("study");
+    run_study(
+        config, runs,
+        [&](const StudyRun& run) {
+          record.add(run);
+          runs.push_back(run);
+        },
+        {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted});
+  }
+
+  const StudyReport report(config, efficiency_points(points, runs));
+  write_study(files, report, provenance);
+  if (o.json)
+    fmt::print("{}\n", study_json(report));
+  else
+    print_study(report, files);
+  if (interrupted()) {
+    fmt::print(stderr, "interrupted; the same command goes on from {}\n", files.runs);
+    return 130;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Action study_verb(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  app.add_flag("--quick", o->quick, "a small version: about three minutes on two cores");
+  app.add_option("--schemes", o->schemes, "names, or stages as text");
+  app.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
+  app.add_option("--runs", o->runs, "independent runs at each point")->check(CLI::Range(2, 1000));
+  app.add_option("--length", o->length, "of each run: \"15 ps\"");
+  app.add_option("--decorrelate", o->decorrelate, "preparation of each start: \"10 ps\"");
+  app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
+  app.add_flag("--force", o->force, "start anew where results of another study exist");
+  app.add_flag("--json", o->json, "print the results as JSON");
+  return [o] { return study(*o); };
+}
+
+}  // namespace polhode::cli

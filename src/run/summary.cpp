@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/summary.hpp"
+
+#include <vector>
+
+namespace polhode {
+
+RunSummary summary(const System& system, const ForceField& forces,
+                   const TrajectorySettings& settings, const Trajectory& trajectory) {
+  RunSummary s;
+  const auto n = static_cast<double>(trajectory.samples.size());
+  s.molecules = system.topology.size();
+  s.steps = trajectory.steps;
+  s.length = static_cast<double>(trajectory.steps) * settings.step;
+  s.sample = static_cast<double>(settings.steps_per_sample()) * settings.step;
+  s.freedoms = freedoms(system.topology);
+
+  std::vector<double> total, potential;
+  Energies sum{};
+  for (const Energies& e : trajectory.samples) {
+    total.push_back(e.total());
+    potential.push_back(e.potential());
+    sum.translation += e.translation / n;
+    for (std::size_t k = 0; k < 3; ++k) sum.rotation[k] += e.rotation[k] / n;
+  }
+  s.total = mean(total).value / static_cast<double>(s.molecules);
+  s.potential = mean(potential).value / static_cast<double>(s.molecules);
+  s.translation = temperature(sum.translation, s.freedoms.translation);
+  for (std::size_t k = 0; k < 3; ++k)
+    s.rotation[k] = temperature(sum.rotation[k], s.freedoms.rotation[k]);
+  s.temperature = temperature(sum.kinetic(), s.freedoms.all());
+  s.momentum = norm(total_momentum(system.state));
+
+  if (trajectory.samples.size() > 2) {
+    s.total_fluctuation = fluctuation(total);
+    s.potential_fluctuation = fluctuation(potential);
+    s.ratio = fluctuation_ratio_with_error(trajectory.samples);
+    s.drift = drift(trajectory.samples);
+  }
+  s.force_evaluations = trajectory.force_evaluations;
+  s.measurements = trajectory.measurements;
+  s.list_rebuilds = forces.neighbours().rebuilds();
+  s.timings = trajectory.timings;
+  const double seconds = trajectory.timings.all();
+  s.ns_per_day = seconds > 0 ? s.length / 1000 / seconds * 86400 : 0;
+  return s;
+}
+
+}  // namespace polhode
