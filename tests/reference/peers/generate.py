@@ -246,7 +246,8 @@ def openmm_molecules(scene, law):
             for b in range(scene.parts[j].start, scene.parts[j].stop):
                 epsilon, qq = sqrt(scene.epsilon[a] * scene.epsilon[b]), scene.q[a] * scene.q[b]
                 if epsilon:
-                    lj.addBond([n + i, n + j, a, b], s + [(scene.sigma[a] + scene.sigma[b]) / 2, epsilon])
+                    sigma = (scene.sigma[a] + scene.sigma[b]) / 2
+                    lj.addBond([n + i, n + j, a, b], s + [sigma, epsilon])
                 if qq:
                     coulomb.addBond([n + i, n + j, a, b], s + [qq])
     energies, f = openmm_run(scene, q, [lj, coulomb])
@@ -254,7 +255,7 @@ def openmm_molecules(scene, law):
 
 
 def openmm_open(scene, law):
-    """No truncation: the engine's own Lennard-Jones and Coulomb forces, charges scaled to our constant."""
+    """No truncation: the engine's own Lennard-Jones and Coulomb forces, charges scaled to our K."""
     forces = []
     for charged in (0, 1):
         force = mm.NonbondedForce()
@@ -513,8 +514,9 @@ def run(name):
         "coulomb": COULOMB,
         "engine_coulomb": {"OpenMM": openmm_coulomb(), "LAMMPS": 1.0},
         "mixing": "Lorentz-Berthelot",
-        "models": [{"name": m.name, "sites": m.names, "mass": m.m.tolist(), "charge": m.q.tolist(),
-                    "sigma": m.sigma.tolist(), "epsilon": m.epsilon.tolist()} for m in models.values()],
+        "models": [{"name": m.name, "sites": m.names, "position": m.r.tolist(), "mass": m.m.tolist(),
+                    "charge": m.q.tolist(), "sigma": m.sigma.tolist(), "epsilon": m.epsilon.tolist()}
+                   for m in models.values()],
         "bodies": [{"model": k, "count": n} for k, n in scene.counts.items()],
         "box": None if scene.box is None else scene.box.tolist(),
         "sites": scene.sites.tolist(),
