@@ -19,6 +19,9 @@ struct Verb {
 };
 
 const std::vector<Verb> verbs = {
+    {"run", "simulate: a trajectory with its energies and summary", run_verb},
+    {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
+    {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
     {"verify", "measure the order of a scheme", verify_verb},
 };

@@ -10,7 +10,10 @@ namespace polhode::cli {
 
 using Action = std::function<int()>;
 
+Action energy_verb(CLI::App& app);
+Action run_verb(CLI::App& app);
 Action schemes_verb(CLI::App& app);
+Action study_verb(CLI::App& app);
 Action verify_verb(CLI::App& app);
 
 }  // namespace polhode::cli

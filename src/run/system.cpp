@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/system.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/forces/overlap.hpp"
+#include "polhode/io/gro.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/model/start.hpp"
+
+namespace polhode {
+namespace {
+
+Topology described(const SystemSettings& settings) {
+  Topology topology;
+  for (const auto& component : settings.molecules)
+    topology.parts.push_back({read_molecule(component.model), component.count});
+  return topology;
+}
+
+void scale(Vec3Column& v, double factor) {
+  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
+}
+
+}  // namespace
+
+System assembled(const Config& config) {
+  Topology topology = described(config.system);
+  System system{topology, Bodies(topology), {}, config.forces, config.system.temperature};
+  if (config.system.start.empty()) {
+    const SystemSettings& s = config.system;
+    const Box box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
+    system.state = lattice(topology, box, s.seed);
+  } else {
+    const Frame frame = read_start(config.system.start);
+    system.topology = completed(topology, frame);
+    system.bodies = Bodies(system.topology);
+    FittedState fitted = fitted_state(frame, system.topology);
+    system.state = std::move(fitted.state);
+    system.fit_deviation = fitted.deviation;
+    system.new_velocities = !fitted.has_velocities;
+  }
+  check_overlap(system.topology, system.state);
+  if (system.new_velocities) draw_momenta(system, config.system.seed);
+  return system;
+}
+
+void draw_momenta(System& system, std::uint64_t seed) {
+  draw_momenta(system.state, system.topology, system.temperature, seed);
+}
+
+void rescale(State& state, const Topology& topology, const Bodies& bodies, double wanted) {
+  Vec3<double> drift = total_momentum(state);
+  for (std::size_t i = 0; i < state.size(); ++i)  // the total momentum carries no temperature
+    state.p.add(i, -(bodies.m[i] / topology.mass()) * drift);
+  const Energies e = energies(state, bodies, Load{});
+  const Freedoms n = freedoms(topology);
+  const double now = temperature(e.translation, n.translation);
+  const double turning = temperature(e.kinetic() - e.translation, n.all() - n.translation);
+  if (now > 0) scale(state.p, std::sqrt(wanted / now));
+  if (turning > 0) scale(state.ell, std::sqrt(wanted / turning));
+}
+
+}  // namespace polhode

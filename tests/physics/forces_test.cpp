@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+// Laws that hold for every force field: over truncations, classes of the switch and kinds of bodies.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "polhode/base/target.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/forces/reference.hpp"
+#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/schemes.hpp"
+#include "polhode/math/dual.hpp"
+#include "scenes.hpp"
+
+using namespace polhode;
+
+namespace {
+
+struct Named {
+  std::string name;
+  ForceSettings settings;
+};
+
+std::vector<Named> all_laws() {
+  std::vector<Named> laws;
+  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field})
+    for (const int smoothness : {1, 2, 3})
+      for (const double dielectric : {1.0, 78.5, double(INFINITY)}) {
+        if (truncation == Truncation::molecule_switch && dielectric != 1.0) continue;
+        ForceSettings s{truncation, 0.75, 0.55, smoothness, dielectric, 0.1};
+        laws.push_back({std::string(truncation == Truncation::molecule_switch ? "molecule " : "site ") +
+                            std::to_string(smoothness) + " " + std::to_string(dielectric),
+                        s});
+      }
+  return laws;
+}
+
+// All kinds of bodies at once: atoms, linear, symmetric, spherical, asymmetric.
+scenes::Scene mixture() {
+  return scenes::lattice({{"argon", 3}, {"co2", 3}, {"n2", 2}, {"benzene", 2}, {"ch4", 3}, {"tip4p", 5}},
+                         0.62, 1.9, 11);
+}
+
+double largest(const Vec3Column& v) {
+  double m = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) m = std::max(m, norm(v[i]));
+  return m;
+}
+
+double largest_difference(const Vec3Column& a, const std::vector<Vec3<double>>& b) {
+  double m = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) m = std::max(m, norm(a[i] - b[i]));
+  return m;
+}
+
+}  // namespace
+
+// dU = −Σ f·dq + τ·dθ for any displacement. The derivative of U comes from dual numbers, exact to
+// rounding, so both sides agree to rounding: sums of some 10³ pair terms of up to 10⁴ kJ/mol/nm.
+TEST_CASE("force and torque are minus the gradient of the energy, for every law and body") {
+  const scenes::Scene scene = mixture();
+  for (const Named& law : all_laws()) {
+    CAPTURE(law.name);
+    ForceField forces(scene.topology, law.settings, scene.state.box);
+    Load load;
+    forces(scene.state, load);
+    for (std::size_t i = 0; i < scene.state.size(); ++i) {
+      CAPTURE(i);
+      for (std::size_t k = 0; k < 3; ++k) {
+        Vec3Column dq(scene.state.size()), none(scene.state.size()), dtheta(scene.state.size());
+        Vec3<double> e{};
+        e[k] = 1;
+        dq.set(i, e);
+        dtheta.set(i, to_body(scene.state.attitude[i], e));
+        const Load by_moving = forces.directional_derivative(scene.state, dq, none);
+        const Load by_turning = forces.directional_derivative(scene.state, none, dtheta);
+        CHECK(std::abs(by_moving.potential() + load.f[i][k]) < 1e-13 * largest(load.f));
+        CHECK(std::abs(by_turning.potential() + load.tau[i][k]) < 1e-13 * largest(load.f));
+      }
+    }
+  }
+}
+
+// The pair loops of every instruction set against all pairs in double precision: rounding only.
+TEST_CASE("every target's pair loops equal the reference, for every law and body") {
+  const Target before = current_target();
+  const scenes::Scene scene = mixture();
+  for (const Named& law : all_laws()) {
+    CAPTURE(law.name);
+    const auto exact =
+        reference_load(scene.topology, law.settings, scene.state.box, scenes::poses(scene.state));
+    for (const Target target : available_targets()) {
+      CAPTURE(std::string(name(target)));
+      force_target(target);
+      ForceField forces(scene.topology, law.settings, scene.state.box);
+      Load load;
+      forces(scene.state, load);
+      const double scale = largest(load.f);
+      CHECK(scale > 10);
+      CHECK(largest_difference(load.f, exact.f) < 1e-13 * scale);
+      CHECK(largest_difference(load.tau, exact.tau) < 1e-13 * scale);
+      CHECK(std::abs(load.potential() - exact.potential()) < 1e-13 * scale);
+    }
+  }
+  force_target(before);
+}
+
+// The directional derivative against a central difference of fourth order: h⁴ f⁽⁵⁾ against rounding/h
+// leaves 1e-8 of the derivative at h = 1e-4 nm for contacts whose scale is some 0.02 nm.
+TEST_CASE("the directional derivative is the slope of forces and torques") {
+  const scenes::Scene scene = mixture();
+  for (const Named& law : all_laws()) {
+    if (law.settings.smoothness < 3) continue;  // a central difference needs the fifth derivative
+    CAPTURE(law.name);
+    ForceField forces(scene.topology, law.settings, scene.state.box);
+    Load load;
+    forces(scene.state, load);
+    const std::size_t n = scene.state.size();
+    Vec3Column dq(n), dtheta(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      dq.set(i, scene.bodies.inverse_m[i] * load.f[i]);
+      dtheta.set(i, scaled(scene.bodies.inverse_J[i], to_body(scene.state.attitude[i], load.tau[i])));
+    }
+    const Load slope = forces.directional_derivative(scene.state, dq, dtheta);
+    const auto at = [&](double c) {
+      State moved = scene.state;
+      displace(moved, scene.bodies, load, c);
+      Load there;
+      forces(moved, there);
+      return there;
+    };
+    const double h = 2e-7;  // the largest f/m is some 300, J⁻¹τ 3000: moves of 1e-4 nm
+    const Load p1 = at(h), m1 = at(-h), p2 = at(2 * h), m2 = at(-2 * h);
+    for (std::size_t i = 0; i < n; ++i) {
+      const auto numeric = [&](auto member) {
+        return (8.0 / (12 * h)) * (member(p1)[i] - member(m1)[i]) -
+               (1.0 / (12 * h)) * (member(p2)[i] - member(m2)[i]);
+      };
+      const Vec3<double> df = numeric([](const Load& l) -> const Vec3Column& { return l.f; });
+      const Vec3<double> dtau = numeric([](const Load& l) -> const Vec3Column& { return l.tau; });
+      CHECK(norm(df - slope.f[i]) < 1e-6 * largest(slope.f));
+      CHECK(norm(dtau - slope.tau[i]) < 1e-6 * largest(slope.f));
+    }
+  }
+}
+
+// Never a pair missed: a hot run for many rebuilds of the list, forces against all pairs on the way,
+// in a box whose edge is just above twice the cutoff.
+TEST_CASE("the neighbour list misses no pair over a long hot run") {
+  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
+    scenes::Scene scene = scenes::lattice({{"tip4p", 60}, {"argon", 20}}, 0.36, 1.61, 5);
+    for (std::size_t i = 0; i < scene.state.size(); ++i)
+      scene.state.p.set(i, 3.0 * scene.state.p[i]);  // 2700 K
+    const ForceSettings settings{truncation, 0.8, 0.65, 2, 78.5, 0.06};
+    ForceField forces(scene.topology, settings, scene.state.box);
+    Integrator integrator(schemes[1], scene.bodies, forces);
+    for (int k = 0; k < 60; ++k) {
+      integrator.advance(scene.state, 0.0005, 20);
+      const Load& load = integrator.load(scene.state);
+      const auto exact = reference_load(scene.topology, settings, scene.state.box, scenes::poses(scene.state));
+      CHECK(largest_difference(load.f, exact.f) < 1e-12 * largest(load.f));
+    }
+    CHECK(forces.neighbours().rebuilds() > 10);
+  }
+}
+
+// Shifting all bodies, shifting one by an edge, turning the world about z by a quarter: the physics
+// does not notice. Positions change by rounding of up to 10 nm × 2⁻⁵³, forces by that times f'.
+TEST_CASE("forces do not depend on where the origin is, which image is meant, or how the world lies") {
+  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
+    const scenes::Scene scene = mixture();
+    const ForceSettings settings{truncation, 0.8, 0.65, 2, 78.5, 0.1};
+    const auto load_of = [&](const State& s) {
+      ForceField forces(scene.topology, settings, s.box);
+      Load load;
+      forces(s, load);
+      return load;
+    };
+    const Load base = load_of(scene.state);
+    State shifted = scene.state, turned = scene.state;
+    const Quaternion<double> quarter{std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
+    for (std::size_t i = 0; i < scene.state.size(); ++i) {
+      const Vec3<double> images{double(i % 3) - 1, double(i % 5) - 2, -double(i % 2)};
+      shifted.q.set(i, scene.state.q[i] + Vec3<double>{0.123, -4.56, 0.789} +
+                           scaled(images, scene.state.box.edge));
+      turned.q.set(i, to_lab(quarter, scene.state.q[i]));
+      turned.attitude.set(i, quarter * scene.state.attitude[i]);
+    }
+    const Load by_shift = load_of(shifted), by_turn = load_of(turned);
+    const double scale = largest(base.f);
+    for (std::size_t i = 0; i < scene.state.size(); ++i) {
+      CHECK(norm(by_shift.f[i] - base.f[i]) < 1e-11 * scale);
+      CHECK(norm(by_turn.f[i] - to_lab(quarter, base.f[i])) < 1e-11 * scale);
+      CHECK(norm(by_turn.tau[i] - to_lab(quarter, base.tau[i])) < 1e-11 * scale);
+    }
+    CHECK(by_shift.potential() == doctest::Approx(base.potential()).epsilon(1e-11));
+  }
+}
+
+// Two point charges and two atoms by hand.
+TEST_CASE("a pair of sites feels the textbook energies inside the switch") {
+  Topology ions{{{rigid_molecule("cation", {{.name = "C", .mass = 20, .charge = 1}}), 1},
+                 {rigid_molecule("atom", {{.name = "A", .mass = 30, .charge = -0.5, .sigma = 0.3,
+                                           .epsilon = 0.8}}), 2}}};
+  State state(3, Box{{10, 10, 10}});
+  state.q.set(0, {0, 0, 0});
+  state.q.set(1, {0.4, 0, 0});
+  state.q.set(2, {0.4, 0.35, 0});
+  ForceField forces(ions, {Truncation::molecule_switch, 2, 1.8, 2, 1, 0.1}, state.box);
+  Load load;
+  forces(state, load);
+  const double s6 = std::pow(0.3 / 0.35, 6);
+  CHECK(load.lennard_jones == doctest::Approx(4 * 0.8 * (s6 * s6 - s6)).epsilon(1e-14));
+  const double r02 = std::hypot(0.4, 0.35);
+  CHECK(load.coulomb == doctest::Approx(units::coulomb * (-0.5 / 0.4 - 0.5 / r02 + 0.25 / 0.35)).epsilon(1e-14));
+}

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Laws that hold for every scheme of the table.
+#include "polhode/integrate/schemes.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/measure/order.hpp"
+#include "scenes.hpp"
+
+using namespace polhode;
+
+namespace {
+
+double largest_difference(const Vec3Column& a, const Vec3Column& b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, norm(a[i] - b[i]));
+  return largest;
+}
+
+// What one force evaluation of a gradient kick by finite difference adds to momenta: rounding of the
+// forces, 2⁻⁵³ of the largest in the pair sums (some 10⁴ kJ/mol/nm at contact), divided by λ.
+double rounding_gain(const Scheme& scheme, double lambda) {
+  return scheme.has_gradient() ? 1 / lambda : 1;
+}
+
+}  // namespace
+
+// A symmetric scheme of order k errs in energy by C hᵏ + O(hᵏ⁺²), so halving h divides the error by
+// 2ᵏ; at the steps where rounding does not matter yet, the next order changes the slope by less than
+// 0.1. Both sides are bounded: a slope that is too good is as wrong as one that is too bad.
+TEST_CASE("every scheme's energy error falls with its declared order") {
+  for (const Scheme& scheme : schemes) {
+    CAPTURE(std::string(scheme.name()));
+    const OrderMeasurement m = measured_order(scheme);
+    REQUIRE(m.points.size() > 3);
+    CHECK(std::abs(m.order - scheme.order()) < 0.1);
+  }
+}
+
+// The step in 2 ξ λ h² is the whole one; ξ for GIER4 follows from 1 − 6 η + 6 η² = 72 (1 − 2 η) ξ / 6.
+TEST_CASE("a wrong factor of xi or a wrong weight breaks the fourth order of gier4") {
+  for (const char* text : {"B(1/6) A(1/2) B(2/3, -1/48) A(1/2) B(1/6)",
+                           "B(1/6) A(1/2) B(2/3, 1/24) A(1/2) B(1/6)",
+                           "B(1/6) A(1/2) B(2/3, 1/72) A(1/2) B(1/6)"}) {
+    CAPTURE(std::string(text));
+    CHECK(std::abs(measured_order(scheme_of(text)).order - 2) < 0.1);
+  }
+}
+
+// h → −h undoes a symmetric step exactly. What is left is the rounding of 2 × 100 steps, each a few
+// 2⁻⁵³ of positions of order 1 nm, grown by the divergence of neighbouring trajectories (a factor of
+// some 10² in 0.2 ps of water): 1e-16 × √200 × 1e2 ≈ 1e-13 nm; kicks by finite difference have
+// forces known to 2⁻⁵³ × 10⁴ kJ/mol/nm / λ only, 1e-8, which times h²/m of 2e-7 adds 2e-15 per step.
+TEST_CASE("every scheme is reversible") {
+  for (const Scheme& scheme : schemes) {
+    CAPTURE(std::string(scheme.name()));
+    scenes::Scene scene = scenes::water_cluster();
+    ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
+    const State start = scene.state;
+    Integrator integrator(scheme, scene.bodies, forces);
+    integrator.advance(scene.state, 0.002, 100);
+    CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // it did move
+    integrator.advance(scene.state, -0.002, 100);
+    CHECK(largest_difference(scene.state.q, start.q) < (scheme.has_gradient() ? 1e-10 : 1e-12));
+    CHECK(largest_difference(scene.state.ell, start.ell) < (scheme.has_gradient() ? 1e-9 : 1e-11));
+  }
+}
+
+// Pair forces are equal and opposite to the bit in the sums of two bodies; what remains is the
+// rounding of the sums: forces up to 10³ kJ/mol/nm, each kick with h = 2e-3 ps adding 2⁻⁵³ × 10³ ×
+// 2e-3 ≈ 2e-16 per body, 5 bodies, 200 steps of up to 4 kicks as a random walk: 1e-14; times 1/λ for
+// differences, of which only the last digits count.
+TEST_CASE("every scheme keeps the total momentum") {
+  for (const Scheme& scheme : schemes) {
+    CAPTURE(std::string(scheme.name()));
+    scenes::Scene scene = scenes::lattice({{"tip4p", 27}}, 0.31, 2.1, 3);
+    ForceSettings settings;
+    settings.cutoff = 0.9, settings.switch_from = 0.75;
+    ForceField forces(scene.topology, settings, scene.state.box);
+    const Vec3<double> before = total_momentum(scene.state);
+    Integrator integrator(scheme, scene.bodies, forces);
+    integrator.advance(scene.state, 0.001, 200);
+    CHECK(norm(total_momentum(scene.state) - before) < 1e-12 * rounding_gain(scheme, 1e-4));
+  }
+}
+
+// Without a boundary the torques on a cluster cancel: Σ q × f + τ = 0 for pair forces along any
+// direction that act at common points. Plain kicks keep Σ q × p + ℓ to rounding.
+TEST_CASE("plain kicks keep the angular momentum of an isolated cluster") {
+  for (const Scheme& scheme : schemes) {
+    if (scheme.has_gradient()) continue;
+    CAPTURE(std::string(scheme.name()));
+    scenes::Scene scene = scenes::water_cluster();
+    ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
+    const Vec3<double> before = total_angular_momentum(scene.state);
+    Integrator integrator(scheme, scene.bodies, forces);
+    integrator.advance(scene.state, 0.001, 200);
+    CHECK(norm(total_angular_momentum(scene.state) - before) < 1e-11);
+  }
+}
+
+// A gradient kick by finite difference takes the forces at displaced positions but their levers at
+// the undisplaced ones; the mismatch is (q̃ − q) × Δf, proportional to λ h² × h² × h per step: a loss
+// of angular momentum linear in λ.
+TEST_CASE("gradient kicks by finite difference lose angular momentum in proportion to lambda") {
+  double loss[2];
+  const double lambdas[2] = {1e-1, 1e-2};
+  for (int k = 0; k < 2; ++k) {
+    scenes::Scene scene = scenes::water_cluster();
+    ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
+    const Vec3<double> before = total_angular_momentum(scene.state);
+    Integrator integrator(scheme_of("gier4"), scene.bodies, forces, lambdas[k]);
+    integrator.advance(scene.state, 0.004, 5);
+    loss[k] = norm(total_angular_momentum(scene.state) - before);
+  }
+  CHECK(loss[0] / loss[1] == doctest::Approx(10).epsilon(0.05));  // next order in λ: λ h² f'/m ≪ 1
+}
+
+TEST_CASE("a scheme costs as many force evaluations as its line says") {
+  for (const Scheme& scheme : schemes) {
+    CAPTURE(std::string(scheme.name()));
+    scenes::Scene scene = scenes::water_cluster();
+    ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
+    Integrator integrator(scheme, scene.bodies, forces);
+    integrator.advance(scene.state, 0.001, 10);
+    const std::uint64_t first = integrator.force_evaluations();
+    integrator.advance(scene.state, 0.001, 10);
+    CHECK(integrator.force_evaluations() - first ==
+          10 * static_cast<std::uint64_t>(scheme.force_evaluations()));
+    CHECK(forces.evaluations() == integrator.force_evaluations());
+  }
+}
+
+// Played one by one or merged, steps are the same map; they differ by rounding, 2⁻⁵³ of momenta of
+// order 10 per kick, grown over 0.02 ps.
+TEST_CASE("merged steps equal single ones") {
+  for (const Scheme& scheme : schemes) {
+    CAPTURE(std::string(scheme.name()));
+    scenes::Scene one = scenes::water_cluster(), merged = scenes::water_cluster();
+    ForceField forces(one.topology, scenes::no_truncation(), one.state.box);
+    Integrator a(scheme, one.bodies, forces), b(scheme, one.bodies, forces);
+    for (int k = 0; k < 10; ++k) a.advance(one.state, 0.002);
+    b.advance(merged.state, 0.002, 10);
+    const double gain = rounding_gain(scheme, 1e-4);
+    CHECK(largest_difference(one.state.q, merged.state.q) < 1e-14 * gain);
+    CHECK(largest_difference(one.state.p, merged.state.p) < 1e-12 * gain);
+  }
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/forces/laws.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "polhode/math/dual.hpp"
+
+using namespace polhode;
+
+// A polynomial of whole coefficients: its derivatives at the ends follow from Taylor's theorem.
+// Approaching an end by d, |w − limit| must fall as d^(n+1), so halving d divides it by 2^(n+1); the
+// next term changes the ratio by a relative O(d).
+TEST_CASE("the switch is of the class it says at both ends") {
+  for (const int n : {1, 2, 3}) {
+    CAPTURE(n);
+    const Switch w(0.8, 1.0, n);
+    CHECK(w(0.8).w == 1.0);
+    CHECK(w(0.5).w == 1.0);
+    CHECK(w(0.5).slope == 0.0);
+    CHECK(w(1.0).w == 0.0);
+    CHECK(w(1.7).w == 0.0);
+    CHECK(w(1.7).slope == 0.0);
+    CHECK(w(0.9).w == doctest::Approx(0.5).epsilon(1e-13));
+    const double d = 0.004;
+    const double order_at_start = std::log2((1 - w(0.8 + d).w) / (1 - w(0.8 + d / 2).w));
+    const double order_at_end = std::log2(w(1.0 - d).w / w(1.0 - d / 2).w);
+    CHECK(std::abs(order_at_start - (n + 1)) < 0.05);
+    CHECK(std::abs(order_at_end - (n + 1)) < 0.05);
+  }
+}
+
+TEST_CASE("slopes and forces of the laws are the derivatives of their energies") {
+  for (double r = 0.25; r < 1.1; r += 0.0371) {
+    CAPTURE(r);
+    const Dual x(r, 1.0);
+    for (const int n : {1, 2, 3}) {
+      const auto w = Switch(0.8, 1.0, n)(x);
+      CHECK(w.slope.value == doctest::Approx(w.w.slope).epsilon(1e-12));
+    }
+    const auto lj = LennardJones::of(0.31, 0.65)(Dual(1.0) / (x * x));
+    CHECK(lj.s.value == doctest::Approx(-lj.u.slope / r).epsilon(1e-13));
+    for (const double dielectric : {1.0, 78.5, double(INFINITY)}) {
+      const auto rf = ReactionField::of(dielectric, 1.0)(Dual(1.0) / x, x * x);
+      CHECK(rf.s.value == doctest::Approx(-rf.u.slope / r).epsilon(1e-12));
+    }
+  }
+}
+
+// At the cutoff the reaction field's energy vanishes by definition of c, and for an infinite
+// dielectric so does the force: 1/r² = 2 k r with k = 1/(2 r_c³).
+TEST_CASE("the reaction field ends at the cutoff") {
+  const double rc = 0.9;
+  const auto metal = ReactionField::of(INFINITY, rc)(1 / rc, rc * rc);
+  CHECK(std::abs(metal.u) < 1e-15);
+  CHECK(std::abs(metal.s) < 1e-15);
+  const auto vacuum = ReactionField::of(1.0, rc)(1 / 0.5, 0.25);
+  CHECK(vacuum.u == doctest::Approx(1 / 0.5 - 1 / rc).epsilon(1e-15));
+}
