@@ -2,40 +2,49 @@
 #include "polhode/base/suggest.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <vector>
 
 namespace polhode {
-namespace {
 
-// Levenshtein's distance, one row at a time.
+// Optimal string alignment, row by row.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t k = 0; k < b.size(); ++k) {
-      const std::size_t substituted = diagonal + (a[i] == b[k] ? 0 : 1);
-      diagonal = row[k + 1];
-      row[k + 1] = std::min({substituted, row[k] + 1, row[k + 1] + 1});
+  std::vector<std::size_t> before(b.size() + 1), above(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = above[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, replaced});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before[j - 2] + 1);
     }
+    before.swap(above);
+    above.swap(row);
   }
-  return row.back();
+  return above[b.size()];
 }
 
-}  // namespace
-
-std::string did_you_mean(std::string_view name, const std::vector<std::string>& candidates) {
-  std::size_t best = std::max<std::size_t>(2, name.size() / 3) + 1;  // farther is no likely slip
-  std::string nearest;
-  for (const std::string& candidate : candidates) {
-    const std::size_t distance = edit_distance(name, candidate);
-    if (distance < best) {
-      best = distance;
-      nearest = candidate;
-    }
+std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names) {
+  std::optional<std::string> best;
+  std::size_t least = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
+  for (const std::string& name : names) {
+    const std::size_t distance = edit_distance(word, name);
+    if (distance >= least) continue;
+    least = distance;
+    best = name;
   }
-  return nearest.empty() ? "" : "did you mean '" + nearest + "'? ";
+  return best;
+}
+
+std::string did_you_mean(std::string_view word, std::span<const std::string> names) {
+  const auto name = nearest_name(word, names);
+  return name ? "; did you mean '" + *name + "'?" : "";
+}
+
+std::string listed(std::span<const std::string> names) {
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  return list;
 }
 
 }  // namespace polhode

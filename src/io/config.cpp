@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
-#include "polhode/io/suggest.hpp"
 #include "text_file.hpp"
 #include "toml_table.hpp"
 

@@ -11,7 +11,6 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/embedded.hpp"
-#include "polhode/io/suggest.hpp"
 #include "text_file.hpp"
 
 namespace polhode {

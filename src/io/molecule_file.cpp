@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
-#include "polhode/io/suggest.hpp"
 #include "text_file.hpp"
 #include "toml_table.hpp"
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/suggest.hpp"
 
 namespace polhode {
 namespace {

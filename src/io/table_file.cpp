@@ -29,7 +29,17 @@ std::string one_line(std::string text) {
   return text;
 }
 
+// A text with commas or quotes stands in quotes, its own doubled (RFC 4180).
+std::string quoted(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string result = "\"";
+  for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return result + '"';
+}
+
 }  // namespace
+
+Cell::Cell(double number) : text(std::isnan(number) ? "" : fmt::format("{}", number)) {}
 
 std::string text_hash(std::string_view text) {
   std::uint64_t hash = 0xcbf29ce484222325;  // offset basis and prime of 64-bit FNV
@@ -41,17 +51,16 @@ void write_csv(std::ostream& out, const Table& table, const Provenance& provenan
   out << fmt::format("# polhode {}\n# command: {}\n# config hash: {}\n# target: {}\n# seed: {}\n",
                      provenance.version, one_line(provenance.command), text_hash(provenance.config),
                      provenance.target, provenance.seed);
-  for (std::size_t k = 0; k < table.columns.size(); ++k)
-    out << (k == 0 ? "" : ",")
-        << fmt::format("{} [{}]", table.columns[k].name, table.columns[k].unit);
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const auto& [name, unit] = table.columns[k];
+    out << (k == 0 ? "" : ",") << name;
+    if (!unit.empty()) out << " [" << unit << ']';
+  }
   out << '\n';
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size())
       throw std::logic_error("a row of a table has another length than its head");
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (k > 0) out << ',';
-      if (!std::isnan(row[k])) out << fmt::format("{}", row[k]);
-    }
+    for (std::size_t k = 0; k < row.size(); ++k) out << (k == 0 ? "" : ",") << quoted(row[k].text);
     out << '\n';
   }
 }

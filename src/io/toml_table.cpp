@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/suggest.hpp"
+#include "polhode/base/suggest.hpp"
 
 namespace polhode {
 

@@ -70,7 +70,7 @@ TEST_CASE("the hash of a text is FNV-1a") {
 TEST_CASE("a table keeps every digit and begins with what made it") {
   const double third = 1.0 / 3;
   const Table table{{{"time", "ps"}, {"R", "%"}},
-                    {{0, third}, {0.1, std::numeric_limits<double>::quiet_NaN()}}};
+                    {{0.0, third}, {0.1, std::numeric_limits<double>::quiet_NaN()}}};
   std::ostringstream out;
   write_csv(out, table, {"1.2.3", "polhode run\nx", "foobar", "avx2", 7});
   std::istringstream in(out.str());
@@ -85,6 +85,10 @@ TEST_CASE("a table keeps every digit and begins with what made it") {
   CHECK(std::stod(line.substr(line.find(',') + 1)) == third);
   std::getline(in, line);
   CHECK(line == "0.1,");
+  std::ostringstream named;
+  write_csv(named, {{{"scheme", ""}, {"cost", "1/ps"}}, {{"hoa2", 500.0}, {"A(1), B(1)", 1.0}}},
+            {});
+  CHECK(named.str().ends_with("scheme,cost [1/ps]\nhoa2,500\n\"A(1), B(1)\",1\n"));
 }
 
 TEST_CASE("outputs are not overwritten unless asked for") {

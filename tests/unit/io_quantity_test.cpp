@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "errors.hpp"
+#include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/suggest.hpp"
 
 using namespace polhode;
 

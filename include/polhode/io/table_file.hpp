@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -24,17 +25,25 @@ struct Provenance {
 /// Stable 64-bit hash of a text, 16 hexadecimal digits (FNV-1a).
 std::string text_hash(std::string_view text);
 
+/// One field: a number, with as many digits as give the same double again, or a name.
+struct Cell {
+  std::string text;
+  Cell(double number);  // implicit, as rows mix both
+  Cell(std::string name) : text(std::move(name)) {}
+  Cell(const char* name) : text(name) {}
+};
+
 struct Table {
   struct Column {
     std::string name;
-    std::string unit;  ///< "1" for pure numbers
+    std::string unit;  ///< "1" for pure numbers; empty for names
   };
   std::vector<Column> columns;
-  std::vector<std::vector<double>> rows;
+  std::vector<std::vector<Cell>> rows;
 };
 
-/// CSV: "# " lines of provenance, a line "time [ps],potential [kJ/mol]", then the rows, with as
-/// many digits as give the same double again. Not-a-number is an empty field.
+/// CSV: "# " lines of provenance, a line "time [ps],potential [kJ/mol]", then the rows.
+/// Not-a-number is an empty field.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
 /// Throws if the file is there and `force` is not given, or if its folder cannot be written to;

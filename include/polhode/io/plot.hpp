@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Figures, drawn by gnuplot from a script that is kept beside the data, to be restyled and run
+// again.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+/// Runs gnuplot on a script in the script's folder. False, with a warning that says why and what to
+/// do, if gnuplot is not installed or does not like the script.
+bool run_gnuplot(const std::string& script, std::ostream& warnings);
+
+/// The energies of a run against time: deviation of the total energy from its mean, and potential
+/// energy, in two panels. `csv` must have the columns "time [ps]", "potential [kJ/mol]" and "total
+/// [kJ/mol]"; the image stands beside it, with the script, under its name with another ending.
+/// @param format  "svg" or "png"
+bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
+                 std::ostream& warnings);
+
+/// What a scheme achieves at one step.
+struct EfficiencyMark {
+  double cost;         ///< force evaluations per ps
+  double ratio;        ///< R = rms of E over rms of V [1]
+  double error;        ///< of R [1]
+  bool stable = true;  ///< false: the step is too long for the scheme; not drawn
+};
+
+struct EfficiencyCurve {
+  std::string scheme;
+  std::vector<EfficiencyMark> marks;  ///< in any order
+};
+
+/// R against cost for each scheme (vanzon2008, Fig. 1), on linear axes up to `highest` R, with a
+/// logarithmic inset of everything. The longest stable step is an open symbol, where a longer one
+/// is known to be unstable. Writes PREFIX.gp and PREFIX.svg or PREFIX.png.
+bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
+                     const std::string& format, std::ostream& warnings, double highest = 0.03);
+
+}  // namespace polhode

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Random numbers from a counter (Philox 4x32-10, salmon2011): the n-th number of a stream is a
+// function of seed, stream and n, so streams never overlap and every result can be made again.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "polhode/base/quaternion.hpp"
+#include "polhode/base/units.hpp"
+
+namespace polhode {
+
+/// Ten rounds of Philox: a bijection of 128-bit counters for every 64-bit key.
+constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
+                                              std::array<std::uint32_t, 2> key) {
+  for (int round = 0; round < 10; ++round) {
+    const std::uint64_t a = std::uint64_t{0xD2511F53} * counter[0];
+    const std::uint64_t b = std::uint64_t{0xCD9E8D57} * counter[2];
+    const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); };
+    const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
+    counter = {high(b) ^ counter[1] ^ key[0], low(b), high(a) ^ counter[3] ^ key[1], low(a)};
+    key = {key[0] + 0x9E3779B9, key[1] + 0xBB67AE85};  // golden ratio, √3 − 1
+  }
+  return counter;
+}
+
+/// One stream of random numbers.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : seed_(seed), stream_(stream) {}
+
+  /// 64 random bits.
+  std::uint64_t bits() {
+    const bool second = count_ % 2 == 1;
+    if (!second) {
+      const std::uint64_t n = count_ / 2;
+      block_ = philox({word(n), word(n >> 32), word(stream_), word(stream_ >> 32)},
+                      {word(seed_), word(seed_ >> 32)});
+    }
+    ++count_;
+    const std::size_t k = second ? 2 : 0;
+    return std::uint64_t{block_[k]} << 32 | block_[k + 1];
+  }
+
+  /// Uniform in the open interval (0, 1): the middle of one of 2⁵² equal parts.
+  double uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
+
+  /// A whole number below n, each with the same chance up to n/2⁶⁴.
+  std::uint64_t below(std::uint64_t n) { return bits() % n; }
+
+  /// Normal deviate of mean 0 and variance 1 (Box and Muller; the second of each pair is not kept).
+  double normal() {
+    const double r = std::sqrt(-2 * std::log(uniform()));
+    return r * std::cos(2 * units::pi * uniform());
+  }
+
+  /// Attitude, uniform over all rotations: a normal 4-vector has no preferred direction.
+  Quaternion<double> attitude() {
+    const double w = normal(), x = normal(), y = normal(), z = normal();
+    return normalized(Quaternion<double>{w, x, y, z});
+  }
+
+ private:
+  static constexpr std::uint32_t word(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
+
+  std::uint64_t seed_, stream_, count_ = 0;
+  std::array<std::uint32_t, 4> block_{};
+};
+
+}  // namespace polhode

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include "plot_script.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+// Okabe and Ito's colours, distinct for all kinds of colour vision.
+constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                "#E69F00", "#56B4E9", "#000000"};
+constexpr std::array<std::pair<int, int>, 4> symbols = {{{7, 6}, {5, 4}, {9, 8}, {13, 12}}};
+
+// A text within double quotes.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result + '"';
+}
+
+std::string head(const std::string& image, const std::string& format, int width, int height) {
+  // A bitmap has twice the points in each direction, for print and sharp screens.
+  const std::string terminal = format == "png"
+                                   ? fmt::format(
+                                         "pngcairo size {},{} fontscale 2 linewidth 2 pointscale 2 "
+                                         "enhanced font \"Helvetica,11\" background \"white\"",
+                                         2 * width, 2 * height)
+                                   : fmt::format(
+                                         "svg size {},{} dynamic enhanced font \"Helvetica,15\" "
+                                         "background \"white\"",
+                                         width, height);
+  return fmt::format(R"gp(# Restyle this and run it again: gnuplot draws {0}.
+set encoding utf8
+set terminal {1}
+set output {2}
+set border 3 linewidth 1 linecolor "#404040"
+set tics nomirror out scale 0.6 textcolor "#404040"
+set grid linewidth 0.5 linecolor "#e4e4e4"
+)gp",
+                     image, terminal, quoted(image));
+}
+
+// The largest R at costs of `from` or more, lines between marks included.
+double highest_beyond(const std::vector<EfficiencyCurve>& curves, double from) {
+  double highest = 0;
+  for (const EfficiencyCurve& curve : curves) {
+    const EfficiencyMark* before = nullptr;
+    for (const EfficiencyMark& mark : curve.marks) {
+      if (!mark.stable) continue;
+      if (mark.cost >= from) highest = std::max(highest, mark.ratio + mark.error);
+      if (before != nullptr && before->cost < from && mark.cost > from)
+        highest =
+            std::max(highest, before->ratio + (mark.ratio - before->ratio) * (from - before->cost) /
+                                                  (mark.cost - before->cost));
+      before = &mark;
+    }
+  }
+  return highest;
+}
+
+struct Ranges {
+  double cost_low = std::numeric_limits<double>::infinity(), cost_high = 0;
+  double ratio_low = std::numeric_limits<double>::infinity(), ratio_high = 0;
+};
+
+Ranges ranges_of(const std::vector<EfficiencyCurve>& curves) {
+  Ranges r;
+  for (const EfficiencyCurve& curve : curves)
+    for (const EfficiencyMark& mark : curve.marks) {
+      if (!mark.stable) continue;
+      r.cost_low = std::min(r.cost_low, mark.cost), r.cost_high = std::max(r.cost_high, mark.cost);
+      if (mark.ratio > 0) r.ratio_low = std::min(r.ratio_low, mark.ratio);
+      r.ratio_high = std::max(r.ratio_high, mark.ratio);
+    }
+  if (r.cost_high == 0) r.cost_low = 1, r.cost_high = 1000;
+  if (!(r.ratio_low < r.ratio_high)) r.ratio_low = r.ratio_high / 10;
+  if (r.ratio_high == 0) r.ratio_low = 1e-3, r.ratio_high = 1;
+  return r;
+}
+
+// One data block for each curve: cost, R [%], its error, and 1 at the end of stability.
+std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
+  std::string text;
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    text += fmt::format(
+        "\n# {}: force evaluations per ps, R [%], its standard error, last stable\n"
+        "$curve{} << EOD\n",
+        curves[k].scheme, k);
+    bool unstable_known = false;
+    for (const EfficiencyMark& mark : curves[k].marks) unstable_known |= !mark.stable;
+    bool first = true;  // marks ascend in cost, so the first stable one has the longest step
+    for (const EfficiencyMark& mark : curves[k].marks) {
+      if (!mark.stable) continue;
+      text += fmt::format("{:.8g} {:.8g} {:.3g} {}\n", mark.cost, 100 * mark.ratio,
+                          100 * mark.error, first && unstable_known ? 1 : 0);
+      first = false;
+    }
+    text += "EOD\n";
+  }
+  return text;
+}
+
+std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inset) {
+  std::string plot = "plot ";
+  const auto style = [](std::size_t k) { return symbols[k % symbols.size()]; };
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const char* colour = colours[k % colours.size()];
+    const auto [filled, open] = style(k);
+    const double size = inset ? 0.45 : 0.9;
+    plot +=
+        fmt::format("\\\n  $curve{} using 1:2 with lines linewidth {} linecolor \"{}\" notitle, ",
+                    k, inset ? 1 : 1.6, colour);
+    if (!inset)
+      plot += fmt::format(
+          "\\\n  '' using 1:2:3 with yerrorbars pointtype -1 linewidth 1 "
+          "linecolor \"{}\" notitle, ",
+          colour);
+    plot += fmt::format(
+        "\\\n  '' using 1:($4 == 0 ? $2 : NaN) with points pointtype {} "
+        "pointsize {} linecolor \"{}\" notitle, ",
+        filled, size, colour);
+    plot += fmt::format(
+        "\\\n  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype {} "
+        "pointsize {} linewidth 0 linecolor \"white\" notitle, ",
+        filled, 1.4 * size);
+    plot += fmt::format(
+        "\\\n  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype {} "
+        "pointsize {} linewidth 1.6 linecolor \"{}\" notitle, ",
+        open, 1.4 * size, colour);
+    if (!inset)
+      plot += fmt::format(
+          "\\\n  NaN with linespoints linewidth 1.6 pointtype {} pointsize {} "
+          "linecolor \"{}\" title {}, ",
+          filled, size, colour, quoted(curves[k].scheme));
+  }
+  if (!inset)
+    plot +=
+        "\\\n  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor \"#404040\" "
+        "title \"longest stable step\"";
+  else
+    plot.erase(plot.find_last_of(','));
+  return plot + "\n";
+}
+
+}  // namespace
+
+std::string energy_script(const std::string& csv, const std::string& image,
+                          const std::string& title, const std::string& format) {
+  return head(image, format, 720, 480) + fmt::format(R"gp(
+data = {0}
+set datafile separator ","
+set datafile columnheaders
+stats data using (column("total [kJ/mol]")) name "E" nooutput
+stats data using (column("potential [kJ/mol]")) name "V" nooutput
+
+set multiplot
+set lmargin at screen 0.14
+set rmargin at screen 0.96
+unset key
+
+set tmargin at screen 0.90
+set bmargin at screen 0.56
+set title {1} noenhanced textcolor "#404040"
+set format x ""
+set ylabel "E − ⟨E⟩  (kJ/mol)" offset 0.5
+plot data using (column("time [ps]")):(column("total [kJ/mol]") - E_mean) \
+  with lines linewidth 1.4 linecolor "{2}"
+
+set tmargin at screen 0.50
+set bmargin at screen 0.14
+unset title
+set format x "%g"
+set xlabel "time  (ps)"
+set ylabel "V  (kJ/mol)" offset 0.5
+plot data using (column("time [ps]")):(column("potential [kJ/mol]")) \
+  with lines linewidth 1.4 linecolor "{3}"
+unset multiplot
+)gp",
+                                                     quoted(csv), quoted(title), colours[1],
+                                                     colours[0]);
+}
+
+std::string efficiency_script(const std::vector<EfficiencyCurve>& unsorted,
+                              const std::string& image, const std::string& format, double highest) {
+  std::vector<EfficiencyCurve> curves = unsorted;
+  for (EfficiencyCurve& curve : curves)
+    std::sort(curve.marks.begin(), curve.marks.end(),
+              [](const auto& a, const auto& b) { return a.cost < b.cost; });
+  const Ranges r = ranges_of(curves);
+  // The inset with its labels covers the upper right of the frame, from these fractions on; the
+  // linear axis is stretched until no curve runs there.
+  constexpr double inset_left = 0.36, inset_bottom = 0.36;
+  const double right = 1.03 * r.cost_high;
+  const double beyond = highest_beyond(curves, inset_left * right);
+  const double top = std::max(std::min(highest, 1.08 * r.ratio_high), beyond / inset_bottom);
+
+  return head(image, format, 720, 540) + data_blocks(curves) +
+         fmt::format(R"gp(
+set multiplot
+set lmargin at screen 0.10
+set rmargin at screen 0.97
+set bmargin at screen 0.13
+set tmargin at screen 0.88
+set key at screen 0.535,0.965 center top horizontal noenhanced samplen 1.6 width 1 textcolor "#404040"
+set xlabel "force evaluations per ps"
+set ylabel "R  (%)" offset 0.8
+set xrange [0:{0:.6g}]
+set yrange [0:{1:.6g}]
+{2}
+#Everything, on logarithmic axes.
+set lmargin at screen 0.52
+set rmargin at screen 0.955
+set bmargin at screen 0.50
+set tmargin at screen 0.865
+unset key
+set border 15
+set logscale xy
+set xlabel "" 
+set ylabel ""
+set tics font ",{6}"
+set xtics add autofreq
+set format y "10^{{%T}}"
+set xrange [{3:.6g}:{4:.6g}]
+set yrange [{5:.6g}:*]
+{7}unset multiplot
+)gp",
+                     right, 100 * top, curves_command(curves, false), 0.8 * r.cost_low,
+                     1.25 * r.cost_high, 100 * 0.7 * r.ratio_low, format == "png" ? 9 : 12,
+                     curves_command(curves, true));
+}
+
+}  // namespace polhode

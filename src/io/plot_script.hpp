@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The texts that gnuplot reads.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/io/plot.hpp"
+
+namespace polhode {
+
+std::string energy_script(const std::string& csv, const std::string& image,
+                          const std::string& title, const std::string& format);
+
+std::string efficiency_script(const std::vector<EfficiencyCurve>& curves, const std::string& image,
+                              const std::string& format, double highest);
+
+}  // namespace polhode

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/math/random.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace polhode;
+
+TEST_CASE("Philox gives the numbers of its authors") {
+  // Known answers of Random123 (salmon2011): zeros, ones, and digits of pi.
+  using Words = std::array<std::uint32_t, 4>;
+  CHECK(philox({0, 0, 0, 0}, {0, 0}) == Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8});
+  CHECK(philox({~0u, ~0u, ~0u, ~0u}, {~0u, ~0u}) ==
+        Words{0x408f276d, 0x41c83b0e, 0xa20bc7c6, 0x6d5451fd});
+  CHECK(philox({0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344}, {0xa4093822, 0x299f31d0}) ==
+        Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1});
+}
+
+TEST_CASE("streams of one seed differ and repeat") {
+  Random a(1, 0), again(1, 0), other(1, 1), reseeded(2, 0);
+  for (int k = 0; k < 100; ++k) {
+    const auto bits = a.bits();
+    CHECK(bits == again.bits());
+    CHECK(bits != other.bits());
+    CHECK(bits != reseeded.bits());
+  }
+}
+
+TEST_CASE("normal deviates have the moments of their distribution") {
+  // For n deviates the mean has the standard error 1/√n, the variance √(2/n), the mean fourth power
+  // √((105 − 9)/n); five of each, at a fixed seed.
+  constexpr int n = 100000;
+  Random random(3);
+  double m1 = 0, m2 = 0, m4 = 0;
+  for (int k = 0; k < n; ++k) {
+    const double x = random.normal();
+    m1 += x / n, m2 += x * x / n, m4 += x * x * x * x / n;
+  }
+  CHECK(std::abs(m1) < 5 * std::sqrt(1.0 / n));
+  CHECK(std::abs(m2 - 1) < 5 * std::sqrt(2.0 / n));
+  CHECK(std::abs(m4 - 3) < 5 * std::sqrt(96.0 / n));
+}
+
+TEST_CASE("attitudes have no preferred direction") {
+  // Each element of S has mean 0 and variance 1/3 over the rotations; its square has variance
+  // 1/5 − 1/9. Five standard errors.
+  constexpr int n = 20000;
+  Random random(4);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t k = 0; k < 3; ++k) {
+      double m1 = 0, m2 = 0;
+      for (int i = 0; i < n; ++i) {
+        const double s = matrix_S(random.attitude())[row][k];
+        m1 += s / n, m2 += s * s / n;
+      }
+      CHECK(std::abs(m1) < 5 * std::sqrt(1.0 / 3 / n));
+      CHECK(std::abs(m2 - 1.0 / 3) < 5 * std::sqrt((1.0 / 5 - 1.0 / 9) / n));
+    }
+}
