@@ -25,7 +25,8 @@ void gradient_direction(const System& system, const Load& load, Vec3Column& dq,
   dq = dtheta = Vec3Column(system.state.size());
   for (std::size_t i = 0; i < system.state.size(); ++i) {
     dq.set(i, system.bodies.inverse_m[i] * load.f[i]);
-    dtheta.set(i, scaled(system.bodies.inverse_J[i], to_body(system.state.attitude[i], load.tau[i])));
+    dtheta.set(i,
+               scaled(system.bodies.inverse_J[i], to_body(system.state.attitude[i], load.tau[i])));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,11 +15,11 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/plot.hpp"
-#include "polhode/io/quantity.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/io/xyz.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
+#include "times.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -78,7 +79,8 @@ class TrajectoryFiles {
       else
         write_xyz(stream, frame);
       stream.flush();
-      if (!stream) throw RunError("'" + path + "' could not be written to the end; is the disk full?");
+      if (!stream)
+        throw RunError("'" + path + "' could not be written to the end; is the disk full?");
     }
   }
 
@@ -89,10 +91,14 @@ class TrajectoryFiles {
 
 Table energy_table(const std::vector<Energies>& samples, const Freedoms& freedoms) {
   Table table;
-  table.columns = {{"time", "ps"},          {"total", "kJ/mol"},
-                   {"potential", "kJ/mol"}, {"lennard_jones", "kJ/mol"},
-                   {"coulomb", "kJ/mol"},   {"kinetic_translation", "kJ/mol"},
-                   {"kinetic_rotation", "kJ/mol"}, {"temperature", "K"}};
+  table.columns = {{"time", "ps"},
+                   {"total", "kJ/mol"},
+                   {"potential", "kJ/mol"},
+                   {"lennard_jones", "kJ/mol"},
+                   {"coulomb", "kJ/mol"},
+                   {"kinetic_translation", "kJ/mol"},
+                   {"kinetic_rotation", "kJ/mol"},
+                   {"temperature", "K"}};
   for (const Energies& e : samples)
     table.rows.push_back({e.time, e.total(), e.potential(), e.lennard_jones, e.coulomb,
                           e.translation, e.kinetic() - e.translation,
@@ -108,10 +114,10 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
   const auto percent = [](double x) { return 100 * x; };
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
              s.molecules, s.steps, t.step * 1000, scheme.name(), s.length, s.sample * 1000);
-  fmt::print("R                     {:.4f} ± {:.4f} %   (rms of total energy {:.4g} over that of the "
-             "potential {:.4g} kJ/mol)\n",
-             percent(s.ratio.value), percent(s.ratio.error), s.total_fluctuation,
-             s.potential_fluctuation);
+  fmt::print(
+      "R                     {:.4f} ± {:.4f} %   (rms of total energy {:.4g} over that of the "
+      "potential {:.4g} kJ/mol)\n",
+      percent(s.ratio.value), percent(s.ratio.error), s.total_fluctuation, s.potential_fluctuation);
   fmt::print("drift                 {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g})\n",
              s.drift.rate.value, s.drift.rate.error, verdict(s.drift), s.drift.chance);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
@@ -126,10 +132,11 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
   if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
   const double all = s.timings.all();
-  fmt::print("time                  {:.2f} s: forces {:.0f} %, list {:.0f} %, drifts and kicks {:.0f} %, "
-             "energies and output {:.0f} %\n",
-             all, percent(s.timings.forces / all), percent(s.timings.list / all),
-             percent(s.timings.motion / all), percent(s.timings.measurement / all));
+  fmt::print(
+      "time                  {:.2f} s: forces {:.0f} %, list {:.0f} %, drifts and kicks {:.0f} %, "
+      "energies and output {:.0f} %\n",
+      all, percent(s.timings.forces / all), percent(s.timings.list / all),
+      percent(s.timings.motion / all), percent(s.timings.measurement / all));
   fmt::print("speed                 {:.4g} ns/day\n", s.ns_per_day);
 }
 
@@ -175,8 +182,9 @@ int run(const Options& o) {
   const TrajectorySettings settings{scheme, config.integrator.step, config.run.length,
                                     config.run.sample, config.integrator.lambda};
   if (settings.steps() == 0)
-    throw Error(fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
-                            config.run.length * 1000, config.integrator.step * 1000));
+    throw Error(
+        fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
+                    config.run.length * 1000, config.integrator.step * 1000));
   System system = assembled(config);
   ForceField forces(system.topology, system.forces, system.state.box);
   const Files files(config.output);
@@ -223,7 +231,8 @@ int run(const Options& o) {
         interrupted};
     t = trajectory(system, forces, settings, watch);
   }
-  if (t.stopped) fmt::print(stderr, "interrupted after {} steps; what was computed follows\n", t.steps);
+  if (t.stopped)
+    fmt::print(stderr, "interrupted after {} steps; what was computed follows\n", t.steps);
 
   const RunSummary s = summary(system, forces, settings, t);
   write_file(files.energies, [&](std::ostream& out) {
@@ -231,7 +240,11 @@ int run(const Options& o) {
   });
   write_file(files.final_state,
              [&](std::ostream& out) { write_gro(out, frame_of(system.state, system.topology)); });
-  if (!files.plot.empty()) energy_plot(files.energies, files.plot);
+  if (!files.plot.empty())
+    energy_plot(
+        files.energies,
+        fmt::format("{}, {} at {:g} fs", config.source, scheme.name(), settings.step * 1000),
+        config.output.plot, std::cerr);
 
   if (o.json) {
     fmt::print("{}\n", as_json(s, settings, files, t.stopped).dump(2));

@@ -14,6 +14,7 @@
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/guideline.hpp"
+#include "polhode/run/system.hpp"
 #include "progress.hpp"
 #include "study_files.hpp"
 #include "times.hpp"
@@ -58,9 +59,10 @@ int study(const Options& o) {
   const std::vector<StudyPoint> points = study_points(config.study);  // checks the schemes
   for (const StudyPoint& point : points)
     if (config.study.length < 10 * point.step)
-      throw Error(fmt::format("study length {:g} ps is less than ten steps of {:g} fs; R needs more, so "
-                              "ask for longer runs",
-                              config.study.length, point.step * 1000));
+      throw Error(
+          fmt::format("study length {:g} ps is less than ten steps of {:g} fs; R needs more, so "
+                      "ask for longer runs",
+                      config.study.length, point.step * 1000));
   const System system = assembled(config);
   const ForceField check(system.topology, system.forces, system.state.box);  // cutoff against box
 
@@ -69,7 +71,8 @@ int study(const Options& o) {
                               name(current_target()), config.system.seed};
   StudyRecord record(files.runs, provenance, o.force);
   std::vector<StudyRun> runs = record.known();
-  fmt::print(stderr, "polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}\n",
+  fmt::print(stderr,
+             "polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}\n",
              POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
              config.study.length, provenance.target);
   if (!runs.empty()) fmt::print(stderr, "{} runs are known from {}\n", runs.size(), files.runs);

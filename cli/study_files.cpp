@@ -2,11 +2,11 @@
 #include "study_files.hpp"
 
 #include <fmt/core.h>
-#include <fmt/ostream.h>
 
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -18,17 +18,16 @@ namespace polhode::cli {
 namespace {
 
 // R at which the guideline table gives costs, the paper's limits among them.
-const std::vector<double> table_ratios = {0.03,  0.015, 0.01,  0.007,
-                                          0.004, 0.002, 0.001, 0.0001};
+const std::vector<double> table_ratios = {0.03, 0.015, 0.01, 0.007, 0.004, 0.002, 0.001, 0.0001};
 
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
     "rms potential [kJ/mol];temperature [K]";
 
 std::string record_line(const StudyRun& run) {
-  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme, run.step,
-                     run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total, run.potential,
-                     run.temperature);
+  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
+                     run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
+                     run.potential, run.temperature);
 }
 
 /// Nothing if the line is not whole: the last one of a record may have been cut short.
@@ -39,9 +38,15 @@ std::optional<StudyRun> record_run(const std::string& line) {
   for (std::string& f : field)
     if (!std::getline(in, f, ';')) return std::nullopt;
   try {
-    run = {field[0],            std::stod(field[1]), std::stoi(field[2]),
-           field[3] == "1",     std::stod(field[4]), std::stod(field[5]),
-           std::stod(field[6]), std::stod(field[7]), std::stod(field[8])};
+    run = {field[0],
+           std::stod(field[1]),
+           std::stoi(field[2]),
+           field[3] == "1",
+           std::stod(field[4]),
+           std::stod(field[5]),
+           std::stod(field[6]),
+           std::stod(field[7]),
+           std::stod(field[8])};
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -66,8 +71,9 @@ std::vector<Claim> claims_of(const std::vector<Curve>& curves) {
   // "roughly 1.5 times more efficient": to the rounding of that number and three of our errors.
   for (const double R : {0.01, 0.007, 0.004}) {
     const auto v = cost_at(*verlet, R), h = cost_at(*hoa2, R);
-    Claim claim{fmt::format("HOA2 is roughly 1.5 times cheaper than Verlet (here at R = {:g} %)", 100 * R),
-                std::nullopt, "not decided by these data"};
+    Claim claim{
+        fmt::format("HOA2 is roughly 1.5 times cheaper than Verlet (here at R = {:g} %)", 100 * R),
+        std::nullopt, "not decided by these data"};
     if (v && h) {
       const double ratio = v->cost / h->cost;
       claim.value = {ratio, ratio * std::hypot(v->error / v->cost, h->error / h->cost)};
@@ -86,14 +92,16 @@ std::vector<Claim> claims_of(const std::vector<Curve>& curves) {
   }
   claims.push_back(crossing);
 
-  // The largest R of each scheme without significant drift; the next point marks how coarse that is.
+  // The largest R of each scheme without significant drift; the next point marks how coarse that
+  // is.
   const auto largest = [](const Curve& c) {
     return c.usable == 0 ? 0.0 : c.points[c.usable - 1].ratio.value;
   };
   const double reach = largest(*verlet), others = std::max(largest(*hoa2), largest(*gier4));
-  Claim end{fmt::format("above R = 1.5 % only Verlet runs without significant drift (here: largest R in %, "
-                        "Verlet {:.2f}, HOA2 {:.2f}, GIER4 {:.2f})",
-                        100 * reach, 100 * largest(*hoa2), 100 * largest(*gier4)),
+  Claim end{fmt::format(
+                "above R = 1.5 % only Verlet runs without significant drift (here: largest R in %, "
+                "Verlet {:.2f}, HOA2 {:.2f}, GIER4 {:.2f})",
+                100 * reach, 100 * largest(*hoa2), 100 * largest(*gier4)),
             std::nullopt, decide(reach > 0.015 && others < 0.02)};
   claims.push_back(end);
   return claims;
@@ -101,18 +109,25 @@ std::vector<Claim> claims_of(const std::vector<Curve>& curves) {
 
 Table point_table(const StudyReport& report) {
   Table table;
-  table.columns = {{"scheme", "index"},      {"step", "fs"},         {"cost", "1/ps"},
-                   {"runs", "1"},            {"stable", "1"},        {"usable", "1"},
-                   {"R", "1"},               {"R_error", "1"},       {"drift", "kJ/mol/ps"},
-                   {"drift_error", "kJ/mol/ps"}, {"drift_chance", "1"}, {"temperature", "K"}};
+  table.columns = {{"scheme", "index"},
+                   {"step", "fs"},
+                   {"cost", "1/ps"},
+                   {"runs", "1"},
+                   {"stable", "1"},
+                   {"usable", "1"},
+                   {"R", "1"},
+                   {"R_error", "1"},
+                   {"drift", "kJ/mol/ps"},
+                   {"drift_error", "kJ/mol/ps"},
+                   {"drift_chance", "1"},
+                   {"temperature", "K"}};
   for (std::size_t c = 0; c < report.curves.size(); ++c)
     for (std::size_t i = 0; i < report.curves[c].points.size(); ++i) {
       const EfficiencyPoint& p = report.curves[c].points[i];
       table.rows.push_back({static_cast<double>(c), p.step * 1000, p.cost,
                             static_cast<double>(p.runs), p.stable ? 1.0 : 0.0,
                             i < report.curves[c].usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
-                            p.drift.rate.value, p.drift.rate.error, p.drift.chance,
-                            p.temperature});
+                            p.drift.rate.value, p.drift.rate.error, p.drift.chance, p.temperature});
     }
   return table;
 }
@@ -120,10 +135,13 @@ Table point_table(const StudyReport& report) {
 std::string conditions(const Config& config) {
   const ForceSettings& f = config.forces;
   return fmt::format(
-      "{}, switched from {:g} to {:g} nm (class C{}), start {}; {} runs of {:g} ps from starts prepared "
-      "for {:g} ps at {:g} K, the same for every scheme; energies at least every 2.5 fs or every step; "
+      "{}, switched from {:g} to {:g} nm (class C{}), start {}; {} runs of {:g} ps from starts "
+      "prepared "
+      "for {:g} ps at {:g} K, the same for every scheme; energies at least every 2.5 fs or every "
+      "step; "
       "drift significant below a chance of {:g}",
-      f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based reaction field",
+      f.truncation == Truncation::molecule_switch ? "molecule-based cutoff"
+                                                  : "site-based reaction field",
       f.switch_from, f.cutoff, f.smoothness,
       config.system.start.empty() ? "lattice" : config.system.start, config.study.runs,
       config.study.length, config.study.decorrelate, config.system.temperature, significance);
@@ -140,9 +158,9 @@ std::string study_identity(const Config& config) {
   if (config.system.box)
     id << config.system.box->x << ' ' << config.system.box->y << ' ' << config.system.box->z << ' ';
   const ForceSettings& f = config.forces;
-  id << static_cast<int>(f.truncation) << ' ' << f.cutoff << ' ' << f.switch_from << ' ' << f.smoothness
-     << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' ' << config.study.length << ' '
-     << config.study.decorrelate;
+  id << static_cast<int>(f.truncation) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
+     << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
+     << config.study.length << ' ' << config.study.decorrelate;
   return id.str();
 }
 
@@ -156,9 +174,10 @@ StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, 
     std::string line;
     std::getline(in, line);
     if (line != identity)
-      throw Error(fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
-                              "start anew",
-                              path));
+      throw Error(
+          fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
+                      "start anew",
+                      path));
     while (std::getline(in, line))
       if (const auto run = record_run(line)) known_.push_back(*run);
     for (const StudyRun& run : known_) head += record_line(run) + "\n";
@@ -172,7 +191,8 @@ void StudyRecord::add(const StudyRun& run) {
   if (!out_) throw RunError("'" + path_ + "' could not be written to; is the disk full?");
 }
 
-StudyReport::StudyReport(const Config& config_used, const std::vector<EfficiencyPoint>& points_found)
+StudyReport::StudyReport(const Config& config_used,
+                         const std::vector<EfficiencyPoint>& points_found)
     : config(config_used),
       points(points_found),
       curves(polhode::curves(points)),
@@ -181,14 +201,16 @@ StudyReport::StudyReport(const Config& config_used, const std::vector<Efficiency
 
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
-  if (!line.best) return fmt::format("no scheme reaches R = {:g} % here without drift", 100 * ratio);
+  if (!line.best)
+    return fmt::format("no scheme reaches R = {:g} % here without drift", 100 * ratio);
   const CostAtRatio& best = *line.costs[*line.best];
-  std::string text = fmt::format(
-      "for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps", 100 * ratio,
-      report.curves[*line.best].scheme, best.step * 1000, best.cost);
+  std::string text =
+      fmt::format("for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps",
+                  100 * ratio, report.curves[*line.best].scheme, best.step * 1000, best.cost);
   for (std::size_t c = 0; c < report.curves.size(); ++c)
     if (report.curves[c].scheme == "velocity-verlet" && line.costs[c] && c != *line.best)
-      text += fmt::format(", {:.2f} times fewer than velocity Verlet", line.costs[c]->cost / best.cost);
+      text +=
+          fmt::format(", {:.2f} times fewer than velocity Verlet", line.costs[c]->cost / best.cost);
   return text;
 }
 
@@ -234,40 +256,42 @@ std::string study_json(const StudyReport& report) {
 void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance) {
   Provenance made = provenance;
   for (std::size_t c = 0; c < report.curves.size(); ++c)
-    made.command += fmt::format("{} {} = {}", c ? "," : "; scheme index", c, report.curves[c].scheme);
-  write_file(files.points,
-             [&](std::ostream& out) { write_csv(out, point_table(report), made); });
+    made.command +=
+        fmt::format("{} {} = {}", c ? "," : "; scheme index", c, report.curves[c].scheme);
+  write_file(files.points, [&](std::ostream& out) { write_csv(out, point_table(report), made); });
   write_file(files.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
-  std::vector<EfficiencySeries> series;
+  std::vector<EfficiencyCurve> drawn;
   for (const Curve& curve : report.curves) {
-    series.push_back({curve.scheme, {}});
-    for (std::size_t i = 0; i < curve.points.size() && i <= curve.usable; ++i) {
+    drawn.push_back({curve.scheme, {}});
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      if (p.stable) series.back().points.push_back({p.cost, p.ratio.value, p.ratio.error, i == curve.usable});
+      drawn.back().marks.push_back({p.cost, p.ratio.value, p.ratio.error, i < curve.usable});
     }
   }
-  efficiency_plot(series, files.svg);
-  efficiency_plot(series, files.png);
+  for (const char* format : {"svg", "png"}) efficiency_plot(files.prefix, drawn, format, std::cerr);
 }
 
 void print_study(const StudyReport& report, const StudyFiles& files) {
   fmt::print("{}\n\n", conditions(report.config));
-  fmt::print("{:<18} {:>8} {:>10} {:>5} {:>18} {:>24}  {}\n", "scheme", "step fs", "cost 1/ps", "runs",
-             "R %", "drift kJ/mol/ps", "");
+  fmt::print("{:<18} {:>8} {:>10} {:>5} {:>18} {:>24}  {}\n", "scheme", "step fs", "cost 1/ps",
+             "runs", "R %", "drift kJ/mol/ps", "");
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      const std::string note = !p.stable                        ? "blew up"
-                               : p.drift.chance < significance  ? "drift significant"
-                               : i >= curve.usable              ? "beyond the end of stability"
-                                                                : "";
-      fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme, p.step * 1000, p.cost,
-                 p.runs, fmt::format("{:.4f} ± {:.4f}", 100 * p.ratio.value, 100 * p.ratio.error),
+      const std::string note = !p.stable                       ? "blew up"
+                               : p.drift.chance < significance ? "drift significant"
+                               : i >= curve.usable             ? "beyond the end of stability"
+                                                               : "";
+      fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme, p.step * 1000,
+                 p.cost, p.runs,
+                 fmt::format("{:.4f} ± {:.4f}", 100 * p.ratio.value, 100 * p.ratio.error),
                  fmt::format("{:.3g} ± {:.2g}", p.drift.rate.value, p.drift.rate.error), note);
     }
 
-  fmt::print("\ncost in force evaluations per ps (ratio to velocity Verlet); * extrapolated by the "
-             "scheme's order\n{:>8}", "R %");
+  fmt::print(
+      "\ncost in force evaluations per ps (ratio to velocity Verlet); * extrapolated by the "
+      "scheme's order\n{:>8}",
+      "R %");
   for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
   fmt::print("  best\n");
   std::size_t verlet = report.curves.size();
@@ -279,7 +303,8 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
       const auto& cost = line.costs[c];
       std::string text = "-";
       if (cost) {
-        text = fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error, cost->extrapolated ? "*" : "");
+        text = fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error,
+                           cost->extrapolated ? "*" : "");
         if (verlet < line.costs.size() && line.costs[verlet])
           text += fmt::format(" ({:.2f})", line.costs[verlet]->cost / cost->cost);
       }
@@ -289,11 +314,12 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
   }
   if (!report.claims.empty()) fmt::print("\nthe paper's claims (vanzon2008)\n");
   for (const Claim& claim : report.claims)
-    fmt::print("  {}{}: {}\n", claim.text,
-               claim.value ? fmt::format(": {:.3g} ± {:.2g}", claim.value->value, claim.value->error) : "",
-               claim.reproduced);
-  fmt::print("\n{}\nfiles {} {} {} {} {}\n", advice(report, 0.005), files.points, files.runs, files.json,
-             files.svg, files.png);
+    fmt::print(
+        "  {}{}: {}\n", claim.text,
+        claim.value ? fmt::format(": {:.3g} ± {:.2g}", claim.value->value, claim.value->error) : "",
+        claim.reproduced);
+  fmt::print("\n{}\nfiles {} {} {} {} {}\n", advice(report, 0.005), files.points, files.runs,
+             files.json, files.svg, files.png);
 }
 
 }  // namespace polhode::cli

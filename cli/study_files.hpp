@@ -13,17 +13,19 @@
 namespace polhode::cli {
 
 struct StudyFiles {
-  std::string runs, points, json, svg, png;
+  std::string prefix, runs, points, json, svg, png;
 
-  explicit StudyFiles(const std::string& prefix)
-      : runs(prefix + "-runs.csv"),
+  explicit StudyFiles(const std::string& common)
+      : prefix(common),
+        runs(prefix + "-runs.csv"),
         points(prefix + ".csv"),
         json(prefix + ".json"),
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
 };
 
-/// Everything that decides what a run of a study is, as text: a record of another one is not reused.
+/// Everything that decides what a run of a study is, as text: a record of another one is not
+/// reused.
 std::string study_identity(const Config& config);
 
 /// The runs that are done, one line each, appended as they end.
@@ -58,7 +60,8 @@ struct StudyReport {
   StudyReport(const Config& config, const std::vector<EfficiencyPoint>& points);
 };
 
-/// "for R = 0.5 % use SCHEME at H fs: N force evaluations per ps, X times fewer than velocity Verlet"
+/// "for R = 0.5 % use SCHEME at H fs: N force evaluations per ps, X times fewer than velocity
+/// Verlet"
 std::string advice(const StudyReport& report, double ratio);
 
 void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance);

@@ -16,7 +16,8 @@ namespace polhode::cli {
 inline double positive_time(const std::string& text, const std::string& option) {
   const double t = quantity(text, Dimension::time, option);
   if (!(t > 0))
-    throw Error(fmt::format("{} = \"{}\" must be longer than 0; write for example \"2 fs\"", option, text));
+    throw Error(
+        fmt::format("{} = \"{}\" must be longer than 0; write for example \"2 fs\"", option, text));
   return t;
 }
 

@@ -16,12 +16,12 @@ missing_packages() {
 }
 
 install_packages() {
-  local wanted as_root=()
+  local wanted=() as_root=()
   if ! command -v dpkg-query >/dev/null; then
     say "not a Debian system: install what packages.txt lists by your own means"
     return
   fi
-  mapfile -t wanted < <(missing_packages)
+  wanted=($(missing_packages))
   if ((${#wanted[@]} == 0)); then
     say "packages: all there"
     return

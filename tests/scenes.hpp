@@ -50,7 +50,8 @@ inline Scene lattice(const std::vector<std::pair<std::string, std::size_t>>& par
     scene.state.p.set(i, vector(std::sqrt(2.5 * scene.bodies.m[i])));  // kT of 300 K
     scene.state.attitude.set(i, random_attitude(random));
     const Vec3<double> J = scene.bodies.J[i];
-    const Vec3<double> L = scaled(vector(std::sqrt(2.5)), {std::sqrt(J.x), std::sqrt(J.y), std::sqrt(J.z)});
+    const Vec3<double> L =
+        scaled(vector(std::sqrt(2.5)), {std::sqrt(J.x), std::sqrt(J.y), std::sqrt(J.z)});
     scene.state.ell.set(i, to_lab(scene.state.attitude[i], L));
   }
   return scene;
@@ -58,9 +59,7 @@ inline Scene lattice(const std::vector<std::pair<std::string, std::size_t>>& par
 
 /// Five waters close together in vacuum: the switch begins far beyond them.
 inline Scene water_cluster() { return lattice({{"tip4p", 5}}, 0.32, 40, 7); }
-inline ForceSettings no_truncation() {
-  return {Truncation::molecule_switch, 19, 18, 2, 1, 0.1};
-}
+inline ForceSettings no_truncation() { return {Truncation::molecule_switch, 19, 18, 2, 1, 0.1}; }
 
 inline std::vector<Pose<double>> poses(const State& state) {
   std::vector<Pose<double>> all;

@@ -38,7 +38,8 @@ void check_overlap(const Topology& topology, const State& state) {
       if (site.mass == 0 && site.epsilon == 0) continue;
       Vec3<double> r = state.q[i] + to_lab(state.attitude[i], site.r);
       if (!std::isfinite(norm2(r)))
-        throw Error(fmt::format("molecule {} has a position that is not finite; mend the start", i + 1));
+        throw Error(
+            fmt::format("molecule {} has a position that is not finite; mend the start", i + 1));
       for (std::size_t d = 0; d < 3; ++d) r[d] -= std::floor(r[d] / box.edge[d]) * box.edge[d];
       const auto wrapped = [&](int c, std::size_t d) { return (c + cells[d]) % cells[d]; };
       for (int dx = -1; dx <= 1; ++dx)
@@ -52,7 +53,8 @@ void check_overlap(const Topology& topology, const State& state) {
               const double distance = norm(box.minimum_image(other.r - r));
               if (other.body != i && distance < closest_contact)
                 throw Error(fmt::format(
-                    "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer than "
+                    "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer "
+                    "than "
                     "{:.3f} nm, half of a hydrogen bond; take a lower density or another start",
                     other.body + 1, i + 1, distance, closest_contact));
             }

@@ -16,8 +16,8 @@ double relative_error(const EfficiencyPoint& p) { return p.ratio.error / p.ratio
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
   std::vector<Curve> all;
   for (const EfficiencyPoint& p : points) {
-    auto curve = std::find_if(all.begin(), all.end(),
-                              [&](const Curve& c) { return c.scheme == p.scheme; });
+    auto curve =
+        std::find_if(all.begin(), all.end(), [&](const Curve& c) { return c.scheme == p.scheme; });
     if (curve == all.end()) curve = all.insert(all.end(), {p.scheme, {}, 0});
     curve->points.push_back(p);
   }

@@ -16,7 +16,8 @@
 namespace polhode {
 namespace {
 
-// The default ladder [fs]: fine enough to interpolate, from about R = 0.1 % to the end of stability.
+// The default ladder [fs]: fine enough to interpolate, from about R = 0.1 % to the end of
+// stability.
 std::vector<double> default_steps(const Scheme& scheme) {
   std::vector<double> fs = {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8};
   if (scheme.force_evaluations() > 1) fs = {1, 1.5, 2, 3, 4, 5, 6, 7, 8};
@@ -38,10 +39,10 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
   System system = start;
   ForceField forces(system.topology, system.forces, system.state.box);
   try {
-    const Trajectory t = trajectory(system, forces,
-                                    {point.scheme, point.step, config.study.length,
-                                     longest_sample, config.integrator.lambda},
-                                    {nullptr, progress.stop});
+    const Trajectory t = trajectory(
+        system, forces,
+        {point.scheme, point.step, config.study.length, longest_sample, config.integrator.lambda},
+        {nullptr, progress.stop});
     std::vector<double> total, potential;
     double kinetic = 0;
     for (const Energies& e : t.samples) {

@@ -39,11 +39,12 @@ struct TimedForces {
 };
 
 [[noreturn]] void blown_up(const TrajectorySettings& s, std::size_t step, const std::string& what) {
-  throw RunError(fmt::format(
-      "the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for {}, or the start "
-      "is too rough: try {:g} fs, or equilibrate first",
-      step, static_cast<double>(step) * s.step, what, s.step * 1000, s.scheme.name(),
-      s.step * 500));
+  throw RunError(
+      fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
+                  "{}, or the start "
+                  "is too rough: try {:g} fs, or equilibrate first",
+                  step, static_cast<double>(step) * s.step, what, s.step * 1000, s.scheme.name(),
+                  s.step * 500));
 }
 
 }  // namespace
@@ -74,10 +75,11 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     if (std::abs(now.total() - start.total()) > start.kinetic() && start.kinetic() > 0)
-      blown_up(settings, result.steps,
-               fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the kinetic "
-                           "energy at the start",
-                           start.total(), now.total()));
+      blown_up(
+          settings, result.steps,
+          fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the kinetic "
+                      "energy at the start",
+                      start.total(), now.total()));
     if (watch.sample) watch.sample(result.steps, system.state, now);
     part.lap();
   };
@@ -106,9 +108,9 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   result.measurements = integrator.measurements();
   const double all = whole.lap(), list = forces.neighbours().seconds() - list_before;
   // Forces run within motion, and in schemes that end with a drift within measurement.
-  const double forces_in_motion = timed.seconds *
-                                  static_cast<double>(result.force_evaluations) /
-                                  static_cast<double>(result.force_evaluations + result.measurements);
+  const double forces_in_motion =
+      timed.seconds * static_cast<double>(result.force_evaluations) /
+      static_cast<double>(result.force_evaluations + result.measurements);
   result.timings = {timed.seconds - list, list, motion - forces_in_motion, 0};
   result.timings.measurement = std::max(0.0, all - timed.seconds - result.timings.motion);
   return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Laws that hold for every force field: over truncations, classes of the switch and kinds of bodies.
+// Laws that hold for every force field: over truncations, classes of the switch and kinds of
+// bodies.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -29,17 +30,19 @@ std::vector<Named> all_laws() {
       for (const double dielectric : {1.0, 78.5, double(INFINITY)}) {
         if (truncation == Truncation::molecule_switch && dielectric != 1.0) continue;
         ForceSettings s{truncation, 0.75, 0.55, smoothness, dielectric, 0.1};
-        laws.push_back({std::string(truncation == Truncation::molecule_switch ? "molecule " : "site ") +
-                            std::to_string(smoothness) + " " + std::to_string(dielectric),
-                        s});
+        laws.push_back(
+            {std::string(truncation == Truncation::molecule_switch ? "molecule " : "site ") +
+                 std::to_string(smoothness) + " " + std::to_string(dielectric),
+             s});
       }
   return laws;
 }
 
 // All kinds of bodies at once: atoms, linear, symmetric, spherical, asymmetric.
 scenes::Scene mixture() {
-  return scenes::lattice({{"argon", 3}, {"co2", 3}, {"n2", 2}, {"benzene", 2}, {"ch4", 3}, {"tip4p", 5}},
-                         0.62, 1.9, 11);
+  return scenes::lattice(
+      {{"argon", 3}, {"co2", 3}, {"n2", 2}, {"benzene", 2}, {"ch4", 3}, {"tip4p", 5}}, 0.62, 1.9,
+      11);
 }
 
 double largest(const Vec3Column& v) {
@@ -106,8 +109,8 @@ TEST_CASE("every target's pair loops equal the reference, for every law and body
   force_target(before);
 }
 
-// The directional derivative against a central difference of fourth order: h⁴ f⁽⁵⁾ against rounding/h
-// leaves 1e-8 of the derivative at h = 1e-4 nm for contacts whose scale is some 0.02 nm.
+// The directional derivative against a central difference of fourth order: h⁴ f⁽⁵⁾ against
+// rounding/h leaves 1e-8 of the derivative at h = 1e-4 nm for contacts whose scale is some 0.02 nm.
 TEST_CASE("the directional derivative is the slope of forces and torques") {
   const scenes::Scene scene = mixture();
   for (const Named& law : all_laws()) {
@@ -120,7 +123,8 @@ TEST_CASE("the directional derivative is the slope of forces and torques") {
     Vec3Column dq(n), dtheta(n);
     for (std::size_t i = 0; i < n; ++i) {
       dq.set(i, scene.bodies.inverse_m[i] * load.f[i]);
-      dtheta.set(i, scaled(scene.bodies.inverse_J[i], to_body(scene.state.attitude[i], load.tau[i])));
+      dtheta.set(i,
+                 scaled(scene.bodies.inverse_J[i], to_body(scene.state.attitude[i], load.tau[i])));
     }
     const Load slope = forces.directional_derivative(scene.state, dq, dtheta);
     const auto at = [&](double c) {
@@ -145,8 +149,8 @@ TEST_CASE("the directional derivative is the slope of forces and torques") {
   }
 }
 
-// Never a pair missed: a hot run for many rebuilds of the list, forces against all pairs on the way,
-// in a box whose edge is just above twice the cutoff.
+// Never a pair missed: a hot run for many rebuilds of the list, forces against all pairs on the
+// way, in a box whose edge is just above twice the cutoff.
 TEST_CASE("the neighbour list misses no pair over a long hot run") {
   for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
     scenes::Scene scene = scenes::lattice({{"tip4p", 60}, {"argon", 20}}, 0.36, 1.61, 5);
@@ -158,7 +162,8 @@ TEST_CASE("the neighbour list misses no pair over a long hot run") {
     for (int k = 0; k < 60; ++k) {
       integrator.advance(scene.state, 0.0005, 20);
       const Load& load = integrator.load(scene.state);
-      const auto exact = reference_load(scene.topology, settings, scene.state.box, scenes::poses(scene.state));
+      const auto exact =
+          reference_load(scene.topology, settings, scene.state.box, scenes::poses(scene.state));
       CHECK(largest_difference(load.f, exact.f) < 1e-12 * largest(load.f));
     }
     CHECK(forces.neighbours().rebuilds() > 10);
@@ -167,7 +172,8 @@ TEST_CASE("the neighbour list misses no pair over a long hot run") {
 
 // Shifting all bodies, shifting one by an edge, turning the world about z by a quarter: the physics
 // does not notice. Positions change by rounding of up to 10 nm × 2⁻⁵³, forces by that times f'.
-TEST_CASE("forces do not depend on where the origin is, which image is meant, or how the world lies") {
+TEST_CASE(
+    "forces do not depend on where the origin is, which image is meant, or how the world lies") {
   for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
     const scenes::Scene scene = mixture();
     const ForceSettings settings{truncation, 0.8, 0.65, 2, 78.5, 0.1};
@@ -200,9 +206,11 @@ TEST_CASE("forces do not depend on where the origin is, which image is meant, or
 
 // Two point charges and two atoms by hand.
 TEST_CASE("a pair of sites feels the textbook energies inside the switch") {
-  Topology ions{{{rigid_molecule("cation", {{.name = "C", .mass = 20, .charge = 1}}), 1},
-                 {rigid_molecule("atom", {{.name = "A", .mass = 30, .charge = -0.5, .sigma = 0.3,
-                                           .epsilon = 0.8}}), 2}}};
+  Topology ions{
+      {{rigid_molecule("cation", {{.name = "C", .mass = 20, .charge = 1}}), 1},
+       {rigid_molecule("atom",
+                       {{.name = "A", .mass = 30, .charge = -0.5, .sigma = 0.3, .epsilon = 0.8}}),
+        2}}};
   State state(3, Box{{10, 10, 10}});
   state.q.set(0, {0, 0, 0});
   state.q.set(1, {0.4, 0, 0});
@@ -213,5 +221,6 @@ TEST_CASE("a pair of sites feels the textbook energies inside the switch") {
   const double s6 = std::pow(0.3 / 0.35, 6);
   CHECK(load.lennard_jones == doctest::Approx(4 * 0.8 * (s6 * s6 - s6)).epsilon(1e-14));
   const double r02 = std::hypot(0.4, 0.35);
-  CHECK(load.coulomb == doctest::Approx(units::coulomb * (-0.5 / 0.4 - 0.5 / r02 + 0.25 / 0.35)).epsilon(1e-14));
+  CHECK(load.coulomb ==
+        doctest::Approx(units::coulomb * (-0.5 / 0.4 - 0.5 / r02 + 0.25 / 0.35)).epsilon(1e-14));
 }

@@ -23,8 +23,8 @@ double largest_difference(const Vec3Column& a, const Vec3Column& b) {
   return largest;
 }
 
-// What one force evaluation of a gradient kick by finite difference adds to momenta: rounding of the
-// forces, 2⁻⁵³ of the largest in the pair sums (some 10⁴ kJ/mol/nm at contact), divided by λ.
+// What one force evaluation of a gradient kick by finite difference adds to momenta: rounding of
+// the forces, 2⁻⁵³ of the largest in the pair sums (some 10⁴ kJ/mol/nm at contact), divided by λ.
 double rounding_gain(const Scheme& scheme, double lambda) {
   return scheme.has_gradient() ? 1 / lambda : 1;
 }
@@ -32,8 +32,8 @@ double rounding_gain(const Scheme& scheme, double lambda) {
 }  // namespace
 
 // A symmetric scheme of order k errs in energy by C hᵏ + O(hᵏ⁺²), so halving h divides the error by
-// 2ᵏ; at the steps where rounding does not matter yet, the next order changes the slope by less than
-// 0.1. Both sides are bounded: a slope that is too good is as wrong as one that is too bad.
+// 2ᵏ; at the steps where rounding does not matter yet, the next order changes the slope by less
+// than 0.1. Both sides are bounded: a slope that is too good is as wrong as one that is too bad.
 TEST_CASE("every scheme's energy error falls with its declared order") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
@@ -43,20 +43,22 @@ TEST_CASE("every scheme's energy error falls with its declared order") {
   }
 }
 
-// The step in 2 ξ λ h² is the whole one; ξ for GIER4 follows from 1 − 6 η + 6 η² = 72 (1 − 2 η) ξ / 6.
+// The step in 2 ξ λ h² is the whole one; ξ for GIER4 follows from 1 − 6 η + 6 η² = 72 (1 − 2 η) ξ
+// / 6.
 TEST_CASE("a wrong factor of xi or a wrong weight breaks the fourth order of gier4") {
-  for (const char* text : {"B(1/6) A(1/2) B(2/3, -1/48) A(1/2) B(1/6)",
-                           "B(1/6) A(1/2) B(2/3, 1/24) A(1/2) B(1/6)",
-                           "B(1/6) A(1/2) B(2/3, 1/72) A(1/2) B(1/6)"}) {
+  for (const char* text :
+       {"B(1/6) A(1/2) B(2/3, -1/48) A(1/2) B(1/6)", "B(1/6) A(1/2) B(2/3, 1/24) A(1/2) B(1/6)",
+        "B(1/6) A(1/2) B(2/3, 1/72) A(1/2) B(1/6)"}) {
     CAPTURE(std::string(text));
     CHECK(std::abs(measured_order(scheme_of(text)).order - 2) < 0.1);
   }
 }
 
 // h → −h undoes a symmetric step exactly. What is left is the rounding of 2 × 100 steps, each a few
-// 2⁻⁵³ of positions of order 1 nm, grown by the divergence of neighbouring trajectories (a factor of
-// some 10² in 0.2 ps of water): 1e-16 × √200 × 1e2 ≈ 1e-13 nm; kicks by finite difference have
-// forces known to 2⁻⁵³ × 10⁴ kJ/mol/nm / λ only, 1e-8, which times h²/m of 2e-7 adds 2e-15 per step.
+// 2⁻⁵³ of positions of order 1 nm, grown by the divergence of neighbouring trajectories (a factor
+// of some 10² in 0.2 ps of water): 1e-16 × √200 × 1e2 ≈ 1e-13 nm; kicks by finite difference have
+// forces known to 2⁻⁵³ × 10⁴ kJ/mol/nm / λ only, 1e-8, which times h²/m of 2e-7 adds 2e-15 per
+// step.
 TEST_CASE("every scheme is reversible") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
@@ -74,8 +76,8 @@ TEST_CASE("every scheme is reversible") {
 
 // Pair forces are equal and opposite to the bit in the sums of two bodies; what remains is the
 // rounding of the sums: forces up to 10³ kJ/mol/nm, each kick with h = 2e-3 ps adding 2⁻⁵³ × 10³ ×
-// 2e-3 ≈ 2e-16 per body, 5 bodies, 200 steps of up to 4 kicks as a random walk: 1e-14; times 1/λ for
-// differences, of which only the last digits count.
+// 2e-3 ≈ 2e-16 per body, 5 bodies, 200 steps of up to 4 kicks as a random walk: 1e-14; times 1/λ
+// for differences, of which only the last digits count.
 TEST_CASE("every scheme keeps the total momentum") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
@@ -106,8 +108,8 @@ TEST_CASE("plain kicks keep the angular momentum of an isolated cluster") {
 }
 
 // A gradient kick by finite difference takes the forces at displaced positions but their levers at
-// the undisplaced ones; the mismatch is (q̃ − q) × Δf, proportional to λ h² × h² × h per step: a loss
-// of angular momentum linear in λ.
+// the undisplaced ones; the mismatch is (q̃ − q) × Δf, proportional to λ h² × h² × h per step: a
+// loss of angular momentum linear in λ.
 TEST_CASE("gradient kicks by finite difference lose angular momentum in proportion to lambda") {
   double loss[2];
   const double lambdas[2] = {1e-1, 1e-2};

@@ -10,8 +10,8 @@
 using namespace polhode;
 
 // A polynomial of whole coefficients: its derivatives at the ends follow from Taylor's theorem.
-// Approaching an end by d, |w − limit| must fall as d^(n+1), so halving d divides it by 2^(n+1); the
-// next term changes the ratio by a relative O(d).
+// Approaching an end by d, |w − limit| must fall as d^(n+1), so halving d divides it by 2^(n+1);
+// the next term changes the ratio by a relative O(d).
 TEST_CASE("the switch is of the class it says at both ends") {
   for (const int n : {1, 2, 3}) {
     CAPTURE(n);

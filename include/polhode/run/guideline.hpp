@@ -22,9 +22,9 @@ struct CostAtRatio {
 };
 
 struct Guideline {
-  double ratio = 0;                                ///< R
-  std::vector<std::optional<CostAtRatio>> costs;   ///< per scheme; none: not reached without drift
-  std::optional<std::size_t> best;                 ///< the cheapest
+  double ratio = 0;                               ///< R
+  std::vector<std::optional<CostAtRatio>> costs;  ///< per scheme; none: not reached without drift
+  std::optional<std::size_t> best;                ///< the cheapest
 };
 
 /// The curve of one scheme: its points by growing step, the usable ones first.

@@ -16,14 +16,14 @@ namespace polhode {
 /// One run: a scheme with a step from one of the starts.
 struct StudyRun {
   std::string scheme;
-  double step = 0;  ///< [ps]
-  int start = 0;    ///< which of the starts; the same ones serve every scheme
-  bool stable = true;       ///< false: it blew up, and the numbers below are void
-  double ratio = 0;         ///< R
-  double drift = 0;         ///< [kJ/mol/ps]
-  double total = 0;         ///< rms fluctuation of the total energy [kJ/mol]
-  double potential = 0;     ///< rms fluctuation of the potential energy [kJ/mol]
-  double temperature = 0;   ///< mean over the run [K]
+  double step = 0;         ///< [ps]
+  int start = 0;           ///< which of the starts; the same ones serve every scheme
+  bool stable = true;      ///< false: it blew up, and the numbers below are void
+  double ratio = 0;        ///< R
+  double drift = 0;        ///< [kJ/mol/ps]
+  double total = 0;        ///< rms fluctuation of the total energy [kJ/mol]
+  double potential = 0;    ///< rms fluctuation of the potential energy [kJ/mol]
+  double temperature = 0;  ///< mean over the run [K]
 };
 
 /// A point of the figure: all runs of a scheme with one step.
@@ -32,9 +32,9 @@ struct EfficiencyPoint {
   double step = 0;  ///< [ps]
   double cost = 0;  ///< force evaluations per ps
   int runs = 0;
-  bool stable = true;  ///< no run blew up
-  Estimate ratio;      ///< R with its standard error over the runs
-  Drift drift;         ///< of the series, as the paper has it
+  bool stable = true;      ///< no run blew up
+  Estimate ratio;          ///< R with its standard error over the runs
+  Drift drift;             ///< of the series, as the paper has it
   double temperature = 0;  ///< [K]
   /// No run blew up, and the drift is not significant.
   bool usable() const { return stable && drift.chance >= significance; }

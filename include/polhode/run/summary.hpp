@@ -12,17 +12,17 @@ namespace polhode {
 struct RunSummary {
   std::size_t molecules = 0;
   std::size_t steps = 0;
-  double length = 0;             ///< simulated [ps]
-  double sample = 0;             ///< between energies [ps]
-  Estimate ratio;                ///< R
-  double total_fluctuation = 0;  ///< [kJ/mol]
+  double length = 0;                 ///< simulated [ps]
+  double sample = 0;                 ///< between energies [ps]
+  Estimate ratio;                    ///< R
+  double total_fluctuation = 0;      ///< [kJ/mol]
   double potential_fluctuation = 0;  ///< [kJ/mol]
-  Drift drift;                   ///< [kJ/mol/ps]
-  double potential = 0;          ///< mean per molecule [kJ/mol]
-  double total = 0;              ///< mean per molecule [kJ/mol]
-  double momentum = 0;           ///< |Σ p| at the end [u nm/ps]
-  double temperature = 0;        ///< mean over the run, all freedoms [K]
-  double translation = 0;        ///< [K]
+  Drift drift;                       ///< [kJ/mol/ps]
+  double potential = 0;              ///< mean per molecule [kJ/mol]
+  double total = 0;                  ///< mean per molecule [kJ/mol]
+  double momentum = 0;               ///< |Σ p| at the end [u nm/ps]
+  double temperature = 0;            ///< mean over the run, all freedoms [K]
+  double translation = 0;            ///< [K]
   std::array<double, 3> rotation{};  ///< about each principal axis [K]; 0 without freedoms
   Freedoms freedoms;
   std::uint64_t force_evaluations = 0, measurements = 0;

@@ -32,9 +32,9 @@ struct Watch {
 
 /// Seconds of wall-clock time by part.
 struct Timings {
-  double forces = 0;      ///< without the list
-  double list = 0;        ///< neighbour list: checks and rebuilds
-  double motion = 0;      ///< drifts and kicks
+  double forces = 0;       ///< without the list
+  double list = 0;         ///< neighbour list: checks and rebuilds
+  double motion = 0;       ///< drifts and kicks
   double measurement = 0;  ///< energies, output
   double all() const { return forces + list + motion + measurement; }
 };
@@ -49,13 +49,14 @@ struct Trajectory {
 };
 
 /// Moves the system's state along. Total energy is sampled at synchronised steps.
-/// @throws RunError  if it blows up: energies that are not finite, or a total energy that has changed
+/// @throws RunError  if it blows up: energies that are not finite, or a total energy that has
+/// changed
 ///                   by more than the kinetic energy at the start. Says the step and what to try.
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                       const Watch& watch = {});
 
-/// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and the
-/// total momentum removed. The step is at most 1 fs, so that rough starts relax.
+/// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
+/// the total momentum removed. The step is at most 1 fs, so that rough starts relax.
 /// @return  false if the watch stopped it
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {});
 
