@@ -22,6 +22,7 @@ const std::vector<Verb> verbs = {
     {"run", "simulate: a trajectory with its energies and summary", run_verb},
     {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
     {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
+    {"molecules", "list the molecule models, or show one", molecules_verb},
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
     {"verify", "measure the order of a scheme", verify_verb},
 };

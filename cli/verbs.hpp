@@ -12,6 +12,7 @@ using Action = std::function<int()>;
 
 Action energy_verb(CLI::App& app);
 Action run_verb(CLI::App& app);
+Action molecules_verb(CLI::App& app);
 Action schemes_verb(CLI::App& app);
 Action study_verb(CLI::App& app);
 Action verify_verb(CLI::App& app);

@@ -39,6 +39,7 @@ std::string head(const std::string& image, const std::string& format, int width,
                                          width, height);
   return fmt::format(R"gp(# Restyle this and run it again: gnuplot draws {0}.
 set encoding utf8
+set minussign
 set terminal {1}
 set output {2}
 set border 3 linewidth 1 linecolor "#404040"
@@ -64,6 +65,15 @@ double highest_beyond(const std::vector<EfficiencyCurve>& curves, double from) {
     }
   }
   return highest;
+}
+
+// The largest cost at which some curve still rises above a ratio: beyond, all lie on the axis.
+double last_cost_above(const std::vector<EfficiencyCurve>& curves, double ratio) {
+  double last = 1;
+  for (const EfficiencyCurve& curve : curves)
+    for (const EfficiencyMark& mark : curve.marks)
+      if (mark.stable && mark.ratio >= ratio) last = std::max(last, mark.cost);
+  return last;
 }
 
 struct Ranges {
@@ -146,7 +156,7 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
         "\\\n  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor \"#404040\" "
         "title \"longest stable step\"";
   else
-    plot.erase(plot.find_last_of(','));
+    plot += "NaN notitle";
   return plot + "\n";
 }
 
@@ -161,8 +171,12 @@ set datafile columnheaders
 stats data using (column("total [kJ/mol]")) name "E" nooutput
 stats data using (column("potential [kJ/mol]")) name "V" nooutput
 
+# The distance between tics that puts about five of them into a range.
+tic(range) = range <= 0 ? 1 : nice(range, 10**floor(log10(range)))
+nice(range, p) = range < 1.5*p ? 0.2*p : range < 3*p ? 0.5*p : range < 6*p ? p : 2*p
+
 set multiplot
-set lmargin at screen 0.14
+set lmargin at screen 0.15
 set rmargin at screen 0.96
 unset key
 
@@ -170,7 +184,10 @@ set tmargin at screen 0.90
 set bmargin at screen 0.56
 set title {1} noenhanced textcolor "#404040"
 set format x ""
-set ylabel "E − ⟨E⟩  (kJ/mol)" offset 0.5
+set label 1 "E − ⟨E⟩  (kJ/mol)" at screen 0.022, screen 0.73 center rotate
+set autoscale xfix
+set ytics tic(E_max - E_min)
+set xzeroaxis linewidth 1 linecolor "#404040"
 plot data using (column("time [ps]")):(column("total [kJ/mol]") - E_mean) \
   with lines linewidth 1.4 linecolor "{2}"
 
@@ -179,7 +196,9 @@ set bmargin at screen 0.14
 unset title
 set format x "%g"
 set xlabel "time  (ps)"
-set ylabel "V  (kJ/mol)" offset 0.5
+set label 1 "V  (kJ/mol)" at screen 0.022, screen 0.32 center rotate
+set ytics tic(V_max - V_min)
+unset xzeroaxis
 plot data using (column("time [ps]")):(column("potential [kJ/mol]")) \
   with lines linewidth 1.4 linecolor "{3}"
 unset multiplot
@@ -191,16 +210,19 @@ unset multiplot
 std::string efficiency_script(const std::vector<EfficiencyCurve>& unsorted,
                               const std::string& image, const std::string& format, double highest) {
   std::vector<EfficiencyCurve> curves = unsorted;
+  std::erase_if(curves, [](const EfficiencyCurve& curve) {
+    return std::none_of(curve.marks.begin(), curve.marks.end(), [](auto& m) { return m.stable; });
+  });
   for (EfficiencyCurve& curve : curves)
     std::sort(curve.marks.begin(), curve.marks.end(),
               [](const auto& a, const auto& b) { return a.cost < b.cost; });
   const Ranges r = ranges_of(curves);
   // The inset with its labels covers the upper right of the frame, from these fractions on; the
   // linear axis is stretched until no curve runs there.
-  constexpr double inset_left = 0.36, inset_bottom = 0.36;
-  const double right = 1.03 * r.cost_high;
-  const double beyond = highest_beyond(curves, inset_left * right);
-  const double top = std::max(std::min(highest, 1.08 * r.ratio_high), beyond / inset_bottom);
+  constexpr double inset_left = 0.34, inset_bottom = 0.36;
+  const double wanted = std::min(highest, 1.08 * r.ratio_high);
+  const double right = 1.1 * last_cost_above(curves, 0.02 * wanted);
+  const double top = std::max(wanted, highest_beyond(curves, inset_left * right) / inset_bottom);
 
   return head(image, format, 720, 540) + data_blocks(curves) +
          fmt::format(R"gp(
@@ -209,7 +231,7 @@ set lmargin at screen 0.10
 set rmargin at screen 0.97
 set bmargin at screen 0.13
 set tmargin at screen 0.88
-set key at screen 0.535,0.965 center top horizontal noenhanced samplen 1.6 width 1 textcolor "#404040"
+set key tmargin center horizontal Left reverse noenhanced samplen 1.6 width {8} textcolor "#404040"
 set xlabel "force evaluations per ps"
 set ylabel "R  (%)" offset 0.8
 set xrange [0:{0:.6g}]
@@ -226,15 +248,16 @@ set logscale xy
 set xlabel "" 
 set ylabel ""
 set tics font ",{6}"
-set xtics add autofreq
+set xtics (100, 200, 500, 1000, 2000, 5000, 10000)
 set format y "10^{{%T}}"
 set xrange [{3:.6g}:{4:.6g}]
-set yrange [{5:.6g}:*]
+set yrange [{5:.6g}:{9:.6g}]
 {7}unset multiplot
 )gp",
                      right, 100 * top, curves_command(curves, false), 0.8 * r.cost_low,
                      1.25 * r.cost_high, 100 * 0.7 * r.ratio_low, format == "png" ? 9 : 12,
-                     curves_command(curves, true));
+                     curves_command(curves, true), format == "png" ? 0 : 1,
+                     100 * 1.6 * r.ratio_high);
 }
 
 }  // namespace polhode

@@ -177,3 +177,15 @@ TEST_CASE("numbers outside their domain are refused with it") {
   check_text("[study]\nschemes = []", {"at least one scheme"});
   check_text("[study]\ndecorrelate = \"-1 ps\"", {"must be 0 ps or longer"});
 }
+
+TEST_CASE("a run file cut anywhere is an error with its line or whole") {
+  const std::string whole = default_config().text;
+  for (std::size_t length = 0; length < whole.size(); ++length) {
+    try {
+      parse_config(whole.substr(0, length), "water.toml");
+    } catch (const Error& e) {
+      CAPTURE(e.what());
+      CHECK(e.where().find("water.toml") == 0);
+    }
+  }
+}

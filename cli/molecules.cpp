@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// polhode molecules [NAME]: the models within the program, or what one of them is.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/quantity.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+double in_debye(double dipole) { return dipole / unit("D", Dimension::dipole); }
+
+// Charges of a few digits sum to zero but for their rounding.
+double rounded(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
+
+nlohmann::json as_json(const Molecule& m) {
+  nlohmann::json sites = nlohmann::json::array();
+  for (const Site& s : m.sites)
+    sites.push_back({{"name", s.name},
+                     {"element", s.element},
+                     {"position", {s.r.x, s.r.y, s.r.z}},
+                     {"mass", s.mass},
+                     {"charge", s.charge},
+                     {"sigma", s.sigma},
+                     {"epsilon", s.epsilon}});
+  return {{"name", m.name},
+          {"description", m.description},
+          {"source", m.source},
+          {"mass", m.mass},
+          {"moments", {m.J.x, m.J.y, m.J.z}},
+          {"top", name(m.top)},
+          {"charge", rounded(m.charge())},
+          {"dipole", in_debye(m.dipole())},
+          {"sites", sites}};
+}
+
+void print_one(const Molecule& m) {
+  fmt::print(
+      "{}\n  description  {}\n  mass         {:.6g} u\n  moments      {:.6g}  {:.6g}  {:.6g} u "
+      "nm²\n"
+      "  top          {}\n  charge       {:.6g} e\n  dipole       {:.4g} D\n  source       {}\n",
+      m.name, m.description.empty() ? "-" : m.description, m.mass, m.J.x, m.J.y, m.J.z, name(m.top),
+      rounded(m.charge()), in_debye(m.dipole()), m.source);
+  fmt::print(
+      "  sites, in the principal frame\n    {:<6}{:>11}{:>11}{:>11}{:>10}{:>10}{:>11}{:>17}\n",
+      "name", "x [nm]", "y [nm]", "z [nm]", "mass [u]", "q [e]", "sigma [nm]", "epsilon [kJ/mol]");
+  for (const Site& s : m.sites)
+    fmt::print("    {:<6}{:11.6f}{:11.6f}{:11.6f}{:10.4f}{:10.5f}{:11.6f}{:17.6f}\n", s.name, s.r.x,
+               s.r.y, s.r.z, s.mass, s.charge, s.sigma, s.epsilon);
+}
+
+void print_all() {
+  fmt::print("{:<12}{:>6}{:>11}{:>11}  {:<11} {:<17}{}\n", "name", "sites", "mass [u]",
+             "dipole [D]", "top", "source", "description");
+  for (const std::string& model : molecule_names()) {
+    const Molecule m = read_molecule(model);
+    fmt::print("{:<12}{:>6}{:11.4f}{:11.3f}  {:<11} {:<17}{}\n", m.name, m.sites.size(), m.mass,
+               in_debye(m.dipole()), name(m.top), m.source, m.description);
+  }
+}
+
+}  // namespace
+
+Action molecules_verb(CLI::App& app) {
+  struct Options {
+    std::string name;
+    bool json = false;
+  };
+  auto o = std::make_shared<Options>();
+  app.add_option("NAME", o->name,
+                 "a model's name, or the path of a molecule file; without it: all");
+  app.add_flag("--json", o->json, "print JSON");
+  return [o] {
+    if (o->json) {
+      nlohmann::json list = nlohmann::json::array();
+      if (o->name.empty())
+        for (const std::string& model : molecule_names())
+          list.push_back(as_json(read_molecule(model)));
+      fmt::print("{}\n", (o->name.empty() ? list : as_json(read_molecule(o->name))).dump(2));
+    } else if (o->name.empty()) {
+      print_all();
+    } else {
+      print_one(read_molecule(o->name));
+    }
+    return 0;
+  };
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/plot.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+using namespace polhode;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A folder of its own that goes away afterwards, and the search path as it was.
+struct Place {
+  fs::path folder = fs::temp_directory_path() /
+                    ("polhode-plot-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  std::string search_path = std::getenv("PATH");
+  Place() { fs::create_directories(folder); }
+  ~Place() {
+    setenv("PATH", search_path.c_str(), 1);
+    fs::remove_all(folder);
+  }
+};
+
+std::string text_of(const fs::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+const std::vector<EfficiencyCurve> curves = {
+    {"hoa2", {{1000, 0.001, 1e-4}, {250, 0.012, 1e-3}, {200, 0.5, 0.1, false}}},
+    {"gier4", {{3000, 1e-6, 1e-7}, {300, 0.02, 1e-3}}}};
+
+}  // namespace
+
+TEST_CASE("without gnuplot there is a warning, and the script stays") {
+  const Place place;
+  setenv("PATH", place.folder.c_str(), 1);
+  std::ostringstream warnings;
+  const std::string prefix = (place.folder / "efficiency").string();
+  CHECK(!efficiency_plot(prefix, curves, "svg", warnings));
+  CHECK(warnings.str().find("gnuplot is not installed") != std::string::npos);
+  CHECK(warnings.str().find("gnuplot efficiency.gp") != std::string::npos);
+  const std::string script = text_of(prefix + ".gp");
+  CHECK(script.find("set output \"efficiency.svg\"") != std::string::npos);
+  // R in %; the longest stable step is marked only where a longer one is unstable.
+  CHECK(script.find("250 1.2 0.1 1\n1000 0.1 0.01 0\n") != std::string::npos);
+  CHECK(script.find("300 2 0.1 0\n") != std::string::npos);
+  CHECK(script.find("200 50") == std::string::npos);
+}
+
+TEST_CASE("figures are drawn where gnuplot is installed") {
+  const Place place;
+  std::ostringstream warnings;
+  {
+    std::ofstream csv(place.folder / "run.csv");
+    csv << "# polhode\ntime [ps],potential [kJ/mol],total [kJ/mol]\n";
+    for (int k = 0; k < 20; ++k) csv << k << ',' << -100 + k % 3 << ',' << -50 + k % 2 << '\n';
+  }
+  const bool drawn = energy_plot((place.folder / "run.csv").string(), "a \"run\"", "svg", warnings);
+  if (!drawn && warnings.str().find("not installed") != std::string::npos) return;
+  CHECK(drawn);
+  CHECK(efficiency_plot((place.folder / "eff").string(), curves, "svg", warnings));
+  CHECK(efficiency_plot((place.folder / "none").string(), {}, "svg", warnings));
+  CHECK(warnings.str() == "");
+  CHECK(text_of(place.folder / "run.svg").find("</svg>") != std::string::npos);
+  CHECK(text_of(place.folder / "eff.svg").find("hoa2") != std::string::npos);
+
+  std::ofstream(place.folder / "wrong.gp") << "no such command\n";
+  CHECK(!run_gnuplot((place.folder / "wrong.gp").string(), warnings));
+  CHECK(warnings.str().find("gnuplot ended with code") != std::string::npos);
+}
