@@ -20,6 +20,9 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
   return condition ? if_true : if_false;
 }
 
+/// Whether any lane of a mask is true: for a number, the truth itself.
+constexpr bool any(bool condition) { return condition; }
+
 using std::abs;
 using std::sqrt;
 
