@@ -4,6 +4,7 @@
 // modulus cannot be recovered from k'. k' may be as small as 1e-170, where k'² underflows.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -37,7 +38,7 @@ namespace elliptic {
 /// sn, cn, dn for |u| ≤ K/2 by descending Landen transformations (k → 0, DLMF 22.7.2 to 22.7.4). No
 /// term cancels, so each function keeps its relative accuracy.
 inline JacobiFunctions descending(double u, const Modulus& modulus) {
-  if (modulus.k < 1e-9) return {std::sin(u), std::cos(u), 1.0};  // off by k² u/4 < ε
+  if (!(modulus.k >= 1e-9)) return {std::sin(u), std::cos(u), 1.0};  // off by k² u/4 < ε
   const double half = modulus.k / (1 + modulus.complement);
   const double k1 = half * half;  // (1 − k')/(1 + k')
   const Modulus smaller{k1, std::sqrt((1 - k1) * (1 + k1))};
@@ -49,7 +50,7 @@ inline JacobiFunctions descending(double u, const Modulus& modulus) {
 /// The same by ascending ones (k → 1, DLMF 22.7.6 to 22.7.8), for k > k'.
 inline JacobiFunctions ascending(double u, const Modulus& modulus) {
   // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', hence the bound.
-  if (modulus.complement < 1e-17) return {std::tanh(u), 1 / std::cosh(u), 1 / std::cosh(u)};
+  if (!(modulus.complement >= 1e-17)) return {std::tanh(u), 1 / std::cosh(u), 1 / std::cosh(u)};
   const double half = modulus.complement / (1 + modulus.k);
   const double c2 = half * half;  // the complement of the next modulus, (1 − k)/(1 + k)
   const double k2_squared = (1 - c2) * (1 + c2);
@@ -101,7 +102,7 @@ inline double third_kind_integral(const JacobiFunctions& f, double n, double k) 
     const double mean = (x + y + z + 2 * p) * 0.2;
     const double dx = 1 - x / mean, dy = 1 - y / mean, dz = 1 - z / mean;
     // The remainder's series ends before sixth order: 3/10 · 0.0025⁶ < ε/2.
-    if (std::abs(dx) < 0.0025 && std::abs(dy) < 0.0025 && std::abs(dz) < 0.0025) {
+    if (!(std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) >= 0.0025)) {
       const double dp = -0.5 * (dx + dy + dz);
       const double e2 = dx * dy + dx * dz + dy * dz - 3 * dp * dp;
       const double e3 = dx * dy * dz + 2 * e2 * dp + 4 * dp * dp * dp;

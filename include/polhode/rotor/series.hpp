@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 
 #include "polhode/base/quaternion.hpp"
 
@@ -46,15 +47,13 @@ struct Sine {
 template <std::size_t order, class Real>
 Sine<Real> sine(Real e1, Real e2) {
   Real S(0), E(0);
-#pragma GCC unroll 8
   for (std::size_t up = 0; up <= order / 2; ++up) {
     const std::size_t j = order / 2 - up;
-    Real s(sine_coefficient(order, j));
-    Real e(static_cast<double>(2 * order + 1) * sine_coefficient(order, j));
-#pragma GCC unroll 16
+    Real s = constant<Real>(sine_coefficient(order, j));
+    Real e = constant<Real>(static_cast<double>(2 * order + 1) * sine_coefficient(order, j));
     for (std::size_t n = order; n-- > 2 * j;) {
-      s = s * e1 + Real(sine_coefficient(n, j));
-      e = e * e1 + Real(static_cast<double>(2 * n + 1) * sine_coefficient(n, j));
+      s = s * e1 + constant<Real>(sine_coefficient(n, j));
+      e = e * e1 + constant<Real>(static_cast<double>(2 * n + 1) * sine_coefficient(n, j));
     }
     S = S * e2 + s;
     E = E * e2 + e;
@@ -62,78 +61,162 @@ Sine<Real> sine(Real e1, Real e2) {
   return {S, E};
 }
 
+/// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x), formed such that one huge inverse
+/// moment is multiplied by the difference of the two others: a needle loses no digits.
+template <class Real>
+Real triangle(Real x, Real y, Real z) {
+  const Mask<Real> ascending = y < z;
+  const Real small = select(ascending, y, z), large = select(ascending, z, y);
+  return large * (x - small) + x * small;
+}
+
+template <class Real>
+constexpr Real reciprocal(std::size_t n) {
+  if constexpr (std::is_floating_point_v<Real>)
+    return Real(1) / static_cast<Real>(n);
+  else
+    return constant<Real>(1.0 / static_cast<double>(n));
+}
+
 }  // namespace series
 
-template <std::size_t sine_order = 8, std::size_t angle_order = 7, class Real>
-Quaternion<Real> rotation_series(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
-  const Real half = Real(0.5) * t;
-  const Vec3<Real> i = inverse_J * half;  // time in units of t/2 from here on
+/// How many terms are kept, and up to which |omega t| that is enough.
+///
+/// Let b = |omega t|/2. Poinsot's bodies (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2, hence
+/// |P|, |Q| <= omega^2, and S(tau) is majorised by tan(b)/b term by term: what is cut off S is below
+/// 2 (2b/pi)^(2 n + 2). The angle's terms d_n are polynomials of the shape and the direction of L on a
+/// compact set; the largest sum of those cut off, over 10^6 shapes down to J_min/J_max = 1e-6 that hold
+/// the corners (flat needles about the middle axis are the worst), gives the bound below.
+/// tests/unit/rotor_series_test.cpp repeats it in extended precision.
+struct SeriesOrder {
+  std::size_t sine, angle;  ///< highest term of S; number of terms of the angle
+  double radius;            ///< |omega t| [1]
+};
+inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< cut off: below 3e-17
+inline constexpr SeriesOrder long_series{8, 9, 0.3};    ///< cut off: below 3e-17
+inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< cut off: below 3e-8, for float
+
+/// The rotation of a free body over one step, times an arbitrary positive number near 1.
+///
+/// With tau = t/2, S, C, D = S's companions (C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D = S') and M the
+/// angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with
+/// s = L(0) + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has the
+/// vector part (T J^-1 + delta) s over its scalar part, with one scalar delta: the discrete top of
+/// Moser and Veselov, whose moments are corrected by delta (mclachlan2005). Hence
+///
+///     r ~ (1, (M_x/D)(S i_x + S d), M_y (S i_y + S d), (M_z/C)(S i_z + S d)),   i = J^-1,
+///
+/// and q' = q (0, omega)/2 becomes a Riccati equation with polynomial coefficients in X = S^2:
+///
+///     (1 - P X)(1 - Q X)(1 - y X)(d + 2 X d') = X K3 + (X K2 - ...) d + X K1 d^2.
+///
+/// Its power series is the recursion below. Nothing is divided by a difference of moments, by |L| or
+/// by a component: spherical, symmetric, linear and resting bodies are no special cases.
+///
+/// @param inverse_J  inverse principal moments [1/(u nm^2)]; 0 stands for the vanishing moment of a
+///                   linear body. The moments obey the triangle inequality.
+/// @param L          body-frame angular momentum [u nm^2/ps]
+/// @param t          time [ps], |omega t| <= order.radius; any sign
+/// @return           (w, x, y, z) with w > 0, to be normalised, alone or in a product
+/// @cost             long_series about 330 flops and a division; short_series about 230
+/// @source           addition theorem: DLMF 22.8; discrete top: moser1991, mclachlan2005;
+///                   derivation: docs/theory-rotor.md
+template <SeriesOrder order, class Real>
+Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
+  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);     // the unit of time is t/2 from here on
   const Vec3<Real> A{i.z - i.y, i.x - i.z, i.y - i.x};  // L_x' = A_x L_y L_z, cyclic
   const Vec3<Real> L2{L.x * L.x, L.y * L.y, L.z * L.z};
 
-  // λ_y, P = λ_y − λ_x, Q = λ_y − λ_z with λ_x = A_y A_z L_x², cyclic; P and Q are invariants.
+  // lambda_y, P = lambda_y - lambda_x and Q = lambda_y - lambda_z, with lambda_x = A_y A_z L_x^2,
+  // cyclic; P and Q are invariants.
   const Real Axz = A.x * A.z;
   const Real lambda = Axz * L2.y;
   const Real P = lambda - A.y * A.z * L2.x;
   const Real Q = lambda - A.x * A.y * L2.z;
-  const auto [S, E] = series::sine<sine_order>(P + Q, P * Q);
-  const Real X = S * S;
+  const auto [S, E] = series::sine<order.sine>(P + Q, P * Q);
+  const Real X = S * S, SE = S * E;
 
-  // The addition theorem gives L after half the step over the denominator 1 − λ_y S²; there,
-  // L_k² = L_k(0)² + A_k η.
+  // By the addition theorem M_k^2 = L_k^2 + A_k eta.
   const Real denominator = Real(1) - lambda * X;
-  const Vec3<Real> g{A.x * L.y * L.z, A.y * L.z * L.x, A.z * L.x * L.y};  // L'(0)
-  const Real h = g.y * L.z * L.x;
-  const Real sigma = L2.y * (A.z * L2.x + A.x * L2.z);
-  const Real SE = S * E;
-  const Real inverse = Real(1) / (denominator * denominator);
+  const Vec3<Real> rate{A.x * L.y * L.z, A.y * L.z * L.x, A.z * L.x * L.y};  // L'(0)
+  const Real h = rate.y * L.z * L.x;
+  const Real g = L2.y * (A.z * L2.x + A.x * L2.z);
   const Real eta =
-      (Real(2) * L.x * L.y * L.z * SE + X * ((h + sigma) + lambda * X * (h - sigma))) * inverse;
+      (Real(2) * L.x * L.y * L.z * SE + X * ((h + g) + lambda * X * (h - g))) /
+      (denominator * denominator);
   const Vec3<Real> M2{L2.x + A.x * eta, L2.y + A.y * eta, L2.z + A.z * eta};
-  const Real y = Axz * M2.y;
 
-  // c_x = i_x i_z + i_x i_y − i_y i_z, cyclic
-  const Vec3<Real> c{i.x * (i.y + i.z) - i.y * i.z, i.y * (i.z + i.x) - i.z * i.x,
-                     i.z * (i.x + i.y) - i.x * i.y};
-  const Vec3<Real> m{X * i.x * M2.x, X * i.y * M2.y, X * i.z * M2.z};
-  const Vec3<Real> u{(i.x * i.x + c.x) * X * M2.x, Real(2) * i.y * m.y,
-                     (i.z * i.z + c.z) * X * M2.z};
-  const Vec3<Real> w = scaled(c, m);
-
-  const Real PX = P * X, QX = Q * X, yX = y * X, PQX = PX * QX;
-  const auto shape = [&](const Vec3<Real>& a) {  // a_x C² + a_y C² D² + a_z D² in powers of S²
-    return std::array<Real, 3>{a.x + a.y + a.z, -(QX * (a.x + a.y) + PX * (a.y + a.z)),
-                               PQX * a.y};
+  // The angle: terms d_n of order X^(n+1).
+  const Vec3<Real> c{series::triangle(i.x, i.y, i.z), series::triangle(i.y, i.z, i.x),
+                     series::triangle(i.z, i.x, i.y)};
+  const Real PX = P * X, QX = Q * X, yX = Axz * M2.y * X, PQX = PX * QX, sum = PX + QX;
+  const auto coefficients = [&](Real x, Real y, Real z) {  // of x C^2 + y C^2 D^2 + z D^2
+    return std::array<Real, 3>{x + y + z, -(QX * (x + y) + PX * (y + z)), PQX * y};
   };
-  const auto K1 = shape(m), K2 = shape(u), K3 = shape(w);
-  const Real c1 = PX + QX + yX, c2 = PQX + yX * (PX + QX), c3 = PQX * yX;
+  const Vec3<Real> m{X * i.x * M2.x, X * i.y * M2.y, X * i.z * M2.z};
+  const auto K1 = coefficients(m.x, m.y, m.z);
+  const auto K2 = coefficients(i.x * m.x + c.x * X * M2.x, Real(2) * i.y * m.y,
+                               i.z * m.z + c.z * X * M2.z);
+  const auto K3 = coefficients(c.x * m.x, c.y * m.y, c.z * m.z);
+  const Real c1 = sum + yX, c2 = PQX + yX * sum, c3 = PQX * yX;
 
-  std::array<Real, angle_order> d, squares;
-  Real D(0);
+  std::array<Real, order.angle> d, squares;  // squares[n] = sum of d_a d_b with a + b = n
+  Real angle(0);
 #pragma GCC unroll 16
-  for (std::size_t n = 0; n < angle_order; ++n) {
-    const auto number = [](std::size_t k) { return Real(static_cast<double>(k)); };
-    Real e(0);
-    if (n < 3) e = K3[n];
+  for (std::size_t n = 0; n < order.angle; ++n) {
+    const auto number = [](std::size_t k) { return constant<Real>(static_cast<double>(k)); };
+    Real e = n < 3 ? K3[n] : Real(0);
     if (n >= 1) e = e + (c1 * number(2 * n + 1) + K2[0]) * d[n - 1];
     if (n >= 2) e = e + (K2[1] - c2 * number(2 * n - 1)) * d[n - 2];
     if (n >= 3) e = e + (c3 * number(2 * n - 3) + K2[2]) * d[n - 3];
     if (n >= 2) {
-      Real square(0);
-      for (std::size_t a = 0; a <= n - 2; ++a) square = square + d[a] * d[n - 2 - a];
-      squares[n - 2] = square;
+      const std::size_t k = n - 2;
+      Real pairs(0);
+#pragma GCC unroll 8
+      for (std::size_t a = 0; 2 * a < k; ++a) pairs = pairs + d[a] * d[k - a];
+      squares[k] = pairs + pairs;
+      if (k % 2 == 0) squares[k] = squares[k] + d[k / 2] * d[k / 2];
     }
+#pragma GCC unroll 3
     for (std::size_t j = 0; j < 3; ++j)
       if (n >= 2 + j) e = e + K1[j] * squares[n - 2 - j];
-    d[n] = e * Real(1.0 / static_cast<double>(2 * n + 3));
-    D = D + d[n];
+    d[n] = e * series::reciprocal<Real>(2 * n + 3);
+    angle = angle + d[n];
   }
 
   const Real C2 = Real(1) - QX, D2 = Real(1) - PX;
-  const Quaternion<Real> r{denominator * E, S * (L.x * C2 + g.x * SE) * (i.x + D),
-                           S * (L.y * C2 * D2 + g.y * SE) * (i.y + D),
-                           S * (L.z * D2 + g.z * SE) * (i.z + D)};
-  return r;
+  return {denominator * E, S * (L.x * C2 + rate.x * SE) * (i.x + angle),
+          S * (L.y * C2 * D2 + rate.y * SE) * (i.y + angle),
+          S * (L.z * D2 + rate.z * SE) * (i.z + angle)};
+}
+
+/// Free rotation over a step of any size, for numbers and packs: one series within its radius, else
+/// as many equal ones as the fastest lane needs; all lanes are treated alike.
+///
+/// @param inverse_J, L, t  as above, |omega t| up to about 20 (beyond, the closed form is cheaper)
+/// @return                 as above
+/// @source                 tests/unit/rotor_series_test.cpp, tests/unit/drift_test.cpp
+template <class Real>
+Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real t) {
+  const auto beyond = [&](const Real& time, double radius) {
+    const Vec3<Real> angle = scaled(inverse_J, L) * time;
+    return any(norm2(angle) > constant<Real>(radius * radius));
+  };
+  Quaternion<Real> r{Real(1), Real(0), Real(0), Real(0)};
+  bool turned = false;
+  while (beyond(t, long_series.radius)) {
+    Real part = Real(0.5f) * t;
+    while (beyond(part, long_series.radius)) part = Real(0.5f) * part;
+    const Quaternion<Real> step = normalized(unnormalised_rotation<long_series>(inverse_J, L, part));
+    r = turned ? r * step : step;
+    turned = true;
+    L = to_body(step, L);
+    t = t - part;
+  }
+  const Quaternion<Real> last =
+      beyond(t, short_series.radius) ? unnormalised_rotation<long_series>(inverse_J, L, t)
+                                     : unnormalised_rotation<short_series>(inverse_J, L, t);
+  return turned ? r * last : last;
 }
 
 }  // namespace polhode
