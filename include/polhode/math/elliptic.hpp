@@ -61,9 +61,9 @@ inline JacobiFunctions ascending(double u, const Modulus& modulus) {
 
 }  // namespace elliptic
 
-/// sn(u), cn(u), dn(u) for |u| ≤ K, where `K` is the quarter period. Relative errors are a few ε; beyond
-/// K/2 the functions come from those of K − |u|, so that cn and dn near their smallest values are as
-/// exact as K − |u| is.
+/// sn(u), cn(u), dn(u) for |u| ≤ K, where `K` is the quarter period. Relative errors are a few ε;
+/// beyond K/2 the functions come from those of K − |u|, so that cn and dn near their smallest
+/// values are as exact as K − |u| is.
 inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double K) {
   const auto near_zero =
       modulus.k > modulus.complement ? &elliptic::ascending : &elliptic::descending;
@@ -73,9 +73,9 @@ inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double
   return {std::copysign(c / d, u), modulus.complement * (s / d), modulus.complement / d};
 }
 
-/// ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²) for n ≥ 0 and sn ≥ 0 within the first
-/// quarter period, from the values f of the three functions at u; Legendre's (F − Π)/n without its
-/// cancellation for small n.
+/// ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²) for n ≥ 0 and sn ≥ 0 within the
+/// first quarter period, from the values f of the three functions at u; Legendre's (F − Π)/n
+/// without its cancellation for small n.
 /// @source DLMF 19.25.14 and 19.36(i): Carlson's duplication; here its δ = (p−x)(p−y)(p−z) is
 ///         sn⁶ n (1+n)(n+k²), known without a difference.
 inline double third_kind_integral(const JacobiFunctions& f, double n, double k) {

@@ -11,9 +11,9 @@
 
 namespace polhode {
 
-/// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t: z is the axis that L circles, y
-/// that of the middle moment, x the third. The amplitudes carry the signs, so that neither the axes
-/// need to be right-handed nor the moments ascending (jacobi1850; vanzon2007a, Sec. 3, where
+/// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t: z is the axis that L circles,
+/// y that of the middle moment, x the third. The amplitudes carry the signs, so that neither the
+/// axes need to be right-handed nor the moments ascending (jacobi1850; vanzon2007a, Sec. 3, where
 /// amplitudes are positive).
 ///
 /// Every invariant is a sum of terms of one sign, formed from the components; 2E J − L² never
@@ -40,10 +40,8 @@ class Orbit {
     const double zx = std::abs(J[z] - J[x]), zy = std::abs(J[z] - J[y]), yx = std::abs(J[y] - J[x]);
     const Vec3<double>& L = top.L;
     // W_z = |2E J_z − L²|, W_x = |2E J_x − L²|
-    const double root_Wz =
-        std::hypot(L[x] * std::sqrt(zx / J[x]), L[y] * std::sqrt(zy / J[y]));
-    const double root_Wx =
-        std::hypot(L[y] * std::sqrt(yx / J[y]), L[z] * std::sqrt(zx / J[z]));
+    const double root_Wz = std::hypot(L[x] * std::sqrt(zx / J[x]), L[y] * std::sqrt(zy / J[y]));
+    const double root_Wx = std::hypot(L[y] * std::sqrt(yx / J[y]), L[z] * std::sqrt(zx / J[z]));
     Ax = std::sqrt(J[x] / zx) * root_Wz;
     Ay = std::sqrt(J[y] / zy) * root_Wz;
     Az = std::copysign(std::sqrt(J[z] / zx) * root_Wx, L[z]);
@@ -51,9 +49,8 @@ class Orbit {
     p = std::sqrt(zy / (J[x] * J[y] * J[z])) * root_Wx;
     modulus.k = std::min(1.0, std::sqrt(yx / zy) * (root_Wz / root_Wx));
     // 1 − m = (J_z − J_x)(L² − 2E J_y)/(...): from the invariant itself, never from m
-    modulus.complement =
-        std::min(1.0, std::sqrt(zx / zy) * (std::sqrt(std::abs(alpha - beta)) *
-                                            std::sqrt(alpha + beta) / root_Wx));
+    modulus.complement = std::min(1.0, std::sqrt(zx / zy) * (std::sqrt(std::abs(alpha - beta)) *
+                                                             std::sqrt(alpha + beta) / root_Wx));
     K = quarter_period(modulus);
     start_ = {L[y] / Ay, L[x] / Ax, L[z] / Az};
   }
@@ -106,11 +103,11 @@ class Orbit {
   double moment(std::size_t axis) const { return moment_[axis]; }
   double norm_L() const { return L_; }
 
-  std::size_t x, y, z;    ///< which body axis plays which role
-  double Ax, Ay, Az;      ///< amplitudes of L [as L]
-  double p;               ///< rate of u [1/time]
-  Modulus modulus;        ///< k and k'
-  double K;               ///< quarter period in u; infinite on the separatrix
+  std::size_t x, y, z;  ///< which body axis plays which role
+  double Ax, Ay, Az;    ///< amplitudes of L [as L]
+  double p;             ///< rate of u [1/time]
+  Modulus modulus;      ///< k and k'
+  double K;             ///< quarter period in u; infinite on the separatrix
 
  private:
   Vec3<double> moment_;

@@ -15,9 +15,9 @@ namespace recursive {
 inline constexpr std::size_t most_terms = 14;
 using Series = std::array<double, most_terms>;
 
-/// Taylor coefficients of φ'(s) h where time runs as s h, about the point where the angular momentum
-/// is L: Euler's equations close on the derivatives, and φ' = |L| (L_i²/J_i + L_j²/J_j)/(L_i² + L_j²)
-/// with i, j across `axis` is a quotient of two series.
+/// Taylor coefficients of φ'(s) h where time runs as s h, about the point where the angular
+/// momentum is L: Euler's equations close on the derivatives, and φ' = |L| (L_i²/J_i +
+/// L_j²/J_j)/(L_i² + L_j²) with i, j across `axis` is a quotient of two series.
 inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double norm_L,
                          std::size_t axis, double h) {
   std::array<Vec3<double>, most_terms> l;
@@ -49,15 +49,16 @@ inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double no
 }
 
 /// ∫₀¹ of a function from its Taylor coefficients at both ends: two-point Hermite quadrature
-/// Σ c_nk [f^{(k)}(0) + (−1)ᵏ f^{(k)}(1)], error O(h^{2n+3}), whose order n grows until the sum stands.
+/// Σ c_nk [f^{(k)}(0) + (−1)ᵏ f^{(k)}(1)], error O(h^{2n+3}), whose order n grows until the sum
+/// stands.
 inline double hermite_quadrature(const Series& from, const Series& to) {
   double sum = 0.5 * (from[0] + to[0]), change = std::abs(sum);
   for (std::size_t n = 1; n < most_terms; ++n) {
     double weight = 0.5, next = 0;  // c_nk k!
     for (std::size_t k = 0; k <= n; ++k) {
       next += weight * (k % 2 == 0 ? from[k] + to[k] : from[k] - to[k]);
-      weight *= static_cast<double>((k + 1) * (n - k)) /
-                static_cast<double>((k + 2) * (2 * n + 1 - k));
+      weight *=
+          static_cast<double>((k + 1) * (n - k)) / static_cast<double>((k + 2) * (2 * n + 1 - k));
     }
     const double last_change = change;
     change = std::abs(next - sum);
@@ -70,9 +71,9 @@ inline double hermite_quadrature(const Series& from, const Series& to) {
 }  // namespace recursive
 
 /// Free rotation by the recursive method: L by the addition theorem, the angle about L by two-point
-/// Hermite quadrature. It is meant for steps of |ω t| ≤ 0.5; longer times are cut into such steps, whose
-/// L all come from the start (errors do not pile up) and whose angles are summed with compensation.
-/// From a million of them on, it gives way to the closed form.
+/// Hermite quadrature. It is meant for steps of |ω t| ≤ 0.5; longer times are cut into such steps,
+/// whose L all come from the start (errors do not pile up) and whose angles are summed with
+/// compensation. From a million of them on, it gives way to the closed form.
 ///
 /// @param J, L, t  as for closed_rotation
 /// @return         as for closed_rotation, same accuracy

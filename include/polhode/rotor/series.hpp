@@ -13,11 +13,11 @@ namespace polhode {
 namespace series {
 
 /// S(τ) = τ Σ s_n with S'² = (1 − P S²)(1 − Q S²): Jacobi's sn(√Q τ)/√Q. The term s_n is
-/// (−τ²)ⁿ/(2n+1)! times Σ_j a_nj e₁ⁿ⁻²ʲ e₂ʲ with e₁ = P + Q, e₂ = P Q; a row below holds a_nj, from the
-/// recursion of S'' = −e₁ S + 2 e₂ S³ in exact arithmetic.
+/// (−τ²)ⁿ/(2n+1)! times Σ_j a_nj e₁ⁿ⁻²ʲ e₂ʲ with e₁ = P + Q, e₂ = P Q; a row below holds a_nj, from
+/// the recursion of S'' = −e₁ S + 2 e₂ S³ in exact arithmetic.
 inline constexpr std::size_t max_sine_order = 10;
 // clang-format off
-inline constexpr std::array<std::array<double, 6>, max_sine_order + 1> sine_numerators = {{
+constexpr std::array<std::array<double, 6>, max_sine_order + 1> sine_numerators = {{
     {1},
     {1},
     {1, 12},
@@ -32,33 +32,32 @@ inline constexpr std::array<std::array<double, 6>, max_sine_order + 1> sine_nume
 }};
 // clang-format on
 
-/// (−1)ⁿ a_nj/(2n+1)!
-constexpr double sine_coefficient(std::size_t n, std::size_t j) {
+/// (−1)ⁿ a_nj/(2n+1)! times 1 for S, times 2n+1 for S'.
+consteval double sine_coefficient(std::size_t n, std::size_t j, bool derivative) {
   double c = sine_numerators[n][j];
   for (std::size_t k = 2; k <= 2 * n + 1; ++k) c /= static_cast<double>(k);
+  if (derivative) c *= static_cast<double>(2 * n + 1);
   return n % 2 == 0 ? c : -c;
 }
 
-/// S/τ and E = S'(τ) to order n, with e₁ and e₂ in units of 1/τ² and 1/τ⁴.
-template <class Real>
-struct Sine {
-  Real S, E;
-};
-template <std::size_t order, class Real>
-Sine<Real> sine(Real e1, Real e2) {
-  Real S(0), E(0);
-  for (std::size_t up = 0; up <= order / 2; ++up) {
-    const std::size_t j = order / 2 - up;
-    Real s = constant<Real>(sine_coefficient(order, j));
-    Real e = constant<Real>(static_cast<double>(2 * order + 1) * sine_coefficient(order, j));
-    for (std::size_t n = order; n-- > 2 * j;) {
-      s = s * e1 + constant<Real>(sine_coefficient(n, j));
-      e = e * e1 + constant<Real>(static_cast<double>(2 * n + 1) * sine_coefficient(n, j));
-    }
-    S = S * e2 + s;
-    E = E * e2 + e;
-  }
-  return {S, E};
+/// Horner's scheme in e₁ for the terms n to `order` that carry e₂ʲ.
+template <std::size_t order, bool derivative, std::size_t j, std::size_t n, class Real>
+Real sine_row(Real e1) {
+  const Real c = constant<Real>(sine_coefficient(n, j, derivative));
+  if constexpr (n == order)
+    return c;
+  else
+    return sine_row<order, derivative, j, n + 1>(e1) * e1 + c;
+}
+
+/// S/τ, or S'(τ), to the given order, with e₁ and e₂ in units of 1/τ² and 1/τ⁴.
+template <std::size_t order, bool derivative, std::size_t j = 0, class Real>
+Real sine(Real e1, Real e2) {
+  const Real row = sine_row<order, derivative, j, 2 * j>(e1);
+  if constexpr (2 * (j + 1) > order)
+    return row;
+  else
+    return sine<order, derivative, j + 1>(e1, e2) * e2 + row;
 }
 
 /// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x), formed such that one huge inverse
@@ -82,12 +81,12 @@ constexpr Real reciprocal(std::size_t n) {
 
 /// How many terms are kept, and up to which |omega t| that is enough.
 ///
-/// Let b = |omega t|/2. Poinsot's bodies (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2, hence
-/// |P|, |Q| <= omega^2, and S(tau) is majorised by tan(b)/b term by term: what is cut off S is below
-/// 2 (2b/pi)^(2 n + 2). The angle's terms d_n are polynomials of the shape and the direction of L on a
-/// compact set; the largest sum of those cut off, over 10^6 shapes down to J_min/J_max = 1e-6 that hold
-/// the corners (flat needles about the middle axis are the worst), gives the bound below.
-/// tests/unit/rotor_series_test.cpp repeats it in extended precision.
+/// Let b = |omega t|/2. Poinsot's bodies (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2,
+/// hence |P|, |Q| <= omega^2, and S(tau) is majorised by tan(b)/b term by term: what is cut off S
+/// is below 2 (2b/pi)^(2 n + 2). The angle's terms d_n are polynomials of the shape and the
+/// direction of L on a compact set; the largest sum of those cut off, over 10^6 shapes down to
+/// J_min/J_max = 1e-6 that hold the corners (flat needles about the middle axis are the worst),
+/// gives the bound below. tests/unit/rotor_series_test.cpp repeats it in extended precision.
 struct SeriesOrder {
   std::size_t sine, angle;  ///< highest term of S; number of terms of the angle
   double radius;            ///< |omega t| [1]
@@ -98,9 +97,9 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< cut off: below 3e-8
 
 /// The rotation of a free body over one step, times an arbitrary positive number near 1.
 ///
-/// With tau = t/2, S, C, D = S's companions (C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D = S') and M the
-/// angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with
-/// s = L(0) + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has the
+/// With tau = t/2, S, C, D = S's companions (C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D = S') and M
+/// the angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with s = L(0)
+/// + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has the
 /// vector part (T J^-1 + delta) s over its scalar part, with one scalar delta: the discrete top of
 /// Moser and Veselov, whose moments are corrected by delta (mclachlan2005). Hence
 ///
@@ -110,8 +109,8 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< cut off: below 3e-8
 ///
 ///     (1 - P X)(1 - Q X)(1 - y X)(d + 2 X d') = X K3 + (X K2 - ...) d + X K1 d^2.
 ///
-/// Its power series is the recursion below. Nothing is divided by a difference of moments, by |L| or
-/// by a component: spherical, symmetric, linear and resting bodies are no special cases.
+/// Its power series is the recursion below. Nothing is divided by a difference of moments, by |L|
+/// or by a component: spherical, symmetric, linear and resting bodies are no special cases.
 ///
 /// @param inverse_J  inverse principal moments [1/(u nm^2)]; 0 stands for the vanishing moment of a
 ///                   linear body. The moments obey the triangle inequality.
@@ -123,7 +122,7 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< cut off: below 3e-8
 ///                   derivation: docs/theory-rotor.md
 template <SeriesOrder order, class Real>
 Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
-  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);     // the unit of time is t/2 from here on
+  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);    // the unit of time is t/2 from here on
   const Vec3<Real> A{i.z - i.y, i.x - i.z, i.y - i.x};  // L_x' = A_x L_y L_z, cyclic
   const Vec3<Real> L2{L.x * L.x, L.y * L.y, L.z * L.z};
 
@@ -133,7 +132,8 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
   const Real lambda = Axz * L2.y;
   const Real P = lambda - A.y * A.z * L2.x;
   const Real Q = lambda - A.x * A.y * L2.z;
-  const auto [S, E] = series::sine<order.sine>(P + Q, P * Q);
+  const Real S = series::sine<order.sine, false>(P + Q, P * Q);
+  const Real E = series::sine<order.sine, true>(P + Q, P * Q);
   const Real X = S * S, SE = S * E;
 
   // By the addition theorem M_k^2 = L_k^2 + A_k eta.
@@ -141,9 +141,8 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
   const Vec3<Real> rate{A.x * L.y * L.z, A.y * L.z * L.x, A.z * L.x * L.y};  // L'(0)
   const Real h = rate.y * L.z * L.x;
   const Real g = L2.y * (A.z * L2.x + A.x * L2.z);
-  const Real eta =
-      (Real(2) * L.x * L.y * L.z * SE + X * ((h + g) + lambda * X * (h - g))) /
-      (denominator * denominator);
+  const Real eta = (Real(2) * L.x * L.y * L.z * SE + X * ((h + g) + lambda * X * (h - g))) /
+                   (denominator * denominator);
   const Vec3<Real> M2{L2.x + A.x * eta, L2.y + A.y * eta, L2.z + A.z * eta};
 
   // The angle: terms d_n of order X^(n+1).
@@ -155,8 +154,8 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
   };
   const Vec3<Real> m{X * i.x * M2.x, X * i.y * M2.y, X * i.z * M2.z};
   const auto K1 = coefficients(m.x, m.y, m.z);
-  const auto K2 = coefficients(i.x * m.x + c.x * X * M2.x, Real(2) * i.y * m.y,
-                               i.z * m.z + c.z * X * M2.z);
+  const auto K2 =
+      coefficients(i.x * m.x + c.x * X * M2.x, Real(2) * i.y * m.y, i.z * m.z + c.z * X * M2.z);
   const auto K3 = coefficients(c.x * m.x, c.y * m.y, c.z * m.z);
   const Real c1 = sum + yX, c2 = PQX + yX * sum, c3 = PQX * yX;
 
@@ -207,15 +206,16 @@ Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real
   while (beyond(t, long_series.radius)) {
     Real part = Real(0.5f) * t;
     while (beyond(part, long_series.radius)) part = Real(0.5f) * part;
-    const Quaternion<Real> step = normalized(unnormalised_rotation<long_series>(inverse_J, L, part));
+    const Quaternion<Real> step =
+        normalized(unnormalised_rotation<long_series>(inverse_J, L, part));
     r = turned ? r * step : step;
     turned = true;
     L = to_body(step, L);
     t = t - part;
   }
-  const Quaternion<Real> last =
-      beyond(t, short_series.radius) ? unnormalised_rotation<long_series>(inverse_J, L, t)
-                                     : unnormalised_rotation<short_series>(inverse_J, L, t);
+  const Quaternion<Real> last = beyond(t, short_series.radius)
+                                    ? unnormalised_rotation<long_series>(inverse_J, L, t)
+                                    : unnormalised_rotation<short_series>(inverse_J, L, t);
   return turned ? r * last : last;
 }
 
