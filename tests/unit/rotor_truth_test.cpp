@@ -31,7 +31,10 @@ std::vector<TruthRow> truth_rows(const std::string& file) {
   const auto split = [](const std::string& line) {
     std::vector<std::string> cells;
     std::stringstream stream(line);
-    for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+    for (std::string cell; std::getline(stream, cell, ',');) {
+      if (!cell.empty() && cell.back() == '\r') cell.pop_back();  // the table came from elsewhere
+      cells.push_back(cell);
+    }
     return cells;
   };
   std::string line;

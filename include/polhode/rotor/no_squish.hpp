@@ -3,7 +3,7 @@
 // only.
 #pragma once
 
-#include <array>
+#include <cmath>
 
 #include "polhode/rotor/scaled_top.hpp"
 
@@ -19,15 +19,20 @@ struct SineCosine {
 template <class Real>
 SineCosine<Real> small_sine_cosine(Real x) {
   const Real x2 = x * x;
-  const auto sum = [&](const auto& divisors) {  // nested, 1 − x²/d₀ (1 − x²/d₁ (...))
-    Real s(1);
-    for (std::size_t k = divisors.size(); k-- > 0;)
-      s = Real(1) - x2 * constant<Real>(1 / divisors[k]) * s;
-    return s;
-  };
-  constexpr std::array sine{2.0 * 3, 4.0 * 5, 6.0 * 7, 8.0 * 9, 10.0 * 11};
-  constexpr std::array cosine{1.0 * 2, 3.0 * 4, 5.0 * 6, 7.0 * 8, 9.0 * 10, 11.0 * 12};
-  return {x * sum(sine), sum(cosine)};
+  const auto c = [](double divisor) { return constant<Real>(1 / divisor); };
+  const Real one(1);
+  const Real sine =
+      one - x2 * c(2 * 3) *
+                (one - x2 * c(4 * 5) *
+                           (one - x2 * c(6 * 7) * (one - x2 * c(8 * 9) * (one - x2 * c(10 * 11)))));
+  const Real cosine =
+      one -
+      x2 * c(1 * 2) *
+          (one - x2 * c(3 * 4) *
+                     (one - x2 * c(5 * 6) *
+                                (one - x2 * c(7 * 8) *
+                                           (one - x2 * c(9 * 10) * (one - x2 * c(11 * 12))))));
+  return {x * sine, cosine};
 }
 
 /// The free rotation of quaternion q and its conjugate momentum p = 2 q (0, L) over a step t:
@@ -38,25 +43,27 @@ SineCosine<Real> small_sine_cosine(Real x) {
 template <class Real, class Function>
 void no_squish_step(Quaternion<Real>& q, Quaternion<Real>& p, const Vec3<Real>& inverse_J, Real t,
                     const Function& sine_cosine) {
-  // P_k q, the permutations of miller2002: q (0, e_k)
-  const auto permuted = [](const Quaternion<Real>& a, std::size_t k) -> Quaternion<Real> {
-    if (k == 0) return {-a.x, a.w, a.z, -a.y};
-    if (k == 1) return {-a.y, -a.z, a.w, a.x};
-    return {-a.z, a.y, -a.x, a.w};
-  };
-  constexpr std::array<std::size_t, 5> axes{2, 1, 0, 1, 2};
-  for (const std::size_t k : axes) {
-    const Quaternion<Real> Pq = permuted(q, k), Pp = permuted(p, k);
+  // P_k a = a (0, e_k), the permutations of miller2002
+  const auto Px = [](const Quaternion<Real>& a) { return Quaternion<Real>{-a.x, a.w, a.z, -a.y}; };
+  const auto Py = [](const Quaternion<Real>& a) { return Quaternion<Real>{-a.y, -a.z, a.w, a.x}; };
+  const auto Pz = [](const Quaternion<Real>& a) { return Quaternion<Real>{-a.z, a.y, -a.x, a.w}; };
+  const auto turn = [&](const auto& permuted, Real quarter_time_over_J) {
+    const Quaternion<Real> Pq = permuted(q), Pp = permuted(p);
     const Real along = p.w * Pq.w + p.x * Pq.x + p.y * Pq.y + p.z * Pq.z;  // 2 L_k
-    const Real time = k == 0 ? t : Real(0.5f) * t;
-    const SineCosine<Real> f = sine_cosine(Real(0.25f) * inverse_J[k] * along * time);
+    const SineCosine<Real> f = sine_cosine(quarter_time_over_J * along);
     const auto turned = [&](const Quaternion<Real>& a, const Quaternion<Real>& Pa) {
       return Quaternion<Real>{f.cosine * a.w + f.sine * Pa.w, f.cosine * a.x + f.sine * Pa.x,
                               f.cosine * a.y + f.sine * Pa.y, f.cosine * a.z + f.sine * Pa.z};
     };
     q = turned(q, Pq);
     p = turned(p, Pp);
-  }
+  };
+  const Vec3<Real> half = inverse_J * (Real(0.125f) * t);
+  turn(Pz, half.z);
+  turn(Py, half.y);
+  turn(Px, Real(2) * half.x);
+  turn(Py, half.y);
+  turn(Pz, half.z);
 }
 
 /// The rotation of one NO_SQUISH step; the same map as symmetric_product_rotation, in quaternions.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
 #include "polhode/base/quaternion.hpp"
 
@@ -69,12 +70,13 @@ Real triangle(Real x, Real y, Real z) {
   return large * (x - small) + x * small;
 }
 
-template <class Real>
-constexpr Real reciprocal(std::size_t n) {
-  if constexpr (std::is_floating_point_v<Real>)
-    return Real(1) / static_cast<Real>(n);
-  else
-    return constant<Real>(1.0 / static_cast<double>(n));
+/// f(0), f(1), ... f(count - 1) with constants as arguments.
+template <std::size_t count, class Function>
+constexpr void unrolled(const Function& f) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (f(std::integral_constant<std::size_t, k>{}), ...);
+  }
+  (std::make_index_sequence<count>{});
 }
 
 }  // namespace series
@@ -159,29 +161,40 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
   const auto K3 = coefficients(c.x * m.x, c.y * m.y, c.z * m.z);
   const Real c1 = sum + yX, c2 = PQX + yX * sum, c3 = PQX * yX;
 
-  std::array<Real, order.angle> d, squares;  // squares[n] = sum of d_a d_b with a + b = n
+  // (2n+3) d_n = ((2n+1) c1 + K2_0) d_(n-1) + ... The newest terms enter last and the division by
+  // 2n+3 is drawn into their coefficients: the chain from term to term is two operations long.
+  std::array<Real, order.angle> d;
   Real angle(0);
-#pragma GCC unroll 16
-  for (std::size_t n = 0; n < order.angle; ++n) {
-    const auto number = [](std::size_t k) { return constant<Real>(static_cast<double>(k)); };
-    Real e = n < 3 ? K3[n] : Real(0);
-    if (n >= 1) e = e + (c1 * number(2 * n + 1) + K2[0]) * d[n - 1];
-    if (n >= 2) e = e + (K2[1] - c2 * number(2 * n - 1)) * d[n - 2];
-    if (n >= 3) e = e + (c3 * number(2 * n - 3) + K2[2]) * d[n - 3];
-    if (n >= 2) {
-      const std::size_t k = n - 2;
-      Real pairs(0);
-#pragma GCC unroll 8
-      for (std::size_t a = 0; 2 * a < k; ++a) pairs = pairs + d[a] * d[k - a];
-      squares[k] = pairs + pairs;
-      if (k % 2 == 0) squares[k] = squares[k] + d[k / 2] * d[k / 2];
+  series::unrolled<order.angle>([&](auto count) {
+    constexpr std::size_t n = count;
+    constexpr auto number = [](std::size_t k) { return constant<Real>(static_cast<double>(k)); };
+    const Real divided = Real(1) / number(2 * n + 3);
+    Real e(0);
+    if constexpr (n < 3) e = K3[n];
+    // K1 times the squares d_a d_b, a + b = n - 2 - j, without those of d_(n-2)
+    series::unrolled<3>([&](auto power) {
+      constexpr std::size_t j = power, first = j == 0 ? 1 : 0;
+      if constexpr (n >= 2 + j + 2 * first) {
+        constexpr std::size_t k = n - 2 - j;
+        Real pairs(0);
+        series::unrolled<(k + 1) / 2 - first>([&](auto a) {
+          constexpr std::size_t b = a + first;
+          pairs = pairs + d[b] * d[k - b];
+        });
+        pairs = pairs + pairs;
+        if constexpr (k % 2 == 0) pairs = pairs + d[k / 2] * d[k / 2];
+        e = e + K1[j] * pairs;
+      }
+    });
+    if constexpr (n >= 3) e = e + (c3 * number(2 * n - 3) + K2[2]) * d[n - 3];
+    if constexpr (n >= 2) {
+      const Real twice_d0 = n == 2 ? d[0] : d[0] + d[0];  // d_0 d_0 occurs once
+      e = e + (K2[1] - c2 * number(2 * n - 1) + K1[0] * twice_d0) * d[n - 2];
     }
-#pragma GCC unroll 3
-    for (std::size_t j = 0; j < 3; ++j)
-      if (n >= 2 + j) e = e + K1[j] * squares[n - 2 - j];
-    d[n] = e * series::reciprocal<Real>(2 * n + 3);
+    d[n] = e * divided;
+    if constexpr (n >= 1) d[n] = d[n] + ((c1 * number(2 * n + 1) + K2[0]) * divided) * d[n - 1];
     angle = angle + d[n];
-  }
+  });
 
   const Real C2 = Real(1) - QX, D2 = Real(1) - PX;
   return {denominator * E, S * (L.x * C2 + rate.x * SE) * (i.x + angle),
@@ -201,22 +214,25 @@ Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real
     const Vec3<Real> angle = scaled(inverse_J, L) * time;
     return any(norm2(angle) > constant<Real>(radius * radius));
   };
-  Quaternion<Real> r{Real(1), Real(0), Real(0), Real(0)};
-  bool turned = false;
-  while (beyond(t, long_series.radius)) {
-    Real part = Real(0.5f) * t;
-    while (beyond(part, long_series.radius)) part = Real(0.5f) * part;
-    const Quaternion<Real> step =
-        normalized(unnormalised_rotation<long_series>(inverse_J, L, part));
-    r = turned ? r * step : step;
-    turned = true;
+  Quaternion<Real> turned{Real(1), Real(0), Real(0), Real(0)};
+  bool first = true;
+  const auto then = [&](const Quaternion<Real>& r) { return first ? r : turned * r; };
+  while (beyond(t, short_series.radius)) {
+    Real part = t;
+    bool last = true;
+    while (beyond(part, long_series.radius)) {
+      part = Real(0.5f) * part;
+      last = false;
+    }
+    const Quaternion<Real> r = unnormalised_rotation<long_series>(inverse_J, L, part);
+    if (last) return then(r);
+    const Quaternion<Real> step = normalized(r);
+    turned = then(step);
+    first = false;
     L = to_body(step, L);
     t = t - part;
   }
-  const Quaternion<Real> last = beyond(t, short_series.radius)
-                                    ? unnormalised_rotation<long_series>(inverse_J, L, t)
-                                    : unnormalised_rotation<short_series>(inverse_J, L, t);
-  return turned ? r * last : last;
+  return then(unnormalised_rotation<short_series>(inverse_J, L, t));
 }
 
 }  // namespace polhode
