@@ -34,7 +34,7 @@ inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<
       m.x <= (m.y + m.z) * slack && m.y <= (m.z + m.x) * slack && m.z <= (m.x + m.y) * slack;
   if (!physical || !(radius <= long_series.radius)) return closed_rotation(J, L, t);
   const Quaternion<double> r = normalized(unnormalised_rotation<long_series>(i, top.L, top.t));
-  return {r, top.in_units_of_caller(to_body(r, top.L))};
+  return {r, top.in_units_of_caller(carried(r, top.L))};
 }
 
 /// How a free rigid body turns: attitude(t) = attitude(0) * rotation, and its L(t).

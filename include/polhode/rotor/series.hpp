@@ -202,6 +202,15 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
           S * (L.z * D2 + rate.z * SE) * (i.z + angle)};
 }
 
+/// L in the body frame after the rotation r: L - 2 w n x L + 2 n x (n x L). Unlike a product with
+/// the matrix of r, this keeps |L| to a rounding of the small change: |r| is off by a rounding that
+/// repeats itself when the body spins steadily, and would add up step by step.
+template <class Real>
+Vec3<Real> carried(const Quaternion<Real>& r, const Vec3<Real>& L) {
+  const Vec3<Real> n = r.vector(), c = cross(n, L);
+  return L + Real(2) * (cross(n, c) - r.w * c);
+}
+
 /// Free rotation over a step of any size, for numbers and packs: one series within its radius, else
 /// as many equal ones as the fastest lane needs; all lanes are treated alike.
 ///
@@ -229,7 +238,7 @@ Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real
     const Quaternion<Real> step = normalized(r);
     turned = then(step);
     first = false;
-    L = to_body(step, L);
+    L = carried(step, L);
     t = t - part;
   }
   return then(unnormalised_rotation<short_series>(inverse_J, L, t));
