@@ -273,7 +273,7 @@ int top(const TopOptions& options) {
 
 }  // namespace
 
-Action declare_top(CLI::App& app) {
+Action top_verb(CLI::App& app) {
   auto options = std::make_shared<TopOptions>();
   app.add_option("--J", options->J, "principal moments, for example 1,2,3; any consistent units")
       ->delimiter(',');

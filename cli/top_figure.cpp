@@ -110,7 +110,7 @@ std::string data_text(const Vec3<double>& J, const Vec3<double>& L, double twice
   const auto point = [&](const Vec3<double>& w) {
     text += fmt::format("{:.7g} {:.7g} {:.7g}\n", w.x, w.y, w.z);
   };
-  constexpr int rings = 72, sectors = 144;
+  constexpr int rings = 64, sectors = 128;
   for (int i = 0; i <= rings; ++i) {
     const double a = pi * i / rings;
     for (int j = 0; j <= sectors; ++j) {
@@ -171,7 +171,8 @@ std::string script_text(const TopFigure& figure, const Vec3<double>& J, const Ve
   const double reach = 1.22 * longest;
   std::string text = fmt::format(
       R"(# Drawn by: gnuplot {}
-set view {}, {}, 1.45
+set view {}, {}, 1.72
+set origin 0,-0.03
 set view equal xyz
 unset border
 unset xtics
@@ -179,46 +180,57 @@ unset ytics
 unset ztics
 unset key
 unset colorbox
+set cbrange [-1:1]
 set xyplane at {:.6g}
 set xrange [{:.6g}:{:.6g}]
 set yrange [{:.6g}:{:.6g}]
 set zrange [{:.6g}:{:.6g}]
-set pm3d depthorder lighting primary 0.45 specular 0.12
+set pm3d depthorder lighting primary 0.28 specular 0.1
+set lmargin 0
+set rmargin 0
+set bmargin 0
+set tmargin 0
 set palette defined (0 '#e9eef5', 1 '#cfdbe8')
 )",
       figure.script, tilt, turn, -reach, -reach, reach, -reach, reach, -reach, reach);
+  std::string marks;  // axes and title, drawn with the lines
   const std::array<const char*, 3> names{"1", "2", "3"};
   for (std::size_t k = 0; k < 3; ++k) {
     Vec3<double> from, to, label;
     from[k] = std::sqrt(twice_E / J[k]);
     to[k] = from[k] + 0.24 * longest;
     label[k] = to[k] + 0.09 * longest;
-    text += fmt::format(
+    marks += fmt::format(
         "set arrow from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g} head filled size screen "
         "0.012,18 lc rgb '#555555' lw 1.2 front\n"
         "set label '{{/:Italic ω}}_{}' at {:.6g},{:.6g},{:.6g} center front tc rgb '#333333'\n",
         from.x, from.y, from.z, to.x, to.y, to.z, names[k], label.x, label.y, label.z);
   }
   const std::string data = quoted(figure.data);
-  text += fmt::format(
-      "set title \"{{/:Italic J}} = ({:.5g}, {:.5g}, {:.5g})   {{/:Italic L}} = ({:.5g}, {:.5g}, "
-      "{:.5g})   {{/:Italic L}}²/2{{/:Italic E}} = {:.5g}\" offset 0,-1 tc rgb '#333333'\n",
+  marks += fmt::format(
+      "set label \"{{/:Italic J}} = ({:.5g}, {:.5g}, {:.5g})   {{/:Italic L}} = ({:.5g}, {:.5g}, "
+      "{:.5g})   {{/:Italic L}}²/2{{/:Italic E}} = {:.5g}\" at screen 0.5,0.955 center tc rgb "
+      "'#333333'\n",
       J.x, J.y, J.z, L.x, L.y, L.z, norm2(L) / twice_E);
+  // Lines are drawn after the surface, which would cover them in a plot of its own order.
   const std::string plot = fmt::format(
-      "splot {0} index 0 using 1:2:3:(0) with pm3d, \\\n"
-      "      {0} index 2 with lines lc rgb '#7a92ad' lw 1.1, \\\n"
-      "      {0} index 4 with lines lc rgb '#c8352b' lw 3.6, \\\n"
-      "      {0} index 5 with points pt 7 ps 1.3 lc rgb '#c8352b'\n",
-      data);
-  text += fmt::format(
-      "set terminal svg size 900,820 enhanced font 'Helvetica,17' background '#ffffff'\nset output "
-      "{}\n{}",
-      quoted(figure.svg), plot);
-  text += fmt::format(
-      "set terminal pngcairo size 1800,1640 enhanced font 'Helvetica,17' fontscale 2 linewidth "
-      "2\nset output {}\nreplot\n",
-      quoted(figure.png));
-  return text;
+      "set multiplot\n"
+      "splot {0} index 0 using 1:2:3:(0) with pm3d\n"
+      "{1}"
+      "splot {0} index 2 with lines lc rgb '#6f8aa8' lw 1.1, \\\n"
+      "      {0} index 4 with lines lc rgb '#c8352b' lw 3.4, \\\n"
+      "      {0} index 5 with points pt 7 ps 2 lc rgb '#8e1f18'\n"
+      "unset multiplot\nunset label\nunset arrow\n",
+      data, marks);
+  return text +
+         fmt::format(
+             "set terminal svg size 900,820 enhanced font 'Helvetica,17' background '#ffffff'\n"
+             "set output {}\n{}",
+             quoted(figure.svg), plot) +
+         fmt::format(
+             "set terminal pngcairo size 1800,1640 enhanced font 'Helvetica,17' fontscale 2 "
+             "linewidth 2\nset output {}\n{}",
+             quoted(figure.png), plot);
 }
 
 void write_file(const std::string& name, const std::string& text) {

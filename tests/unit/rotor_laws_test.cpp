@@ -179,7 +179,8 @@ TEST_CASE("a million steps leave no linear growth in norm or energy") {
     const double walk = 6 * 2 * epsilon * std::sqrt(steps);
     const double lever = norm2(ell) * (1 / J.x - 1 / J.z) / E;
     CHECK(worst_q <= 8 * epsilon);
-    CHECK(std::abs(energy(J, to_body(attitude, ell)) / E - 1) <= lever * walk);
+    // and twice the rounding of |q|², which E carries
+    CHECK(std::abs(energy(J, to_body(attitude, ell)) / E - 1) <= lever * walk + 16 * epsilon);
     CHECK(std::abs(norm(free_L) / norm(ell) - 1) <= walk);
     CHECK(std::abs(energy(J, free_L) / E - 1) <= (lever + 2) * walk);
   }
