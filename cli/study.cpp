@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -69,6 +69,8 @@ int study(const Options& o) {
   const StudyFiles files(o.output);
   const Provenance provenance{POLHODE_VERSION, "polhode study", study_identity(config),
                               name(current_target()), config.system.seed};
+  if (!std::filesystem::exists(files.runs))  // else they are this study's own, made before
+    for (const std::string& file : files.results()) refuse_existing(file, o.force);
   StudyRecord record(files.runs, provenance, o.force);
   std::vector<StudyRun> runs = record.known();
   fmt::print(stderr,

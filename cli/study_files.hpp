@@ -22,6 +22,7 @@ struct StudyFiles {
         json(prefix + ".json"),
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
+  std::vector<std::string> results() const { return {points, json, svg, png}; }
 };
 
 /// Everything that decides what a run of a study is, as text: a record of another one is not
