@@ -55,11 +55,11 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
   std::size_t most = 0;
   for (const auto& part : topology.parts) {
     sites_.emplace_back();
-    for (const Site& site : interacting_sites(part.molecule)) sites_.back().push_back(site.r);
+    for (const Site& site : Arms(part.molecule).sites) sites_.back().push_back(site.r);
     most = std::max(most, sites_.back().size());
     first_.push_back(first_.back() + part.count);
   }
-  arms_.assign(most, Vec3Column(topology.size()));
+  arms_ = ArmRecords(topology.size(), most);
 }
 
 void ForceField::operator()(const State& state, Load& load) {
@@ -68,12 +68,12 @@ void ForceField::operator()(const State& state, Load& load) {
   clear(load, state.size());
   const std::size_t parts = topology_.parts.size();
   for (std::size_t part = 0; part < parts; ++part) POLHODE_CURRENT_LOOPS(site_arms)
-  (state.attitude, sites_[part], first_[part], first_[part + 1], arms_.data());
-  buffer_.reserve(list_.longest_row());
+  (state.attitude, sites_[part], first_[part], first_[part + 1], arms_);
+  buffer_.reserve(list_.longest_row(), arms_.stride / 3);
   for (std::size_t a = 0; a < parts; ++a)
     for (std::size_t b = a; b < parts; ++b) {
       const double reach = list_.reach(a, b);
-      const PairJob job{tables_(a, b), laws_,         list_, arms_.data(), shifts_.data(),
+      const PairJob job{tables_(a, b), laws_,         list_, arms_,        shifts_.data(),
                         first_[a],     first_[a + 1], b,     reach * reach};
       POLHODE_CURRENT_LOOPS(pair_forces)(job, buffer_, load);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/pair_table.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "polhode/base/error.hpp"
@@ -8,30 +10,30 @@
 
 namespace polhode {
 
-std::vector<Site> interacting_sites(const Molecule& molecule) {
-  std::vector<Site> sites;
+Arms::Arms(const Molecule& molecule) {
   for (const Site& site : molecule.sites)
-    if (site.charge != 0 || site.epsilon != 0) sites.push_back(site);
-  if (sites.size() > most_sites)
-    throw Error("molecule '" + molecule.name + "' has " + std::to_string(sites.size()) +
-                " interacting sites; at most " + std::to_string(most_sites) +
-                " fit the pair loops, so join sites or split the molecule");
-  return sites;
+    if (site.charge != 0) sites.push_back(site);
+  charged = sites.size();
+  for (const Site& site : molecule.sites)
+    if (site.epsilon != 0) sites.push_back(site);
+  if (sites.size() > most_arms)
+    throw Error(
+        fmt::format("molecule '{}' has {} charged and {} Lennard-Jones sites; at most {} together "
+                    "fit the pair loops, so join sites or split the molecule",
+                    molecule.name, charged, dispersive(), most_arms));
 }
 
 PairTable::PairTable(const Molecule& first, const Molecule& second) {
-  const std::vector<Site> as = interacting_sites(first), bs = interacting_sites(second);
-  sites_a = as.size();
-  sites_b = bs.size();
-  of_b.resize(sites_b);
-  for (std::size_t b = 0; b < sites_b; ++b)
-    for (std::size_t a = 0; a < sites_a; ++a) {
-      const double charges = units::coulomb * as[a].charge * bs[b].charge;
-      const double epsilon = std::sqrt(as[a].epsilon * bs[b].epsilon);
-      const auto lj = LennardJones::of((as[a].sigma + bs[b].sigma) / 2, epsilon);
-      if (charges != 0 || epsilon != 0)
-        of_b[b].push_back({a, charges, lj, charges != 0, epsilon != 0});
-    }
+  const Arms a(first), b(second);
+  charged_a = a.charged, charged_b = b.charged;
+  dispersive_a = a.dispersive(), dispersive_b = b.dispersive();
+  for (std::size_t k = 0; k < charged_b; ++k)
+    for (std::size_t i = 0; i < charged_a; ++i)
+      charges.push_back(units::coulomb * a.sites[i].charge * b.sites[k].charge);
+  for (std::size_t k = charged_b; k < b.sites.size(); ++k)
+    for (std::size_t i = charged_a; i < a.sites.size(); ++i)
+      lennard_jones.push_back(LennardJones::of((a.sites[i].sigma + b.sites[k].sigma) / 2,
+                                               std::sqrt(a.sites[i].epsilon * b.sites[k].epsilon)));
 }
 
 PairTables::PairTables(const Topology& topology) : parts_(topology.parts.size()) {

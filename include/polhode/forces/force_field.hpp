@@ -39,9 +39,9 @@ class ForceField {
   PairTables tables_;
   PairLaws laws_;
   NeighbourList list_;
-  std::vector<std::vector<Vec3<double>>> sites_;  // per part, interacting sites, body frame
+  std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of Arms, body frame
   std::vector<std::size_t> first_;                // first body of each part, and the end
-  std::vector<Vec3Column> arms_;                  // per site number: lab frame, of every body
+  ArmRecords arms_;
   std::vector<Vec3<double>> shifts_;
   PartnerBuffer buffer_;
   std::uint64_t evaluations_ = 0;

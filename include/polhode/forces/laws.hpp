@@ -67,37 +67,39 @@ class Switch {
   };
 
   Switch(double from, double to, int smoothness)
-      : from_(from), inverse_width_(1 / (to - from)), a_(coefficients(smoothness)) {}
+      : from_(from), inverse_width_(1 / (to - from)), n_(smoothness), inner_(inner(smoothness)) {}
 
   template <class Real>
   Value<Real> operator()(Real r) const {
     Real x = (r - Real(from_)) * Real(inverse_width_);
     x = select(x < Real(0.0), Real(0.0), x);
     x = select(x > Real(1.0), Real(1.0), x);
-    Real w(a_[7]), slope(7 * a_[7]);
-    for (int n = 6; n >= 1; --n) {
-      w = w * x + Real(a_[static_cast<unsigned>(n)]);
-      slope = slope * x + Real(n * a_[static_cast<unsigned>(n)]);
+    Real p(inner_[3]), power = x;
+    for (std::size_t k = 3; k-- > 0;) p = p * x + Real(inner_[k]);
+    const Real bump = x * (Real(1.0) - x);
+    Real slope = Real(slope_factor() * inverse_width_);
+    for (int k = 0; k < n_; ++k) {
+      power = power * x;
+      slope = slope * bump;
     }
-    return {w * x + Real(1.0), slope * Real(inverse_width_)};
+    return {Real(1.0) - power * p, slope};
   }
 
  private:
-  using Coefficients = std::array<double, 8>;  // of 1, x, ..., x⁷: integers, so w(1) = 0 exactly
-
-  static constexpr Coefficients coefficients(int smoothness) {
-    switch (smoothness) {
-      case 1:
-        return {1, 0, -3, 2};
-      case 2:
-        return {1, 0, 0, -10, 15, -6};
-      default:
-        return {1, 0, 0, 0, -35, 84, -70, 20};
+  // w = 1 − xⁿ⁺¹ p(x), with whole coefficients and p(1) = 1, so that w(1) = 0 exactly;
+  // w' = −c xⁿ (1 − x)ⁿ.
+  static constexpr std::array<double, 4> inner(int n) {
+    switch (n) {
+      case 1: return {3, -2};
+      case 2: return {10, -15, 6};
+      default: return {35, -84, 70, -20};
     }
   }
+  double slope_factor() const { return n_ == 1 ? -6 : n_ == 2 ? -30 : -140; }
 
   double from_, inverse_width_;
-  Coefficients a_;
+  int n_;
+  std::array<double, 4> inner_;
 };
 
 /// All that two sites need to know of the force field beside their own parameters.
@@ -105,16 +107,13 @@ struct PairLaws {
   Truncation truncation;
   ReactionField reaction_field;
   Switch switching;
-  double from2, cutoff2;  ///< squares of where the switch begins and ends [nm²]
 
   explicit PairLaws(const ForceSettings& settings)
       : truncation(settings.truncation),
         reaction_field(settings.truncation == Truncation::reaction_field
                            ? ReactionField::of(settings.dielectric, settings.cutoff)
                            : ReactionField{}),
-        switching(settings.switch_from, settings.cutoff, settings.smoothness),
-        from2(settings.switch_from * settings.switch_from),
-        cutoff2(settings.cutoff * settings.cutoff) {}
+        switching(settings.switch_from, settings.cutoff, settings.smoothness) {}
 };
 
 }  // namespace polhode

@@ -10,34 +10,51 @@
 
 namespace polhode {
 
+/// The arms of all bodies, lab frame, one record a body: a partner's arms lie side by side.
+struct ArmRecords {
+  std::size_t stride = 0;  ///< doubles a body
+  Column<double> values;   ///< x, y, z of arm 0, of arm 1, ... [nm]
+
+  ArmRecords() = default;
+  ArmRecords(std::size_t bodies, std::size_t most)
+      : stride(3 * most), values(bodies * stride + pack_bytes) {}
+  const double* of(std::size_t body) const { return &values[body * stride]; }
+  double* of(std::size_t body) { return &values[body * stride]; }
+};
+
 /// Bodies first ≤ i < end of one molecule type with all partners of another.
 struct PairJob {
   const PairTable& table;
   const PairLaws& laws;
   const NeighbourList& list;
-  const Vec3Column* arms;            ///< per site number
+  const ArmRecords& arms;
   const Vec3<double>* image_shifts;  ///< [nm]
   std::size_t first, end, partner_part;
   double
       range2;  ///< the square of the longest distance of centres at which the pair interacts [nm²]
 };
 
-/// Scratch space for the partners of one body.
+/// Scratch space for the partners of one body that are in range: columns of `capacity` numbers.
 struct PartnerBuffer {
-  Column<std::int64_t> body;
-  Vec3Column R;  ///< from the body to each partner [nm]
+  std::size_t capacity = 0, columns = 0;
+  std::vector<std::uint32_t> body;
+  Column<double> values;  ///< x, y, z of the centre relative to the body's, then of each arm [nm]
 
-  void reserve(std::size_t partners) {
-    if (body.size() > partners) return;
-    body = Column<std::int64_t>(partners + pack_bytes);
-    R = Vec3Column(partners + pack_bytes);
+  void reserve(std::size_t partners, std::size_t arms) {
+    if (capacity >= partners + pack_bytes && columns >= 3 * arms + 3) return;
+    capacity = Column<double>::padded(partners + partners / 4 + pack_bytes);
+    columns = 3 * arms + 3;
+    body.assign(capacity, 0);
+    values = Column<double>(capacity * columns);
   }
+  double* column(std::size_t k) { return &values[k * capacity]; }
+  const double* column(std::size_t k) const { return &values[k * capacity]; }
 };
 
 POLHODE_DECLARE_LOOPS(
     /// Sites from the body frame to the lab, for bodies first ≤ i < end: arm = Sᵀ r.
     void site_arms(const QuaternionColumn& attitude, const std::vector<Vec3<double>>& sites,
-                   std::size_t first, std::size_t end, Vec3Column* arms);
+                   std::size_t first, std::size_t end, ArmRecords& arms);
     /// Adds the forces, torques and energies of a job's pairs to the load.
     void pair_forces(const PairJob& job, PartnerBuffer& buffer, Load& load);)
 

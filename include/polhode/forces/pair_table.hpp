@@ -9,26 +9,31 @@
 
 namespace polhode {
 
-/// The most interacting sites that one molecule may have: the pair loops keep them on the stack.
-inline constexpr std::size_t most_sites = 128;
+/// The most arms that one molecule may have: the pair loops keep them on the stack.
+inline constexpr std::size_t most_arms = 128;
 
-/// The sites of a molecule that interact, in the order of the molecule.
-std::vector<Site> interacting_sites(const Molecule& molecule);
+/// The interacting sites of a molecule as the pair loops take them: first all that carry charge,
+/// then all with Lennard-Jones; a site with both stands in both groups.
+struct Arms {
+  std::vector<Site> sites;
+  std::size_t charged = 0;  ///< the first so many
+  std::size_t dispersive() const { return sites.size() - charged; }
 
-/// The interacting pairs of sites of two molecule types, for each site b of the second those a of
-/// the first.
+  /// @throws Error  if there are more than most_arms
+  explicit Arms(const Molecule& molecule);
+};
+
+/// The strengths of all pairs of a charged site of one molecule type with one of another, and of a
+/// Lennard-Jones site with another: dense tables, the index of the first molecule's site running
+/// faster.
 struct PairTable {
-  struct Term {
-    std::size_t a = 0;
-    double charges = 0;  ///< K q_a q_b [kJ/mol nm]
-    LennardJones lennard_jones;
-    bool charged = false, dispersive = false;
-  };
-  std::size_t sites_a = 0, sites_b = 0;
-  std::vector<std::vector<Term>> of_b;
+  std::size_t charged_a = 0, charged_b = 0, dispersive_a = 0, dispersive_b = 0;
+  std::vector<double> charges;              ///< K q_a q_b [kJ/mol nm]
+  std::vector<LennardJones> lennard_jones;  ///< Lorentz-Berthelot: σ arithmetic, ε geometric mean
 
-  /// Lorentz-Berthelot mixing: σ by arithmetic, ε by geometric mean.
   PairTable(const Molecule& first, const Molecule& second);
+  std::size_t arms_a() const { return charged_a + dispersive_a; }
+  std::size_t arms_b() const { return charged_b + dispersive_b; }
 };
 
 /// The tables of all pairs of molecule types of a topology.

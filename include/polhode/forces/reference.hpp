@@ -33,7 +33,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   const PairTables tables(topology);
   const Bodies bodies(topology);
   std::vector<std::vector<Site>> sites;
-  for (const auto& part : topology.parts) sites.push_back(interacting_sites(part.molecule));
+  for (const auto& part : topology.parts) sites.push_back(Arms(part.molecule).sites);
 
   std::vector<std::vector<Vec3<Real>>> arms(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -61,8 +61,8 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
         const Vec3<Real> shift{Real(image % 3 - 1), Real(image / 3 % 3 - 1), Real(image / 9 - 1)};
         const Vec3<Real> R = R0 + scaled(shift, edge);
         if (norm2(R) > Real(reach * reach)) continue;
-        const PairLoad<Real> pair =
-            molecule_pair<truncation, Real>(table, laws, R, arms[i].data(), arms[j].data());
+        const PairLoad<Real> pair = molecule_pair<truncation, AnyShape>(
+            table, laws, R, arms[i].data(), [&](std::size_t k) { return arms[j][k]; });
         load.f[i] -= pair.f;
         load.f[j] += pair.f;
         load.tau[i] += pair.tau_a;
