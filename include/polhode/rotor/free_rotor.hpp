@@ -67,7 +67,7 @@ class PrecessionAngle {
 ///           of the result, in ε, when each input changes by one ε: about 4.6 |ω t| for a
 ///           well-behaved top, exponential in p t near the separatrix. All scales of units give the
 ///           same digits.
-/// @source   jacobi1850; vanzon2007a with Carlson's R_J in place of the theta functions;
+/// @source   jacobi1849; vanzon2007a with Carlson's R_J in place of the theta functions;
 ///           tests/unit/rotor_truth_test.cpp
 inline FreeRotation closed_rotation(const Vec3<double>& J, const Vec3<double>& L, double t) {
   const ScaledTop top(J, L, t);

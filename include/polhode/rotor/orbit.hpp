@@ -13,7 +13,7 @@ namespace polhode {
 
 /// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t: z is the axis that L circles,
 /// y that of the middle moment, x the third. The amplitudes carry the signs, so that neither the
-/// axes need to be right-handed nor the moments ascending (jacobi1850; vanzon2007a, Sec. 3, where
+/// axes need to be right-handed nor the moments ascending (jacobi1849; vanzon2007a, Sec. 3, where
 /// amplitudes are positive).
 ///
 /// Every invariant is a sum of terms of one sign, formed from the components; 2E J − L² never

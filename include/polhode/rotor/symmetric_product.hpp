@@ -13,7 +13,7 @@ namespace polhode {
 /// turn about body axis k. The error of the attitude is O(t³) a step.
 ///
 /// @param J, L, t  as for closed_rotation
-/// @source dullweber1997; the factors also in reich1996
+/// @source dullweber1997
 inline FreeRotation symmetric_product_rotation(const Vec3<double>& J, const Vec3<double>& L,
                                                double t) {
   const ScaledTop top(J, L, t);
