@@ -27,6 +27,7 @@ const std::vector<Verb> verbs = {
     {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
     {"molecules", "list the molecule models, or show one", molecules_verb},
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
+    {"top", "one free top, exact against NO_SQUISH, or a table of tops", top_verb},
     {"verify", "measure the order of a scheme", verify_verb},
 };
 

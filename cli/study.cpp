@@ -36,7 +36,7 @@ void make_quick(StudySettings& study) {
   study.runs = 4;
   study.length = 8;
   study.decorrelate = 2;
-  study.steps = {0.002, 0.003, 0.004, 0.005, 0.006};
+  study.coarse = true;
 }
 
 Config configured(const Options& o) {

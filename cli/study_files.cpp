@@ -93,24 +93,26 @@ std::vector<Claim> claims_of(const std::vector<Curve>& curves) {
   }
   claims.push_back(crossing);
 
-  // The largest R of each scheme without significant drift; the next point marks how coarse that
-  // is.
+  // The largest R of each scheme without significant drift; for the optimized schemes the end must
+  // have been seen.
   const auto largest = [](const Curve& c) {
     return c.usable == 0 ? 0.0 : c.points[c.usable - 1].ratio.value;
   };
+  const auto end_seen = [](const Curve& c) { return c.usable < c.points.size(); };
   const double reach = largest(*verlet), others = std::max(largest(*hoa2), largest(*gier4));
-  Claim end{fmt::format(
-                "above R = 1.5 % only Verlet runs without significant drift (here: largest R in %, "
-                "Verlet {:.2f}, HOA2 {:.2f}, GIER4 {:.2f})",
-                100 * reach, 100 * largest(*hoa2), 100 * largest(*gier4)),
-            std::nullopt, decide(reach > 0.015 && others < 0.02)};
+  Claim end{
+      fmt::format("above R = 1.5 % only Verlet runs without significant drift (here the largest "
+                  "such R: Verlet {:.2f} %, HOA2 {:.2f} %, GIER4 {:.2f} %)",
+                  100 * reach, 100 * largest(*hoa2), 100 * largest(*gier4)),
+      std::nullopt, "not decided by these data"};
+  if (end_seen(*hoa2) && end_seen(*gier4)) end.reproduced = decide(reach > 0.015 && others < 0.015);
   claims.push_back(end);
   return claims;
 }
 
 Table point_table(const StudyReport& report) {
   Table table;
-  table.columns = {{"scheme", "index"},
+  table.columns = {{"scheme", ""},
                    {"step", "fs"},
                    {"cost", "1/ps"},
                    {"runs", "1"},
@@ -122,13 +124,13 @@ Table point_table(const StudyReport& report) {
                    {"drift_error", "kJ/mol/ps"},
                    {"drift_chance", "1"},
                    {"temperature", "K"}};
-  for (std::size_t c = 0; c < report.curves.size(); ++c)
-    for (std::size_t i = 0; i < report.curves[c].points.size(); ++i) {
-      const EfficiencyPoint& p = report.curves[c].points[i];
-      table.rows.push_back({static_cast<double>(c), p.step * 1000, p.cost,
-                            static_cast<double>(p.runs), p.stable ? 1.0 : 0.0,
-                            i < report.curves[c].usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
-                            p.drift.rate.value, p.drift.rate.error, p.drift.chance, p.temperature});
+  for (const Curve& curve : report.curves)
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const EfficiencyPoint& p = curve.points[i];
+      table.rows.push_back({p.scheme, p.step * 1000, p.cost, static_cast<double>(p.runs),
+                            p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
+                            p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.chance,
+                            p.temperature});
     }
   return table;
 }
@@ -263,11 +265,8 @@ std::string study_json(const StudyReport& report) {
 }
 
 void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance) {
-  Provenance made = provenance;
-  for (std::size_t c = 0; c < report.curves.size(); ++c)
-    made.command +=
-        fmt::format("{} {} = {}", c ? "," : "; scheme index", c, report.curves[c].scheme);
-  write_file(files.points, [&](std::ostream& out) { write_csv(out, point_table(report), made); });
+  write_file(files.points,
+             [&](std::ostream& out) { write_csv(out, point_table(report), provenance); });
   write_file(files.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
   std::vector<EfficiencyCurve> drawn;
   for (const Curve& curve : report.curves) {

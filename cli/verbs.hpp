@@ -15,6 +15,7 @@ Action run_verb(CLI::App& app);
 Action molecules_verb(CLI::App& app);
 Action schemes_verb(CLI::App& app);
 Action study_verb(CLI::App& app);
+Action top_verb(CLI::App& app);
 Action verify_verb(CLI::App& app);
 
 }  // namespace polhode::cli

@@ -16,12 +16,19 @@
 namespace polhode {
 namespace {
 
-// The default ladder [fs]: fine enough to interpolate, from about R = 0.1 % to the end of
-// stability.
-std::vector<double> default_steps(const Scheme& scheme) {
-  std::vector<double> fs = {0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8};
-  if (scheme.force_evaluations() > 1) fs = {1, 1.5, 2, 3, 4, 5, 6, 7, 8};
-  if (scheme.order() > 2) fs = {2, 3, 4, 5, 6, 7, 8, 9};
+// The default ladders [fs]: fine enough to interpolate, from about R = 0.1 % (0.001 % for schemes
+// of fourth order) to the end of stability.
+std::vector<double> default_steps(const Scheme& scheme, bool coarse) {
+  std::vector<double> fs;
+  if (scheme.force_evaluations() == 1)
+    fs = coarse ? std::vector<double>{1, 2, 3, 4, 6}
+                : std::vector<double>{0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8};
+  else if (scheme.order() == 2)
+    fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8}
+                : std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9};
+  else
+    fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8}
+                : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
   for (double& h : fs) h /= 1000;
   return fs;
 }
@@ -92,7 +99,8 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
   std::vector<StudyPoint> points;
   for (const std::string& text : settings.schemes) {
     const Scheme scheme = scheme_of(text);
-    for (const double h : settings.steps.empty() ? default_steps(scheme) : settings.steps)
+    for (const double h :
+         settings.steps.empty() ? default_steps(scheme, settings.coarse) : settings.steps)
       points.push_back({text, scheme, h});
   }
   return points;

@@ -163,7 +163,7 @@ TEST_CASE("W512 is rigid TIP4P at about 297 K") {
   // Kinetic temperature: 6 N - 3 degrees of freedom, so T fluctuates by T sqrt(2 / 3069) = 7.6 K;
   // four times that.
   const double T = 2 * kinetic_energy(fitted.state, topology) / (3069 * units::boltzmann);
-  CAPTURE(T);  // 311 K at this instant
+  CAPTURE(T);
   CHECK(std::abs(T - 297) < 4 * 7.6);
   // Rigid bodies carry all of the atoms' kinetic energy.
   double atoms_energy = 0;

@@ -20,6 +20,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// The largest pack of doubles or floats of this instruction set.
 template <class T>
 struct Pack {
+  using value_type = T;
   using Tag = hn::ScalableTag<T>;
   using IndexTag = hn::RebindToSigned<Tag>;
   using Index = hn::Vec<IndexTag>;

@@ -20,6 +20,18 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
   return condition ? if_true : if_false;
 }
 
+/// Whether a comparison holds in any lane; a number has one.
+constexpr bool any(bool mask) { return mask; }
+
+/// A number of the text as a Real of any precision.
+template <class Real>
+constexpr Real constant(double x) {
+  if constexpr (requires { typename Real::value_type; })
+    return Real(static_cast<typename Real::value_type>(x));
+  else
+    return static_cast<Real>(x);
+}
+
 using std::abs;
 using std::sqrt;
 

@@ -105,13 +105,16 @@ struct PairLaws {
   Truncation truncation;
   ReactionField reaction_field;
   Switch switching;
+  double from2, cutoff2;  ///< squares of where the switch begins and ends [nm²]
 
   explicit PairLaws(const ForceSettings& settings)
       : truncation(settings.truncation),
         reaction_field(settings.truncation == Truncation::reaction_field
                            ? ReactionField::of(settings.dielectric, settings.cutoff)
                            : ReactionField{}),
-        switching(settings.switch_from, settings.cutoff, settings.smoothness) {}
+        switching(settings.switch_from, settings.cutoff, settings.smoothness),
+        from2(settings.switch_from * settings.switch_from),
+        cutoff2(settings.cutoff * settings.cutoff) {}
 };
 
 }  // namespace polhode

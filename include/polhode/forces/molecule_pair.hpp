@@ -36,6 +36,7 @@ PairLoad<Real> molecule_pair(const PairTable& table, const PairLaws& laws, const
     for (const PairTable::Term& term : table.of_b[b]) {
       const Vec3<Real> r = at_b - arm_a[term.a];
       const Real r2 = norm2(r);
+      if (by_site && !any(r2 < Real(laws.cutoff2))) continue;  // saves time where w is 0 anyway
       const Real inverse_r = inverse_sqrt(r2);
       const Real inverse_r2 = inverse_r * inverse_r;
       Real u_lj(0.0), u_coulomb(0.0), s(0.0);
@@ -49,7 +50,7 @@ PairLoad<Real> molecule_pair(const PairTable& table, const PairLaws& laws, const
         u_coulomb = Real(term.charges) * coulomb.u;
         s += Real(term.charges) * coulomb.s;
       }
-      if constexpr (by_site) {  // −(w u)'/r = w s − w' u/r
+      if (by_site && any(r2 > Real(laws.from2))) {  // −(w u)'/r = w s − w' u/r
         const Switch::Value<Real> end = laws.switching(r2 * inverse_r);
         s = end.w * s - end.slope * inverse_r * (u_lj + u_coulomb);
         u_lj = end.w * u_lj;

@@ -48,9 +48,10 @@ struct OutputSettings {
 struct StudySettings {
   std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
   std::vector<double> steps;  ///< [ps]; empty: a ladder per scheme
+  bool coarse = false;        ///< a ladder with fewer steps
   int runs = 10;              ///< independent starts per point
   double length = 15;         ///< of each run [ps]
-  double decorrelate = 2;     ///< between starts [ps]
+  double decorrelate = 10;    ///< preparation of each start from new momenta [ps]
 };
 
 struct Config {

@@ -2,37 +2,246 @@
 // The free rotation over one time step, branch-free, for numbers and packs alike.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
 #include "polhode/base/quaternion.hpp"
 
 namespace polhode {
 
+namespace series {
+
+/// S(τ) = τ Σ s_n with S'² = (1 − P S²)(1 − Q S²): Jacobi's sn(√Q τ)/√Q. The term s_n is
+/// (−τ²)ⁿ/(2n+1)! times Σ_j a_nj e₁ⁿ⁻²ʲ e₂ʲ with e₁ = P + Q, e₂ = P Q; a row below holds a_nj, from
+/// the recursion of S'' = −e₁ S + 2 e₂ S³ in exact arithmetic.
+inline constexpr std::size_t max_sine_order = 10;
+// clang-format off
+constexpr std::array<std::array<double, 6>, max_sine_order + 1> sine_numerators = {{
+    {1},
+    {1},
+    {1, 12},
+    {1, 132},
+    {1, 1224, 3024},
+    {1, 11064, 132624},
+    {1, 99636, 4095792, 4390848},
+    {1, 896796, 111810672, 490287168},
+    {1, 8071248, 2901537504, 35424905472, 21224560896},
+    {1, 72641328, 73688590944, 2134087471872, 4824426168576},
+    {1, 653772060, 1854309555360, 117309332937600, 674428567921920, 257991277243392},
+}};
+// clang-format on
+
+/// (−1)ⁿ a_nj/(2n+1)! times 1 for S, times 2n+1 for S'.
+consteval double sine_coefficient(std::size_t n, std::size_t j, bool derivative) {
+  double c = sine_numerators[n][j];
+  for (std::size_t k = 2; k <= 2 * n + 1; ++k) c /= static_cast<double>(k);
+  if (derivative) c *= static_cast<double>(2 * n + 1);
+  return n % 2 == 0 ? c : -c;
+}
+
+/// Horner's scheme in e₁ for the terms n to `order` that carry e₂ʲ.
+template <std::size_t order, bool derivative, std::size_t j, std::size_t n, class Real>
+Real sine_row(Real e1) {
+  const Real c = constant<Real>(sine_coefficient(n, j, derivative));
+  if constexpr (n == order)
+    return c;
+  else
+    return sine_row<order, derivative, j, n + 1>(e1) * e1 + c;
+}
+
+/// S/τ, or S'(τ), to the given order, with e₁ and e₂ in units of 1/τ² and 1/τ⁴.
+template <std::size_t order, bool derivative, std::size_t j = 0, class Real>
+Real sine(Real e1, Real e2) {
+  const Real row = sine_row<order, derivative, j, 2 * j>(e1);
+  if constexpr (2 * (j + 1) > order)
+    return row;
+  else
+    return sine<order, derivative, j + 1>(e1, e2) * e2 + row;
+}
+
+/// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x), formed such that one huge inverse
+/// moment is multiplied by the difference of the two others: a needle loses no digits.
 template <class Real>
-Quaternion<Real> rotation_series(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
-  constexpr int order = 18;
-  Quaternion<Real> q[order + 1];
-  Vec3<Real> l[order + 1], w[order + 1];
-  q[0] = {Real(1), Real(0), Real(0), Real(0)};
-  l[0] = L;
-  w[0] = scaled(inverse_J, L);
-  Quaternion<Real> r = q[0];
-  Real power(1);
-  for (int n = 0; n < order; ++n) {
-    Quaternion<Real> dq{Real(0), Real(0), Real(0), Real(0)};
-    Vec3<Real> dl{Real(0), Real(0), Real(0)};
-    for (int k = 0; k <= n; ++k) {
-      const Quaternion<Real> term =
-          q[k] * Quaternion<Real>{Real(0), w[n - k].x, w[n - k].y, w[n - k].z};
-      dq = {dq.w + term.w, dq.x + term.x, dq.y + term.y, dq.z + term.z};
-      dl += cross(l[k], w[n - k]);
-    }
-    q[n + 1] = scaled(dq, Real(0.5 / (n + 1)));
-    l[n + 1] = dl * Real(1.0 / (n + 1));
-    w[n + 1] = scaled(inverse_J, l[n + 1]);
-    power = power * t;
-    r = {r.w + power * q[n + 1].w, r.x + power * q[n + 1].x, r.y + power * q[n + 1].y,
-         r.z + power * q[n + 1].z};
+Real triangle(Real x, Real y, Real z) {
+  const Mask<Real> ascending = y < z;
+  const Real small = select(ascending, y, z), large = select(ascending, z, y);
+  return large * (x - small) + x * small;
+}
+
+/// f(0), f(1), ... f(count - 1) with constants as arguments.
+template <std::size_t count, class Function>
+constexpr void unrolled(const Function& f) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) {
+    (f(std::integral_constant<std::size_t, k>{}), ...);
   }
-  return r;
+  (std::make_index_sequence<count>{});
+}
+
+}  // namespace series
+
+/// How many terms are kept, and up to which |omega t| that is enough.
+///
+/// Let b = |omega t|/2. Poinsot's bodies (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2,
+/// hence |P|, |Q| <= omega^2, and S(tau) is majorised by tan(b)/b term by term: what is cut off S
+/// is below 2 (2b/pi)^(2 n + 2). The angle's terms d_n are polynomials of the shape and the
+/// direction of L on a compact set; the largest sum of those cut off, over 10^6 shapes down to
+/// J_min/J_max = 1e-6 that hold the corners (flat needles about the middle axis are the worst),
+/// gives the bound below. tests/unit/rotor_series_test.cpp repeats it in extended precision.
+struct SeriesOrder {
+  std::size_t sine, angle;  ///< highest term of S; number of terms of the angle
+  double radius;            ///< |omega t| [1]
+};
+inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< cut off: below 3e-17
+inline constexpr SeriesOrder long_series{8, 9, 0.3};    ///< cut off: below 3e-17
+inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< cut off: below 3e-8, for float
+
+/// The rotation of a free body over one step, times an arbitrary positive number near 1.
+///
+/// With tau = t/2, S, C, D = S's companions (C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D = S') and M
+/// the angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with s = L(0)
+/// + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has the
+/// vector part (T J^-1 + delta) s over its scalar part, with one scalar delta: the discrete top of
+/// Moser and Veselov, whose moments are corrected by delta (mclachlan2005). Hence
+///
+///     r ~ (1, (M_x/D)(S i_x + S d), M_y (S i_y + S d), (M_z/C)(S i_z + S d)),   i = J^-1,
+///
+/// and q' = q (0, omega)/2 becomes a Riccati equation with polynomial coefficients in X = S^2:
+///
+///     (1 - P X)(1 - Q X)(1 - y X)(d + 2 X d') = X K3 + (X K2 - ...) d + X K1 d^2.
+///
+/// Its power series is the recursion below. Nothing is divided by a difference of moments, by |L|
+/// or by a component: spherical, symmetric, linear and resting bodies are no special cases.
+///
+/// @param inverse_J  inverse principal moments [1/(u nm^2)]; 0 stands for the vanishing moment of a
+///                   linear body. The moments obey the triangle inequality.
+/// @param L          body-frame angular momentum [u nm^2/ps]
+/// @param t          time [ps], |omega t| <= order.radius; any sign
+/// @return           (w, x, y, z) with w > 0, to be normalised, alone or in a product
+/// @cost             long_series about 330 flops and a division; short_series about 230
+/// @source           addition theorem: DLMF 22.8; discrete top: moser1991, mclachlan2005;
+///                   derivation: docs/theory-rotor.md
+template <SeriesOrder order, class Real>
+Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
+  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);    // the unit of time is t/2 from here on
+  const Vec3<Real> A{i.z - i.y, i.x - i.z, i.y - i.x};  // L_x' = A_x L_y L_z, cyclic
+  const Vec3<Real> L2{L.x * L.x, L.y * L.y, L.z * L.z};
+
+  // lambda_y, P = lambda_y - lambda_x and Q = lambda_y - lambda_z, with lambda_x = A_y A_z L_x^2,
+  // cyclic; P and Q are invariants.
+  const Real Axz = A.x * A.z;
+  const Real lambda = Axz * L2.y;
+  const Real P = lambda - A.y * A.z * L2.x;
+  const Real Q = lambda - A.x * A.y * L2.z;
+  const Real S = series::sine<order.sine, false>(P + Q, P * Q);
+  const Real E = series::sine<order.sine, true>(P + Q, P * Q);
+  const Real X = S * S, SE = S * E;
+
+  // By the addition theorem M_k^2 = L_k^2 + A_k eta.
+  const Real denominator = Real(1) - lambda * X;
+  const Vec3<Real> rate{A.x * L.y * L.z, A.y * L.z * L.x, A.z * L.x * L.y};  // L'(0)
+  const Real h = rate.y * L.z * L.x;
+  const Real g = L2.y * (A.z * L2.x + A.x * L2.z);
+  const Real eta = (Real(2) * L.x * L.y * L.z * SE + X * ((h + g) + lambda * X * (h - g))) /
+                   (denominator * denominator);
+  const Vec3<Real> M2{L2.x + A.x * eta, L2.y + A.y * eta, L2.z + A.z * eta};
+
+  // The angle: terms d_n of order X^(n+1).
+  const Vec3<Real> c{series::triangle(i.x, i.y, i.z), series::triangle(i.y, i.z, i.x),
+                     series::triangle(i.z, i.x, i.y)};
+  const Real PX = P * X, QX = Q * X, yX = Axz * M2.y * X, PQX = PX * QX, sum = PX + QX;
+  const auto coefficients = [&](Real x, Real y, Real z) {  // of x C^2 + y C^2 D^2 + z D^2
+    return std::array<Real, 3>{x + y + z, -(QX * (x + y) + PX * (y + z)), PQX * y};
+  };
+  const Vec3<Real> m{X * i.x * M2.x, X * i.y * M2.y, X * i.z * M2.z};
+  const auto K1 = coefficients(m.x, m.y, m.z);
+  const auto K2 =
+      coefficients(i.x * m.x + c.x * X * M2.x, Real(2) * i.y * m.y, i.z * m.z + c.z * X * M2.z);
+  const auto K3 = coefficients(c.x * m.x, c.y * m.y, c.z * m.z);
+  const Real c1 = sum + yX, c2 = PQX + yX * sum, c3 = PQX * yX;
+
+  // (2n+3) d_n = ((2n+1) c1 + K2_0) d_(n-1) + ... The newest terms enter last and the division by
+  // 2n+3 is drawn into their coefficients: the chain from term to term is two operations long.
+  std::array<Real, order.angle> d;
+  Real angle(0);
+  series::unrolled<order.angle>([&](auto count) {
+    constexpr std::size_t n = count;
+    constexpr auto number = [](std::size_t k) { return constant<Real>(static_cast<double>(k)); };
+    const Real divided = Real(1) / number(2 * n + 3);
+    Real e(0);
+    if constexpr (n < 3) e = K3[n];
+    // K1 times the squares d_a d_b, a + b = n - 2 - j, without those of d_(n-2)
+    series::unrolled<3>([&](auto power) {
+      constexpr std::size_t j = power, first = j == 0 ? 1 : 0;
+      if constexpr (n >= 2 + j + 2 * first) {
+        constexpr std::size_t k = n - 2 - j;
+        Real pairs(0);
+        series::unrolled<(k + 1) / 2 - first>([&](auto a) {
+          constexpr std::size_t b = a + first;
+          pairs = pairs + d[b] * d[k - b];
+        });
+        pairs = pairs + pairs;
+        if constexpr (k % 2 == 0) pairs = pairs + d[k / 2] * d[k / 2];
+        e = e + K1[j] * pairs;
+      }
+    });
+    if constexpr (n >= 3) e = e + (c3 * number(2 * n - 3) + K2[2]) * d[n - 3];
+    if constexpr (n >= 2) {
+      const Real twice_d0 = n == 2 ? d[0] : d[0] + d[0];  // d_0 d_0 occurs once
+      e = e + (K2[1] - c2 * number(2 * n - 1) + K1[0] * twice_d0) * d[n - 2];
+    }
+    d[n] = e * divided;
+    if constexpr (n >= 1) d[n] = d[n] + ((c1 * number(2 * n + 1) + K2[0]) * divided) * d[n - 1];
+    angle = angle + d[n];
+  });
+
+  const Real C2 = Real(1) - QX, D2 = Real(1) - PX;
+  return {denominator * E, S * (L.x * C2 + rate.x * SE) * (i.x + angle),
+          S * (L.y * C2 * D2 + rate.y * SE) * (i.y + angle),
+          S * (L.z * D2 + rate.z * SE) * (i.z + angle)};
+}
+
+/// L in the body frame after the rotation r: L - 2 w n x L + 2 n x (n x L). Unlike a product with
+/// the matrix of r, this keeps |L| to a rounding of the small change: |r| is off by a rounding that
+/// repeats itself when the body spins steadily, and would add up step by step.
+template <class Real>
+Vec3<Real> carried(const Quaternion<Real>& r, const Vec3<Real>& L) {
+  const Vec3<Real> n = r.vector(), c = cross(n, L);
+  return L + Real(2) * (cross(n, c) - r.w * c);
+}
+
+/// Free rotation over a step of any size, for numbers and packs: one series within its radius, else
+/// as many equal ones as the fastest lane needs; all lanes are treated alike.
+///
+/// @param inverse_J, L, t  as above, |omega t| up to about 20 (beyond, the closed form is cheaper)
+/// @return                 as above
+/// @source                 tests/unit/rotor_series_test.cpp, tests/unit/drift_test.cpp
+template <class Real>
+Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real t) {
+  const auto beyond = [&](const Real& time, double radius) {
+    const Vec3<Real> angle = scaled(inverse_J, L) * time;
+    return any(norm2(angle) > constant<Real>(radius * radius));
+  };
+  Quaternion<Real> turned{Real(1), Real(0), Real(0), Real(0)};
+  bool first = true;
+  const auto then = [&](const Quaternion<Real>& r) { return first ? r : turned * r; };
+  while (beyond(t, short_series.radius)) {
+    Real part = t;
+    bool last = true;
+    while (beyond(part, long_series.radius)) {
+      part = Real(0.5f) * part;
+      last = false;
+    }
+    const Quaternion<Real> r = unnormalised_rotation<long_series>(inverse_J, L, part);
+    if (last) return then(r);
+    const Quaternion<Real> step = normalized(r);
+    turned = then(step);
+    first = false;
+    L = carried(step, L);
+    t = t - part;
+  }
+  return then(unnormalised_rotation<short_series>(inverse_J, L, t));
 }
 
 }  // namespace polhode

@@ -4,11 +4,37 @@
 
 #include "polhode/base/pack.hpp"
 #include "polhode/base/pack_column.hpp"
+#include "polhode/rotor/free_rotor.hpp"
 #include "polhode/rotor/series.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 
 using Real = Pack<double>;
+
+namespace {
+
+/// Bodies that turn by more than this in one step are rare, or the run is lost: one by one, in
+/// closed form [1].
+constexpr double most_by_series = 16;
+
+Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,
+                                  std::size_t first) {
+  alignas(pack_bytes) double lane[7][Real::width];
+  L.x.store(lane[0]);
+  L.y.store(lane[1]);
+  L.z.store(lane[2]);
+  for (std::size_t k = 0; k < Real::width; ++k) {
+    const Quaternion<double> r =
+        closed_rotation(J[first + k], {lane[0][k], lane[1][k], lane[2][k]}, t).rotation;
+    lane[3][k] = r.w;
+    lane[4][k] = r.x;
+    lane[5][k] = r.y;
+    lane[6][k] = r.z;
+  }
+  return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
+}
+
+}  // namespace
 
 void drift(State& state, const Bodies& bodies, double t) {
   for (std::size_t i = 0; i < state.size(); i += Real::width) {
@@ -17,9 +43,15 @@ void drift(State& state, const Bodies& bodies, double t) {
     store_pack(q + (Real(t) * Real::load(&bodies.inverse_m[i])) * p, state.q, i);  // q + t p/m
 
     const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
-    const Vec3<Real> L = to_body(attitude, load_pack<Real>(state.ell, i));  // L = S ℓ
-    const Quaternion<Real> P = rotation_series(load_pack<Real>(bodies.inverse_J, i), L, Real(t));
-    store_pack(normalized(attitude * P), state.attitude, i);  // S ← P(t) S
+    const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);
+    const Vec3<Real> L = to_body(attitude, load_pack<Real>(state.ell, i));  // L = S ell
+    const Real angle2 = norm2(scaled(inverse_J, L)) * Real(t * t);
+    const Quaternion<Real> P = any(angle2 > Real(most_by_series * most_by_series))
+                                   ? closed_rotations(bodies.J, L, t, i)
+                                   : series_rotation(inverse_J, L, Real(t));
+    // S <- P(t) S. The product is divided by its own length in every step, so |q| - 1 is one
+    // rounding, whatever the number of steps.
+    store_pack(normalized(attitude * P), state.attitude, i);
   }
 }
 

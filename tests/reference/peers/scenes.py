@@ -140,7 +140,7 @@ def liquid(counts, box, seed, sweeps, radius=None):
 
 def w512():
     """The bodies of the start configuration, refitted to the exact geometry (least squares by mass)."""
-    lines = (ROOT / "data/start/w512.gro").read_text(encoding="utf-8").splitlines()
+    lines = (ROOT / "tests/reference/w512/W512.gro").read_text(encoding="utf-8").splitlines()
     r = np.array([[float(x) for x in line.split()[3:6]] for line in lines[2:-1]]).reshape(-1, 4, 3)
     box = [float(x) for x in lines[-1].split()]
     model, blocks = Model("tip4p"), []

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Bodies to turn.
+#pragma once
+
+#include "polhode/base/column.hpp"
+
+namespace polhode::bench {
+
+struct Tops {
+  QuaternionColumn attitude;
+  Vec3Column ell, inverse_J;
+  explicit Tops(std::size_t count) : attitude(count), ell(count), inverse_J(count) {}
+  std::size_t size() const { return ell.size(); }
+};
+
+}  // namespace polhode::bench

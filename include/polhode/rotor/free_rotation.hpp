@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// One entry to all forms of the free rotation, for single bodies of any shape and unit.
+#pragma once
+
+#include "polhode/rotor/free_rotor.hpp"
+#include "polhode/rotor/no_squish.hpp"
+#include "polhode/rotor/recursive.hpp"
+#include "polhode/rotor/series.hpp"
+#include "polhode/rotor/symmetric_product.hpp"
+
+namespace polhode {
+
+enum class RotorMethod {
+  series,             ///< what molecular dynamics uses; the closed form beyond |ω t| = 0.3
+  closed,             ///< elliptic functions and an integral of the third kind
+  recursive,          ///< elliptic functions and two-point Hermite quadrature
+  no_squish,          ///< second order, for comparison
+  symmetric_product,  ///< second order, for comparison
+};
+
+/// The series within its radius, the closed form beyond it. A single body gains nothing from
+/// sub-steps, and moments that no mass distribution has (J_z > J_x + J_y) are outside the series'
+/// bound.
+/// @param J, L, t  as for closed_rotation
+inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<double>& L,
+                                              double t) {
+  const ScaledTop top(J, L, t);
+  const Vec3<double> i = top.inverse_J();
+  const Vec3<double> angle = top.t * scaled(i, top.L);
+  const double radius = std::hypot(angle.x, angle.y, angle.z);
+  const Vec3<double>& m = top.J;
+  const double slack = 1 + 1e-9;  // inputs are rounded
+  const bool physical =
+      m.x <= (m.y + m.z) * slack && m.y <= (m.z + m.x) * slack && m.z <= (m.x + m.y) * slack;
+  if (!physical || !(radius <= long_series.radius)) return closed_rotation(J, L, t);
+  const Quaternion<double> r = normalized(unnormalised_rotation<long_series>(i, top.L, top.t));
+  return {r, top.in_units_of_caller(carried(r, top.L))};
+}
+
+/// How a free rigid body turns: attitude(t) = attitude(0) * rotation, and its L(t).
+///
+/// @param J  principal moments [u nm²], any order; one may be zero (linear body)
+/// @param L  body-frame angular momentum [u nm²/ps], zero along a vanishing moment
+/// @param t  time [ps], any sign
+inline FreeRotation free_rotation(const Vec3<double>& J, const Vec3<double>& L, double t,
+                                  RotorMethod method = RotorMethod::series) {
+  switch (method) {
+    case RotorMethod::closed:
+      return closed_rotation(J, L, t);
+    case RotorMethod::recursive:
+      return recursive_rotation(J, L, t);
+    case RotorMethod::no_squish:
+      return no_squish_rotation(J, L, t);
+    case RotorMethod::symmetric_product:
+      return symmetric_product_rotation(J, L, t);
+    case RotorMethod::series:
+      break;
+  }
+  return series_or_closed_rotation(J, L, t);
+}
+
+}  // namespace polhode

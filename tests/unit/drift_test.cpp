@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+// The drift over packs: the same motion on every instruction set, whatever the neighbours in a
+// pack.
+#include "polhode/integrate/flows.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+#include "polhode/base/target.hpp"
+#include "polhode/rotor/free_rotation.hpp"
+
+using namespace polhode;
+
+namespace {
+
+constexpr std::size_t count = 103;  // fills no pack exactly
+
+/// Bodies of all kinds side by side: asymmetric, linear along each axis, at rest; most turn by 0.05
+/// to 0.3 in a step of 1, some by 0.5, 5 and 50.
+struct Crowd {
+  Bodies bodies;
+  State state{count, Box{}};
+
+  Crowd()
+      : bodies(Topology{{{rigid_molecule("n2", {{.name = "N1", .r = {0, 0, 0}, .mass = 14.0},
+                                                {.name = "N2", .r = {0, 0.1, 0}, .mass = 14.0}}),
+                          count}}}) {
+    std::mt19937_64 random(5);
+    std::uniform_real_distribution<double> uniform(0.1, 1);
+    std::normal_distribution<double> normal;
+    const auto vector = [&] {
+      return Vec3<double>{normal(random), normal(random), normal(random)};
+    };
+    for (std::size_t n = 0; n < count; ++n) {
+      const double a = uniform(random), b = uniform(random), c = uniform(random);
+      Vec3<double> J{b + c, c + a, a + b}, w = vector();
+      double angle = 0.3 * uniform(random);
+      if (n % 20 == 3) angle = 0.5;
+      if (n % 20 == 7) angle = 5;
+      if (n % 40 == 11) angle = 50;
+      if (n % 10 == 5) angle = 0;
+      w *= angle / norm(w);
+      if (n % 6 == 4) {
+        const std::size_t rod = n / 6 % 3;
+        J = {a, a, a};
+        J[rod] = 0;
+        w[rod] = 0;
+      }
+      bodies.J.set(n, J);
+      const auto inverse = [](double moment) { return moment == 0 ? 0.0 : 1 / moment; };
+      bodies.inverse_J.set(n, {inverse(J.x), inverse(J.y), inverse(J.z)});
+      const Quaternion<double> q = normalized(
+          Quaternion<double>{normal(random), normal(random), normal(random), normal(random)});
+      state.attitude.set(n, q);
+      state.ell.set(n, to_lab(q, scaled(J, w)));
+      state.q.set(n, vector());
+      state.p.set(n, vector());
+    }
+  }
+};
+
+/// Calls f once with each instruction set in force.
+template <class Function>
+void for_each_target(const Function& f) {
+  const Target before = current_target();
+  for (const Target target : available_targets()) {
+    force_target(target);
+    INFO(name(target));
+    f();
+  }
+  force_target(before);
+}
+
+double distance(const Quaternion<double>& a, const Quaternion<double>& b) {
+  return norm((conjugate(a) * b).vector());
+}
+
+}  // namespace
+
+// L = S ell carries three roundings of size |L|, in the direction of a change that k_abs measures:
+// k <= 6 (1 + |ω t|) for these shapes (the truth table's k_abs of asymmetric tops). Then 16 ε (1 +
+// k).
+TEST_CASE("drift turns every body of a pack by its free rotation") {
+  for_each_target([] {
+    Crowd crowd;
+    const Crowd before;
+    drift(crowd.state, crowd.bodies, 1.0);
+    for (std::size_t n = 0; n < count; ++n) {
+      const Quaternion<double> q = before.state.attitude[n];
+      const Vec3<double> L = to_body(q, before.state.ell[n]), J = before.bodies.J[n];
+      Vec3<double> clean = L;  // a rod has no L along itself
+      for (std::size_t k = 0; k < 3; ++k)
+        if (J[k] == 0) clean[k] = 0;
+      const FreeRotation exact = closed_rotation(J, clean, 1.0);
+      const double angle = norm(scaled(before.bodies.inverse_J[n], L));
+      const double bound = 16 * 0x1p-53 * (1 + 6 * (1 + angle));
+      CAPTURE(n);
+      CHECK(distance(crowd.state.attitude[n], q * exact.rotation) <= bound);
+      CHECK(std::abs(norm2(crowd.state.attitude[n]) - 1) <= 8 * 0x1p-53);
+      CHECK(crowd.state.ell[n] == before.state.ell[n]);
+      CHECK(norm(crowd.state.q[n] - before.state.q[n] -
+                 before.state.p[n] * before.bodies.inverse_m[n]) <= 8 * 0x1p-53);
+    }
+  });
+}
+
+// Instruction sets differ by contraction into fused operations only: half a rounding each, on both
+// sides of the bound above, and none may differ by more than two of those.
+TEST_CASE("drift agrees between instruction sets") {
+  const Target before = current_target();
+  force_target(Target::scalar);
+  Crowd reference;
+  for (int n = 0; n < 20; ++n) drift(reference.state, reference.bodies, 0.1);
+  force_target(before);
+  for_each_target([&] {
+    Crowd crowd;
+    for (int n = 0; n < 20; ++n) drift(crowd.state, crowd.bodies, 0.1);
+    for (std::size_t n = 0; n < count; ++n) {
+      const double angle =
+          2 * norm(scaled(crowd.bodies.inverse_J[n],
+                          to_body(reference.state.attitude[n], reference.state.ell[n])));
+      CHECK(distance(crowd.state.attitude[n], reference.state.attitude[n]) <=
+            20 * 16 * 0x1p-53 * (1 + 6 * angle));
+    }
+  });
+}
+
+// The flow is its own inverse under t -> -t; two steps at the bound of the first test.
+TEST_CASE("drift forth and back is the identity") {
+  for_each_target([] {
+    Crowd crowd;
+    const Crowd before;
+    drift(crowd.state, crowd.bodies, 0.7);
+    drift(crowd.state, crowd.bodies, -0.7);
+    for (std::size_t n = 0; n < count; ++n) {
+      const double angle =
+          0.7 * norm(scaled(before.bodies.inverse_J[n],
+                            to_body(before.state.attitude[n], before.state.ell[n])));
+      CHECK(distance(crowd.state.attitude[n], before.state.attitude[n]) <=
+            2 * 16 * 0x1p-53 * (1 + 6 * (1 + angle)));
+    }
+  });
+}
+
+// A lost run must end in an error of the run, not in a loop without end.
+TEST_CASE("drift returns for infinite and undefined angular momenta") {
+  for (const double bad :
+       {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300}) {
+    Crowd crowd;
+    crowd.state.ell.set(2, {bad, 0.1, 0.2});
+    drift(crowd.state, crowd.bodies, 1.0);
+    CHECK(std::isfinite(crowd.state.attitude[40].w));
+  }
+}

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/math/fit.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace polhode;
+
+// By hand: mean 3, Σ (x − 3)² = 10, standard error √(10/4/5).
+TEST_CASE("mean and standard error of five numbers") {
+  const std::vector<double> x = {1, 2, 3, 4, 5};
+  const Estimate m = mean(x);
+  CHECK(m.value == 3);
+  CHECK(m.error == doctest::Approx(std::sqrt(0.5)).epsilon(1e-15));
+}
+
+// Anscombe's first set, whose published regression is y = 3.00 + 0.500 x, standard error 0.118
+// [anscombe1973].
+TEST_CASE("slope and standard error of a published example") {
+  const std::vector<double> x = {10, 8, 13, 9, 11, 14, 6, 4, 12, 7, 5};
+  const std::vector<double> y = {8.04, 6.95, 7.58, 8.81, 8.33, 9.96, 7.24, 4.26, 10.84, 4.82, 5.68};
+  const Estimate b = slope(x, y);
+  CHECK(std::abs(b.value - 0.500) < 0.0005);  // as many digits as were published
+  CHECK(std::abs(b.error - 0.118) < 0.0005);
+}
+
+// Student's t tables: t(9) = 3.250 and t(9) = 2.262 leave 1 % and 5 % on both sides.
+TEST_CASE("the chance of an estimate follows Student's t") {
+  CHECK(chance({3.250, 1}, 9) == doctest::Approx(0.01).epsilon(1e-3));
+  CHECK(chance({-2.262, 1}, 9) == doctest::Approx(0.05).epsilon(1e-3));
+  CHECK(chance({0, 0}, 9) == 1);
+  CHECK(chance({1, 0}, 9) == 0);
+}
+
+// Under the null hypothesis the chance is uniform: of 2000 series, as many as a binomial count with
+// p = 0.05 allows within 4 standard deviations, √(2000 × 0.05 × 0.95) = 9.7, call themselves
+// significant at 5 %.
+TEST_CASE("noise is called significant as often as it should be") {
+  std::mt19937_64 random(17);
+  std::normal_distribution<double> normal;
+  int significant = 0;
+  for (int k = 0; k < 2000; ++k) {
+    std::vector<double> x;
+    for (int i = 0; i < 10; ++i) x.push_back(normal(random));
+    if (chance(mean(x), 9) < 0.05) ++significant;
+  }
+  CHECK(std::abs(significant - 100) < 39);
+}

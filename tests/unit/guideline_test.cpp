@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/guideline.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace polhode;
+
+namespace {
+
+// Points on an exact law R = c hᵏ.
+std::vector<EfficiencyPoint> law(const std::string& scheme, double c, int k, double evaluations) {
+  std::vector<EfficiencyPoint> points;
+  for (const double fs : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0}) {
+    EfficiencyPoint p;
+    p.scheme = scheme;
+    p.step = fs / 1000;
+    p.cost = evaluations / p.step;
+    p.runs = 10;
+    p.ratio = {c * std::pow(fs, k), 0.02 * c * std::pow(fs, k)};
+    points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("costs are interpolated along the power law, and extrapolated by the order") {
+  const auto all = curves(law("velocity-verlet", 2e-3, 2, 1));
+  const auto inside = cost_at(all[0], 2e-3 * 2.5 * 2.5);
+  REQUIRE(inside);
+  CHECK(inside->step == doctest::Approx(0.0025).epsilon(1e-12));
+  CHECK(inside->cost == doctest::Approx(400).epsilon(1e-12));
+  CHECK(inside->exponent == doctest::Approx(2).epsilon(1e-12));
+  CHECK(!inside->extrapolated);
+  // 2 % of R between two points weighs at most 2 %/2 in the step and at least that over √2.
+  CHECK(inside->error < 400 * 0.01);
+  CHECK(inside->error > 400 * 0.007);
+  const auto below = cost_at(all[0], 2e-3 / 4);
+  REQUIRE(below);
+  CHECK(below->extrapolated);
+  CHECK(below->cost == doctest::Approx(2000).epsilon(1e-12));
+  CHECK(!cost_at(all[0], 1.0));
+}
+
+TEST_CASE("a curve ends where a step drifts or blows up") {
+  auto points = law("hoa2", 3e-4, 2, 2);
+  points[3].drift.chance = 0.001;
+  const auto all = curves(points);
+  CHECK(all[0].usable == 3);
+  CHECK(!cost_at(all[0], points[4].ratio.value));
+  points[1].stable = false;
+  CHECK(curves(points)[0].usable == 1);
+}
+
+// c₂ h² with 2 evaluations against c₄ h⁴ with 3: equal costs n/h at R* with 2/√(√(R/c₂))... the
+// steps are h₂ = √(R/c₂), h₄ = (R/c₄)^(1/4), and 2/h₂ = 3/h₄ gives R* = (2/3)⁴ c₂²/c₄.
+TEST_CASE("the crossing of two power laws") {
+  const double c2 = 3e-4, c4 = 3e-6;
+  auto points = law("hoa2", c2, 2, 2);
+  const auto fine = law("gier4", c4, 4, 3);
+  points.insert(points.end(), fine.begin(), fine.end());
+  const auto all = curves(points);
+  const auto crossing = crossover(all[1], all[0]);
+  REQUIRE(crossing);
+  CHECK(crossing->value == doctest::Approx(std::pow(2.0 / 3, 4) * c2 * c2 / c4).epsilon(0.003));
+  CHECK(crossing->error > 0);
+  const auto table = guidelines(all, {0.5 * crossing->value, 2 * crossing->value});
+  CHECK(table[0].best == 1);
+  CHECK(table[1].best == 0);
+}

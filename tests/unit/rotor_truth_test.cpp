@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Free rotations against tables made by other means (reference/rotor/README.md, make_rows.py).
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "polhode/rotor/free_rotation.hpp"
+
+using namespace polhode;
+
+namespace {
+
+struct TruthRow {
+  std::string top;  ///< class of the top
+  std::map<std::string, double> value;
+  double operator()(const std::string& column) const { return value.at(column); }
+};
+
+constexpr const char* P_columns[3][3] = {
+    {"P11", "P12", "P13"}, {"P21", "P22", "P23"}, {"P31", "P32", "P33"}};
+constexpr const char* L_columns[3] = {"Lf1", "Lf2", "Lf3"};
+
+std::vector<TruthRow> truth_rows(const std::string& file) {
+  std::ifstream in(std::string(POLHODE_TEST_DATA) + "/rotor/" + file);
+  REQUIRE(in.good());
+  const auto split = [](const std::string& line) {
+    std::vector<std::string> cells;
+    std::stringstream stream(line);
+    for (std::string cell; std::getline(stream, cell, ',');) {
+      if (!cell.empty() && cell.back() == '\r') cell.pop_back();  // the table came from elsewhere
+      cells.push_back(cell);
+    }
+    return cells;
+  };
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> names = split(line);
+  std::vector<TruthRow> rows;
+  while (std::getline(in, line)) {
+    const std::vector<std::string> cells = split(line);
+    TruthRow row{cells[0], {}};
+    for (std::size_t k = 1; k < cells.size(); ++k)
+      row.value[names[k]] = std::strtod(cells[k].c_str(), nullptr);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+// A row's tolerances are 16 · 2⁻⁵³ (1 + k), where k is the change of the truth, in units of 2⁻⁵³,
+// when every input changes by as much: no program that takes doubles can ask for less than 1 + k,
+// and 16 leaves room for some ten roundings that act like changes of inputs. The lower side, that
+// the test sees errors at all, is the last test case below.
+double worst_error_over_tolerance(RotorMethod method, const std::string& file) {
+  double worst = 0;
+  for (const TruthRow& row : truth_rows(file)) {
+    const Vec3<double> J{row("I1"), row("I2"), row("I3")}, L{row("L1"), row("L2"), row("L3")};
+    const FreeRotation found = free_rotation(J, L, row("t"), method);
+    const Mat3<double> P = matrix_S(found.rotation);
+    const double norm_L = std::hypot(L.x, L.y, L.z);
+    double error_P = 0, error_L = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        error_P = std::fmax(error_P, std::abs(P[i][j] - row(P_columns[i][j])));
+        CHECK(std::isfinite(P[i][j]));
+      }
+      const double change = std::abs(found.L[i] - row(L_columns[i]));
+      error_L = std::fmax(error_L, norm_L == 0 ? change : change / norm_L);
+      CHECK(std::isfinite(found.L[i]));
+    }
+    if (method != RotorMethod::no_squish) {
+      CAPTURE(row.top);
+      CAPTURE(row("t"));
+      CHECK(error_P <= row("tolP"));
+      CHECK(error_L <= row("tolL"));
+    }
+    worst = std::fmax(worst, std::fmax(error_P / row("tolP"), error_L / row("tolL")));
+  }
+  return worst;
+}
+
+}  // namespace
+
+TEST_CASE("closed form holds the free rotor truth tables") {
+  worst_error_over_tolerance(RotorMethod::closed, "free_rotor_truth.csv");
+  worst_error_over_tolerance(RotorMethod::closed, "random_rows.csv");
+}
+
+TEST_CASE("series with its fallback holds the free rotor truth tables") {
+  worst_error_over_tolerance(RotorMethod::series, "free_rotor_truth.csv");
+  worst_error_over_tolerance(RotorMethod::series, "random_rows.csv");
+}
+
+TEST_CASE("recursive method holds the free rotor truth tables") {
+  worst_error_over_tolerance(RotorMethod::recursive, "free_rotor_truth.csv");
+  worst_error_over_tolerance(RotorMethod::recursive, "random_rows.csv");
+}
+
+TEST_CASE("truth tables tell a second-order splitting from the exact rotation") {
+  CHECK(worst_error_over_tolerance(RotorMethod::no_squish, "free_rotor_truth.csv") > 1e6);
+}
