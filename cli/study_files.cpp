@@ -320,7 +320,12 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
     }
     fmt::print("  {}\n", line.best ? report.curves[*line.best].scheme : "none");
   }
-  if (!report.claims.empty()) fmt::print("\nthe paper's claims (vanzon2008)\n");
+  const auto& molecules = report.config.system.molecules;
+  const bool of_the_paper =
+      molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;
+  if (!report.claims.empty())
+    fmt::print("\nthe paper's claims (vanzon2008){}\n",
+               of_the_paper ? "" : "; they are of 512 TIP4P waters, not of this system");
   for (const Claim& claim : report.claims)
     fmt::print(
         "  {}{}: {}\n", claim.text,

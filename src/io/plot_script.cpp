@@ -176,7 +176,7 @@ tic(range) = range <= 0 ? 1 : nice(range, 10**floor(log10(range)))
 nice(range, p) = range < 1.5*p ? 0.2*p : range < 3*p ? 0.5*p : range < 6*p ? p : 2*p
 
 set multiplot
-set lmargin at screen 0.15
+set lmargin at screen 0.18
 set rmargin at screen 0.96
 unset key
 
