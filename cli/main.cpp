@@ -2,11 +2,14 @@
 // polhode: a table of verbs, one file each.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cctype>
 #include <exception>
 #include <string>
 #include <vector>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -28,6 +31,17 @@ const std::vector<Verb> verbs = {
     {"verify", "measure the order of a scheme", verify_verb},
 };
 
+/// Options before the verb are left to the parser.
+void check_verb(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Verb& verb : verbs) names.emplace_back(verb.name);
+  if (word.empty())
+    throw Error(fmt::format("there is no verb; 'polhode VERB' has one of: {}", listed(names)));
+  if (word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw Error(fmt::format("there is no verb '{}'{} (there are: {})", word,
+                          did_you_mean(word, names), listed(names)));
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"polhode: molecular dynamics of rigid molecules with the exact free rotor",
                "polhode"};
@@ -38,11 +52,14 @@ int run(int argc, char** argv) {
     CLI::App* command = app.add_subcommand(verb.name, verb.description);
     actions.emplace_back(command, verb.declare(*command));
   }
+  check_verb(argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const int code = app.exit(e);
-    return code == 0 ? 0 : 2;
+    if (e.get_exit_code() == 0) return app.exit(e);  // help, version
+    std::string what = e.what();
+    what[0] = static_cast<char>(std::tolower(what[0]));
+    throw Error(fmt::format("{}; 'polhode {} --help' lists what there is", what, argv[1]));
   }
   for (const auto& [command, action] : actions)
     if (command->parsed()) return action();

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "interrupt.hpp"
+#include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/integrate/scheme_text.hpp"
@@ -19,7 +20,6 @@
 #include "polhode/io/xyz.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
-#include "times.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -32,21 +32,36 @@ struct Options {
 
 Config configured(const Options& o) {
   Config config = o.file.empty() ? default_config() : read_config(o.file);
-  if (!o.scheme.empty()) config.integrator.scheme = o.scheme;
+  if (!o.scheme.empty()) {
+    scheme_option(o.scheme, "--scheme");
+    config.integrator.scheme = o.scheme;
+  }
   if (!o.step.empty()) config.integrator.step = positive_time(o.step, "--step");
   if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
   if (!o.output.empty()) config.output.prefix = o.output;
   return config;
 }
 
+/// The command with the options that change what is computed.
+std::string typed(const Options& o) {
+  return typed_command("polhode run", {{"", o.file},
+                                       {"--scheme", o.scheme},
+                                       {"--step", o.step},
+                                       {"--length", o.length},
+                                       {"--output", o.output}});
+}
+
 /// The files of a run, by their use.
 struct Files {
-  std::string energies, final_state, plot;
+  std::string energies, final_state, script, plot;
   std::vector<std::string> trajectories;
 
   explicit Files(const OutputSettings& output)
       : energies(output.prefix + "-energies.csv"), final_state(output.prefix + "-final.gro") {
-    if (output.plot != "none") plot = output.prefix + "-energies." + output.plot;
+    if (output.plot != "none") {
+      script = output.prefix + "-energies.gp";
+      plot = output.prefix + "-energies." + output.plot;
+    }
     if (output.trajectory_every > 0)
       for (const std::string& format : output.formats)
         trajectories.push_back(output.prefix + "-trajectory." + format);
@@ -55,7 +70,7 @@ struct Files {
     std::vector<std::string> files = trajectories;
     files.push_back(energies);
     files.push_back(final_state);
-    if (!plot.empty()) files.push_back(plot);
+    if (!plot.empty()) files.insert(files.end(), {script, plot});
     return files;
   }
 };
@@ -115,7 +130,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
              s.molecules, s.steps, t.step * 1000, scheme.name(), s.length, s.sample * 1000);
   fmt::print(
-      "R                     {:.4f} ± {:.4f} %   (rms of total energy {:.4g} over that of the "
+      "R                     {:.4g} ± {:.2g} %   (rms of total energy {:.4g} over that of the "
       "potential {:.4g} kJ/mol)\n",
       percent(s.ratio.value), percent(s.ratio.error), s.total_fluctuation, s.potential_fluctuation);
   fmt::print("drift                 {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g})\n",
@@ -181,17 +196,18 @@ int run(const Options& o) {
   const Scheme scheme = scheme_of(config.integrator.scheme);
   const TrajectorySettings settings{scheme, config.integrator.step, config.run.length,
                                     config.run.sample, config.integrator.lambda};
-  if (settings.steps() == 0)
+  if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
-                    config.run.length * 1000, config.integrator.step * 1000));
+                    settings.length * 1000, settings.step * 1000),
+        config.source);
   System system = assembled(config);
   ForceField forces(system.topology, system.forces, system.state.box);
   const Files files(config.output);
   for (const std::string& file : files.all()) refuse_existing(file, o.force);
 
-  const Provenance provenance{POLHODE_VERSION, "polhode run " + o.file, config.text,
-                              name(current_target()), config.system.seed};
+  const Provenance provenance{POLHODE_VERSION, typed(o), config.text, name(current_target()),
+                              config.system.seed};
   fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}\n",
              POLHODE_VERSION, system.topology.size(), config.source, scheme.name(),
              settings.step * 1000, provenance.target);

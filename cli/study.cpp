@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
 #include "interrupt.hpp"
+#include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/integrate/scheme_text.hpp"
@@ -17,7 +19,6 @@
 #include "polhode/run/system.hpp"
 #include "progress.hpp"
 #include "study_files.hpp"
-#include "times.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -43,6 +44,7 @@ Config configured(const Options& o) {
   StudySettings& study = config.study;
   if (o.quick) make_quick(study);
   if (!o.schemes.empty()) study.schemes = o.schemes;
+  for (const std::string& scheme : o.schemes) scheme_option(scheme, "--schemes");
   if (!o.steps.empty()) {
     study.steps.clear();
     for (const std::string& step : o.steps) study.steps.push_back(positive_time(step, "--steps"));
@@ -56,21 +58,23 @@ Config configured(const Options& o) {
 
 int study(const Options& o) {
   const Config config = configured(o);
-  const std::vector<StudyPoint> points = study_points(config.study);  // checks the schemes
+  const std::vector<StudyPoint> points = study_points(config.study);
   for (const StudyPoint& point : points)
     if (config.study.length < 10 * point.step)
       throw Error(
-          fmt::format("study length {:g} ps is less than ten steps of {:g} fs; R needs more, so "
-                      "ask for longer runs",
-                      config.study.length, point.step * 1000));
+          fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs; R needs "
+                      "more, so ask for longer runs, or leave out long steps",
+                      config.study.length * 1000, point.step * 1000),
+          config.source);
   const System system = assembled(config);
-  const ForceField check(system.topology, system.forces, system.state.box);  // cutoff against box
 
   const StudyFiles files(o.output);
-  const Provenance provenance{POLHODE_VERSION, "polhode study", study_identity(config),
-                              name(current_target()), config.system.seed};
-  if (!std::filesystem::exists(files.runs))  // else they are this study's own, made before
-    for (const std::string& file : files.results()) refuse_existing(file, o.force);
+  // Results of a study that goes on are written again; those of another one are not touched.
+  if (!std::filesystem::exists(files.runs))
+    for (const std::string& file : files.all()) refuse_existing(file, o.force);
+  const Provenance provenance{POLHODE_VERSION, typed_command("polhode study", {{"", o.file}}),
+                              study_identity(config, system), name(current_target()),
+                              config.system.seed};
   StudyRecord record(files.runs, provenance, o.force);
   std::vector<StudyRun> runs = record.known();
   fmt::print(stderr,
@@ -91,6 +95,8 @@ int study(const Options& o) {
         {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted});
   }
 
+  // A record may hold more than is asked for now.
+  std::erase_if(runs, [&](const StudyRun& run) { return run.start >= config.study.runs; });
   const StudyReport report(config, efficiency_points(points, runs));
   write_study(files, report, provenance);
   if (o.json)

@@ -2,6 +2,7 @@
 #include "study_files.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -151,14 +152,22 @@ std::string conditions(const Config& config) {
 
 }  // namespace
 
-std::string study_identity(const Config& config) {
+std::string study_identity(const Config& config, const System& system) {
   std::ostringstream id;
   id.precision(17);
-  for (const auto& m : config.system.molecules) id << m.model << ' ' << m.count << ' ';
-  id << config.system.start << ' ' << config.system.temperature << ' ' << config.system.seed << ' ';
-  if (config.system.density) id << *config.system.density << ' ';
-  if (config.system.box)
-    id << config.system.box->x << ' ' << config.system.box->y << ' ' << config.system.box->z << ' ';
+  for (const auto& [molecule, count] : system.topology.parts) {
+    id << molecule.name << ' ' << count << ' ';
+    for (const Site& s : molecule.sites)
+      id << s.r.x << ' ' << s.r.y << ' ' << s.r.z << ' ' << s.mass << ' ' << s.charge << ' '
+         << s.sigma << ' ' << s.epsilon << ' ';
+  }
+  for (std::size_t i = 0; i < system.state.size(); ++i) {
+    const Vec3<double> q = system.state.q[i];
+    id << fmt::format("{:.9f} {:.9f} {:.9f} ", q.x, q.y, q.z);
+  }
+  const Vec3<double> edge = system.state.box.edge;
+  id << edge.x << ' ' << edge.y << ' ' << edge.z << ' ';
+  id << config.system.temperature << ' ' << config.system.seed << ' ';
   const ForceSettings& f = config.forces;
   id << static_cast<int>(f.truncation) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
      << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
@@ -283,7 +292,7 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
                                                                : "";
       fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme, p.step * 1000,
                  p.cost, p.runs,
-                 fmt::format("{:.4f} ± {:.4f}", 100 * p.ratio.value, 100 * p.ratio.error),
+                 fmt::format("{:.4g} ± {:.2g}", 100 * p.ratio.value, 100 * p.ratio.error),
                  fmt::format("{:.3g} ± {:.2g}", p.drift.rate.value, p.drift.rate.error), note);
     }
 
@@ -311,14 +320,18 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
     }
     fmt::print("  {}\n", line.best ? report.curves[*line.best].scheme : "none");
   }
-  if (!report.claims.empty()) fmt::print("\nthe paper's claims (vanzon2008)\n");
+  const auto& molecules = report.config.system.molecules;
+  const bool of_the_paper =
+      molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;
+  if (!report.claims.empty())
+    fmt::print("\nthe paper's claims (vanzon2008){}\n",
+               of_the_paper ? "" : "; they are of 512 TIP4P waters, not of this system");
   for (const Claim& claim : report.claims)
     fmt::print(
         "  {}{}: {}\n", claim.text,
         claim.value ? fmt::format(": {:.3g} ± {:.2g}", claim.value->value, claim.value->error) : "",
         claim.reproduced);
-  fmt::print("\n{}\nfiles {} {} {} {} {}\n", advice(report, 0.005), files.points, files.runs,
-             files.json, files.svg, files.png);
+  fmt::print("\n{}\nfiles {}\n", advice(report, 0.005), fmt::join(files.all(), " "));
 }
 
 }  // namespace polhode::cli

@@ -9,25 +9,27 @@
 
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/guideline.hpp"
+#include "polhode/run/system.hpp"
 
 namespace polhode::cli {
 
 struct StudyFiles {
-  std::string prefix, runs, points, json, svg, png;
+  std::string prefix, runs, points, json, script, svg, png;
 
   explicit StudyFiles(const std::string& common)
       : prefix(common),
         runs(prefix + "-runs.csv"),
         points(prefix + ".csv"),
         json(prefix + ".json"),
+        script(prefix + ".gp"),
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
-  std::vector<std::string> results() const { return {points, json, svg, png}; }
+  std::vector<std::string> all() const { return {points, runs, json, script, svg, png}; }
 };
 
 /// Everything that decides what a run of a study is, as text: a record of another one is not
 /// reused.
-std::string study_identity(const Config& config);
+std::string study_identity(const Config& config, const System& system);
 
 /// The runs that are done, one line each, appended as they end.
 class StudyRecord {

@@ -107,8 +107,8 @@ Scheme scheme_of(std::string_view name_or_text) {
     std::vector<std::string> names;
     for (const Scheme& scheme : schemes) names.emplace_back(scheme.name());
     throw Error(
-        fmt::format("there is no scheme '{}'{}; 'polhode schemes' lists all of them, and a text "
-                    "like \"{}\" spells one",
+        fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them, and a text "
+                    "like \"{}\" spells one)",
                     name_or_text, did_you_mean(name_or_text, names), example));
   }
   const Scheme scheme(Reader(name_or_text).stages(), 0);

@@ -9,6 +9,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "text_file.hpp"
@@ -177,13 +178,24 @@ void read_forces(TomlTable table, ForceSettings& forces) {
     forces.dielectric = read_dielectric(table, forces);
   }
   take(forces.skin, table.quantity("skin", Dimension::length, "0.1 nm"));
-  table.require(forces.skin >= 0, "skin", "must be 0 nm or more");
+  table.require(forces.skin > 0, "skin",
+                "must be longer than 0 nm, so that a list of neighbours lasts; 0.1 nm is usual");
   table.refuse_unknown();
+}
+
+// Throws, with the place of the key, unless the name or text is a scheme.
+void check_scheme(const std::string& scheme, std::string_view key, const TomlTable& table) {
+  try {
+    scheme_of(scheme);
+  } catch (const Error& e) {
+    throw e.at(table.where(key));
+  }
 }
 
 void read_integrator(TomlTable table, IntegratorSettings& integrator) {
   take(integrator.scheme, table.text("scheme"));
   table.require(!integrator.scheme.empty(), "scheme", "must name a scheme, for example \"hoa2\"");
+  check_scheme(integrator.scheme, "scheme", table);
   take_time(table, "step", integrator.step, "2 fs");
   table.require(integrator.step > 0, "step", "must be longer than 0 fs: time goes on in steps");
   take(integrator.lambda, table.number("lambda"));
@@ -221,6 +233,7 @@ void read_output(TomlTable table, OutputSettings& output) {
 void read_study(TomlTable table, StudySettings& study) {
   take(study.schemes, table.texts("schemes"));
   table.require(!study.schemes.empty(), "schemes", "must name at least one scheme");
+  for (const std::string& scheme : study.schemes) check_scheme(scheme, "schemes", table);
   for (const std::string& text : table.texts("steps").value_or(std::vector<std::string>{})) {
     try {
       study.steps.push_back(quantity(text, Dimension::time, "steps", "2 fs"));
@@ -261,7 +274,11 @@ Config parse_config(std::string_view text, const std::string& file) {
         "molecules = [{ model = \"tip4p\", count = 512 }], density = \"1 g/cm3\"",
         file);
   read_system(*system, path(file).parent_path(), config.system);
-  if (forces) read_forces(*forces, config.forces);
+  config.cutoff_place = file;
+  if (forces) {
+    read_forces(*forces, config.forces);
+    config.cutoff_place = forces->where("cutoff");
+  }
   if (integrator) read_integrator(*integrator, config.integrator);
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);

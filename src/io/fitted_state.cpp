@@ -139,8 +139,14 @@ FittedState fitted_state(const Frame& frame, const Topology& topology) {
   std::size_t i = 0;
   for (const auto& [molecule, count] : topology.parts) {
     check_size(molecule, frame);
-    for (std::size_t copy = 0; copy < count; ++copy, ++i)
+    for (std::size_t copy = 0; copy < count; ++copy, ++i) {
+      if (atoms.empty())
+        throw Error(fmt::format("the {} atoms end after {} of {} molecules; give the count of "
+                                "molecules that the file holds",
+                                frame.atoms.size(), i, topology.size()),
+                    frame.source);
       fit(fitted, i, molecule, take_molecule(atoms, molecule, frame), frame);
+    }
   }
   if (!atoms.empty())
     throw Error(fmt::format("there are {} atoms, of which the {} molecules take {}; give the count "

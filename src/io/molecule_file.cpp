@@ -99,8 +99,8 @@ Molecule read_molecule(const std::string& name_or_path) {
   const auto names = molecule_names();
   const auto near = did_you_mean(name_or_path, names);
   throw Error(
-      fmt::format("there is no molecule '{}'{}; there are: {}; the path of an own file "
-                  "ends in .toml",
+      fmt::format("there is no molecule '{}'{} (there are: {}; the path of a file of your own "
+                  "ends in .toml)",
                   name_or_path, near, listed(names)));
 }
 

@@ -176,27 +176,27 @@ tic(range) = range <= 0 ? 1 : nice(range, 10**floor(log10(range)))
 nice(range, p) = range < 1.5*p ? 0.2*p : range < 3*p ? 0.5*p : range < 6*p ? p : 2*p
 
 set multiplot
-set lmargin at screen 0.15
+set lmargin at screen 0.18
 set rmargin at screen 0.96
 unset key
 
 set tmargin at screen 0.90
-set bmargin at screen 0.56
+set bmargin at screen 0.57
 set title {1} noenhanced textcolor "#404040"
 set format x ""
-set label 1 "E − ⟨E⟩  (kJ/mol)" at screen 0.022, screen 0.73 center rotate
+set label 1 "E − ⟨E⟩  (kJ/mol)" at screen 0.03, screen 0.735 center rotate
 set autoscale xfix
 set ytics tic(E_max - E_min)
 set xzeroaxis linewidth 1 linecolor "#404040"
 plot data using (column("time [ps]")):(column("total [kJ/mol]") - E_mean) \
   with lines linewidth 1.4 linecolor "{2}"
 
-set tmargin at screen 0.50
-set bmargin at screen 0.14
+set tmargin at screen 0.52
+set bmargin at screen 0.19
 unset title
 set format x "%g"
-set xlabel "time  (ps)"
-set label 1 "V  (kJ/mol)" at screen 0.022, screen 0.32 center rotate
+set xlabel "time  (ps)" offset 0,0.3
+set label 1 "V  (kJ/mol)" at screen 0.03, screen 0.355 center rotate
 set ytics tic(V_max - V_min)
 unset xzeroaxis
 plot data using (column("time [ps]")):(column("potential [kJ/mol]")) \
@@ -227,12 +227,12 @@ std::string efficiency_script(const std::vector<EfficiencyCurve>& unsorted,
   return head(image, format, 720, 540) + data_blocks(curves) +
          fmt::format(R"gp(
 set multiplot
-set lmargin at screen 0.10
+set lmargin at screen 0.12
 set rmargin at screen 0.97
-set bmargin at screen 0.13
+set bmargin at screen 0.15
 set tmargin at screen 0.88
 set key tmargin center horizontal Left reverse noenhanced samplen 1.6 width {8} textcolor "#404040"
-set xlabel "force evaluations per ps"
+set xlabel "force evaluations per ps" offset 0,0.2
 set ylabel "R  (%)" offset 0.8
 set xrange [0:{0:.6g}]
 set yrange [0:{1:.6g}]

@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -11,12 +13,23 @@
 namespace polhode {
 
 std::string file_text(const std::string& path) {
+  std::error_code unreadable;
+  if (std::filesystem::is_directory(path, unreadable))
+    throw Error(fmt::format("'{}' is a folder; name a file in it", path));
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   if (file) text << file.rdbuf();
   if (!file || file.bad())
     throw Error(fmt::format("there is no readable file '{}'; check its path", path));
-  return text.str();
+  std::string read = text.str();
+  const auto odd = std::find_if(read.begin(), read.end(), [](unsigned char c) {
+    return (c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f') || c == 0x7f;
+  });
+  if (odd != read.end())
+    throw Error(fmt::format("'{}' holds the byte 0x{:02x}, which no text does; name a text file",
+                            path, static_cast<unsigned char>(*odd)),
+                fmt::format("{}:{}", path, 1 + std::count(read.begin(), odd, '\n')));
+  return read;
 }
 
 }  // namespace polhode

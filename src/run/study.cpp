@@ -176,9 +176,13 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     e.scheme = point.name;
     e.step = point.step;
     e.cost = cost(point.scheme, point.step);
+    std::vector<StudyRun> own;  // by their starts: sums do not depend on which run ended first
+    for (const StudyRun& run : runs)
+      if (run.scheme == e.scheme && same(run.step, e.step)) own.push_back(run);
+    std::sort(own.begin(), own.end(),
+              [](const auto& a, const auto& b) { return a.start < b.start; });
     std::vector<double> ratios, drifts, temperatures;
-    for (const StudyRun& run : runs) {
-      if (run.scheme != e.scheme || !same(run.step, e.step)) continue;
+    for (const StudyRun& run : own) {
       ++e.runs;
       if (!run.stable) {
         e.stable = false;

@@ -44,7 +44,16 @@ System assembled(const Config& config) {
     system.fit_deviation = fitted.deviation;
     system.new_velocities = !fitted.has_velocities;
   }
-  check_overlap(system.topology, system.state);
+  try {
+    check_overlap(system.topology, system.state);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  try {
+    const ForceField fits(system.topology, system.forces, system.state.box);
+  } catch (const Error& e) {
+    throw e.at(config.cutoff_place);
+  }
   if (system.new_velocities) draw_momenta(system, config.system.seed);
   return system;
 }

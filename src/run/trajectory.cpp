@@ -87,8 +87,8 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   sample();
   const double start_time = system.state.time;
   while (result.steps < steps && !result.stopped) {
-    const std::size_t chunk = std::min(interval, steps - result.steps);
-    for (std::size_t k = 0; k < chunk; ++k) {  // one by one: a step that fails is known
+    const std::size_t next = std::min(result.steps + interval, steps);
+    while (result.steps < next && !result.stopped) {  // one by one: a step that fails is known
       try {
         integrator.advance(system.state, settings.step);
       } catch (const RunError& e) {
@@ -97,10 +97,10 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
       ++result.steps;
       if (!std::isfinite(integrator.last_load().potential()))
         blown_up(settings, result.steps, "the potential energy is no longer a finite number");
+      result.stopped = watch.stop && watch.stop();
     }
     system.state.time = start_time + static_cast<double>(result.steps) * settings.step;
     sample();
-    if (watch.stop && watch.stop()) result.stopped = true;
   }
   motion += part.lap();
 

@@ -155,7 +155,7 @@ TEST_CASE("numbers outside their domain are refused with it") {
   check_text("[forces]\ntruncation = \"reaction-field\"\ndielectric = 0.5",
              {"dielectric = 0.5 must be 1"});
   check_text("[forces]\ntruncation = \"reaction-field\"\ndielectric = nan", {"finite"});
-  check_text("[forces]\nskin = \"-0.1 nm\"", {"must be 0 nm or more"});
+  check_text("[forces]\nskin = \"-0.1 nm\"", {"must be longer than 0 nm"});
   check_text("[integrator]\nstep = 2", {R"(step = 2 has no unit; write for example "2 fs")",
                                         "water.toml:5, integrator.step"});
   check_text("[integrator]\nstep = \"0 fs\"", {"step = \"0 fs\" must be longer than 0 fs"});

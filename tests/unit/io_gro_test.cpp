@@ -122,7 +122,7 @@ TEST_CASE("atoms that are not the model's molecules are refused") {
   };
   check_fit(replaced(water, " OW ", "  N "), 1,
             {"atom 1 (1 SOL) is 'N' where site 'OW' of molecule 'tip4p' must be", "a.gro"});
-  check_fit(water, 2, {"the end of the atoms is reached where site 'OW'"});
+  check_fit(water, 2, {"the 3 atoms end after 1 of 2 molecules", "give the count"});
   check_fit(water, 0, {"there are 3 atoms, of which the 0 molecules take 0"});
   check_fit(replaced(water, "0.067   0.294", "0.001   0.200"), 1,
             {"nm from its site in the rigid model 'tip4p'", "within 0.02 nm", "molecule 1"});

@@ -61,8 +61,9 @@ struct Config {
   RunSettings run;
   OutputSettings output;
   StudySettings study;
-  std::string source;  ///< path of the file, or "default"
-  std::string text;    ///< as read: its hash names outputs
+  std::string source;        ///< path of the file, or "default"
+  std::string text;          ///< as read: its hash names outputs
+  std::string cutoff_place;  ///< "water.toml:9, forces.cutoff": only the box tells if it fits
 };
 
 /// Reads and checks a run file. A relative path in it is relative to the file.

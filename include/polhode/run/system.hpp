@@ -21,7 +21,8 @@ struct System {
 };
 
 /// Molecules, start and momenta of a run file.
-/// @throws Error  if anything does not fit: counts, box, cutoff, overlapping molecules
+/// @throws Error  with its place if anything does not fit: counts, box, cutoff, overlapping
+/// molecules
 System assembled(const Config& config);
 
 /// Draws all momenta anew at the system's temperature, without total momentum.

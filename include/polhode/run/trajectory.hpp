@@ -26,7 +26,7 @@ struct TrajectorySettings {
 struct Watch {
   /// Called at every sample with the number of steps done.
   std::function<void(std::size_t steps, const State&, const Energies&)> sample;
-  /// Asked at every sample; true ends the trajectory there.
+  /// Asked after every step; true ends the trajectory there, with a last sample.
   std::function<bool()> stop;
 };
 

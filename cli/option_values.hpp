@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Values as options give them.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode::cli {
+
+/// "2 fs" in ps.
+/// @throws Error  if the unit is missing or the time is not positive
+inline double positive_time(const std::string& text, const std::string& option) {
+  const double t = quantity(text, Dimension::time, option);
+  if (!(t > 0))
+    throw Error(
+        fmt::format("{} = \"{}\" must be longer than 0; write for example \"2 fs\"", option, text));
+  return t;
+}
+
+/// A command as it would be typed, without the options that are empty.
+inline std::string typed_command(std::string command,
+                                 const std::vector<std::pair<std::string, std::string>>& options) {
+  for (const auto& [option, value] : options) {
+    if (value.empty()) continue;
+    if (!option.empty()) command += " " + option;
+    const bool plain = value.find_first_of(" ()'\"") == std::string::npos;
+    command += plain ? " " + value : " \"" + value + "\"";
+  }
+  return command;
+}
+
+/// The scheme of a name or a text.
+/// @throws Error  with the option if there is no such scheme
+inline Scheme scheme_option(const std::string& text, const std::string& option) {
+  try {
+    return scheme_of(text);
+  } catch (const Error& e) {
+    throw e.at(option);
+  }
+}
+
+}  // namespace polhode::cli

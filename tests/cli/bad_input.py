@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: MIT
+"""Wrong input ends with exit code 2 and a text that says value, bound, remedy and place; no file is made or changed."""
+
+import os
+import unittest
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+ATOMS = """two argon atoms
+    2
+    1argon   AR    1   0.500   0.500   0.500
+    2argon   AR    2   1.500   1.500   1.500
+   2.50000   2.50000   2.50000
+"""
+FROM_GRO = edited(SMALL, ('box = "2.5 nm"', 'start = "start.gro"'), ("count = 27", "count = 2"))
+BALL = """name = "ball"
+source = "user"
+
+[[site]]
+name = "X"
+element = "Ar"
+position = "0 0 0 nm"
+mass = "40 u"
+sigma = "0.34 nm"
+epsilon = "1 kJ/mol"
+"""
+WITH_BALL = edited(SMALL, ('"argon"', '"ball.toml"'))
+
+# Name of the case, changes of the run file, what the message must contain.
+RUN_FILE = [
+    ("unknown key", [("cutoff =", "cutof =")], ["'cutof'", "'cutoff'", "run.toml:7"]),
+    ("unknown table", [("[forces]", "[force]")], ["'force'", "'forces'", "run.toml:6"]),
+    ("missing unit", [('"2 fs"\n\n', "2\n\n")], ["step = 2", "no unit", '"2 fs"', "run.toml:11", "integrator.step"]),
+    ("missing unit in quotes", [('"1.0 nm"', '"1.0"')], ["no unit", '"1.0 nm"', "run.toml:7", "forces.cutoff"]),
+    ("wrong dimension", [('"1.0 nm"', '"1.0 fs"')], ["1.0 fs", "time", "length", "nm", "run.toml:7"]),
+    ("unknown unit", [('"1.0 nm"', '"1.0 nmm"')], ["'nmm'", "'nm'", "run.toml:7"]),
+    ("unknown scheme", [('scheme = "hoa2"', 'scheme = "hoa"')], ["'hoa'", "'hoa2'", "run.toml:10", "integrator.scheme"]),
+    ("scheme that cannot be read", [('"hoa2"', '"B(1/2) A(1 B(1/2)"')], ["character", "')'", "run.toml:10"]),
+    ("scheme that does not sum to one", [('"hoa2"', '"B(1/2) A(1) B(1/3)"')], ["0.83333", "sum to 1", "run.toml:10"]),
+    ("scheme with a zero denominator", [('"hoa2"', '"B(1/0) A(1)"')], ["denominator", "run.toml:10"]),
+    ("unknown molecule", [('"argon"', '"argn"')], ["'argn'", "'argon'", "run.toml:2"]),
+    ("unknown study scheme", [('"velocity-verlet"', '"velocity-verlett"')],
+     ["'velocity-verlett'", "'velocity-verlet'", "run.toml", "study.schemes"]),
+    ("cutoff above half the box", [('"1.0 nm"', '"1.4 nm"')], ["1.400 nm", "2.500 nm", "1.250 nm", "run.toml:7", "forces.cutoff"]),
+    ("default cutoff above half the box", [('"2.5 nm"', '"1.8 nm"'), ('cutoff = "1.0 nm"', "")],
+     ["1.000 nm", "0.900 nm", "run.toml"]),
+    ("overlapping start", [("count = 27", "count = 40000")], ["overlap", "nm apart", "lower density", "run.toml"]),
+    ("zero step", [('step = "2 fs"', 'step = "0 fs"')], ["0 fs", "longer than 0 fs", "run.toml:11"]),
+    ("negative step", [('step = "2 fs"', 'step = "-2 fs"')], ["-2 fs", "longer than 0 fs", "run.toml:11"]),
+    ("step that is not finite", [('step = "2 fs"', 'step = "nan fs"')], ["nan fs", "finite", "run.toml:11"]),
+    ("infinite cutoff", [('"1.0 nm"', '"inf nm"')], ["inf nm", "finite", "run.toml:7"]),
+    ("number that is too large", [('"100 K"', '"1e999 K"')], ["1e999 K", "finite", "run.toml:4"]),
+    ("negative temperature", [('"100 K"', '"-1 K"')], ["-1 K", "above 0 K", "run.toml:4"]),
+    ("zero count", [("count = 27", "count = 0")], ["count = 0", "1 or more", "run.toml:2"]),
+    ("fractional count", [("count = 27", "count = 2.5")], ["2.5", "whole number", "run.toml:2"]),
+    ("zero density", [('box = "2.5 nm"', 'density = "0 g/cm3"')], ["above 0 g/cm3", "run.toml:3"]),
+    ("no extent", [('box = "2.5 nm"\n', "")], ["density", "run.toml"]),
+    ("density beside a box", [('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')], ["leave one out", "run.toml:4"]),
+    ("switch beyond the cutoff", [('"1.0 nm"\n', '"1.0 nm"\nswitch = "1.1 nm"\n')], ["1.1 nm", "1 nm", "run.toml:8"]),
+    ("zero skin", [('"1.0 nm"\n', '"1.0 nm"\nskin = "0 nm"\n')], ["skin", "0.1 nm", "run.toml:8"]),
+    ("not TOML", [("[system]", "[system")], ["not TOML", "run.toml:1"]),
+    ("no molecules", [('molecules = [{ model = "argon", count = 27 }]\n', "")], ["no molecules", "tip4p", "run.toml"]),
+    ("start that is not there", [('box = "2.5 nm"', 'start = "none.gro"')], ["none.gro", "w512", "run.toml:3"]),
+    ("unknown format of trajectories", [('plot = "none"', 'formats = ["xyzz"]')], ["'xyzz'", "'xyz'", "run.toml:18"]),
+    ("unknown key of a study", [("runs = 2", "run = 2")], ["'run'", "'runs'", "run.toml:23"]),
+    ("one run a point", [("runs = 2", "runs = 1")], ["runs = 1", "2 or more", "run.toml:23"]),
+]
+
+# Name of the case, the start configuration, what the message must contain.
+START_FILE = [
+    ("empty file", "", ["start.gro:1", "title"]),
+    ("binary garbage", bytes(range(256)) * 20, ["start.gro:"]),
+    ("truncated atoms", ATOMS[:90], ["start.gro:4"]),
+    ("no box", "\n".join(ATOMS.splitlines()[:4]) + "\n", ["start.gro:5", "box"]),
+    ("count of atoms too small", ATOMS.replace("    2\n", "    1\n", 1), ["start.gro:4", "1"]),
+    ("count of atoms too large", ATOMS.replace("    2\n", "    3\n", 1), ["start.gro:5", "3"]),
+    ("count of atoms not a number", ATOMS.replace("    2\n", "  two\n", 1), ["start.gro:2", "two"]),
+    ("coordinate not a number", ATOMS.replace("0.500", "0.5x0", 1), ["start.gro:3", "0.5x0", "number"]),
+    ("coordinate not finite", ATOMS.replace("  0.500", "    nan", 1), ["start.gro:3"]),
+    ("triclinic box", ATOMS.replace("2.50000\n", "2.50000 0 0 0.5 0 0 0\n"), ["start.gro:5", "cuboid"]),
+    ("box of zero length", ATOMS.replace("   2.50000   2", "   0.00000   2"), ["start.gro:5", "longer than 0 nm"]),
+    ("atoms of another molecule", ATOMS.replace("AR", "OW"), ["start.gro", "'OW'", "'Ar'"]),
+    ("fewer molecules than counted", ATOMS.replace("    2\n", "    1\n", 1).replace("    2argon   AR    2   1.500   1.500   1.500\n", ""),
+     ["start.gro", "1 atoms", "1 of 2 molecules", "count"]),
+    ("more molecules than counted", ATOMS.replace("    2\n", "    3\n", 1).replace(
+        "   2.50000   2.5", "    3argon   AR    3   2.000   2.000   2.000\n   2.50000   2.5"), ["start.gro", "3 atoms", "2 molecules"]),
+    ("two atoms at one place", ATOMS.replace("1.500", "0.510"), ["molecules 1 and 2 overlap", "0.0173 nm", "0.085 nm"]),
+]
+
+# Name of the case, changes of a molecule file, what the message must contain.
+MOLECULE_FILE = [
+    ("zero mass", [('"40 u"', '"0 u"')], ["mass 0 u", "ball.toml"]),
+    ("negative mass", [('"40 u"', '"-1 u"')], ["-1 u", "0 or more", "ball.toml:8"]),
+    ("mass without unit", [('"40 u"', "40")], ["no unit", '"40 u"', "ball.toml:8"]),
+    ("position that is not finite", [("0 0 0 nm", "0 nan 0 nm")], ["finite", "ball.toml:7"]),
+    ("position of two numbers", [("0 0 0 nm", "0 0 nm")], ["0 0 nm", "ball.toml:7"]),
+    ("Lennard-Jones without diameter", [('sigma = "0.34 nm"\n', "")], ["epsilon", "sigma", "ball.toml"]),
+    ("unknown key", [("sigma", "sgima")], ["'sgima'", "'sigma'", "ball.toml:9"]),
+    ("no site", [("[[site]]", "[[sites]]")], ["'sites'", "'site'", "ball.toml:4"]),
+    ("element missing", [('element = "Ar"\n', "")], ["element", "'X'", "ball.toml"]),
+]
+
+
+class BadInput(Sandbox):
+    def refused(self, arguments, words, title):
+        before = self.contents()
+        process = self.polhode(*arguments)
+        with self.subTest(case=title, command=" ".join(arguments), message=process.err):
+            self.assertEqual(process.returncode, 2)
+            self.assertEqual(process.out, "")
+            for word in words:
+                self.assertIn(word, process.err)
+            self.assertEqual(self.contents(), before, "a file was made or changed")
+
+    def each_verb(self, words, title):
+        for verb in (("run",), ("energy",), ("study", "--output", "study")):
+            self.refused((verb[0], "run.toml", *verb[1:]), words, title)
+
+    def test_run_files(self):
+        for title, changes, words in RUN_FILE:
+            self.write("run.toml", edited(SMALL, *changes))
+            self.each_verb(words, title)
+
+    def test_start_configurations(self):
+        self.write("run.toml", FROM_GRO)
+        for title, text, words in START_FILE:
+            self.write("start.gro", text)
+            self.each_verb(words, title)
+
+    def test_molecule_files(self):
+        self.write("run.toml", WITH_BALL)
+        for title, changes, words in MOLECULE_FILE:
+            self.write("ball.toml", edited(BALL, *changes))
+            self.each_verb(words, title)
+
+    def test_files_that_cannot_be_read(self):
+        (self.folder / "folder").mkdir()
+        self.write("empty.toml", "")
+        self.write("garbage.toml", os.urandom(2000))
+        for verb in ("run", "energy", "study"):
+            self.refused((verb, "nowhere.toml"), ["nowhere.toml", "path"], "missing")
+            self.refused((verb, "folder"), ["'folder'"], "folder")
+            self.refused((verb, "empty.toml"), ["[system]", "empty.toml"], "empty")
+            self.refused((verb, "garbage.toml"), ["byte 0x", "garbage.toml:"], "garbage")
+        for name, word in (("folder", "'folder'"), ("empty.toml", "name"), ("garbage.toml", "text file")):
+            self.write("run.toml", edited(SMALL, ('"argon"', f'"./{name}"')))
+            self.each_verb([word], "molecule file " + name)
+        self.write("run.toml", edited(SMALL, ('box = "2.5 nm"', 'start = "folder"')))
+        self.each_verb(["'folder'", "run.toml:3", "system.start"], "start that is a folder")
+
+    def test_options(self):
+        self.write("run.toml", SMALL)
+        for options, words in [
+            (("--step", "2"), ["--step", "no unit", '"2 fs"']),
+            (("--step", "-2 fs"), ["--step", "-2 fs", "longer than 0"]),
+            (("--step", "2 nm"), ["--step", "2 nm", "length", "time"]),
+            (("--length", "1 fs"), ["1 fs", "2 fs", "step"]),
+            (("--scheme", "giere4"), ["'giere4'", "'gier4'", "--scheme"]),
+            (("--output", "nowhere/out"), ["'nowhere'", "nowhere/out"]),
+            (("--outptu", "out"), ["--outptu"]),
+        ]:
+            self.refused(("run", "run.toml", *options), words, "run")
+        for options, words in [
+            (("--steps", "2"), ["--steps", "no unit", '"2 fs"']),
+            (("--steps", "0 fs"), ["--steps", "0 fs", "longer than 0"]),
+            (("--length", "4 fs"), ["4 fs", "2 fs"]),
+            (("--schemes", "giere4"), ["'giere4'", "'gier4'", "--schemes"]),
+            (("--runs", "1"), ["--runs", "1"]),
+            (("--output", "nowhere/study"), ["'nowhere'", "nowhere/study"]),
+        ]:
+            self.refused(("study", "run.toml", *options), words, "study")
+        self.refused((), ["run", "study"], "no verb")
+        self.refused(("stdy",), ["'stdy'", "'study'"], "unknown verb")
+
+    def test_length_shorter_than_a_step(self):
+        self.write("run.toml", edited(SMALL, ('"0.02 ps"\n\n[output]', '"1.5 fs"\n\n[output]')))
+        self.refused(("run", "run.toml"), ["1.5 fs", "2 fs", "one step"], "length")
+
+    def test_output_that_exists(self):
+        self.write("run.toml", SMALL.replace('plot = "none"', 'plot = "svg"'))
+        for name in ("out-energies.csv", "out-final.gro", "out-trajectory.xyz", "out-trajectory.gro",
+                     "out-energies.svg", "out-energies.gp"):
+            self.write(name, "mine\n")
+            self.refused(("run", "run.toml"), [f"'{name}'", "--force"], "run")
+            (self.folder / name).unlink()
+        for name in ("study.csv", "study.json", "study.svg", "study.png", "study.gp", "study-runs.csv"):
+            self.write(name, "mine\n")
+            self.refused(("study", "run.toml"), [f"'{name}'", "--force"], "study")
+            (self.folder / name).unlink()
+        self.write("out-energies.csv", "mine\n")
+        self.assertEqual(self.polhode("run", "run.toml", "--force").returncode, 0)
+        self.assertNotEqual((self.folder / "out-energies.csv").read_text(), "mine\n")
+
+    def test_output_that_is_a_folder(self):
+        self.write("run.toml", SMALL)
+        (self.folder / "out-energies.csv").mkdir()
+        self.refused(("run", "run.toml", "--force"), ["'out-energies.csv'", "folder"], "run")
+
+    @unittest.skipIf(os.geteuid() == 0, "nothing is unwritable for root")
+    def test_folder_that_takes_no_files(self):
+        self.write("run.toml", SMALL)
+        (self.folder / "locked").mkdir(mode=0o500)
+        for verb in ("run", "study"):
+            self.refused((verb, "run.toml", "--output", "locked/out"), ["'locked'", "locked/out"], verb)
+
+    def test_folder_that_takes_no_files_whoever_asks(self):
+        self.write("run.toml", SMALL)
+        for verb in ("run", "study"):
+            self.refused((verb, "run.toml", "--output", "/proc/out"), ["/proc/out"], verb)
+
+    def test_a_run_that_blows_up(self):
+        self.write("run.toml", edited(SMALL, ('"100 K"', '"1000 K"'), ("count = 27", "count = 300"), ('"2 fs"\n\n', '"400 fs"\n\n'),
+                                      ('"0.02 ps"\n\n[output]', '"400 ps"\n\n[output]')))
+        process = self.polhode("run", "run.toml")
+        self.assertEqual(process.returncode, 1, process.err)
+        for word in ("blew up at step", "400 fs", "try 200 fs"):
+            self.assertIn(word, process.err)
+
+
+if __name__ == "__main__":
+    sandbox.main()

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""An empty folder in which the built program runs as a user runs it."""
+
+import argparse
+import os
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROGRAM = None  # the built program, from the command line
+LONGEST = 120  # seconds for one run of the program
+
+# 27 argon atoms in a box that just holds the default cutoff: every verb is done in a moment.
+SMALL = """[system]
+molecules = [{ model = "argon", count = 27 }]
+box = "2.5 nm"
+temperature = "100 K"
+
+[forces]
+cutoff = "1.0 nm"
+
+[integrator]
+scheme = "hoa2"
+step = "2 fs"
+
+[run]
+length = "0.02 ps"
+
+[output]
+prefix = "out"
+plot = "none"
+
+[study]
+schemes = ["velocity-verlet"]
+steps = ["2 fs"]
+runs = 2
+length = "0.1 ps"
+decorrelate = "0.02 ps"
+"""
+
+
+class Sandbox(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = Path(temporary.name)
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_bytes(text) if isinstance(text, bytes) else path.write_text(text, encoding="utf-8")
+
+    def start(self, *arguments, **environment):
+        return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, text=True, stdin=subprocess.DEVNULL,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                env={**os.environ, **environment})
+
+    def polhode(self, *arguments, **environment):
+        """The finished process of `polhode ARGUMENTS`."""
+        with self.start(*arguments, **environment) as process:
+            try:
+                process.out, process.err = process.communicate(timeout=LONGEST)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                raise
+        return process
+
+    def contents(self):
+        """Every file of the folder with what it holds."""
+        return {str(p.relative_to(self.folder)): p.read_bytes()
+                for p in sorted(self.folder.rglob("*")) if p.is_file()}
+
+    def rows(self, name):
+        """The lines of a CSV file below its comments, the head of the columns first."""
+        text = (self.folder / name).read_text(encoding="utf-8")
+        self.assertTrue(text.endswith("\n"), f"{name} ends within a line")
+        return [line for line in text.splitlines() if not line.startswith("#")]
+
+
+def edited(text, *changes):
+    """The text with each (old, new) replaced; an old one that is not there is a wrong test."""
+    for old, new in changes:
+        if old not in text:
+            raise ValueError(f"'{old}' is not in the run file")
+        text = text.replace(old, new)
+    return text
+
+
+def main():
+    global PROGRAM
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", type=Path, required=True)
+    options, rest = parser.parse_known_args()
+    PROGRAM = options.program.resolve()
+    unittest.main(module="__main__", argv=["polhode", *rest], verbosity=1)
