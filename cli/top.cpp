@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/table_file.hpp"
 #include "polhode/rotor/free_rotation.hpp"
 #include "top_figure.hpp"
 #include "verbs.hpp"
@@ -252,12 +252,8 @@ int top(const TopOptions& options) {
                     step, length),
         "--step, --length");
   const TopFigure figure(options.output);
-  if (!options.output.empty() && !options.force)
-    for (const std::string& file : figure.files())
-      if (std::filesystem::exists(file))
-        throw Error(
-            "the file exists and would be overwritten; choose another --output or add --force",
-            file);
+  if (!options.output.empty())
+    for (const std::string& file : figure.files()) refuse_existing(file, options.force);
   const std::vector<TopLine> lines = followed(J, L, step, std::floor(length / step * (1 + 1e-12)));
   if (options.json)
     print_json(lines, step);

@@ -2,19 +2,17 @@
 #include "top_figure.hpp"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <fstream>
+#include <filesystem>
+#include <iostream>
 #include <numbers>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/plot.hpp"
+#include "polhode/io/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
-
-extern char** environ;
 
 namespace polhode::cli {
 namespace {
@@ -165,6 +163,11 @@ std::string quoted(const std::string& name) {
   return text + "'";
 }
 
+/// gnuplot runs in the folder of the script, where all files of the picture are.
+std::string file_name(const std::string& path) {
+  return quoted(std::filesystem::path(path).filename().string());
+}
+
 std::string script_text(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
                         double twice_E) {
   const double longest = std::sqrt(twice_E / std::min({J.x, J.y, J.z}));
@@ -206,7 +209,7 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
         "set label '{{/:Italic ω}}_{}' at {:.6g},{:.6g},{:.6g} center front tc rgb '#333333'\n",
         from.x, from.y, from.z, to.x, to.y, to.z, names[k], label.x, label.y, label.z);
   }
-  const std::string data = quoted(figure.data);
+  const std::string data = file_name(figure.data);
   marks += fmt::format(
       "set label \"{{/:Italic J}} = ({:.5g}, {:.5g}, {:.5g})   {{/:Italic L}} = ({:.5g}, {:.5g}, "
       "{:.5g})   {{/:Italic L}}²/2{{/:Italic E}} = {:.5g}\" at screen 0.5,0.955 center tc rgb "
@@ -226,34 +229,11 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
          fmt::format(
              "set terminal svg size 900,820 enhanced font 'Helvetica,17' background '#ffffff'\n"
              "set output {}\n{}",
-             quoted(figure.svg), plot) +
+             file_name(figure.svg), plot) +
          fmt::format(
              "set terminal pngcairo size 1800,1640 enhanced font 'Helvetica,17' fontscale 2 "
              "linewidth 2\nset output {}\n{}",
-             quoted(figure.png), plot);
-}
-
-void write_file(const std::string& name, const std::string& text) {
-  std::ofstream out(name, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw Error("the file cannot be written; choose another --output", name);
-}
-
-/// Runs gnuplot on a script, without a shell between.
-void run_gnuplot(const std::string& script) {
-  std::string program = "gnuplot", argument = script;
-  std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
-  pid_t child = 0;
-  if (posix_spawnp(&child, "gnuplot", nullptr, nullptr, arguments.data(), environ) != 0)
-    throw Error(
-        "gnuplot is not installed, so nothing was drawn; the script is ready: install "
-        "gnuplot and run: gnuplot " +
-        script);
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0)
-    throw Error("gnuplot did not draw the picture; its message is above", script);
+             file_name(figure.png), plot);
 }
 
 }  // namespace
@@ -264,9 +244,9 @@ void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>
     throw Error(
         "the inertia ellipsoid of this top has no three finite axes (J = 0, L = 0, or units that "
         "overflow): there is nothing to draw; leave --output away");
-  write_file(figure.data, data_text(J, L, twice_E));
-  write_file(figure.script, script_text(figure, J, L, twice_E));
-  run_gnuplot(figure.script);
+  write_file(figure.data, [&](std::ostream& out) { out << data_text(J, L, twice_E); });
+  write_file(figure.script, [&](std::ostream& out) { out << script_text(figure, J, L, twice_E); });
+  run_gnuplot(figure.script, std::cerr);
 }
 
 }  // namespace polhode::cli

@@ -23,7 +23,8 @@ struct TopFigure {
 ///
 /// @param J  three positive principal moments, any consistent units
 /// @param L  body-frame angular momentum, not zero
-/// @throws Error  if a moment or L vanishes, a file cannot be written, or gnuplot cannot be run
+/// Without gnuplot a warning tells how to draw it later.
+/// @throws Error  if a moment or L vanishes, or a file cannot be written
 void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L);
 
 }  // namespace polhode::cli
