@@ -22,13 +22,13 @@ std::vector<double> default_steps(const Scheme& scheme, bool coarse) {
   std::vector<double> fs;
   if (scheme.force_evaluations() == 1)
     fs = coarse ? std::vector<double>{1, 2, 3, 4, 6}
-                : std::vector<double>{0.5, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8};
+                : std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8};
   else if (scheme.order() == 2)
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8}
-                : std::vector<double>{1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9};
+                : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
   else
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8}
-                : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
+                : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
   for (double& h : fs) h /= 1000;
   return fs;
 }

@@ -23,7 +23,7 @@ Config small_water() {
   config.forces = {Truncation::molecule_switch, 0.77, 0.62, 2, 78.5, 0.08};
   config.study.runs = 6;
   config.study.length = 1.5;
-  config.study.decorrelate = 4;
+  config.study.decorrelate = 1.5;
   return config;
 }
 
