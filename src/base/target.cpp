@@ -3,9 +3,8 @@
 
 #include <hwy/targets.h>
 
-#include <algorithm>
+#include <atomic>
 #include <cstdlib>
-#include <optional>
 #include <string>
 
 #include "polhode/base/error.hpp"
@@ -26,8 +25,8 @@ Target chosen() {
               "' is no instruction set of this program on this processor; choose one of: " + list);
 }
 
-std::optional<Target>& current() {
-  static std::optional<Target> target;
+std::atomic<Target>& current() {
+  static std::atomic<Target> target{chosen()};
   return target;
 }
 
@@ -58,10 +57,7 @@ std::vector<Target> available_targets() {
   return targets;
 }
 
-Target current_target() {
-  if (!current()) current() = chosen();
-  return *current();
-}
+Target current_target() { return current(); }
 
 void force_target(Target target) { current() = target; }
 
