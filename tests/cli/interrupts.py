@@ -22,7 +22,7 @@ class Interrupts(Sandbox):
         while not ready():
             self.assertIsNone(process.poll(), "it ended by itself")
             self.assertLess(time.monotonic(), end, "it never came so far")
-            time.sleep(0.01)
+            time.sleep(0.002)
         sent = time.monotonic()
         process.send_signal(signal_number)
         process.out, process.err = process.communicate(timeout=sandbox.LONGEST)
@@ -77,7 +77,7 @@ class Interrupts(Sandbox):
         self.assertEqual(self.contents(), before)
 
     def test_study(self):
-        study = edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]'), ('"0.1 ps"', '"3 ps"'), ("runs = 2", "runs = 4"))
+        study = edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]'), ('"0.1 ps"', '"2 ps"'), ("runs = 2", "runs = 12"))
         self.write("run.toml", study)
         self.assertEqual(self.polhode("study", "run.toml", "--output", "whole").returncode, 0)
         for signal_number in (signal.SIGINT, signal.SIGTERM):
