@@ -247,6 +247,7 @@ int run(const Options& o) {
         interrupted};
     t = trajectory(system, forces, settings, watch);
   }
+  if (t.samples.empty()) throw RunError(t.failure);
   if (t.stopped)
     fmt::print(stderr, "interrupted after {} steps; what was computed follows\n", t.steps);
 
@@ -254,6 +255,10 @@ int run(const Options& o) {
   write_file(files.energies, [&](std::ostream& out) {
     write_csv(out, energy_table(t.samples, s.freedoms), provenance);
   });
+  if (!t.failure.empty()) {
+    fmt::print(stderr, "the energies until then are in {}\n", files.energies);
+    throw RunError(t.failure);
+  }
   write_file(files.final_state,
              [&](std::ostream& out) { write_gro(out, frame_of(system.state, system.topology)); });
   if (!files.plot.empty())

@@ -27,8 +27,7 @@ std::vector<double> default_steps(const Scheme& scheme, bool coarse) {
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8}
                 : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
   else
-    fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8}
-                : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
+    fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8} : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
   for (double& h : fs) h /= 1000;
   return fs;
 }
@@ -45,26 +44,24 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
   StudyRun run{.scheme = point.name, .step = point.step, .start = index};
   System system = start;
   ForceField forces(system.topology, system.forces, system.state.box);
-  try {
-    const Trajectory t = trajectory(
-        system, forces,
-        {point.scheme, point.step, config.study.length, longest_sample, config.integrator.lambda},
-        {nullptr, progress.stop});
-    std::vector<double> total, potential;
-    double kinetic = 0;
-    for (const Energies& e : t.samples) {
-      total.push_back(e.total());
-      potential.push_back(e.potential());
-      kinetic += e.kinetic() / static_cast<double>(t.samples.size());
-    }
-    run.ratio = fluctuation_ratio(t.samples);
-    run.drift = drift_rate(t.samples);
-    run.total = fluctuation(total);
-    run.potential = fluctuation(potential);
-    run.temperature = temperature(kinetic, freedoms(system.topology).all());
-  } catch (const RunError&) {
-    run.stable = false;
+  const Trajectory t = trajectory(
+      system, forces,
+      {point.scheme, point.step, config.study.length, longest_sample, config.integrator.lambda},
+      {nullptr, progress.stop});
+  run.stable = t.failure.empty();
+  if (!run.stable) return run;
+  std::vector<double> total, potential;
+  double kinetic = 0;
+  for (const Energies& e : t.samples) {
+    total.push_back(e.total());
+    potential.push_back(e.potential());
+    kinetic += e.kinetic() / static_cast<double>(t.samples.size());
   }
+  run.ratio = fluctuation_ratio(t.samples);
+  run.drift = drift_rate(t.samples);
+  run.total = fluctuation(total);
+  run.potential = fluctuation(potential);
+  run.temperature = temperature(kinetic, freedoms(system.topology).all());
   return run;
 }
 

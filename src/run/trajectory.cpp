@@ -69,11 +69,11 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
 
   const auto sample = [&] {
     motion += part.lap();
-    result.samples.push_back(energies(system.state, system.bodies, integrator.load(system.state)));
-    const Energies& now = result.samples.back();
-    const Energies& start = result.samples.front();
+    const Energies now = energies(system.state, system.bodies, integrator.load(system.state));
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
+    result.samples.push_back(now);
+    const Energies& start = result.samples.front();
     if (std::abs(now.total() - start.total()) > start.kinetic() && start.kinetic() > 0)
       blown_up(
           settings, result.steps,
@@ -83,24 +83,31 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
     if (watch.sample) watch.sample(result.steps, system.state, now);
     part.lap();
   };
-
-  sample();
-  const double start_time = system.state.time;
-  while (result.steps < steps && !result.stopped) {
-    const std::size_t next = std::min(result.steps + interval, steps);
-    while (result.steps < next && !result.stopped) {  // one by one: a step that fails is known
-      try {
-        integrator.advance(system.state, settings.step);
-      } catch (const RunError& e) {
-        blown_up(settings, result.steps + 1, e.what());
-      }
-      ++result.steps;
-      if (!std::isfinite(integrator.last_load().potential()))
-        blown_up(settings, result.steps, "the potential energy is no longer a finite number");
-      result.stopped = watch.stop && watch.stop();
+  const auto step = [&] {
+    try {
+      integrator.advance(system.state, settings.step);
+    } catch (const RunError& e) {
+      blown_up(settings, result.steps + 1, e.what());
     }
-    system.state.time = start_time + static_cast<double>(result.steps) * settings.step;
+    ++result.steps;
+    if (!std::isfinite(integrator.last_load().potential()))
+      blown_up(settings, result.steps, "the potential energy is no longer a finite number");
+  };
+
+  const double start_time = system.state.time;
+  try {
     sample();
+    while (result.steps < steps && !result.stopped) {
+      const std::size_t next = std::min(result.steps + interval, steps);
+      while (result.steps < next && !result.stopped) {  // one by one: a step that fails is known
+        step();
+        result.stopped = watch.stop && watch.stop();
+      }
+      system.state.time = start_time + static_cast<double>(result.steps) * settings.step;
+      sample();
+    }
+  } catch (const RunError& e) {
+    result.failure = e.what();
   }
   motion += part.lap();
 
@@ -108,9 +115,9 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   result.measurements = integrator.measurements();
   const double all = whole.lap(), list = forces.neighbours().seconds() - list_before;
   // Forces run within motion, and in schemes that end with a drift within measurement.
-  const double forces_in_motion =
-      timed.seconds * static_cast<double>(result.force_evaluations) /
-      static_cast<double>(result.force_evaluations + result.measurements);
+  const double forces_in_motion = timed.seconds * static_cast<double>(result.force_evaluations) /
+                                  static_cast<double>(std::max<std::uint64_t>(
+                                      1, result.force_evaluations + result.measurements));
   result.timings = {timed.seconds - list, list, motion - forces_in_motion, 0};
   result.timings.measurement = std::max(0.0, all - timed.seconds - result.timings.motion);
   return result;
@@ -126,6 +133,7 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
     const Trajectory part =
         trajectory(system, forces, {scheme, step, std::max(piece, step), interval}, watch);
     done += piece;
+    if (!part.failure.empty()) throw RunError("while equilibrating, " + part.failure);
     if (part.stopped) return false;
   }
   rescale(system.state, system.topology, system.bodies, system.temperature);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "polhode/integrate/scheme.hpp"
@@ -45,19 +46,20 @@ struct Trajectory {
   std::uint64_t force_evaluations = 0;  ///< by the scheme
   std::uint64_t measurements = 0;       ///< force evaluations for energies alone
   bool stopped = false;                 ///< by the watch
+  std::string failure;                  ///< why it ended early by itself; empty if it did not
   Timings timings;
 };
 
-/// Moves the system's state along. Total energy is sampled at synchronised steps.
-/// @throws RunError  if it blows up: energies that are not finite, or a total energy that has
-/// changed
-///                   by more than the kinetic energy at the start. Says the step and what to try.
+/// Moves the system's state along. Total energy is sampled at synchronised steps. A trajectory that
+/// blows up ends there and says so, with the step and what to try, in `failure`: an energy is not
+/// finite, or the total energy has changed by more than the kinetic energy at the start.
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                       const Watch& watch = {});
 
 /// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
 /// the total momentum removed. The step is at most 1 fs, so that rough starts relax.
 /// @return  false if the watch stopped it
+/// @throws RunError  if it blows up
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {});
 
 }  // namespace polhode
