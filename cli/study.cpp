@@ -94,8 +94,6 @@ int study(const Options& o) {
         {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted});
   }
 
-  // A record may hold more than is asked for now.
-  std::erase_if(runs, [&](const StudyRun& run) { return run.start >= config.study.runs; });
   const StudyReport report(config, efficiency_points(points, runs));
   write_study(files, report, provenance);
   if (o.json)

@@ -251,7 +251,8 @@ std::string study_json(const StudyReport& report) {
         row["costs"][report.curves[c].scheme] = {{"force_evaluations_per_ps", line.costs[c]->cost},
                                                  {"error", line.costs[c]->error},
                                                  {"step_fs", line.costs[c]->step * 1000},
-                                                 {"extrapolated", line.costs[c]->extrapolated}};
+                                                 {"extrapolated", line.costs[c]->extrapolated},
+                                                 {"longest_without_drift", line.costs[c]->longest}};
     if (line.best) row["best"] = report.curves[*line.best].scheme;
     json["guidelines"].push_back(row);
   }
@@ -297,8 +298,9 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
     }
 
   fmt::print(
-      "\ncost in force evaluations per ps (ratio to velocity Verlet); * extrapolated by the "
-      "scheme's order\n{:>8}",
+      "\nleast cost for an R at or below the one given, in force evaluations per ps (ratio to "
+      "velocity "
+      "Verlet);\n* extrapolated by the scheme's order, + the longest step without drift\n{:>8}",
       "R %");
   for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
   fmt::print("  best\n");
@@ -312,7 +314,9 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
       std::string text = "-";
       if (cost) {
         text = fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error,
-                           cost->extrapolated ? "*" : "");
+                           cost->extrapolated ? "*"
+                           : cost->longest    ? "+"
+                                              : "");
         if (verlet < line.costs.size() && line.costs[verlet])
           text += fmt::format(" ({:.2f})", line.costs[verlet]->cost / cost->cost);
       }

@@ -69,7 +69,7 @@ void ForceField::operator()(const State& state, Load& load) {
   const std::size_t parts = topology_.parts.size();
   for (std::size_t part = 0; part < parts; ++part) POLHODE_CURRENT_LOOPS(site_arms)
   (state.attitude, sites_[part], first_[part], first_[part + 1], arms_);
-  buffer_.reserve(list_.longest_row(), arms_.stride / 3);
+  buffer_.reserve(list_.longest_row());
   for (std::size_t a = 0; a < parts; ++a)
     for (std::size_t b = a; b < parts; ++b) {
       const double reach = list_.reach(a, b);

@@ -96,6 +96,11 @@ Ranges ranges_of(const std::vector<EfficiencyCurve>& curves) {
   return r;
 }
 
+// A step too long for the scheme is among the marks.
+bool end_known(const EfficiencyCurve& curve) {
+  return std::any_of(curve.marks.begin(), curve.marks.end(), [](auto& m) { return !m.stable; });
+}
+
 // One data block for each curve: cost, R [%], its error, and 1 at the end of stability.
 std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
   std::string text;
@@ -104,13 +109,11 @@ std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
         "\n# {}: force evaluations per ps, R [%], its standard error, last stable\n"
         "$curve{} << EOD\n",
         curves[k].scheme, k);
-    bool unstable_known = false;
-    for (const EfficiencyMark& mark : curves[k].marks) unstable_known |= !mark.stable;
     bool first = true;  // marks ascend in cost, so the first stable one has the longest step
     for (const EfficiencyMark& mark : curves[k].marks) {
       if (!mark.stable) continue;
       text += fmt::format("{:.8g} {:.8g} {:.3g} {}\n", mark.cost, 100 * mark.ratio,
-                          100 * mark.error, first && unstable_known ? 1 : 0);
+                          100 * mark.error, first && end_known(curves[k]) ? 1 : 0);
       first = false;
     }
     text += "EOD\n";
@@ -151,10 +154,10 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
           "linecolor \"{}\" title {}, ",
           filled, size, colour, quoted(curves[k].scheme));
   }
-  if (!inset)
+  if (!inset && std::any_of(curves.begin(), curves.end(), end_known))
     plot +=
         "\\\n  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor \"#404040\" "
-        "title \"longest stable step\"";
+        "title \"longest step without drift\"";
   else
     plot += "NaN notitle";
   return plot + "\n";
@@ -221,8 +224,9 @@ std::string efficiency_script(const std::vector<EfficiencyCurve>& unsorted,
   // linear axis is stretched until no curve runs there.
   constexpr double inset_left = 0.34, inset_bottom = 0.36;
   const double wanted = std::min(highest, 1.08 * r.ratio_high);
-  const double right = 1.1 * last_cost_above(curves, 0.02 * wanted);
-  const double top = std::max(wanted, highest_beyond(curves, inset_left * right) / inset_bottom);
+  const double left = 0.6 * r.cost_low, right = 1.1 * last_cost_above(curves, 0.02 * wanted);
+  const double top =
+      std::max(wanted, highest_beyond(curves, left + inset_left * (right - left)) / inset_bottom);
 
   return head(image, format, 720, 540) + data_blocks(curves) +
          fmt::format(R"gp(
@@ -234,7 +238,7 @@ set tmargin at screen 0.88
 set key tmargin center horizontal Left reverse noenhanced samplen 1.6 width {8} textcolor "#404040"
 set xlabel "force evaluations per ps" offset 0,0.2
 set ylabel "R  (%)" offset 0.8
-set xrange [0:{0:.6g}]
+set xrange [{10:.6g}:{0:.6g}]
 set yrange [0:{1:.6g}]
 {2}
 #Everything, on logarithmic axes.
@@ -257,7 +261,7 @@ set yrange [{5:.6g}:{9:.6g}]
                      right, 100 * top, curves_command(curves, false), 0.8 * r.cost_low,
                      1.25 * r.cost_high, 100 * 0.7 * r.ratio_low, format == "png" ? 9 : 12,
                      curves_command(curves, true), format == "png" ? 0 : 1,
-                     100 * 1.6 * r.ratio_high);
+                     100 * 1.6 * r.ratio_high, left);
 }
 
 }  // namespace polhode

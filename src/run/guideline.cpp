@@ -53,6 +53,11 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
     log_error = std::hypot((1 - x) * relative_error(points[i]), x * relative_error(points[i + 1])) /
                 at.exponent;
   }
+  const EfficiencyPoint& last = points[curve.usable - 1];
+  if (ratio > last.ratio.value) {
+    at.step = last.step;
+    at.longest = true;
+  }
   if (at.step == 0) return std::nullopt;
   at.cost = at.evaluations / at.step;
   at.error = at.cost * log_error;
@@ -79,7 +84,8 @@ std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser) {
   // log(cost ratio) along a fine ladder of R; the largest R at which it changes sign.
   const auto advantage = [&](double R) -> std::optional<double> {
     const auto a = cost_at(finer, R), b = cost_at(coarser, R);
-    if (!a || !b || a->extrapolated || b->extrapolated) return std::nullopt;
+    for (const auto& cost : {a, b})
+      if (!cost || cost->extrapolated || cost->longest) return std::nullopt;
     return std::log(b->cost / a->cost);
   };
   constexpr double factor = 1.002, largest = 0.2, smallest = 1e-7;

@@ -41,7 +41,10 @@ TEST_CASE("costs are interpolated along the power law, and extrapolated by the o
   REQUIRE(below);
   CHECK(below->extrapolated);
   CHECK(below->cost == doctest::Approx(2000).epsilon(1e-12));
-  CHECK(!cost_at(all[0], 1.0));
+  const auto above = cost_at(all[0], 1.0);  // the longest step will do
+  REQUIRE(above);
+  CHECK(above->longest);
+  CHECK(above->step == 0.008);
 }
 
 TEST_CASE("a curve ends where a step drifts or blows up") {
@@ -49,9 +52,11 @@ TEST_CASE("a curve ends where a step drifts or blows up") {
   points[3].drift.chance = 0.001;
   const auto all = curves(points);
   CHECK(all[0].usable == 3);
-  CHECK(!cost_at(all[0], points[4].ratio.value));
+  CHECK(cost_at(all[0], points[4].ratio.value)->step == points[2].step);
   points[1].stable = false;
   CHECK(curves(points)[0].usable == 1);
+  points[0].stable = false;
+  CHECK(!cost_at(curves(points)[0], 1e-3));
 }
 
 // c₂ h² with 2 evaluations against c₄ h⁴ with 3: equal costs n/h at R* with 2/√(√(R/c₂))... the

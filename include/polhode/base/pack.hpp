@@ -104,8 +104,8 @@ Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
 }
 /// 1/√a to about one unit in the last place, for a within the range of floats: the hardware's
 /// estimate y of 11 bits or more, then steps of fourth order. With e = 1 − a y², 1/√a = y (1 −
-/// e)^{−1/2} = y (1 + e/2 + 3/8 e² + 5/16 e³ + 35/128 e⁴ ...): one step leaves 0.3 e⁴, below 2⁻⁵³ if
-/// |e| < 2⁻¹³ as with the estimate of AVX-512; other sets take a step of second order after it.
+/// e)^{−1/2} = y (1 + e/2 + 3/8 e² + 5/16 e³ + 35/128 e⁴ ...): one step leaves 0.3 e⁴, below 2⁻⁵³
+/// if |e| < 2⁻¹³ as with the estimate of AVX-512; other sets take a step of second order after it.
 template <class T>
 Pack<T> inverse_sqrt(Pack<T> a) {
 #if HWY_TARGET == HWY_SCALAR
@@ -134,15 +134,44 @@ T sum(Pack<T> a) {
   return hn::GetLane(hn::SumOfLanes(typename Pack<T>::Tag(), a.v));
 }
 
-/// p[i0], p[i1], ... for a pack of indices.
+/// Transposes a square: `row[i]` points to as many numbers as a pack is wide, and `column[k]`
+/// becomes the k-th of each row. Loads and shuffles, where a gather would fetch numbers one by one.
 template <class T>
-Pack<T> gather(const T* p, typename Pack<T>::Index index) {
-  return Pack<T>(hn::GatherIndex(typename Pack<T>::Tag(), p, index));
-}
-/// p[i] = value, lane by lane.
-template <class T>
-void scatter(Pack<T> value, T* p, typename Pack<T>::Index index) {
-  hn::ScatterIndex(value.v, typename Pack<T>::Tag(), p, index);
+void load_transposed(const T* const* row, Pack<T>* column) {
+  static_assert(sizeof(T) == 8);
+  const typename Pack<T>::Tag tag;
+  const auto load = [&](std::size_t i) { return hn::LoadU(tag, row[i]); };
+#if HWY_TARGET == HWY_SCALAR
+  column[0] = Pack<T>(load(0));
+#else
+  // Within blocks of two numbers first, pairs of rows; then blocks change places.
+  const auto pairs = [&](std::size_t i, std::size_t k) {
+    return k == 0 ? hn::InterleaveLower(tag, load(i), load(i + 1))
+                  : hn::InterleaveUpper(tag, load(i), load(i + 1));
+  };
+  for (std::size_t k = 0; k < 2; ++k) {
+    if constexpr (Pack<T>::width == 2) {
+      column[k] = Pack<T>(pairs(0, k));
+    } else if constexpr (Pack<T>::width == 4) {
+      const auto low = pairs(0, k), high = pairs(2, k);
+      column[k] = Pack<T>(hn::ConcatLowerLower(tag, high, low));
+      column[k + 2] = Pack<T>(hn::ConcatUpperUpper(tag, high, low));
+    } else {
+      static_assert(Pack<T>::width == 8);
+      const auto a = pairs(0, k), b = pairs(2, k), c = pairs(4, k), d = pairs(6, k);
+      const auto even = [](auto x, auto y) {  // blocks 0 and 2 of x and y in turn
+        return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(y), x);
+      };
+      const auto odd = [](auto x, auto y) {
+        return hn::OddEvenBlocks(y, hn::SwapAdjacentBlocks(x));
+      };
+      column[k] = Pack<T>(hn::ConcatLowerLower(tag, even(c, d), even(a, b)));
+      column[k + 2] = Pack<T>(hn::ConcatLowerLower(tag, odd(c, d), odd(a, b)));
+      column[k + 4] = Pack<T>(hn::ConcatUpperUpper(tag, even(c, d), even(a, b)));
+      column[k + 6] = Pack<T>(hn::ConcatUpperUpper(tag, odd(c, d), odd(a, b)));
+    }
+  }
+#endif
 }
 
 }  // namespace HWY_NAMESPACE

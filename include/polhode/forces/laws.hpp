@@ -90,9 +90,12 @@ class Switch {
   // w' = −c xⁿ (1 − x)ⁿ.
   static constexpr std::array<double, 4> inner(int n) {
     switch (n) {
-      case 1: return {3, -2};
-      case 2: return {10, -15, 6};
-      default: return {35, -84, 70, -20};
+      case 1:
+        return {3, -2};
+      case 2:
+        return {10, -15, 6};
+      default:
+        return {35, -84, 70, -20};
     }
   }
   double slope_factor() const { return n_ == 1 ? -6 : n_ == 2 ? -30 : -140; }

@@ -26,7 +26,8 @@ template <std::size_t charged_a_, std::size_t charged_b_, std::size_t dispersive
 struct FixedShape {
   static constexpr std::size_t charged_a = charged_a_, charged_b = charged_b_;
   static constexpr std::size_t dispersive_a = dispersive_a_, dispersive_b = dispersive_b_;
-  static constexpr std::size_t most = charged_a + dispersive_a;
+  static constexpr std::size_t most_a = charged_a + dispersive_a, most_b = charged_b + dispersive_b;
+  static constexpr std::size_t most = most_a > most_b ? most_a : most_b;  ///< arms of a molecule
   explicit FixedShape(const PairTable&) {}
   static bool fits(const PairTable& t) {
     return t.charged_a == charged_a && t.charged_b == charged_b && t.dispersive_a == dispersive_a &&

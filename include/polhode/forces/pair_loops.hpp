@@ -17,7 +17,8 @@ struct ArmRecords {
 
   ArmRecords() = default;
   ArmRecords(std::size_t bodies, std::size_t most)
-      : stride(3 * most), values(bodies * stride + pack_bytes) {}
+      : stride(Column<double>::padded(3 * most)),
+        values(bodies * stride + pack_bytes) {}  // packs read beyond a record
   const double* of(std::size_t body) const { return &values[body * stride]; }
   double* of(std::size_t body) { return &values[body * stride]; }
 };
@@ -34,21 +35,16 @@ struct PairJob {
       range2;  ///< the square of the longest distance of centres at which the pair interacts [nm²]
 };
 
-/// Scratch space for the partners of one body that are in range: columns of `capacity` numbers.
+/// Scratch space for the partners of one body that are in range.
 struct PartnerBuffer {
-  std::size_t capacity = 0, columns = 0;
   std::vector<std::uint32_t> body;
-  Column<double> values;  ///< x, y, z of the centre relative to the body's, then of each arm [nm]
+  Vec3Column R;  ///< centres relative to the body's [nm]
 
-  void reserve(std::size_t partners, std::size_t arms) {
-    if (capacity >= partners + pack_bytes && columns >= 3 * arms + 3) return;
-    capacity = Column<double>::padded(partners + partners / 4 + pack_bytes);
-    columns = 3 * arms + 3;
-    body.assign(capacity, 0);
-    values = Column<double>(capacity * columns);
+  void reserve(std::size_t partners) {
+    if (body.size() >= partners + pack_bytes) return;
+    body.assign(partners + partners / 4 + pack_bytes, 0);
+    R = Vec3Column(body.size());
   }
-  double* column(std::size_t k) { return &values[k * capacity]; }
-  const double* column(std::size_t k) const { return &values[k * capacity]; }
 };
 
 POLHODE_DECLARE_LOOPS(

@@ -37,6 +37,6 @@ struct EfficiencyCurve {
 /// logarithmic inset of everything. The longest stable step is an open symbol, where a longer one
 /// is known to be unstable. Writes PREFIX.gp and PREFIX.svg or PREFIX.png.
 bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
-                     const std::string& format, std::ostream& warnings, double highest = 0.03);
+                     const std::string& format, std::ostream& warnings, double highest = 0.035);
 
 }  // namespace polhode

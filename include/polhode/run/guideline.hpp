@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// The cost of one scheme at one R.
+/// The least cost at which one scheme keeps its R at or below a wanted one.
 struct CostAtRatio {
   double cost = 0;            ///< force evaluations per ps
   double error = 0;           ///< of the cost, from the errors of R at the points around
@@ -19,6 +19,7 @@ struct CostAtRatio {
   double evaluations = 0;     ///< force evaluations per step
   double exponent = 0;        ///< local d log R / d log h
   bool extrapolated = false;  ///< below the smallest R measured, by the scheme's order
+  bool longest = false;       ///< the longest step without drift, whose R is smaller than wanted
 };
 
 struct Guideline {
@@ -37,7 +38,8 @@ struct Curve {
 /// The curves of a study, in the order in which its points name the schemes.
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
 
-/// The cost at R, by interpolation of log h over log R between neighbouring usable points.
+/// The cost at R, by interpolation of log h over log R between neighbouring usable points; where
+/// even the longest usable step has a smaller R, the cost of that step.
 std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio);
 
 std::vector<Guideline> guidelines(const std::vector<Curve>& curves,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/pair_loops.hpp"
 
+#include <array>
+
 #include "polhode/base/pack.hpp"
 #include "polhode/base/pack_column.hpp"
 #include "polhode/forces/molecule_pair.hpp"
@@ -33,32 +35,45 @@ constexpr double far_away = 1e3;  // [nm]: beyond any cutoff, so that all switch
 
 // Leaves in the buffer the partners that are in range now, without those that the list holds for
 // its skin only, filled up to whole packs by copies of the first at a distance where nothing acts.
-template <class Shape>
-std::size_t gather_in_range(std::span<const Neighbour> partners, const PairJob& job,
+std::size_t select_in_range(std::span<const Neighbour> partners, const PairJob& job,
                             const Vec3<double>& q_i, PartnerBuffer& buffer) {
-  const Shape shape(job.table);
-  const std::size_t numbers = 3 * (shape.charged_b + shape.dispersive_b);
   const Vec3Column& q = job.list.wrapped();
-  double* const column = buffer.column(0);
-  const std::size_t capacity = buffer.capacity;
   std::size_t count = 0;
   for (const Neighbour partner : partners) {
     const std::size_t j = partner.body();
     const Vec3<double> R = q[j] - q_i + job.image_shifts[partner.image()];
-    const double* const record = job.arms.of(j);
     buffer.body[count] = static_cast<std::uint32_t>(j);
-    column[count] = R.x;
-    column[count + capacity] = R.y;
-    column[count + 2 * capacity] = R.z;
-    for (std::size_t k = 0; k < numbers; ++k) column[count + (k + 3) * capacity] = record[k];
+    buffer.R.set(count, R);
     count += norm2(R) < job.range2 ? 1 : 0;
   }
   for (std::size_t n = count; n % Real::width != 0; ++n) {
-    column[n] = far_away;
-    for (std::size_t k = 1; k < numbers + 3; ++k) column[n + k * capacity] = 0;
+    buffer.body[n] = buffer.body[0];
+    buffer.R.set(n, {far_away, 0, 0});
   }
   return count;
 }
+
+// The arms of the partners in the lanes of a pack.
+template <class Shape>
+class PartnerArms {
+ public:
+  PartnerArms(const PairJob& job, const std::uint32_t* body) {
+    const Shape shape(job.table);
+    const std::size_t numbers = 3 * (shape.charged_b + shape.dispersive_b);
+    const double* row[Real::width];
+    for (std::size_t lane = 0; lane < Real::width; ++lane) row[lane] = job.arms.of(body[lane]);
+    for (std::size_t k = 0; k < numbers; k += Real::width) {
+      load_transposed(row, &number_[k]);
+      for (const double*& r : row) r += Real::width;
+    }
+  }
+  Vec3<Real> operator()(std::size_t k) const {
+    return {number_[3 * k], number_[3 * k + 1], number_[3 * k + 2]};
+  }
+
+ private:
+  std::array<Real, 3 * Shape::most + Real::width> number_;
+};
 
 template <Truncation truncation, class Shape>
 void pair_forces_of(const PairJob& job, PartnerBuffer& buffer, Load& load) {
@@ -67,21 +82,17 @@ void pair_forces_of(const PairJob& job, PartnerBuffer& buffer, Load& load) {
   Real lennard_jones, coulomb;
 
   for (std::size_t i = job.first; i < job.end; ++i) {
-    const std::size_t partners = gather_in_range<Shape>(job.list.partners(i, job.partner_part), job,
-                                                        job.list.wrapped()[i], buffer);
+    const std::size_t partners =
+        select_in_range(job.list.partners(i, job.partner_part), job, job.list.wrapped()[i], buffer);
     const double* const record = job.arms.of(i);
     for (std::size_t a = 0; a < table.arms_a(); ++a)
       arm_a[a] = {Real(record[3 * a]), Real(record[3 * a + 1]), Real(record[3 * a + 2])};
     Vec3<Real> f_i, tau_i;
 
     for (std::size_t start = 0; start < partners; start += Real::width) {
-      const auto vector = [&](std::size_t k) {  // the centre, then arm k − 1
-        return Vec3<Real>{Real::load(buffer.column(3 * k) + start),
-                          Real::load(buffer.column(3 * k + 1) + start),
-                          Real::load(buffer.column(3 * k + 2) + start)};
-      };
-      const PairLoad<Real> pair = molecule_pair<truncation, Shape>(
-          table, job.laws, vector(0), arm_a, [&](std::size_t b) { return vector(b + 1); });
+      const PairLoad<Real> pair =
+          molecule_pair<truncation, Shape>(table, job.laws, load_pack<Real>(buffer.R, start), arm_a,
+                                           PartnerArms<Shape>(job, &buffer.body[start]));
       f_i -= pair.f;
       tau_i += pair.tau_a;
       lennard_jones += pair.lennard_jones;
