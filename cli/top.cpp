@@ -285,13 +285,12 @@ Action top_verb(CLI::App& app) {
       "--table", options->table,
       "read tops from a CSV file with columns I1,I2,I3,L1,L2,L3,t and print their rotations");
   const std::map<std::string, RotorMethod> methods{
-      {"series", RotorMethod::series},
-      {"closed", RotorMethod::closed},
-      {"recursive", RotorMethod::recursive},
-      {"no-squish", RotorMethod::no_squish},
-      {"symmetric-product", RotorMethod::symmetric_product}};
+      {"series", RotorMethod::series},       {"closed", RotorMethod::closed},
+      {"theta", RotorMethod::theta},         {"recursive", RotorMethod::recursive},
+      {"no-squish", RotorMethod::no_squish}, {"symmetric-product", RotorMethod::symmetric_product}};
   app.add_option("--method", options->method,
-                 "for --table: series (default), closed, recursive, no-squish, symmetric-product")
+                 "for --table: series (default), closed, theta, recursive, no-squish, "
+                 "symmetric-product")
       ->transform(CLI::CheckedTransformer(methods).description(""));
   return [options] { return top(*options); };
 }

@@ -13,7 +13,7 @@ using namespace polhode;
 namespace {
 
 constexpr double epsilon = 0x1p-53;  // one rounding
-constexpr std::array exact_methods{RotorMethod::series, RotorMethod::closed,
+constexpr std::array exact_methods{RotorMethod::series, RotorMethod::closed, RotorMethod::theta,
                                    RotorMethod::recursive};
 
 struct RandomTop {

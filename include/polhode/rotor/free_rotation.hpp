@@ -12,7 +12,8 @@ namespace polhode {
 
 enum class RotorMethod {
   series,             ///< what molecular dynamics uses; the closed form beyond |ω t| = 0.3
-  closed,             ///< elliptic functions and an integral of the third kind
+  closed,             ///< elliptic functions and Carlson's integral of the third kind
+  theta,              ///< the same with the integral by theta functions
   recursive,          ///< elliptic functions and two-point Hermite quadrature
   no_squish,          ///< second order, for comparison
   symmetric_product,  ///< second order, for comparison
@@ -47,6 +48,8 @@ inline FreeRotation free_rotation(const Vec3<double>& J, const Vec3<double>& L, 
   switch (method) {
     case RotorMethod::closed:
       return closed_rotation(J, L, t);
+    case RotorMethod::theta:
+      return closed_rotation(J, L, t, ThirdKind::theta);
     case RotorMethod::recursive:
       return recursive_rotation(J, L, t);
     case RotorMethod::no_squish:

@@ -2,9 +2,16 @@
 // The free rotation in closed form, for every top and every time.
 #pragma once
 
+#include "polhode/math/theta.hpp"
 #include "polhode/rotor/orbit.hpp"
 
 namespace polhode {
+
+/// Two independent ways to the integral of the third kind.
+enum class ThirdKind {
+  carlson,  ///< R_J by duplication, and whole half periods
+  theta,    ///< a linear term and theta functions; R_J where ThetaIntegral does not apply
+};
 
 /// The angle φ by which the body precesses about L, measured in frames that follow a body axis.
 ///
@@ -17,7 +24,8 @@ namespace polhode {
 ///     φ = |L| t/J_f ± κ ∫ sn²/(1 + n sn²) du from u₀ to u₀ + p t,   κ² = n(1+n)(n+m).
 class PrecessionAngle {
  public:
-  explicit PrecessionAngle(const Orbit& orbit) : orbit_(orbit) {
+  explicit PrecessionAngle(const Orbit& orbit, ThirdKind way = ThirdKind::carlson)
+      : orbit_(orbit), way_(ThetaIntegral::applies(orbit.modulus) ? way : ThirdKind::carlson) {
     const double Jx = orbit.moment(orbit.x), Jy = orbit.moment(orbit.y), Jz = orbit.moment(orbit.z);
     const double m = orbit.modulus.k * orbit.modulus.k;
     const double N = std::abs(Jy - Jx) / std::abs(Jz - Jy) * (Jz / Jx);
@@ -33,13 +41,6 @@ class PrecessionAngle {
   /// @param v  what elapsed(t) of the orbit gave
   /// @param u  what at(v) gave
   double operator()(double t, const Orbit::Elapsed& v, const JacobiFunctions& u) const {
-    const double k = orbit_.modulus.k;
-    double integral = std::copysign(
-        third_kind_integral({std::abs(v.reduced.sn), v.reduced.cn, v.reduced.dn}, n_, k),
-        v.reduced.sn);
-    if (v.half_periods != 0)
-      integral +=
-          2 * v.half_periods * third_kind_integral({1, 0, orbit_.modulus.complement}, n_, k);
     // Addition theorem of the third kind (byrd1971, 116.03): what remains between u₀ and u₀ + v
     // depends on u₀ only by an angle, which never crosses ±π: where its sine vanishes its cosine
     // is positive.
@@ -47,36 +48,56 @@ class PrecessionAngle {
     const double s0 = orbit_.start().sn, sv = sign * v.reduced.sn;
     const double addition = std::atan2(std::abs(kappa_) * s0 * sv * u.sn,
                                        1 + n_ * u.sn * (u.sn) - n_ * s0 * sv * u.cn * u.dn);
-    return steady_ * t + kappa_ * integral + std::copysign(addition, addition * kappa_);
+    const double from_0 = way_ == ThirdKind::theta ? by_theta(t, v) : by_carlson(v);
+    return steady_ * t + std::copysign(1.0, kappa_) * (from_0 + addition);
+  }
+
+  /// |κ| ∫₀ᵛ sn²/(1 + n sn²) du for v = p t, from the theta functions.
+  double by_theta(double t, const Orbit::Elapsed& v) const {
+    const ThetaIntegral integral(n_, orbit_.modulus, orbit_.K);
+    return integral.rate() * (orbit_.p * t) - integral.argument(v.v);
+  }
+
+  /// The same from R_J.
+  double by_carlson(const Orbit::Elapsed& v) const {
+    const double k = orbit_.modulus.k;
+    double integral = std::copysign(
+        third_kind_integral({std::abs(v.reduced.sn), v.reduced.cn, v.reduced.dn}, n_, k),
+        v.reduced.sn);
+    if (v.half_periods != 0)
+      integral +=
+          2 * v.half_periods * third_kind_integral({1, 0, orbit_.modulus.complement}, n_, k);
+    return std::abs(kappa_) * integral;
   }
 
   std::size_t axis;  ///< the body axis that the frames follow
 
  private:
   const Orbit& orbit_;
+  ThirdKind way_;
   double n_, steady_, kappa_;
 };
 
 /// Free rotation of a top over a time t, closed form.
 ///
-/// @param J  principal moments [u nm²] in any order, at most one of them zero (a linear body)
-/// @param L  body-frame angular momentum [u nm²/ps], zero along a vanishing moment
-/// @param t  time [ps], any sign and size
+/// @param J    principal moments [u nm²] in any order, at most one of them zero (a linear body)
+/// @param L    body-frame angular momentum [u nm²/ps], zero along a vanishing moment
+/// @param t    time [ps], any sign and size
+/// @param way  how the integral of the third kind is had
 /// @return   rotation with |q| = 1 to 2 ε and L(t). Errors are a few ε (1 + k), where k is the
-/// change
-///           of the result, in ε, when each input changes by one ε: about 4.6 |ω t| for a
+///           change of the result, in ε, when each input changes by one ε: about 4.6 |ω t| for a
 ///           well-behaved top, exponential in p t near the separatrix. All scales of units give the
 ///           same digits.
-/// @source   jacobi1849; vanzon2007a with Carlson's R_J in place of the theta functions;
-///           tests/unit/rotor_truth_test.cpp
-inline FreeRotation closed_rotation(const Vec3<double>& J, const Vec3<double>& L, double t) {
+/// @source   jacobi1849; vanzon2007a; tests/unit/rotor_truth_test.cpp
+inline FreeRotation closed_rotation(const Vec3<double>& J, const Vec3<double>& L, double t,
+                                    ThirdKind way = ThirdKind::carlson) {
   const ScaledTop top(J, L, t);
   const bool linear = J.x == 0 || J.y == 0 || J.z == 0;
   if (linear || Orbit::is_stationary(top))
     return {rotation_quaternion(top.t * scaled(top.inverse_J(), top.L)), L};
 
   const Orbit orbit(top);
-  const PrecessionAngle phi(orbit);
+  const PrecessionAngle phi(orbit, way);
   const Orbit::Elapsed v = orbit.elapsed(top.t);
   const JacobiFunctions u = orbit.at(v);
   const Vec3<double> later = orbit.L_at(u);

@@ -67,12 +67,13 @@ class Orbit {
   struct Elapsed {
     JacobiFunctions reduced;  ///< at |v| ≤ K
     double half_periods;
+    double v;  ///< the reduced argument
   };
   Elapsed elapsed(double t) const {
     const double v = p * t;
     const double count = std::isinf(K) ? 0.0 : std::nearbyint(v / (2 * K));
     const double rest = count == 0 ? v : std::clamp(v - count * (2 * K), -K, K);
-    return {jacobi_functions(rest, modulus, K), count};
+    return {jacobi_functions(rest, modulus, K), count, rest};
   }
 
   /// sn, cn, dn of u = u₀ + p t by the addition theorem: no inverse function is needed, since those

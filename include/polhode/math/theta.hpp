@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Theta functions of complex argument, and by them an integral of the third kind for any argument.
+#pragma once
+
+#include <complex>
+#include <numbers>
+
+#include "polhode/math/elliptic.hpp"
+
+namespace polhode {
+
+/// Jacobi's θ function in the form that serves both θ₄ and θ₂, with PM = q²:
+///
+///     S(P, M) = 1 + Σ_{n≥1} (−1)ⁿ q^{n²−n} (Pⁿ + Mⁿ),    D = (P ∂/∂P − M ∂/∂M) S,
+///     θ₄(z) = S(q e^{−2iz}, q e^{2iz}),   θ₄'(z) = −2i D,
+///     θ₂(z) = q^{1/4} e^{iz} S(−e^{−2iz}, −q² e^{2iz}).
+///
+/// P and M come from the caller because e^{2|Im z|} may overflow where q e^{2|Im z|} ≤ 1.
+struct ThetaSeries {
+  std::complex<double> S, D;
+};
+
+/// @param P, M  at most 1 in absolute value
+/// @param q     the nome, 0 to e^{−π}: the fifth terms, 5 q²⁰, are below 1e-26
+/// @return      S and D, absolute errors of a few ε
+/// @source      DLMF 20.2.2, 20.2.4; tests/unit/theta_test.cpp
+inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, double q) {
+  std::complex<double> power_P = 1, power_M = 1, S = 1, D = 0;
+  double weight = 1, raise = 1;  // (−1)ⁿ q^{n²−n} and q^{2n−2}
+  for (double n = 1; n <= 4; ++n) {
+    power_P *= P;
+    power_M *= M;
+    weight *= -raise;
+    raise *= q * q;
+    S += weight * (power_P + power_M);
+    D += n * weight * (power_P - power_M);
+  }
+  return {S, D};
+}
+
+/// κ ∫₀ᵛ sn²/(1 + n sn²) du with κ² = n(1+n)(n+k²), κ > 0, as a term linear in v and the argument
+/// of a theta function of complex argument (vanzon2007a, Sec. 3; jacobi1849): with sc(b, k') = √n/k
+/// and Jacobi's zeta function Z it is
+///
+///     −i Z(ib, k) v − arg θ₄(π (v + ib)/2K),                         q = exp(−π K'/K),
+///
+/// or, by Jacobi's imaginary transformation, with sums of the complementary nome,
+///
+///     [√(n(1+n)/(n+k²)) − Z(b, k') − y/K] v − [arg θ₂(y − iπv/2K') − y v/K],
+///
+/// with y = π b/2K' and q = exp(−π K/K'). The one with the smaller nome is taken, which never
+/// exceeds e^{−π}: four terms suffice for every k, the separatrix (k = 1, q = 0) included. The
+/// subtracted term has the period 2K: it needs v only modulo that, and the linear one takes it
+/// whole.
+class ThetaIntegral {
+ public:
+  /// Whether the nome can be had from k: k² must not underflow. For a top it does
+  /// where two moments are equal, or L is within some 1e-140 of the axis that it circles.
+  static bool applies(const Modulus& modulus) {
+    return modulus.k * modulus.k >= std::numeric_limits<double>::min();
+  }
+
+  /// @param n  0 to 1
+  /// @param K  quarter_period(modulus)
+  ThetaIntegral(double n, const Modulus& modulus, double K)
+      : K_(K),
+        other_K_(quarter_period({modulus.complement, modulus.k})),
+        complementary_(modulus.k > modulus.complement) {
+    using std::numbers::pi;
+    const double m = modulus.k * modulus.k;
+    if (complementary_) {
+      const double y =
+          0.5 * pi * std::sqrt(n) * first_kind_integral(m, m * (1 + n), m + n) / other_K_;
+      q_ = std::exp(-pi * K_ / other_K_);
+      turn_ = std::polar(1.0, 2 * y);
+      const ThetaSeries at_y = theta_series(q_ * std::conj(turn_), q_ * turn_, q_);
+      const double zeta = pi / other_K_ * (at_y.D.imag() / at_y.S.real());
+      rate_ = std::sqrt(n * (1 + n) / (n + m)) - zeta - y / K_;
+      y_ = y;
+    } else {
+      const double rest = std::min(other_K_, first_kind_integral(n, n + m, n + 1));  // K' − b
+      q_ = std::exp(-pi * other_K_ / K_);
+      P_ = std::exp(-pi * rest / K_);
+      M_ = q_ * std::exp(-pi * (other_K_ - rest) / K_);
+      const ThetaSeries at_y = theta_series(P_, M_, q_);
+      rate_ = -pi / K_ * (at_y.D.real() / at_y.S.real());
+    }
+  }
+
+  /// The coefficient of v: the mean of the integrand over a period, times κ.
+  double rate() const { return rate_; }
+
+  /// What is subtracted from rate() v, between −π/2 and π/2.
+  /// @param v  reduced modulo 2K to |v| ≤ K
+  double argument(double v) const {
+    using std::numbers::pi;
+    if (complementary_) {
+      const double x = std::abs(v) * (0.5 * pi / other_K_);
+      const double near_K = std::exp(-pi * (K_ - std::abs(v)) / other_K_);
+      const auto S = theta_series(-std::exp(-2 * x) * std::conj(turn_), -q_ * near_K * turn_, q_).S;
+      return std::copysign(y_ * (1 - std::abs(v) / K_) + std::arg(S), v);
+    }
+    const std::complex<double> turn = std::polar(1.0, v * (pi / K_));
+    return std::arg(theta_series(P_ * std::conj(turn), M_ * turn, q_).S);
+  }
+
+ private:
+  double K_, other_K_;
+  bool complementary_;
+  double q_, rate_;
+  double y_ = 0;                   // π b/2K', and
+  std::complex<double> turn_ = 1;  // e^{2iy}
+  double P_ = 0, M_ = 0;           // q e^{±π b/K}
+};
+
+}  // namespace polhode
