@@ -157,7 +157,7 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
   if (!inset && std::any_of(curves.begin(), curves.end(), end_known))
     plot +=
         "\\\n  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor \"#404040\" "
-        "title \"longest step without drift\"";
+        "title \"end of stability\"";
   else
     plot += "NaN notitle";
   return plot + "\n";

@@ -30,6 +30,12 @@ std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
   return all;
 }
 
+Curve regardless_of_drift(Curve curve) {
+  curve.usable = 0;
+  while (curve.usable < curve.points.size() && curve.points[curve.usable].stable) ++curve.usable;
+  return curve;
+}
+
 std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   if (curve.usable == 0) return std::nullopt;
   const auto& points = curve.points;

@@ -11,8 +11,8 @@
 
 using namespace polhode;
 
-// The numbers of the table in closed form; a double holds them to 2⁻⁵³ relative, and the closed form
-// loses two units more.
+// The numbers of the table in closed form; a double holds them to 2⁻⁵³ relative, and the closed
+// form loses two units more.
 TEST_CASE("coefficients equal their closed forms") {
   const double c = std::cbrt(2 * std::sqrt(326.0) + 36);
   CHECK(std::abs(eta - (0.5 - c / 12 + 1 / (6 * c))) < 2e-16);

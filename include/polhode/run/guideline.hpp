@@ -38,6 +38,9 @@ struct Curve {
 /// The curves of a study, in the order in which its points name the schemes.
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
 
+/// The curve up to where a run blew up, drift or not: for comparing costs alone.
+Curve regardless_of_drift(Curve curve);
+
 /// The cost at R, by interpolation of log h over log R between neighbouring usable points; where
 /// even the longest usable step has a smaller R, the cost of that step.
 std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio);
