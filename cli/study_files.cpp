@@ -316,10 +316,9 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
       const auto& cost = line.costs[c];
       std::string text = "-";
       if (cost) {
-        text = cost->longest
-                   ? fmt::format("{:.0f}+", cost->cost)
-                   : fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error,
-                                 cost->extrapolated ? "*" : "");
+        text = cost->longest ? fmt::format("{:.0f}+", cost->cost)
+                             : fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error,
+                                           cost->extrapolated ? "*" : "");
         if (verlet < line.costs.size() && line.costs[verlet])
           text += fmt::format(" ({:.2f})", line.costs[verlet]->cost / cost->cost);
       }
