@@ -67,9 +67,12 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   double motion = 0;
   Stopwatch whole, part;
 
+  double forces_of_samples = 0;  // schemes that end with a drift need forces for the energy
   const auto sample = [&] {
     motion += part.lap();
+    const double forces_before = timed.seconds;
     const Energies now = energies(system.state, system.bodies, integrator.load(system.state));
+    forces_of_samples += timed.seconds - forces_before;
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     result.samples.push_back(now);
@@ -114,11 +117,7 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   result.force_evaluations = integrator.force_evaluations();
   result.measurements = integrator.measurements();
   const double all = whole.lap(), list = forces.neighbours().seconds() - list_before;
-  // Forces run within motion, and in schemes that end with a drift within measurement.
-  const double forces_in_motion = timed.seconds * static_cast<double>(result.force_evaluations) /
-                                  static_cast<double>(std::max<std::uint64_t>(
-                                      1, result.force_evaluations + result.measurements));
-  result.timings = {timed.seconds - list, list, motion - forces_in_motion, 0};
+  result.timings = {timed.seconds - list, list, motion - (timed.seconds - forces_of_samples), 0};
   result.timings.measurement = std::max(0.0, all - timed.seconds - result.timings.motion);
   return result;
 }
