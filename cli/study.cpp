@@ -15,9 +15,10 @@
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/guideline.hpp"
+#include "polhode/run/study_record.hpp"
 #include "polhode/run/system.hpp"
 #include "progress.hpp"
-#include "study_files.hpp"
+#include "study_report.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {

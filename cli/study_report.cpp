@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "study_files.hpp"
+#include "study_report.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
-#include "polhode/base/error.hpp"
-#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 
 namespace polhode::cli {
@@ -20,97 +14,6 @@ namespace {
 
 // R at which the guideline table gives costs, the paper's limits among them.
 const std::vector<double> table_ratios = {0.03, 0.015, 0.01, 0.007, 0.004, 0.002, 0.001, 0.0001};
-
-constexpr const char* record_head =
-    "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
-    "rms potential [kJ/mol];temperature [K]";
-
-std::string record_line(const StudyRun& run) {
-  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
-                     run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
-                     run.potential, run.temperature);
-}
-
-/// Nothing if the line is not whole: the last one of a record may have been cut short.
-std::optional<StudyRun> record_run(const std::string& line) {
-  std::istringstream in(line);
-  StudyRun run;
-  std::string field[9];
-  for (std::string& f : field)
-    if (!std::getline(in, f, ';')) return std::nullopt;
-  try {
-    run = {field[0],
-           std::stod(field[1]),
-           std::stoi(field[2]),
-           field[3] == "1",
-           std::stod(field[4]),
-           std::stod(field[5]),
-           std::stod(field[6]),
-           std::stod(field[7]),
-           std::stod(field[8])};
-  } catch (const std::exception&) {
-    return std::nullopt;
-  }
-  return run;
-}
-
-const Curve* find(const std::vector<Curve>& curves, const std::string& scheme) {
-  const auto it = std::find_if(curves.begin(), curves.end(),
-                               [&](const Curve& c) { return c.scheme == scheme; });
-  return it == curves.end() ? nullptr : &*it;
-}
-
-/// The claims of vanzon2008 with our numbers, where the three schemes were studied.
-std::vector<Claim> claims_of(const std::vector<Curve>& curves) {
-  const Curve* const verlet = find(curves, "velocity-verlet");
-  const Curve* const hoa2 = find(curves, "hoa2");
-  const Curve* const gier4 = find(curves, "gier4");
-  if (!verlet || !hoa2 || !gier4) return {};
-  std::vector<Claim> claims;
-  const auto decide = [](bool holds) { return holds ? "reproduced" : "not reproduced"; };
-
-  // Costs are compared along the whole curves; where they end by drift is a claim of its own.
-  // "roughly 1.5 times more efficient": to the rounding of that number and three of our errors.
-  const Curve v_curve = regardless_of_drift(*verlet), h_curve = regardless_of_drift(*hoa2);
-  for (const double R : {0.01, 0.007, 0.004}) {
-    const auto v = cost_at(v_curve, R), h = cost_at(h_curve, R);
-    Claim claim{
-        fmt::format("HOA2 is roughly 1.5 times cheaper than Verlet (here at R = {:g} %)", 100 * R),
-        std::nullopt, "not decided by these data"};
-    if (v && h && !v->longest && !h->longest) {
-      const double ratio = v->cost / h->cost;
-      claim.value = {ratio, ratio * std::hypot(v->error / v->cost, h->error / h->cost)};
-      claim.reproduced = decide(std::abs(ratio - 1.5) < 0.25 + 3 * claim.value->error);
-    }
-    claims.push_back(claim);
-  }
-
-  Claim crossing{"GIER4 is the cheapest below R = 0.4 % (here: the R of the crossing, in %)",
-                 crossover(regardless_of_drift(*gier4), h_curve), "not decided by these data"};
-  if (crossing.value) {
-    crossing.value->value *= 100;
-    crossing.value->error *= 100;
-    crossing.reproduced =
-        decide(std::abs(crossing.value->value - 0.4) < 0.1 + 3 * crossing.value->error);
-  }
-  claims.push_back(crossing);
-
-  // The largest R of each scheme without significant drift; for the optimized schemes the end must
-  // have been seen.
-  const auto largest = [](const Curve& c) {
-    return c.usable == 0 ? 0.0 : c.points[c.usable - 1].ratio.value;
-  };
-  const auto end_seen = [](const Curve& c) { return c.usable < c.points.size(); };
-  const double reach = largest(*verlet), others = std::max(largest(*hoa2), largest(*gier4));
-  Claim end{
-      fmt::format("above R = 1.5 % only Verlet runs without significant drift (here the largest "
-                  "such R: Verlet {:.2f} %, HOA2 {:.2f} %, GIER4 {:.2f} %)",
-                  100 * reach, 100 * largest(*hoa2), 100 * largest(*gier4)),
-      std::nullopt, "not decided by these data"};
-  if (end_seen(*hoa2) && end_seen(*gier4)) end.reproduced = decide(reach > 0.015 && others < 0.015);
-  claims.push_back(end);
-  return claims;
-}
 
 Table point_table(const StudyReport& report) {
   Table table;
@@ -155,63 +58,13 @@ std::string conditions(const Config& config) {
 
 }  // namespace
 
-std::string study_identity(const Config& config, const System& system) {
-  std::ostringstream id;
-  id.precision(17);
-  for (const auto& [molecule, count] : system.topology.parts) {
-    id << molecule.name << ' ' << count << ' ';
-    for (const Site& s : molecule.sites)
-      id << s.r.x << ' ' << s.r.y << ' ' << s.r.z << ' ' << s.mass << ' ' << s.charge << ' '
-         << s.sigma << ' ' << s.epsilon << ' ';
-  }
-  for (std::size_t i = 0; i < system.state.size(); ++i) {
-    const Vec3<double> q = system.state.q[i];
-    id << fmt::format("{:.9f} {:.9f} {:.9f} ", q.x, q.y, q.z);
-  }
-  const Vec3<double> edge = system.state.box.edge;
-  id << edge.x << ' ' << edge.y << ' ' << edge.z << ' ';
-  id << config.system.temperature << ' ' << config.system.seed << ' ';
-  const ForceSettings& f = config.forces;
-  id << static_cast<int>(f.truncation) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
-     << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
-     << config.study.length << ' ' << config.study.decorrelate;
-  return id.str();
-}
-
-StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)
-    : path_(path) {
-  const std::string identity = "# study " + text_hash(provenance.config);
-  std::string head = fmt::format("{}\n# polhode {}, target {}\n{}\n", identity, provenance.version,
-                                 provenance.target, record_head);
-  if (!force && std::filesystem::exists(path)) {
-    std::ifstream in(path);
-    std::string line;
-    std::getline(in, line);
-    if (line != identity)
-      throw Error(
-          fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
-                      "start anew",
-                      path));
-    while (std::getline(in, line))
-      if (const auto run = record_run(line)) known_.push_back(*run);
-    for (const StudyRun& run : known_) head += record_line(run) + "\n";
-  }
-  write_file(path, [&](std::ostream& out) { out << head; });  // without a last line cut short
-  out_.open(path, std::ios::app);
-}
-
-void StudyRecord::add(const StudyRun& run) {
-  out_ << record_line(run) << std::endl;
-  if (!out_) throw RunError("'" + path_ + "' could not be written to; is the disk full?");
-}
-
 StudyReport::StudyReport(const Config& config_used,
                          const std::vector<EfficiencyPoint>& points_found)
     : config(config_used),
       points(points_found),
       curves(polhode::curves(points)),
       guidelines(polhode::guidelines(curves, table_ratios)),
-      claims(claims_of(curves)) {}
+      claims(paper_claims(curves)) {}
 
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];

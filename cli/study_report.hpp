@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What a study leaves: a record that it can go on from, tables, a figure, and a page of text.
+// What a study tells: tables, a figure, and a page of text.
 #pragma once
 
-#include <fstream>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/guideline.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/claims.hpp"
 
 namespace polhode::cli {
 
@@ -25,32 +22,6 @@ struct StudyFiles {
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
   std::vector<std::string> all() const { return {points, runs, json, script, svg, png}; }
-};
-
-/// Everything that decides what a run of a study is, as text: a record of another one is not
-/// reused.
-std::string study_identity(const Config& config, const System& system);
-
-/// The runs that are done, one line each, appended as they end.
-class StudyRecord {
- public:
-  /// Reads the record if it is there and belongs to the same study, else begins one.
-  /// @throws Error  if it belongs to another study and `force` is not given
-  StudyRecord(const std::string& path, const Provenance& provenance, bool force);
-  const std::vector<StudyRun>& known() const { return known_; }
-  void add(const StudyRun& run);
-
- private:
-  std::string path_;
-  std::vector<StudyRun> known_;
-  std::ofstream out_;
-};
-
-/// A claim of the paper, with our number.
-struct Claim {
-  std::string text;
-  std::optional<Estimate> value;
-  std::string reproduced;  ///< "reproduced", "not reproduced" or "not decided by these data"
 };
 
 struct StudyReport {

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/study_record.hpp"
+
+#include <fmt/core.h>
+
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr const char* record_head =
+    "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
+    "rms potential [kJ/mol];temperature [K]";
+
+std::string record_line(const StudyRun& run) {
+  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
+                     run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
+                     run.potential, run.temperature);
+}
+
+/// Nothing if the line is not whole: the last one of a record may have been cut short.
+std::optional<StudyRun> record_run(const std::string& line) {
+  std::istringstream in(line);
+  StudyRun run;
+  std::string field[9];
+  for (std::string& f : field)
+    if (!std::getline(in, f, ';')) return std::nullopt;
+  try {
+    run = {field[0],
+           std::stod(field[1]),
+           std::stoi(field[2]),
+           field[3] == "1",
+           std::stod(field[4]),
+           std::stod(field[5]),
+           std::stod(field[6]),
+           std::stod(field[7]),
+           std::stod(field[8])};
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+  return run;
+}
+
+}  // namespace
+
+std::string study_identity(const Config& config, const System& system) {
+  std::ostringstream id;
+  id.precision(17);
+  for (const auto& [molecule, count] : system.topology.parts) {
+    id << molecule.name << ' ' << count << ' ';
+    for (const Site& s : molecule.sites)
+      id << s.r.x << ' ' << s.r.y << ' ' << s.r.z << ' ' << s.mass << ' ' << s.charge << ' '
+         << s.sigma << ' ' << s.epsilon << ' ';
+  }
+  for (std::size_t i = 0; i < system.state.size(); ++i) {
+    const Vec3<double> q = system.state.q[i];
+    id << fmt::format("{:.9f} {:.9f} {:.9f} ", q.x, q.y, q.z);
+  }
+  const Vec3<double> edge = system.state.box.edge;
+  id << edge.x << ' ' << edge.y << ' ' << edge.z << ' ';
+  id << config.system.temperature << ' ' << config.system.seed << ' ';
+  const ForceSettings& f = config.forces;
+  id << static_cast<int>(f.truncation) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
+     << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
+     << config.study.length << ' ' << config.study.decorrelate;
+  return id.str();
+}
+
+StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)
+    : path_(path) {
+  const std::string identity = "# study " + text_hash(provenance.config);
+  std::string head = fmt::format("{}\n# polhode {}, target {}\n{}\n", identity, provenance.version,
+                                 provenance.target, record_head);
+  if (!force && std::filesystem::exists(path)) {
+    std::ifstream in(path);
+    std::string line;
+    std::getline(in, line);
+    if (line != identity)
+      throw Error(
+          fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
+                      "start anew",
+                      path));
+    while (std::getline(in, line))
+      if (const auto run = record_run(line)) known_.push_back(*run);
+    for (const StudyRun& run : known_) head += record_line(run) + "\n";
+  }
+  write_file(path, [&](std::ostream& out) { out << head; });  // without a last line cut short
+  out_.open(path, std::ios::app);
+}
+
+void StudyRecord::add(const StudyRun& run) {
+  out_ << record_line(run) << std::endl;
+  if (!out_) throw RunError("'" + path_ + "' could not be written to; is the disk full?");
+}
+
+}  // namespace polhode
