@@ -7,6 +7,7 @@
 #include <random>
 
 #include "polhode/base/units.hpp"
+#include "polhode/io/molecule_file.hpp"
 
 using namespace polhode;
 
@@ -60,6 +61,20 @@ TEST_CASE("drift of a series is the mean of its slopes against their scatter") {
   CHECK(d.rate.error == doctest::Approx(std::sqrt(0.1 / 4 / 5)));
   CHECK(d.chance < significance);
   CHECK(drift_of_series(std::vector<double>{1.0, -1.1, 0.9, -1.0, 0.2}).chance > 0.5);
+}
+
+// By hand: 9 bodies move in 27 ways less the 3 of the total momentum; atoms do not turn, linear
+// bodies about two axes (J1 = 0), water about three. A single body keeps its 3.
+TEST_CASE("freedoms of a mixture") {
+  const Topology mixture{
+      {{read_molecule("argon"), 3}, {read_molecule("n2"), 2}, {read_molecule("tip4p"), 4}}};
+  const Freedoms n = freedoms(mixture);
+  CHECK(n.translation == 24);
+  CHECK(n.rotation[0] == 4);
+  CHECK(n.rotation[1] == 6);
+  CHECK(n.rotation[2] == 6);
+  CHECK(n.all() == 40);
+  CHECK(freedoms({{{read_molecule("argon"), 1}}}).all() == 3);
 }
 
 TEST_CASE("temperature counts freedoms") {
