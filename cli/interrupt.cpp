@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "interrupt.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace polhode::cli {
 namespace {
 
-volatile std::sig_atomic_t caught = 0;
+// The flag is read by all threads of a study while the handler may run in any of them.
+std::atomic<bool> caught = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
-extern "C" void remember(int signal) {
-  caught = 1;
-  std::signal(signal, SIG_DFL);
-}
+extern "C" void remember(int) { caught = true; }
 
 }  // namespace
 
 void catch_interrupts() {
-  std::signal(SIGINT, remember);
-  std::signal(SIGTERM, remember);
+  struct sigaction action {};
+  action.sa_handler = remember;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal acts as it always does
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
 }
 
-bool interrupted() { return caught != 0; }
+bool interrupted() { return caught; }
 
 }  // namespace polhode::cli
