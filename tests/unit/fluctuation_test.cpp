@@ -41,6 +41,22 @@ TEST_CASE("R is the ratio of the rms fluctuations") {
   CHECK(fluctuation_ratio_with_error(samples).error < 1e-8);
 }
 
+// White noise in both energies: an rms from n samples is known to 1/√(2n), so R to 1/√n. Twenty
+// blocks know an error to 1/√(2 × 19) = 16 %; four times that.
+TEST_CASE("the error of R of one trajectory") {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  std::vector<Energies> samples(4000);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    samples[i].time = 0.004 * static_cast<double>(i);
+    samples[i].coulomb = 80 * normal(random);
+    samples[i].translation = 0.4 * normal(random) - samples[i].coulomb;
+  }
+  const Estimate R = fluctuation_ratio_with_error(samples);
+  CHECK(R.error == doctest::Approx(R.value / std::sqrt(4000.0)).epsilon(0.64));
+  CHECK(std::abs(R.value - 0.005) < 4 * R.error);
+}
+
 // White noise of deviation s on 4000 samples over 16 ps: the slope's error is s √12/(√n T).
 TEST_CASE("drift of one trajectory: value, error and significance") {
   const double s = 0.5, expected_error = s * std::sqrt(12) / (std::sqrt(4000.0) * 16);
