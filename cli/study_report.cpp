@@ -49,8 +49,7 @@ std::string conditions(const Config& config) {
       "for {:g} ps at {:g} K, the same for every scheme; energies at least every 2.5 fs or every "
       "step; "
       "drift significant below a chance of {:g}",
-      f.truncation == Truncation::molecule_switch ? "molecule-based cutoff"
-                                                  : "site-based reaction field",
+      f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness,
       config.system.start.empty() ? "lattice" : config.system.start, config.study.runs,
       config.study.length, config.study.decorrelate, config.system.temperature, significance);

@@ -20,7 +20,8 @@ function(polhode_compile_per_target library)
     set(objects ${library}_${name})
     add_library(${objects} OBJECT ${ARGN})
     target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags hwy::hwy)
-    target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast)
+    target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast
+                           -fno-tree-vectorize)  # packs say what is to be done at once
     target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES)
     if(POLHODE_SANITIZE)  # built where it runs, so sharing does no harm
       target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)

@@ -59,7 +59,7 @@ inline Scene lattice(const std::vector<std::pair<std::string, std::size_t>>& par
 
 /// Five waters close together in vacuum: the switch begins far beyond them.
 inline Scene water_cluster() { return lattice({{"tip4p", 5}}, 0.32, 40, 7); }
-inline ForceSettings no_truncation() { return {Truncation::molecule_switch, 19, 18, 2, 1, 0.1}; }
+inline ForceSettings no_truncation() { return {.cutoff = 19, .switch_from = 18}; }
 
 inline std::vector<Pose<double>> poses(const State& state) {
   std::vector<Pose<double>> all;

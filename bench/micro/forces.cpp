@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One complete force evaluation of 512 TIP4P waters, list valid, on every instruction set and for
-// both truncations; and a step of HOA2, which adds drifts, kicks and the upkeep of the list.
+// One complete force evaluation of 512 TIP4P waters, list valid, on every instruction set, in both
+// precisions, for each law; and a step of HOA2, which adds drifts, kicks and the upkeep of the
+// list.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -14,41 +15,63 @@ namespace {
 
 using namespace polhode;
 
-void force_evaluation(benchmark::State& loop, Target target, Truncation truncation, double cutoff) {
-  force_target(target);
-  const System water = assembled(default_config());
-  ForceField forces(water.topology, {truncation, cutoff, cutoff - 0.15, 2, 78.5, 0.1},
-                    water.state.box);
-  Load load;
-  forces(water.state, load);
-  for (auto _ : loop) forces(water.state, load);
-  loop.counters["pairs_in_list"] = static_cast<double>(forces.neighbours().pairs());
+ForceSettings law(Truncation truncation, Precision precision, double skin) {
+  return {truncation, 0.9, 0.765, 2, Electrostatics::reaction_field, 78.5, skin, precision};
 }
 
-void hoa2_step(benchmark::State& loop, Target target) {
+void force_evaluation(benchmark::State& loop, Target target, Truncation truncation,
+                      Precision precision, bool energies) {
+  force_target(target);
+  const System water = assembled(default_config());
+  ForceField forces(water.topology, law(truncation, precision, 0.04), water.state.box);
+  Load load;
+  forces(water.state, load);
+  for (auto _ : loop) {
+    if (energies)
+      forces(water.state, load);
+    else
+      forces.forces_alone(water.state, load);
+  }
+  loop.counters["lanes"] = static_cast<double>(forces.neighbours().lanes());
+}
+
+void hoa2_step(benchmark::State& loop, Target target, Precision precision, double skin) {
   force_target(target);
   System water = assembled(default_config());
-  ForceField forces(water.topology, water.forces, water.state.box);
+  ForceField forces(water.topology, law(Truncation::molecule_switch, precision, skin),
+                    water.state.box);
   Integrator integrator(scheme_of("hoa2"), water.bodies, forces);
   for (auto _ : loop) integrator.advance(water.state, 0.004);
+  loop.counters["rebuilds_per_step"] =
+      static_cast<double>(forces.neighbours().rebuilds()) / static_cast<double>(loop.iterations());
+  loop.counters["list_us_per_step"] =
+      1e6 * forces.neighbours().seconds() / static_cast<double>(loop.iterations());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const Target target : available_targets()) {
-    const std::string on = std::string("/") + name(target);
-    for (const double cutoff : {1.0, 0.9})
-      for (const auto truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
-        const std::string law =
-            truncation == Truncation::molecule_switch ? "molecule_switch" : "reaction_field";
-        benchmark::RegisterBenchmark((law + "/" + std::to_string(cutoff).substr(0, 3) + on).c_str(),
-                                     force_evaluation, target, truncation, cutoff)
+  for (const Target target : available_targets())
+    for (const Precision precision : {Precision::full, Precision::mixed}) {
+      const std::string on =
+          std::string(precision == Precision::full ? "/double/" : "/mixed/") + name(target);
+      const auto add = [&](const std::string& name, auto... arguments) {
+        benchmark::RegisterBenchmark((name + on).c_str(), arguments...)
             ->Unit(benchmark::kMicrosecond);
+      };
+      for (const bool energies : {false, true}) {
+        const std::string what = energies ? "/energies" : "/forces";
+        add("molecule_switch" + what, force_evaluation, target, Truncation::molecule_switch,
+            precision, energies);
+        add("site_switch" + what, force_evaluation, target, Truncation::site_switch, precision,
+            energies);
+        add("site_shift" + what, force_evaluation, target, Truncation::site_shift, precision,
+            energies);
       }
-    benchmark::RegisterBenchmark(("hoa2_step" + on).c_str(), hoa2_step, target)
-        ->Unit(benchmark::kMicrosecond);
-  }
+      for (const double skin : {0.03, 0.05, 0.07})
+        add("hoa2_step/skin=" + std::to_string(skin).substr(0, 4), hoa2_step, target, precision,
+            skin);
+    }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
-#include "polhode/forces/pair_loops.hpp"
 #include "polhode/forces/reference.hpp"
 #include "polhode/math/dual.hpp"
 
@@ -34,49 +33,21 @@ const ForceSettings& checked(const ForceSettings& s) {
   return s;
 }
 
-void zero(Column<double>& column) { std::fill_n(column.data(), column.padded_size(), 0.0); }
-
-void clear(Load& load, std::size_t bodies) {
-  if (load.f.size() != bodies) load = Load(bodies);
-  for (Vec3Column* v : {&load.f, &load.tau}) zero(v->x), zero(v->y), zero(v->z);
-  load.lennard_jones = load.coulomb = 0;
+using Engine = std::variant<PairEngine<double>, PairEngine<float>>;
+Engine engine(const Topology& topology, const ForceSettings& settings, const Box& box) {
+  if (settings.precision == Precision::mixed)
+    return Engine(std::in_place_type<PairEngine<float>>, topology, settings, box);
+  return Engine(std::in_place_type<PairEngine<double>>, topology, settings, box);
 }
 
 }  // namespace
 
 ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box)
-    : topology_(topology),
-      settings_(checked(settings)),
-      tables_(topology),
-      laws_(settings),
-      list_(topology, settings, box),
-      first_{0},
-      shifts_(image_shifts(box)) {
-  std::size_t most = 0;
-  for (const auto& part : topology.parts) {
-    sites_.emplace_back();
-    for (const Site& site : Arms(part.molecule).sites) sites_.back().push_back(site.r);
-    most = std::max(most, sites_.back().size());
-    first_.push_back(first_.back() + part.count);
-  }
-  arms_ = ArmRecords(topology.size(), most);
-}
+    : topology_(topology), settings_(checked(settings)), engine_(engine(topology, settings, box)) {}
 
-void ForceField::operator()(const State& state, Load& load) {
+void ForceField::evaluate(const State& state, Load& load, bool energies) {
   ++evaluations_;
-  list_.update(state);
-  clear(load, state.size());
-  const std::size_t parts = topology_.parts.size();
-  for (std::size_t part = 0; part < parts; ++part) POLHODE_CURRENT_LOOPS(site_arms)
-  (state.attitude, sites_[part], first_[part], first_[part + 1], arms_);
-  buffer_.reserve(list_.longest_row());
-  for (std::size_t a = 0; a < parts; ++a)
-    for (std::size_t b = a; b < parts; ++b) {
-      const double reach = list_.reach(a, b);
-      const PairJob job{tables_(a, b), laws_,         list_, arms_,        shifts_.data(),
-                        first_[a],     first_[a + 1], b,     reach * reach};
-      POLHODE_CURRENT_LOOPS(pair_forces)(job, buffer_, load);
-    }
+  std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
 }
 
 Load ForceField::directional_derivative(const State& state, const Vec3Column& dq,
@@ -100,6 +71,8 @@ Load ForceField::directional_derivative(const State& state, const Vec3Column& dq
   }
   slope.lennard_jones = exact.lennard_jones.slope;
   slope.coulomb = exact.coulomb.slope;
+  for (std::size_t k = 0; k < 3; ++k)
+    slope.virial[k] = {exact.virial[k].x.slope, exact.virial[k].y.slope, exact.virial[k].z.slope};
   return slope;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "polhode/base/error.hpp"
@@ -10,30 +11,38 @@
 
 namespace polhode {
 
-Arms::Arms(const Molecule& molecule) {
-  for (const Site& site : molecule.sites)
-    if (site.charge != 0) sites.push_back(site);
-  charged = sites.size();
-  for (const Site& site : molecule.sites)
-    if (site.epsilon != 0) sites.push_back(site);
-  if (sites.size() > most_arms)
+InteractionSites::InteractionSites(const Molecule& molecule) {
+  const auto rank = [](const Site& s) { return s.epsilon == 0 ? 0 : s.charge != 0 ? 1 : 2; };
+  for (const Site& site : molecule.sites) {
+    if (site.charge == 0 && site.epsilon == 0) continue;
+    sites.push_back(site);
+    charged += site.charge != 0;
+    dispersive += site.epsilon != 0;
+  }
+  std::stable_sort(sites.begin(), sites.end(),
+                   [&](const Site& a, const Site& b) { return rank(a) < rank(b); });
+  if (sites.size() > most_sites)
     throw Error(
-        fmt::format("molecule '{}' has {} charged and {} Lennard-Jones sites; at most {} together "
-                    "fit the pair loops, so join sites or split the molecule",
-                    molecule.name, charged, dispersive(), most_arms));
+        fmt::format("molecule '{}' has {} sites with a charge or Lennard-Jones; at most {} fit the "
+                    "pair loops, so join sites or split the molecule",
+                    molecule.name, sites.size(), most_sites));
 }
 
 PairTable::PairTable(const Molecule& first, const Molecule& second) {
-  const Arms a(first), b(second);
-  charged_a = a.charged, charged_b = b.charged;
-  dispersive_a = a.dispersive(), dispersive_b = b.dispersive();
-  for (std::size_t k = 0; k < charged_b; ++k)
-    for (std::size_t i = 0; i < charged_a; ++i)
-      charges.push_back(units::coulomb * a.sites[i].charge * b.sites[k].charge);
-  for (std::size_t k = charged_b; k < b.sites.size(); ++k)
-    for (std::size_t i = charged_a; i < a.sites.size(); ++i)
-      lennard_jones.push_back(LennardJones::of((a.sites[i].sigma + b.sites[k].sigma) / 2,
-                                               std::sqrt(a.sites[i].epsilon * b.sites[k].epsilon)));
+  const InteractionSites a(first), b(second);
+  sites_a = a.size(), charged_a = a.charged, dispersive_a = a.dispersive;
+  sites_b = b.size(), charged_b = b.charged, dispersive_b = b.dispersive;
+  for (const Site& at_b : b.sites)
+    for (const Site& at_a : a.sites) {
+      const LennardJones lj =
+          LennardJones::of((at_a.sigma + at_b.sigma) / 2, std::sqrt(at_a.epsilon * at_b.epsilon));
+      exact_.charge.push_back(units::coulomb * at_a.charge * at_b.charge);
+      exact_.c6.push_back(lj.c6);
+      exact_.c12.push_back(lj.c12);
+    }
+  rounded_.charge.assign(exact_.charge.begin(), exact_.charge.end());
+  rounded_.c6.assign(exact_.c6.begin(), exact_.c6.end());
+  rounded_.c12.assign(exact_.c12.begin(), exact_.c12.end());
 }
 
 PairTables::PairTables(const Topology& topology) : parts_(topology.parts.size()) {

@@ -154,10 +154,20 @@ double read_dielectric(TomlTable& table, const ForceSettings& forces) {
 }
 
 void read_forces(TomlTable table, ForceSettings& forces) {
-  const std::string truncation =
-      one_of(table, "truncation", "molecule-switch", {"molecule-switch", "reaction-field"});
-  forces.truncation =
-      truncation == "reaction-field" ? Truncation::reaction_field : Truncation::molecule_switch;
+  const std::string truncation = one_of(table, "truncation", "molecule-switch",
+                                        {"molecule-switch", "site-switch", "site-shift"});
+  const bool by_molecule = truncation == "molecule-switch";
+  forces.truncation = by_molecule                   ? Truncation::molecule_switch
+                      : truncation == "site-switch" ? Truncation::site_switch
+                                                    : Truncation::site_shift;
+  // Bare Coulomb forces of single sites would end where they are strong.
+  const std::string electrostatics =
+      one_of(table, "electrostatics", by_molecule ? "coulomb" : "reaction-field",
+             {"coulomb", "reaction-field"});
+  forces.electrostatics =
+      electrostatics == "coulomb" ? Electrostatics::coulomb : Electrostatics::reaction_field;
+  const std::string precision = one_of(table, "precision", "double", {"double", "mixed"});
+  forces.precision = precision == "mixed" ? Precision::mixed : Precision::full;
   const auto cutoff = table.quantity("cutoff", Dimension::length);
   take(forces.cutoff, cutoff);
   table.require(forces.cutoff > 0, "cutoff", "must be longer than 0 nm");
@@ -173,8 +183,8 @@ void read_forces(TomlTable table, ForceSettings& forces) {
                 "must be 1, 2 or 3, the number of continuous derivatives of the switch");
   forces.smoothness = static_cast<int>(smoothness);
   if (table.has("dielectric")) {
-    table.require(forces.truncation == Truncation::reaction_field, "dielectric",
-                  "has no meaning without truncation = \"reaction-field\"; leave it out");
+    table.require(forces.electrostatics == Electrostatics::reaction_field, "dielectric",
+                  "has no meaning without electrostatics = \"reaction-field\"; leave it out");
     forces.dielectric = read_dielectric(table, forces);
   }
   take(forces.skin, table.quantity("skin", Dimension::length, "0.1 nm"));

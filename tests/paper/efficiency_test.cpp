@@ -20,7 +20,7 @@ Config small_water() {
   config.system.molecules = {{"tip4p", 125}};
   config.system.start = "";
   config.system.density = 602.214076;  // 1 g/cm³
-  config.forces = {Truncation::molecule_switch, 0.77, 0.62, 2, 78.5, 0.08};
+  config.forces = {.cutoff = 0.77, .switch_from = 0.62, .skin = 0.08};
   config.study.runs = 6;
   config.study.length = 1.5;
   config.study.decorrelate = 1.5;

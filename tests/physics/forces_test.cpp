@@ -25,16 +25,20 @@ struct Named {
 
 std::vector<Named> all_laws() {
   std::vector<Named> laws;
-  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field})
-    for (const int smoothness : {1, 2, 3})
-      for (const double dielectric : {1.0, 78.5, double(INFINITY)}) {
-        if (truncation == Truncation::molecule_switch && dielectric != 1.0) continue;
-        ForceSettings s{truncation, 0.75, 0.55, smoothness, dielectric, 0.1};
-        laws.push_back(
-            {std::string(truncation == Truncation::molecule_switch ? "molecule " : "site ") +
-                 std::to_string(smoothness) + " " + std::to_string(dielectric),
-             s});
-      }
+  using enum Truncation;
+  using enum Electrostatics;
+  const std::string names[] = {"molecule switch", "site switch", "site shift"};
+  for (const Truncation truncation : {molecule_switch, site_switch, site_shift})
+    for (const int smoothness : {1, 2, 3}) {
+      if (truncation == site_shift && smoothness > 1) continue;  // it has none
+      const auto add = [&](Electrostatics electrostatics, double dielectric, const char* what) {
+        laws.push_back({names[int(truncation)] + " " + std::to_string(smoothness) + ", " + what,
+                        {truncation, 0.75, 0.55, smoothness, electrostatics, dielectric, 0.1}});
+      };
+      add(coulomb, 1, "Coulomb");
+      add(reaction_field, 78.5, "reaction field of 78.5");
+      add(reaction_field, INFINITY, "reaction field of infinity");
+    }
   return laws;
 }
 
@@ -152,11 +156,12 @@ TEST_CASE("the directional derivative is the slope of forces and torques") {
 // Never a pair missed: a hot run for many rebuilds of the list, forces against all pairs on the
 // way, in a box whose edge is just above twice the cutoff.
 TEST_CASE("the neighbour list misses no pair over a long hot run") {
-  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
+  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::site_switch}) {
     scenes::Scene scene = scenes::lattice({{"tip4p", 60}, {"argon", 20}}, 0.36, 1.61, 5);
     for (std::size_t i = 0; i < scene.state.size(); ++i)
       scene.state.p.set(i, 3.0 * scene.state.p[i]);  // 2700 K
-    const ForceSettings settings{truncation, 0.8, 0.65, 2, 78.5, 0.06};
+    const ForceSettings settings{truncation, 0.8, 0.65, 2, Electrostatics::reaction_field,
+                                 78.5,       0.06};
     ForceField forces(scene.topology, settings, scene.state.box);
     Integrator integrator(schemes[1], scene.bodies, forces);
     for (int k = 0; k < 60; ++k) {
@@ -174,9 +179,10 @@ TEST_CASE("the neighbour list misses no pair over a long hot run") {
 // does not notice. Positions change by rounding of up to 10 nm × 2⁻⁵³, forces by that times f'.
 TEST_CASE(
     "forces do not depend on where the origin is, which image is meant, or how the world lies") {
-  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
+  for (const Truncation truncation : {Truncation::molecule_switch, Truncation::site_switch}) {
     const scenes::Scene scene = mixture();
-    const ForceSettings settings{truncation, 0.8, 0.65, 2, 78.5, 0.1};
+    const ForceSettings settings{truncation, 0.8, 0.65, 2, Electrostatics::reaction_field,
+                                 78.5,       0.1};
     const auto load_of = [&](const State& s) {
       ForceField forces(scene.topology, settings, s.box);
       Load load;
@@ -215,7 +221,8 @@ TEST_CASE("a pair of sites feels the textbook energies inside the switch") {
   state.q.set(0, {0, 0, 0});
   state.q.set(1, {0.4, 0, 0});
   state.q.set(2, {0.4, 0.35, 0});
-  ForceField forces(ions, {Truncation::molecule_switch, 2, 1.8, 2, 1, 0.1}, state.box);
+  ForceField forces(ions, {Truncation::molecule_switch, 2, 1.8, 2, Electrostatics::coulomb, 1, 0.1},
+                    state.box);
   Load load;
   forces(state, load);
   const double s6 = std::pow(0.3 / 0.35, 6);

@@ -124,8 +124,10 @@ Scene rebuild(const json& file, const Box& box) {
 
 ForceSettings settings(const json& law) {
   ForceSettings s;
-  s.truncation = law["truncation"] == "reaction_field" ? Truncation::reaction_field
-                                                       : Truncation::molecule_switch;
+  s.truncation =
+      law["truncation"] == "reaction_field" ? Truncation::site_switch : Truncation::molecule_switch;
+  s.electrostatics = law["truncation"] == "reaction_field" ? Electrostatics::reaction_field
+                                                           : Electrostatics::coulomb;
   s.switch_from = law["switch_from"];
   s.cutoff = law["cutoff"];
   s.smoothness = law["smoothness"];
@@ -183,9 +185,11 @@ void open(const std::string& name) {
   const json file = read(name);
   const Scene scene = rebuild(file, {{8, 8, 8}});
   for (const json& result : file["results"])
-    for (const Truncation truncation : {Truncation::molecule_switch, Truncation::reaction_field}) {
+    for (const Truncation truncation : {Truncation::molecule_switch, Truncation::site_switch}) {
       ForceSettings law;
       law.truncation = truncation;
+      law.electrostatics = truncation == Truncation::site_switch ? Electrostatics::reaction_field
+                                                                 : Electrostatics::coulomb;
       law.switch_from = 3.5;
       law.cutoff = 4;
       law.dielectric = 1;

@@ -43,7 +43,7 @@ box = ["3 nm", "3 nm", "40 A"]
 temperature = "310 K"
 seed = 7
 [forces]
-truncation = "reaction-field"
+truncation = "site-switch"
 cutoff = "1.2 nm"
 switch = "1.1 nm"
 smoothness = 3
@@ -73,7 +73,7 @@ decorrelate = "5 ps"
   CHECK(config.system.box->z == 4);
   CHECK(config.system.temperature == 310);
   CHECK(config.system.seed == 7);
-  CHECK(config.forces.truncation == Truncation::reaction_field);
+  CHECK(config.forces.truncation == Truncation::site_switch);
   CHECK(config.forces.cutoff == 1.2);
   CHECK(config.forces.switch_from == 1.1);
   CHECK(config.forces.smoothness == 3);
@@ -149,12 +149,13 @@ TEST_CASE("numbers outside their domain are refused with it") {
   check_text("[forces]\ncutoff = \"-1 nm\"", {"cutoff = \"-1 nm\" must be"});
   check_text("[forces]\nsmoothness = 4", {"smoothness = 4 must be 1, 2 or 3"});
   check_text("[forces]\nsmoothness = 2.5", {"must be a whole number"});
-  check_text("[forces]\ntruncation = \"reaction-feild\"",
-             {"must be one of: molecule-switch, reaction-field; did you mean 'reaction-field'?"});
-  check_text("[forces]\ndielectric = 80", {"no meaning without truncation"});
-  check_text("[forces]\ntruncation = \"reaction-field\"\ndielectric = 0.5",
+  check_text(
+      "[forces]\ntruncation = \"site-swich\"",
+      {"must be one of: molecule-switch, site-switch, site-shift; did you mean 'site-switch'?"});
+  check_text("[forces]\ndielectric = 80", {"no meaning without electrostatics"});
+  check_text("[forces]\ntruncation = \"site-switch\"\ndielectric = 0.5",
              {"dielectric = 0.5 must be 1"});
-  check_text("[forces]\ntruncation = \"reaction-field\"\ndielectric = nan", {"finite"});
+  check_text("[forces]\ntruncation = \"site-switch\"\ndielectric = nan", {"finite"});
   check_text("[forces]\nskin = \"-0.1 nm\"", {"must be longer than 0 nm"});
   check_text("[integrator]\nstep = 2", {R"(step = 2 has no unit; write for example "2 fs")",
                                         "water.toml:5, integrator.step"});

@@ -15,7 +15,7 @@ using namespace polhode;
 TEST_CASE("the switch is of the class it says at both ends") {
   for (const int n : {1, 2, 3}) {
     CAPTURE(n);
-    const Switch w(0.8, 1.0, n);
+    const Switch<> w(0.8, 1.0, n);
     CHECK(w(0.8).w == 1.0);
     CHECK(w(0.5).w == 1.0);
     CHECK(w(0.5).slope == 0.0);
@@ -36,13 +36,13 @@ TEST_CASE("slopes and forces of the laws are the derivatives of their energies")
     CAPTURE(r);
     const Dual x(r, 1.0);
     for (const int n : {1, 2, 3}) {
-      const auto w = Switch(0.8, 1.0, n)(x);
+      const auto w = Switch<>(0.8, 1.0, n)(x);
       CHECK(w.slope.value == doctest::Approx(w.w.slope).epsilon(1e-12));
     }
-    const auto lj = LennardJones::of(0.31, 0.65)(Dual(1.0) / (x * x));
+    const auto lj = LennardJones::of(Dual(1.1e-3), Dual(0.9e-6), Dual(1.0) / (x * x));
     CHECK(lj.s.value == doctest::Approx(-lj.u.slope / r).epsilon(1e-13));
     for (const double dielectric : {1.0, 78.5, double(INFINITY)}) {
-      const auto rf = ReactionField::of(dielectric, 1.0)(Dual(1.0) / x, x * x);
+      const auto rf = ReactionField<>::of(dielectric, 1.0)(InversePowers<Dual>(x * x), x * x);
       CHECK(rf.s.value == doctest::Approx(-rf.u.slope / r).epsilon(1e-12));
     }
   }
@@ -52,9 +52,9 @@ TEST_CASE("slopes and forces of the laws are the derivatives of their energies")
 // dielectric so does the force: 1/r² = 2 k r with k = 1/(2 r_c³).
 TEST_CASE("the reaction field ends at the cutoff") {
   const double rc = 0.9;
-  const auto metal = ReactionField::of(INFINITY, rc)(1 / rc, rc * rc);
+  const auto metal = ReactionField<>::of(INFINITY, rc)(InversePowers<double>(rc * rc), rc * rc);
   CHECK(std::abs(metal.u) < 1e-15);
   CHECK(std::abs(metal.s) < 1e-15);
-  const auto vacuum = ReactionField::of(1.0, rc)(1 / 0.5, 0.25);
+  const auto vacuum = ReactionField<>::of(1.0, rc)(InversePowers<double>(0.25), 0.25);
   CHECK(vacuum.u == doctest::Approx(1 / 0.5 - 1 / rc).epsilon(1e-15));
 }

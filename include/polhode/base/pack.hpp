@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "polhode/base/quaternion.hpp"
+#include "polhode/base/real.hpp"
 #include "polhode/base/vec3.hpp"
 
 namespace polhode {
@@ -102,76 +103,10 @@ template <class T>
 Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
   return Pack<T>(hn::MulAdd(a.v, b.v, c.v));
 }
-/// 1/√a to about one unit in the last place, for a within the range of floats: the hardware's
-/// estimate y of 11 bits or more, then steps of fourth order. With e = 1 − a y², 1/√a = y (1 −
-/// e)^{−1/2} = y (1 + e/2 + 3/8 e² + 5/16 e³ + 35/128 e⁴ ...): one step leaves 0.3 e⁴, below 2⁻⁵³
-/// if |e| < 2⁻¹³ as with the estimate of AVX-512; other sets take a step of second order after it.
-template <class T>
-Pack<T> inverse_sqrt(Pack<T> a) {
-#if HWY_TARGET == HWY_SCALAR
-  return Pack<T>(1) / sqrt(a);
-#else
-  static_assert(std::is_same_v<T, double>);
-  using Tag = typename Pack<T>::Tag;
-#if HWY_TARGET <= HWY_AVX3
-  Pack<T> y(hn::Vec<Tag>{_mm512_rsqrt14_pd(a.v.raw)});
-#else
-  const hn::Rebind<float, Tag> narrow;
-  Pack<T> y(hn::PromoteTo(Tag(), hn::ApproximateReciprocalSqrt(hn::DemoteTo(narrow, a.v))));
-#endif
-  Pack<T> e = Pack<T>(1.0) - a * y * y;
-  y += y * (e * (Pack<T>(0.5) + e * (Pack<T>(0.375) + e * Pack<T>(0.3125))));
-#if HWY_TARGET > HWY_AVX3
-  e = Pack<T>(1.0) - a * y * y;
-  y += y * (e * Pack<T>(0.5));
-#endif
-  return y;
-#endif
-}
 /// The sum of all lanes.
 template <class T>
 T sum(Pack<T> a) {
   return hn::GetLane(hn::SumOfLanes(typename Pack<T>::Tag(), a.v));
-}
-
-/// Transposes a square: `row[i]` points to as many numbers as a pack is wide, and `column[k]`
-/// becomes the k-th of each row. Loads and shuffles, where a gather would fetch numbers one by one.
-template <class T>
-void load_transposed(const T* const* row, Pack<T>* column) {
-  static_assert(sizeof(T) == 8);
-  const typename Pack<T>::Tag tag;
-  const auto load = [&](std::size_t i) { return hn::LoadU(tag, row[i]); };
-#if HWY_TARGET == HWY_SCALAR
-  column[0] = Pack<T>(load(0));
-#else
-  // Within blocks of two numbers first, pairs of rows; then blocks change places.
-  const auto pairs = [&](std::size_t i, std::size_t k) {
-    return k == 0 ? hn::InterleaveLower(tag, load(i), load(i + 1))
-                  : hn::InterleaveUpper(tag, load(i), load(i + 1));
-  };
-  for (std::size_t k = 0; k < 2; ++k) {
-    if constexpr (Pack<T>::width == 2) {
-      column[k] = Pack<T>(pairs(0, k));
-    } else if constexpr (Pack<T>::width == 4) {
-      const auto low = pairs(0, k), high = pairs(2, k);
-      column[k] = Pack<T>(hn::ConcatLowerLower(tag, high, low));
-      column[k + 2] = Pack<T>(hn::ConcatUpperUpper(tag, high, low));
-    } else {
-      static_assert(Pack<T>::width == 8);
-      const auto a = pairs(0, k), b = pairs(2, k), c = pairs(4, k), d = pairs(6, k);
-      const auto even = [](auto x, auto y) {  // blocks 0 and 2 of x and y in turn
-        return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(y), x);
-      };
-      const auto odd = [](auto x, auto y) {
-        return hn::OddEvenBlocks(y, hn::SwapAdjacentBlocks(x));
-      };
-      column[k] = Pack<T>(hn::ConcatLowerLower(tag, even(c, d), even(a, b)));
-      column[k + 2] = Pack<T>(hn::ConcatLowerLower(tag, odd(c, d), odd(a, b)));
-      column[k + 4] = Pack<T>(hn::ConcatUpperUpper(tag, even(c, d), even(a, b)));
-      column[k + 6] = Pack<T>(hn::ConcatUpperUpper(tag, odd(c, d), odd(a, b)));
-    }
-  }
-#endif
 }
 
 }  // namespace HWY_NAMESPACE
@@ -180,5 +115,75 @@ template <class T>
 struct MaskOf<Pack<T>> {
   using type = PackMask<T>;
 };
+
+/// Negative powers of a distance r from a = r²: the hardware's estimate y of 1/√a and e = 1 − a y²,
+/// so that 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e. It ends where the next term is below
+/// half a unit in the last place: |e| < 2⁻¹³ for the estimate of AVX-512 (14 bits), |e| < 2⁻¹⁰ for
+/// those of 12 bits, which a step of second order brings below 2⁻²⁰ in double precision.
+template <class T>
+class InversePowers<Pack<T>> {
+ public:
+  using Real = Pack<T>;
+  InversePowers() = default;
+  explicit InversePowers(Real a) : y_(estimate(a)), y2_(y_ * y_), e_(Real(1) - a * y2_) {
+    if constexpr (!fine_estimate && sizeof(T) == 8) {
+      y_ += y_ * (e_ * Real(0.5));
+      y2_ = y_ * y_;
+      e_ = Real(1) - a * y2_;
+    }
+  }
+  /// 1/r
+  Real first() const { return y_ + correction(1. / 2, 3. / 8, 5. / 16); }
+  /// 1/r²
+  Real second() const { return y_ * (y_ + correction(1, 1, 1)); }
+  /// 1/r³
+  Real third() const { return y2_ * (y_ + correction(3. / 2, 15. / 8, 35. / 16)); }
+
+ private:
+#if HWY_TARGET <= HWY_AVX3
+  static constexpr bool fine_estimate = true;
+#else
+  static constexpr bool fine_estimate = false;
+#endif
+
+  // y (c1 e + c2 e² + c3 e³); what is common to several powers is computed once.
+  Real correction(double c1, double c2, double c3) const {
+    const auto c = [](double x) { return Real(static_cast<T>(x)); };
+    const Real ye = y_ * e_;
+    if constexpr (HWY_TARGET == HWY_SCALAR)
+      return Real();
+    else if constexpr (sizeof(T) == 8)
+      return ye * fma(e_, fma(e_, c(c3), c(c2)), c(c1));
+    else if constexpr (fine_estimate)
+      return ye * c(c1);
+    else
+      return ye * fma(e_, c(c2), c(c1));
+  }
+  static Real estimate(Real a) {
+    [[maybe_unused]] const typename Real::Tag tag;
+#if HWY_TARGET == HWY_SCALAR
+    return Real(1) / sqrt(a);
+#elif HWY_TARGET <= HWY_AVX3
+    if constexpr (sizeof(T) == 8)
+      return Real(decltype(a.v){_mm512_rsqrt14_pd(a.v.raw)});
+    else
+      return Real(decltype(a.v){_mm512_rsqrt14_ps(a.v.raw)});
+#else
+    if constexpr (sizeof(T) == 8) {
+      const hn::Rebind<float, typename Real::Tag> narrow;
+      return Real(hn::PromoteTo(tag, hn::ApproximateReciprocalSqrt(hn::DemoteTo(narrow, a.v))));
+    } else {
+      return Real(hn::ApproximateReciprocalSqrt(a.v));
+    }
+#endif
+  }
+  Real y_, y2_, e_;
+};
+
+/// 1/√a, for a within the range of floats.
+template <class T>
+Pack<T> inverse_sqrt(Pack<T> a) {
+  return InversePowers<Pack<T>>(a).first();
+}
 
 }  // namespace polhode

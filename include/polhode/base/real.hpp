@@ -41,4 +41,18 @@ Real inverse_sqrt(Real a) {
   return Real(1.0) / sqrt(a);
 }
 
+/// 1/r, 1/r² and 1/r³ from r². Packs have a shorter way to each than by products.
+template <class Real>
+class InversePowers {
+ public:
+  InversePowers() = default;
+  explicit InversePowers(Real r2) : inverse_r_(inverse_sqrt(r2)) {}
+  Real first() const { return inverse_r_; }
+  Real second() const { return inverse_r_ * inverse_r_; }
+  Real third() const { return inverse_r_ * inverse_r_ * inverse_r_; }
+
+ private:
+  Real inverse_r_;
+};
+
 }  // namespace polhode

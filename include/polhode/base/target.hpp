@@ -24,7 +24,8 @@ void force_target(Target target);
 
 // A file in a `targets` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
 // build sets to loops_scalar, loops_sse4 and so on. Their callers declare them once for all targets
-// with POLHODE_DECLARE_LOOPS and pick the current one with POLHODE_CURRENT_LOOPS.
+// with POLHODE_DECLARE_LOOPS and pick the current one with POLHODE_CURRENT_LOOPS, or, of overloads,
+// the one of a pointer type with POLHODE_CURRENT_OVERLOAD.
 #if defined(__x86_64__)
 #define POLHODE_DECLARE_LOOPS(...) \
   namespace loops_scalar {         \
@@ -42,12 +43,17 @@ void force_target(Target target);
 #define POLHODE_CURRENT_LOOPS(function)                                                         \
   (::polhode::pick(::polhode::current_target(), &loops_scalar::function, &loops_sse4::function, \
                    &loops_avx2::function, &loops_avx512::function))
+#define POLHODE_CURRENT_OVERLOAD(function, ...)                                       \
+  (::polhode::pick<__VA_ARGS__>(::polhode::current_target(), &loops_scalar::function, \
+                                &loops_sse4::function, &loops_avx2::function,         \
+                                &loops_avx512::function))
 #else
 #define POLHODE_DECLARE_LOOPS(...) \
   namespace loops_scalar {         \
   __VA_ARGS__                      \
   }
 #define POLHODE_CURRENT_LOOPS(function) (&loops_scalar::function)
+#define POLHODE_CURRENT_OVERLOAD(function, ...) (static_cast<__VA_ARGS__>(&loops_scalar::function))
 #endif
 
 /// One of four functions, by target.

@@ -3,10 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <variant>
 
-#include "polhode/forces/neighbours.hpp"
-#include "polhode/forces/pair_loops.hpp"
-#include "polhode/forces/pair_table.hpp"
+#include "polhode/forces/pair_engine.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
 
@@ -18,8 +17,11 @@ class ForceField {
   /// @throws Error  if the cutoff does not fit the box, or a setting is out of its domain
   ForceField(const Topology& topology, const ForceSettings& settings, const Box& box);
 
-  /// Forces, torques and energies of a state. Does not allocate, except where the list grows.
-  void operator()(const State& state, Load& load);
+  /// Forces, torques, energies and virial of a state. Does not allocate, except where the list
+  /// grows.
+  void operator()(const State& state, Load& load) { evaluate(state, load, true); }
+  /// Forces and torques alone, which is faster; energies and virial become 0.
+  void forces_alone(const State& state, Load& load) { evaluate(state, load, false); }
 
   /// The exact derivative of forces and torques along a displacement of all bodies: centres move by
   /// dq [nm], attitudes turn by the body-frame vectors dtheta [rad]. The result is a Load whose f
@@ -29,21 +31,19 @@ class ForceField {
                               const Vec3Column& dtheta) const;
 
   std::uint64_t evaluations() const { return evaluations_; }
-  const NeighbourList& neighbours() const { return list_; }
+  const NeighbourList& neighbours() const {
+    return std::visit([](const auto& e) -> const NeighbourList& { return e.neighbours(); },
+                      engine_);
+  }
   const ForceSettings& settings() const { return settings_; }
   const Topology& topology() const { return topology_; }
 
  private:
+  void evaluate(const State& state, Load& load, bool energies);
+
   Topology topology_;
   ForceSettings settings_;
-  PairTables tables_;
-  PairLaws laws_;
-  NeighbourList list_;
-  std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of Arms, body frame
-  std::vector<std::size_t> first_;                // first body of each part, and the end
-  ArmRecords arms_;
-  std::vector<Vec3<double>> shifts_;
-  PartnerBuffer buffer_;
+  std::variant<PairEngine<double>, PairEngine<float>> engine_;
   std::uint64_t evaluations_ = 0;
 };
 

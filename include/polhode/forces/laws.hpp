@@ -4,8 +4,6 @@
 // first on the second is s (r₂ − r₁).
 #pragma once
 
-#include <array>
-
 #include "polhode/base/real.hpp"
 #include "polhode/forces/settings.hpp"
 
@@ -27,37 +25,40 @@ struct LennardJones {
     return {4 * epsilon * s6, 4 * epsilon * s6 * s6};
   }
 
+  /// @param inverse_r2  1/r² [1/nm²]
   template <class Real>
-  PairValue<Real> operator()(Real inverse_r2) const {
-    const Real inverse_r6 = inverse_r2 * inverse_r2 * inverse_r2;
-    const Real attraction = Real(c6) * inverse_r6;
-    const Real repulsion = Real(c12) * inverse_r6 * inverse_r6;
-    return {repulsion - attraction, (Real(12.0) * repulsion - Real(6.0) * attraction) * inverse_r2};
+  static PairValue<Real> of(Real c6, Real c12, Real inverse_r2) {
+    const Real x = inverse_r2 * inverse_r2 * inverse_r2;
+    const Real repulsion = c12 * x;
+    return {(repulsion - c6) * x,
+            (constant<Real>(12) * repulsion - constant<Real>(6) * c6) * (x * inverse_r2)};
   }
 };
 
 /// Coulomb's law with a reaction field of a dielectric continuum beyond the cutoff:
-/// u = K q₁ q₂ (1/r + k r² − c) with k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c².
-/// With k = c = 0 it is Coulomb's law. The strength K q₁ q₂ multiplies outside.
+/// u = K q₁ q₂ (1/r + k r² − c) with k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c²
+/// [tironi1995]. With k = c = 0 it is Coulomb's law. The strength K q₁ q₂ multiplies outside.
+template <class T = double>
 struct ReactionField {
-  double k = 0;  ///< [1/nm³]
-  double c = 0;  ///< [1/nm]
+  T k = 0;  ///< [1/nm³]
+  T c = 0;  ///< [1/nm]
 
   /// @param dielectric  relative permittivity beyond the cutoff; may be infinite
   static ReactionField of(double dielectric, double cutoff) {
     const double ratio = dielectric > 1e15 ? 0.5 : (dielectric - 1) / (2 * dielectric + 1);
     const double k = ratio / (cutoff * cutoff * cutoff);
-    return {k, 1 / cutoff + k * cutoff * cutoff};
+    return {static_cast<T>(k), static_cast<T>(1 / cutoff + k * cutoff * cutoff)};
   }
 
   template <class Real>
-  PairValue<Real> operator()(Real inverse_r, Real r2) const {
-    return {inverse_r + Real(k) * r2 - Real(c), inverse_r * inverse_r * inverse_r - Real(2 * k)};
+  PairValue<Real> operator()(const InversePowers<Real>& inverse_r, Real r2) const {
+    return {inverse_r.first() + (Real(k) * r2 - Real(c)), inverse_r.third() - Real(2 * k)};
   }
 };
 
 /// The smooth step w: 1 up to `from`, 0 from `to` on; between them, with x = (r − from)/(to −
 /// from), the polynomial of lowest degree whose first `smoothness` derivatives vanish at both ends.
+template <class T = double>
 class Switch {
  public:
   template <class Real>
@@ -67,56 +68,56 @@ class Switch {
   };
 
   Switch(double from, double to, int smoothness)
-      : from_(from), inverse_width_(1 / (to - from)), n_(smoothness), inner_(inner(smoothness)) {}
+      : from_(static_cast<T>(from)),
+        inverse_width_(static_cast<T>(1 / (to - from))),
+        smoothness_(smoothness) {}
 
   template <class Real>
   Value<Real> operator()(Real r) const {
     Real x = (r - Real(from_)) * Real(inverse_width_);
-    x = select(x < Real(0.0), Real(0.0), x);
-    x = select(x > Real(1.0), Real(1.0), x);
-    Real p(inner_[3]), power = x;
-    for (std::size_t k = 3; k-- > 0;) p = p * x + Real(inner_[k]);
-    const Real bump = x * (Real(1.0) - x);
-    Real slope = Real(slope_factor() * inverse_width_);
-    for (int k = 0; k < n_; ++k) {
-      power = power * x;
-      slope = slope * bump;
-    }
-    return {Real(1.0) - power * p, slope};
+    x = select(x < Real(0), Real(0), x);
+    x = select(x > Real(1), Real(1), x);
+    const Value<Real> step = smoothness_ == 1 ? C1(x) : smoothness_ == 2 ? C2(x) : C3(x);
+    return {step.w, step.slope * Real(inverse_width_)};
   }
 
  private:
   // w = 1 − xⁿ⁺¹ p(x), with whole coefficients and p(1) = 1, so that w(1) = 0 exactly;
-  // w' = −c xⁿ (1 − x)ⁿ.
-  static constexpr std::array<double, 4> inner(int n) {
-    switch (n) {
-      case 1:
-        return {3, -2};
-      case 2:
-        return {10, -15, 6};
-      default:
-        return {35, -84, 70, -20};
-    }
+  // dw/dx = −c xⁿ (1 − x)ⁿ.
+  template <class Real>
+  static Value<Real> C1(Real x) {
+    const Real p = Real(3) - Real(2) * x;
+    return {Real(1) - x * x * p, Real(-6) * (x * (Real(1) - x))};
   }
-  double slope_factor() const { return n_ == 1 ? -6 : n_ == 2 ? -30 : -140; }
+  template <class Real>
+  static Value<Real> C2(Real x) {
+    const Real p = Real(10) + x * (Real(-15) + x * Real(6)), bump = x * (Real(1) - x);
+    return {Real(1) - x * x * x * p, Real(-30) * (bump * bump)};
+  }
+  template <class Real>
+  static Value<Real> C3(Real x) {
+    const Real p = Real(35) + x * (Real(-84) + x * (Real(70) + x * Real(-20)));
+    const Real x2 = x * x, bump = x * (Real(1) - x);
+    return {Real(1) - x2 * x2 * p, Real(-140) * (bump * bump * bump)};
+  }
 
-  double from_, inverse_width_;
-  int n_;
-  std::array<double, 4> inner_;
+  T from_, inverse_width_;
+  int smoothness_;
 };
 
 /// All that two sites need to know of the force field beside their own parameters.
+template <class T = double>
 struct PairLaws {
-  Truncation truncation;
-  ReactionField reaction_field;
-  Switch switching;
+  ReactionField<T> reaction_field;
+  Switch<T> switching;
+  T cutoff;  ///< [nm]
 
   explicit PairLaws(const ForceSettings& settings)
-      : truncation(settings.truncation),
-        reaction_field(settings.truncation == Truncation::reaction_field
-                           ? ReactionField::of(settings.dielectric, settings.cutoff)
-                           : ReactionField{}),
-        switching(settings.switch_from, settings.cutoff, settings.smoothness) {}
+      : reaction_field(settings.electrostatics == Electrostatics::reaction_field
+                           ? ReactionField<T>::of(settings.dielectric, settings.cutoff)
+                           : ReactionField<T>{}),
+        switching(settings.switch_from, settings.cutoff, settings.smoothness),
+        cutoff(static_cast<T>(settings.cutoff)) {}
 };
 
 }  // namespace polhode

@@ -3,34 +3,73 @@
 // reach of their interaction plus a skin. It holds while no centre has moved by half the skin since
 // it was built: two centres then come closer by less than the skin, and turning a body does not
 // move its centre.
+//
+// A body's partners stand in a row, in whole packs, and every pair stands in one row: that of the
+// body from which the other is ahead in the cyclic order of slots. A row that would leave a pack
+// part empty hands its last pairs to rows of partners that come later, so that nearly all lanes are
+// used. Partners that are closer than where any switch begins, whatever the motion within the skin,
+// come first in a row: their pairs do not end.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "polhode/base/target.hpp"
+#include "polhode/forces/cells.hpp"
 #include "polhode/forces/settings.hpp"
-#include "polhode/model/state.hpp"
-#include "polhode/model/topology.hpp"
 
 namespace polhode {
 
-/// A partner in the list: body index and image in one word.
+/// A partner in the list: slot and image in one word.
 class Neighbour {
  public:
-  static constexpr std::uint32_t index_bits = 27;
-  static constexpr std::uint32_t index_mask = (1u << index_bits) - 1;
+  static constexpr std::uint32_t slot_bits = 27;
+  static constexpr std::uint32_t slot_mask = (1u << slot_bits) - 1;
+  /// 0 to 26 are the images around the box, 13 the box itself; `nowhere` fills up a pack: so far
+  /// away that nothing acts.
+  static constexpr std::uint32_t images = 27, nowhere = 27;
 
-  Neighbour(std::uint32_t body, std::uint32_t image) : word_(body | image << index_bits) {}
-  std::uint32_t body() const { return word_ & index_mask; }
-  /// 0 to 26; 13 is the box itself.
-  std::uint32_t image() const { return word_ >> index_bits; }
+  Neighbour(std::uint32_t slot, std::uint32_t image) : word_(slot | image << slot_bits) {}
+  explicit Neighbour(std::uint32_t word) : word_(word) {}
+  std::uint32_t word() const { return word_; }
+  std::uint32_t slot() const { return word_ & slot_mask; }
+  std::uint32_t image() const { return word_ >> slot_bits; }
 
  private:
   std::uint32_t word_;
 };
 
-/// The displacements of the 27 images of a box [nm], in the order of Neighbour::image().
-std::vector<Vec3<double>> image_shifts(const Box& box);
+/// The edges by which an image is displaced: −1, 0 or 1 in each direction.
+constexpr Vec3<int> image_edges(std::uint32_t image) {
+  return {static_cast<int>(image % 3) - 1, static_cast<int>(image / 3 % 3) - 1,
+          static_cast<int>(image / 9) - 1};
+}
+
+/// The slots of one molecule type from `first` on, cyclically.
+struct SlotWindow {
+  std::uint32_t first = 0, count = 0;
+};
+
+/// Some slots of one molecule type with their rows, and the unit of work.
+struct ListChunk {
+  struct Row {
+    std::uint32_t begin, ending, end;  ///< entries; from `ending` on the pairs may end
+  };
+  std::uint32_t part = 0, first = 0, end = 0;  ///< slots first ≤ s < end
+  std::vector<Row> rows;                       ///< [slot − first, partner part − part]
+  std::vector<std::uint32_t> entries;          ///< words of Neighbour
+  std::uint32_t longest_row = 0;               ///< entries of the longest row
+  std::vector<SlotWindow> windows;             ///< of each part: slots that occur here
+  const Row& row(std::size_t slot, std::size_t partner_part, std::size_t parts) const {
+    return rows[(slot - first) * (parts - part) + (partner_part - part)];
+  }
+};
+
+/// Ranges of the distance between the centres of two molecule types [nm²].
+struct PairRange {
+  double listed2;  ///< in the list
+  double whole2;   ///< certainly closer than where any switch begins, while the list holds
+};
 
 class NeighbourList {
  public:
@@ -39,46 +78,50 @@ class NeighbourList {
   ///                  more bodies than the list can number
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box);
 
-  /// Positions in the box, for the list: q minus the whole edges that were between q and the box
-  /// when the list was built. Rebuilds the list where its guarantee has ended.
-  void update(const State& state);
+  /// Lists all pairs anew, in packs of `width`.
+  /// @throws RunError  if a position is not finite
+  void build(const State& state, std::size_t width);
 
-  const Vec3Column& wrapped() const { return wrapped_; }
+  const Box& box() const { return box_; }
+  const Slots& slots() const { return slots_; }
+  const std::vector<ListChunk>& chunks() const { return chunks_; }
 
-  /// The partners j > i of body i that belong to a molecule type.
-  std::span<const Neighbour> partners(std::size_t i, std::size_t part) const {
-    const std::size_t row = i * parts_ + part;
-    return {entries_.data() + begin_[row], entries_.data() + begin_[row + 1]};
-  }
+  /// The square of the displacement since the last build at which the guarantee ends [nm²].
+  double allowed2() const { return allowed2_; }
+  /// The width of packs that it was built for; 0 before the first build.
+  std::size_t width() const { return width_; }
 
-  /// The longest distance of centres [nm] at which bodies of two types interact, without the skin.
-  double reach(std::size_t part_a, std::size_t part_b) const {
-    return reach_[part_a * parts_ + part_b];
-  }
-  std::size_t longest_row() const { return longest_row_; }
   std::size_t rebuilds() const { return rebuilds_; }
-  std::size_t pairs() const { return entries_.size(); }
-  double seconds() const { return seconds_; }  ///< spent in update(), wall-clock
+  std::size_t lanes() const;                   ///< of all packs
+  double seconds() const { return seconds_; }  ///< spent in build(), wall-clock
 
  private:
-  void build(const State& state);
-
   Box box_;
-  std::size_t parts_;
-  std::vector<std::size_t> part_;  // of each body
-  std::vector<double> reach_;      // [part a, part b]
-  std::vector<double> range2_;     // [part a, part b]: (reach of the pair + skin)²
-  double range_ = 0;               // the longest of them
-  double allowed2_;                // (skin/2)²
-  Vec3Column built_at_;            // q when built
-  Vec3Column home_;                // the edges between q and the box when built
-  Vec3Column wrapped_;
-  std::vector<std::size_t> begin_;  // row i·parts + part → first entry
-  std::vector<Neighbour> entries_;
-  std::vector<std::uint32_t> cell_begin_, cell_of_, in_cell_;  // scratch of build
-  std::size_t longest_row_ = 0;
+  std::vector<PairRange> ranges_;  // [part a, part b]
+  double range_ = 0;               // the longest listed [nm]
+  double allowed2_ = 0;
+  CellGrid grid_;
+  Slots slots_;
+  std::vector<ListChunk> chunks_;
+  std::size_t width_ = 0;
   std::size_t rebuilds_ = 0;
   double seconds_ = 0;
 };
+
+/// Lattice units per box edge in fixed point: images on both sides fit into 32 bits.
+inline constexpr std::int64_t fixed_point_edge = 1 << 30;
+
+/// What the search for partners reads.
+struct ListJob {
+  const CellGrid& grid;
+  const Slots& slots;
+  const std::vector<PairRange>& ranges;    ///< [part a, part b]
+  const std::vector<std::int32_t>* fixed;  ///< x, y, z of each slot's place, in fixed point
+  std::size_t width;                       ///< of packs of pairs
+};
+
+POLHODE_DECLARE_LOOPS(
+    /// Fills the rows of a chunk.
+    void find_partners(const ListJob& job, ListChunk& chunk);)
 
 }  // namespace polhode

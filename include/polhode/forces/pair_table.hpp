@@ -2,6 +2,7 @@
 // Which sites of two molecule types interact, and with which strengths.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "polhode/forces/laws.hpp"
@@ -9,31 +10,48 @@
 
 namespace polhode {
 
-/// The most arms that one molecule may have: the pair loops keep them on the stack.
-inline constexpr std::size_t most_arms = 128;
+/// The most interacting sites that one molecule may have: the pair loops keep them on the stack.
+inline constexpr std::size_t most_sites = 64;
 
-/// The interacting sites of a molecule as the pair loops take them: first all that carry charge,
-/// then all with Lennard-Jones; a site with both stands in both groups.
-struct Arms {
+/// The interacting sites of a molecule as the pair loops take them: first those with a charge
+/// alone, then those with charge and Lennard-Jones, then those with Lennard-Jones alone.
+struct InteractionSites {
   std::vector<Site> sites;
-  std::size_t charged = 0;  ///< the first so many
-  std::size_t dispersive() const { return sites.size() - charged; }
+  std::size_t charged = 0;     ///< the first so many have a charge
+  std::size_t dispersive = 0;  ///< the last so many have Lennard-Jones
+  std::size_t size() const { return sites.size(); }
 
-  /// @throws Error  if there are more than most_arms
-  explicit Arms(const Molecule& molecule);
+  /// @throws Error  if there are more than most_sites
+  explicit InteractionSites(const Molecule& molecule);
 };
 
-/// The strengths of all pairs of a charged site of one molecule type with one of another, and of a
-/// Lennard-Jones site with another: dense tables, the index of the first molecule's site running
-/// faster.
-struct PairTable {
-  std::size_t charged_a = 0, charged_b = 0, dispersive_a = 0, dispersive_b = 0;
-  std::vector<double> charges;              ///< K q_a q_b [kJ/mol nm]
-  std::vector<LennardJones> lennard_jones;  ///< Lorentz-Berthelot: σ arithmetic, ε geometric mean
+/// The strengths of all pairs of a site of one molecule type with one of another: dense, the index
+/// of the first molecule's site running faster; 0 where a pair does not interact.
+template <class T>
+struct PairStrengths {
+  std::vector<T> charge;  ///< K q_a q_b [kJ/mol nm]
+  std::vector<T> c6;      ///< [kJ/mol nm⁶]
+  std::vector<T> c12;     ///< [kJ/mol nm¹²]
+};
 
+/// Two molecule types. Lorentz-Berthelot: σ arithmetic, ε geometric mean.
+class PairTable {
+ public:
   PairTable(const Molecule& first, const Molecule& second);
-  std::size_t arms_a() const { return charged_a + dispersive_a; }
-  std::size_t arms_b() const { return charged_b + dispersive_b; }
+
+  std::size_t sites_a, sites_b, charged_a, charged_b, dispersive_a, dispersive_b;
+
+  template <class T>
+  const PairStrengths<T>& strengths() const {
+    if constexpr (std::is_same_v<T, float>)
+      return rounded_;
+    else
+      return exact_;
+  }
+
+ private:
+  PairStrengths<double> exact_;
+  PairStrengths<float> rounded_;
 };
 
 /// The tables of all pairs of molecule types of a topology.

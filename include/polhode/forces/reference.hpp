@@ -21,19 +21,20 @@ struct Pose {
 template <class Real>
 struct ReferenceLoad {
   std::vector<Vec3<Real>> f, tau;
+  Mat3<Real> virial;
   Real lennard_jones{0.0}, coulomb{0.0};
   Real potential() const { return lennard_jones + coulomb; }
 };
 
-template <Truncation truncation, class Real>
+template <Ending ending, class Real>
 ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings& settings,
                                    const Box& box, const std::vector<Pose<Real>>& poses) {
   const std::size_t n = poses.size();
-  const PairLaws laws(settings);
+  const PairLaws<> laws(settings);
   const PairTables tables(topology);
   const Bodies bodies(topology);
   std::vector<std::vector<Site>> sites;
-  for (const auto& part : topology.parts) sites.push_back(Arms(part.molecule).sites);
+  for (const auto& part : topology.parts) sites.push_back(InteractionSites(part.molecule).sites);
 
   std::vector<std::vector<Vec3<Real>>> arms(n);
   for (std::size_t i = 0; i < n; ++i)
@@ -41,7 +42,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
       arms[i].push_back(
           to_lab(poses[i].attitude, Vec3<Real>{Real(site.r.x), Real(site.r.y), Real(site.r.z)}));
 
-  ReferenceLoad<Real> load{std::vector<Vec3<Real>>(n), std::vector<Vec3<Real>>(n)};
+  ReferenceLoad<Real> load{std::vector<Vec3<Real>>(n), std::vector<Vec3<Real>>(n), {}};
   const Vec3<Real> edge{Real(box.edge.x), Real(box.edge.y), Real(box.edge.z)};
   const auto nearest = [](Real x) {  // the whole number nearest to x, a constant for derivatives
     double k = 0;
@@ -49,9 +50,11 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
     while (x < Real(k - 0.5)) k -= 1;
     return Real(k);
   };
+  std::array<Vec3<Real>, most_sites> f_a;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
       const PairTable& table = tables(bodies.part[i], bodies.part[j]);
+      const AnyShape shape(table);
       const double reach = settings.cutoff + topology.parts[bodies.part[i]].molecule.reach() +
                            topology.parts[bodies.part[j]].molecule.reach();
       Vec3<Real> R0 = poses[j].q - poses[i].q;
@@ -61,12 +64,15 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
         const Vec3<Real> shift{Real(image % 3 - 1), Real(image / 3 % 3 - 1), Real(image / 9 - 1)};
         const Vec3<Real> R = R0 + scaled(shift, edge);
         if (norm2(R) > Real(reach * reach)) continue;
-        const PairLoad<Real> pair = molecule_pair<truncation, AnyShape>(
-            table, laws, R, arms[i].data(), [&](std::size_t k) { return arms[j][k]; });
+        for (std::size_t a = 0; a < table.sites_a; ++a) f_a[a] = {};
+        const PairLoad<Real> pair = molecule_pair<ending, true>(
+            shape, table.strengths<double>(), laws, R, [&](std::size_t k) { return arms[i][k]; },
+            [&](std::size_t k) { return arms[j][k]; }, f_a.data());
         load.f[i] -= pair.f;
         load.f[j] += pair.f;
-        load.tau[i] += pair.tau_a;
+        for (std::size_t a = 0; a < table.sites_a; ++a) load.tau[i] -= cross(arms[i][a], f_a[a]);
         load.tau[j] += pair.tau_b;
+        for (std::size_t k = 0; k < 3; ++k) load.virial[k] += R[k] * pair.f;
         load.lennard_jones += pair.lennard_jones;
         load.coulomb += pair.coulomb;
       }
@@ -74,13 +80,19 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   return load;
 }
 
-/// Forces, torques and energies of all pairs. Time grows with the square of the number of bodies.
+/// Forces, torques, energies and virial of all pairs. Time grows with the square of the number of
+/// bodies.
 template <class Real>
 ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings& settings,
                                    const Box& box, const std::vector<Pose<Real>>& poses) {
-  return settings.truncation == Truncation::molecule_switch
-             ? all_pairs_load<Truncation::molecule_switch>(topology, settings, box, poses)
-             : all_pairs_load<Truncation::reaction_field>(topology, settings, box, poses);
+  switch (settings.truncation) {
+    case Truncation::molecule_switch:
+      return all_pairs_load<Ending::molecule_switch>(topology, settings, box, poses);
+    case Truncation::site_switch:
+      return all_pairs_load<Ending::site_switch>(topology, settings, box, poses);
+    default:
+      return all_pairs_load<Ending::site_shift>(topology, settings, box, poses);
+  }
 }
 
 }  // namespace polhode

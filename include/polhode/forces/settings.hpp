@@ -1,15 +1,30 @@
 // SPDX-License-Identifier: MIT
 // What a user chooses about the forces. All molecules feel site-site Lennard-Jones and Coulomb
-// forces in a periodic box; the choice is how they end at the cutoff.
+// forces in a periodic box; the choice is how they end at the cutoff, and in which precision pairs
+// are computed.
 #pragma once
 
 namespace polhode {
 
-/// How interactions end. Both are smooth: fourth-order schemes need the third derivative of the
-/// energy bounded.
+/// How interactions end. The switches are smooth: fourth-order schemes need the third derivative
+/// of the energy bounded.
 enum class Truncation {
   molecule_switch,  ///< w(R) times all site pairs of two molecules, R between centres of mass
-  reaction_field,   ///< site pairs: reaction field and Lennard-Jones, switched site by site
+  site_switch,      ///< w(r) times each pair of sites, r between them
+  site_shift,       ///< each pair of sites less its energy and force at the cutoff [toxvaerd2011]
+};
+
+/// What charges feel within the cutoff.
+enum class Electrostatics {
+  coulomb,         ///< Coulomb's law
+  reaction_field,  ///< with a dielectric continuum beyond the cutoff
+};
+
+/// In which numbers the pairs are computed. Positions, attitudes, momenta and all sums of forces,
+/// torques and energies are double in both.
+enum class Precision {
+  full,   ///< pairs in double
+  mixed,  ///< pairs in float: sites relative to centres, centres in fixed point
 };
 
 struct ForceSettings {
@@ -17,8 +32,10 @@ struct ForceSettings {
   double cutoff = 1.0;        ///< [nm]
   double switch_from = 0.85;  ///< where the switch begins [nm]
   int smoothness = 2;         ///< class of the switch: C¹, C², C³
-  double dielectric = 78.5;   ///< beyond the cutoff, for the reaction field; may be infinite
-  double skin = 0.1;          ///< of the neighbour list [nm]
+  Electrostatics electrostatics = Electrostatics::coulomb;
+  double dielectric = 78.5;  ///< beyond the cutoff, for the reaction field; may be infinite
+  double skin = 0.05;        ///< of the neighbour list [nm]
+  Precision precision = Precision::full;
 };
 
 }  // namespace polhode

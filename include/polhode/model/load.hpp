@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the bodies feel: forces, torques, and the potential by term. It does not know how it was
-// made.
+// What the bodies feel: forces, torques, the potential by term and the virial. It does not know how
+// it was made.
 #pragma once
 
 #include "polhode/base/column.hpp"
@@ -12,6 +12,9 @@ struct Load {
   Vec3Column tau;            ///< torque about the centre of mass [kJ/mol], lab
   double lennard_jones = 0;  ///< [kJ/mol]
   double coulomb = 0;        ///< [kJ/mol]
+  /// Σ R ⊗ f over pairs of bodies, R between their centres, f on the second [kJ/mol]: the pressure
+  /// tensor is (Σ p ⊗ p/m + virial)/V.
+  Mat3<double> virial{};
 
   Load() = default;
   explicit Load(std::size_t bodies) : f(bodies), tau(bodies) {}

@@ -1,136 +1,340 @@
 // SPDX-License-Identifier: MIT
+// Pairs of molecules in packs: one molecule with as many partners as a pack is wide. The records of
+// the partners are turned into packs, the forces on them are turned back and added one by one.
 #include "polhode/forces/pair_loops.hpp"
 
+#include <algorithm>
 #include <array>
+#include <utility>
 
-#include "polhode/base/pack.hpp"
-#include "polhode/base/pack_column.hpp"
+#include "polhode/base/pack_places.hpp"
 #include "polhode/forces/molecule_pair.hpp"
 
 namespace polhode::POLHODE_LOOPS {
-
-using Real = Pack<double>;
-
-void site_arms(const QuaternionColumn& attitude, const std::vector<Vec3<double>>& sites,
-               std::size_t first, std::size_t end, ArmRecords& arms) {
-  for (std::size_t i = first / Real::width * Real::width; i < end; i += Real::width) {
-    const Mat3<Real> S = matrix_S(load_pack<Real>(attitude, i));
-    for (std::size_t k = 0; k < sites.size(); ++k) {
-      const Vec3<double>& r = sites[k];
-      const Vec3<Real> arm = S.row0 * Real(r.x) + S.row1 * Real(r.y) + S.row2 * Real(r.z);
-      alignas(pack_bytes) double x[Real::width], y[Real::width], z[Real::width];
-      arm.x.store(x), arm.y.store(y), arm.z.store(z);
-      const std::size_t last = std::min(Real::width, end - i);
-      for (std::size_t lane = i < first ? first - i : 0; lane < last; ++lane) {
-        double* const record = arms.of(i + lane) + 3 * k;
-        record[0] = x[lane], record[1] = y[lane], record[2] = z[lane];
-      }
-    }
-  }
-}
-
 namespace {
 
-constexpr double far_away = 1e3;  // [nm]: beyond any cutoff, so that all switches are exactly 0
-
-// Leaves in the buffer the partners that are in range now, without those that the list holds for
-// its skin only, filled up to whole packs by copies of the first at a distance where nothing acts.
-std::size_t select_in_range(std::span<const Neighbour> partners, const PairJob& job,
-                            const Vec3<double>& q_i, PartnerBuffer& buffer) {
-  const Vec3Column& q = job.list.wrapped();
-  std::size_t count = 0;
-  for (const Neighbour partner : partners) {
-    const std::size_t j = partner.body();
-    const Vec3<double> R = q[j] - q_i + job.image_shifts[partner.image()];
-    buffer.body[count] = static_cast<std::uint32_t>(j);
-    buffer.R.set(count, R);
-    count += norm2(R) < job.range2 ? 1 : 0;
-  }
-  for (std::size_t n = count; n % Real::width != 0; ++n) {
-    buffer.body[n] = buffer.body[0];
-    buffer.R.set(n, {far_away, 0, 0});
-  }
-  return count;
+// The difference of a coordinate of centres [nm], from the numbers in their records.
+inline Pack<double> coordinate_difference(Pack<double> partner, double own, double) {
+  return partner - Pack<double>(own);
 }
+inline Pack<float> coordinate_difference(Pack<float> partner, float own, float unit) {
+  std::int32_t bits;
+  std::memcpy(&bits, &own, sizeof bits);
+  return fixed_point_difference(partner, bits) * Pack<float>(unit);
+}
+inline Pack<double> coordinate_sum(Pack<double> a, Pack<double> b) { return a + b; }
+inline Pack<float> coordinate_sum(Pack<float> a, Pack<float> b) { return fixed_point_sum(a, b); }
 
-// The arms of the partners in the lanes of a pack.
-template <class Shape>
-class PartnerArms {
+// The rows of a chunk, one after the other: fetch the partners, compute the pairs, add up what they
+// did. A row is added up only after the next one's partners were fetched, so that the processor
+// need not wait for the last results of a row: fetching does not depend on them.
+template <class T, class Shape>
+class PairRows {
  public:
-  PartnerArms(const PairJob& job, const std::uint32_t* body) {
-    const Shape shape(job.table);
-    const std::size_t numbers = 3 * (shape.charged_b + shape.dispersive_b);
-    const double* row[Real::width];
-    for (std::size_t lane = 0; lane < Real::width; ++lane) row[lane] = job.arms.of(body[lane]);
-    for (std::size_t k = 0; k < numbers; k += Real::width) {
-      load_transposed(row, &number_[k]);
-      for (const double*& r : row) r += Real::width;
-    }
+  using Real = Pack<T>;
+
+  explicit PairRows(const PairJob<T>& job)
+      : job_(job),
+        shape_(job.table),
+        strengths_(job.table.template strengths<T>()),
+        own_(window(job.chunk.part)),
+        partner_(window(job.partner_part)),
+        numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width) {
+    for (std::size_t d = 0; d < 3; ++d)
+      unit_[d] = static_cast<T>(job.list.box().edge[d] / static_cast<double>(fixed_point_edge));
+    const std::size_t packs = job.chunk.longest_row / Real::width * (numbers_ + 6) +
+                              3 * (shape_.sites_a + 1);  // of a row
+    Column<T>& space = job.sums.template scratch<T>();
+    if (space.size() < 2 * packs * Real::width) space = Column<T>(2 * packs * Real::width);
+    now_.scratch = space.data();
+    before_.scratch = space.data() + packs * Real::width;
   }
-  Vec3<Real> operator()(std::size_t k) const {
-    return {number_[3 * k], number_[3 * k + 1], number_[3 * k + 2]};
+
+  template <Ending ending, bool energies>
+  void run() {
+    const auto parts = job_.list.slots().parts.size();
+    for (std::uint32_t slot = job_.chunk.first; slot < job_.chunk.end; ++slot) {
+      const ListChunk::Row row = job_.chunk.row(slot, job_.partner_part, parts);
+      if (row.begin == row.end) continue;
+      now_.slot = slot;
+      now_.entries = &job_.chunk.entries[row.begin];
+      now_.whole = (row.ending - row.begin) / Real::width;
+      now_.packs = (row.end - row.begin) / Real::width;
+      fetch(now_);
+      add_up(before_);
+      compute<ending, energies>(now_);
+      std::swap(now_, before_);
+    }
+    add_up(before_);
+    if constexpr (energies) {
+      job_.sums.lennard_jones += sum(lennard_jones_);
+      job_.sums.coulomb += sum(coulomb_);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) job_.sums.virial[i][k] += sum(virial_[i][k]);
+    }
   }
 
  private:
-  std::array<Real, 3 * Shape::most + Real::width> number_;
-};
+  // A row of the list with its numbers: for each pack the records of the partners, turned, and
+  // forces and torques on them; then the force on the row's body, less its sign, and what each of
+  // its sites does.
+  struct Row {
+    std::uint32_t slot = 0;
+    const std::uint32_t* entries = nullptr;
+    std::size_t whole = 0, packs = 0;
+    T* scratch = nullptr;
+  };
+  T* partners(const Row& row, std::size_t pack) const {
+    return row.scratch + pack * (numbers_ + 6) * Real::width;
+  }
+  T* loads(const Row& row, std::size_t pack) const {
+    return partners(row, pack) + numbers_ * Real::width;
+  }
 
-template <Truncation truncation, class Shape>
-void pair_forces_of(const PairJob& job, PartnerBuffer& buffer, Load& load) {
-  const PairTable& table = job.table;
-  Vec3<Real> arm_a[Shape::most];
-  Real lennard_jones, coulomb;
+  // Where the sums of a molecule type's slots are.
+  struct Window {
+    double* sums;
+    std::uint32_t first;  // the window's first slot
+    std::int32_t count;   // slots of the type
+    double* of(std::uint32_t slot) const {
+      const auto k = static_cast<std::int32_t>(slot - first);
+      const std::int32_t wrapped = k + (k >> 31 & count);  // no branch: it would be mispredicted
+      return sums + static_cast<std::size_t>(wrapped) * ChunkSums::stride;
+    }
+  };
+  Window window(std::size_t part) const {
+    return {&job_.sums.values[job_.sums.first[part] * ChunkSums::stride],
+            job_.chunk.windows[part].first,
+            static_cast<std::int32_t>(job_.list.slots().parts[part].count)};
+  }
 
-  for (std::size_t i = job.first; i < job.end; ++i) {
-    const std::size_t partners =
-        select_in_range(job.list.partners(i, job.partner_part), job, job.list.wrapped()[i], buffer);
-    const double* const record = job.arms.of(i);
-    for (std::size_t a = 0; a < table.arms_a(); ++a)
-      arm_a[a] = {Real(record[3 * a]), Real(record[3 * a + 1]), Real(record[3 * a + 2])};
-    Vec3<Real> f_i, tau_i;
+  auto own_site(const Row& row) const {
+    const T* const sites = job_.records.of(row.slot) + 3;
+    return [sites](std::size_t a) {
+      return Vec3<Real>{Real(sites[3 * a]), Real(sites[3 * a + 1]), Real(sites[3 * a + 2])};
+    };
+  }
 
-    for (std::size_t start = 0; start < partners; start += Real::width) {
-      const PairLoad<Real> pair =
-          molecule_pair<truncation, Shape>(table, job.laws, load_pack<Real>(buffer.R, start), arm_a,
-                                           PartnerArms<Shape>(job, &buffer.body[start]));
-      f_i -= pair.f;
-      tau_i += pair.tau_a;
-      lennard_jones += pair.lennard_jones;
-      coulomb += pair.coulomb;
-
-      alignas(pack_bytes) double v[6][Real::width];
-      pair.f.x.store(v[0]), pair.f.y.store(v[1]), pair.f.z.store(v[2]);
-      pair.tau_b.x.store(v[3]), pair.tau_b.y.store(v[4]), pair.tau_b.z.store(v[5]);
-      const std::size_t lanes = std::min(Real::width, partners - start);
-      for (std::size_t lane = 0; lane < lanes; ++lane) {  // one by one: two lanes may be one body
-        const std::size_t j = buffer.body[start + lane];
-        load.f.add(j, {v[0][lane], v[1][lane], v[2][lane]});
-        load.tau.add(j, {v[3][lane], v[4][lane], v[5][lane]});
+  void fetch(const Row& row) const {
+    const std::uint32_t* entry = row.entries;
+    for (std::size_t pack = 0; pack < row.packs; ++pack, entry += Real::width) {
+      T* to = partners(row, pack);
+      const T *record[Real::width], *shift[Real::width];
+      for (std::size_t lane = 0; lane < Real::width; ++lane) {
+        const Neighbour partner(entry[lane]);
+        record[lane] = job_.records.of(partner.slot());
+        shift[lane] = job_.records.shift(partner.image());
+      }
+      for (std::size_t k = 0; k < numbers_; k += Real::width) {
+        Real column[Real::width];
+        transpose<T>(
+            [&](std::size_t lane) __attribute__((always_inline)) {
+              const Real numbers = Real::load(record[lane] + k);
+              return k < 3 ? coordinate_sum(numbers, Real::load(shift[lane] + k)) : numbers;
+            },
+            column);
+        for (const Real& c : column) c.store(to), to += Real::width;
       }
     }
-    load.f.add(i, {sum(f_i.x), sum(f_i.y), sum(f_i.z)});
-    load.tau.add(i, {sum(tau_i.x), sum(tau_i.y), sum(tau_i.z)});
   }
-  load.lennard_jones += sum(lennard_jones);
-  load.coulomb += sum(coulomb);
+
+  template <Ending ending, bool energies>
+  void compute(const Row& row) {
+    const T* const own = job_.records.of(row.slot);
+    std::array<Vec3<Real>, Shape::most_a> f_a;  // what each site does to the partners
+    each(
+        shape_.sites_a, [&](auto a) __attribute__((always_inline)) { f_a[a] = {}; });
+    Vec3<Real> f;
+    Real lennard_jones, coulomb;
+    Mat3<Real> virial;
+
+    const auto pairs_of = [&]<Ending how>(std::size_t pack) __attribute__((always_inline)) {
+      const T* const number = partners(row, pack);
+      const auto column = [&](std::size_t k) { return Real::load(number + k * Real::width); };
+      Vec3<Real> R;
+      for (std::size_t d = 0; d < 3; ++d) R[d] = coordinate_difference(column(d), own[d], unit_[d]);
+      const PairLoad<Real> pair = molecule_pair<how, energies>(
+          shape_, strengths_, job_.laws, R, own_site(row),
+          [&](std::size_t b) {
+            return Vec3<Real>{column(3 + 3 * b), column(4 + 3 * b), column(5 + 3 * b)};
+          },
+          f_a.data());
+      f += pair.f;
+      if constexpr (energies) {
+        lennard_jones += pair.lennard_jones;
+        coulomb += pair.coulomb;
+        for (std::size_t d = 0; d < 3; ++d) virial[d] += R[d] * pair.f;
+      }
+      store(pair.f, loads(row, pack));
+      store(pair.tau_b, loads(row, pack) + 3 * Real::width);
+    };
+    for (std::size_t pack = 0; pack < row.whole; ++pack)
+      pairs_of.template operator()<Ending::none>(pack);
+    for (std::size_t pack = row.whole; pack < row.packs; ++pack)
+      pairs_of.template operator()<ending>(pack);
+
+    T* to = partners(row, row.packs);
+    store(f, to);
+    each(
+        shape_.sites_a, [&](auto a) __attribute__((always_inline)) {
+          store(f_a[a], to += 3 * Real::width);
+        });
+    if constexpr (energies) {
+      const auto add = [](Pack<double>& total, Real what) {
+        for (const Pack<double>& part : widened(what)) total += part;
+      };
+      add(lennard_jones_, lennard_jones);
+      add(coulomb_, coulomb);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) add(virial_[i][k], virial[i][k]);
+    }
+  }
+
+  // Forces and torques on the partners and on the row's body, to their sums.
+  void add_up(const Row& row) const {
+    const std::uint32_t* entry = row.entries;
+    for (std::size_t pack = 0; pack < row.packs; ++pack, entry += Real::width) {
+      const T* const load = loads(row, pack);
+      std::array<Real, 6> column;
+      for (std::size_t k = 0; k < 6; ++k) column[k] = Real::load(load + k * Real::width);
+      add_to_records(column,
+                     [&](std::size_t lane) { return partner_.of(Neighbour(entry[lane]).slot()); });
+    }
+    if (row.packs == 0) return;
+    const T* from = partners(row, row.packs);
+    const Vec3<Real> f = loaded(from);
+    Vec3<Real> tau;
+    const auto site = own_site(row);
+    each(
+        shape_.sites_a, [&](auto a) __attribute__((always_inline)) {
+          tau -= cross(site(a), loaded(from += 3 * Real::width));
+        });
+    add_sums_to_record(std::array{-f.x, -f.y, -f.z, tau.x, tau.y, tau.z}, own_.of(row.slot));
+  }
+
+  static void store(const Vec3<Real>& v, T* to) {
+    v.x.store(to), v.y.store(to + Real::width), v.z.store(to + 2 * Real::width);
+  }
+  static Vec3<Real> loaded(const T* from) {
+    return {Real::load(from), Real::load(from + Real::width), Real::load(from + 2 * Real::width)};
+  }
+
+  const PairJob<T>& job_;
+  const Shape shape_;
+  const PairStrengths<T>& strengths_;
+  const Window own_, partner_;
+  const std::size_t numbers_;  // of a partner's record, in whole packs
+  Vec3<T> unit_;
+  Row now_, before_;
+  Pack<double> lennard_jones_, coulomb_;
+  Mat3<Pack<double>> virial_;
+};
+
+template <class T, class Shape>
+void run(const PairJob<T>& job) {
+  PairRows<T, Shape> rows(job);
+  const auto with = [&]<Ending ending>() {
+    if (job.energies)
+      rows.template run<ending, true>();
+    else
+      rows.template run<ending, false>();
+  };
+  switch (job.truncation) {
+    case Truncation::molecule_switch:
+      return with.template operator()<Ending::molecule_switch>();
+    case Truncation::site_switch:
+      return with.template operator()<Ending::site_switch>();
+    case Truncation::site_shift:
+      return with.template operator()<Ending::site_shift>();
+  }
 }
 
-template <Truncation truncation>
-void pair_forces_by_shape(const PairJob& job, PartnerBuffer& buffer, Load& load) {
-  using Water = FixedShape<3, 3, 1, 1>;  // of three or four sites
-  if (Water::fits(job.table))
-    pair_forces_of<truncation, Water>(job, buffer, load);
-  else
-    pair_forces_of<truncation, AnyShape>(job, buffer, load);
+// The first of the shapes that fits, or the general path.
+template <class T, class... Shapes>
+void run_fitting(const PairJob<T>& job) {
+  if (!((Shapes::fits(job.table) && (run<T, Shapes>(job), true)) || ...)) run<T, AnyShape>(job);
+}
+
+template <class T>
+void pair_forces_of(const PairJob<T>& job) {
+  run_fitting<T, FixedShape<4, 3, 1>>(job);  // four-site water
+}
+
+template <class T>
+double place(const PlaceJob<T>& job) {
+  using Real = Pack<T>;
+  using Double = Pack<double>;
+  constexpr std::size_t parts = Real::width / Double::width;
+  const auto packed = [](const std::array<Double, parts>& a) {
+    if constexpr (parts == 1 && sizeof(T) == 8)
+      return a[0];
+    else
+      return narrowed(a);
+  };
+  const State& state = job.state;
+  const std::size_t numbers = 3 + 3 * job.sites.size();
+  std::array<Real, 3 + 3 * most_sites + Real::width> column;
+  Double largest, all;
+  for (std::size_t s = job.first; s < job.end; s += Real::width) {
+    std::array<Double, parts> centre[3];
+    std::array<Mat3<Double>, parts> S;
+    for (std::size_t h = 0; h < parts; ++h) {
+      const std::size_t at = s + h * Double::width;
+      const std::uint32_t* const body = &job.slots.body[at];
+      Double moved2;
+      const auto place = [&](const Column<double>& q, const Column<double>& built_at,
+                             const Column<double>& in_box) {
+        const Double moved = gathered(q.data(), body) - Double::load(&built_at[at]);
+        moved2 += moved * moved;
+        return Double::load(&in_box[at]) + moved;
+      };
+      centre[0][h] = place(state.q.x, job.slots.built_at.x, job.slots.place.x);
+      centre[1][h] = place(state.q.y, job.slots.built_at.y, job.slots.place.y);
+      centre[2][h] = place(state.q.z, job.slots.built_at.z, job.slots.place.z);
+      largest = select(largest < moved2, moved2, largest);
+      all += moved2;
+      const QuaternionColumn& a = state.attitude;
+      S[h] = matrix_S(Quaternion<Double>{gathered(a.w.data(), body), gathered(a.x.data(), body),
+                                         gathered(a.y.data(), body), gathered(a.z.data(), body)});
+    }
+    for (std::size_t d = 0; d < 3; ++d) {
+      if constexpr (sizeof(T) == 4) {
+        for (Double& c : centre[d])
+          c *= Double(static_cast<double>(fixed_point_edge) / state.box.edge[d]);
+        column[d] = narrowed_to_fixed_point(centre[d]);
+      } else {
+        column[d] = centre[d][0];
+      }
+    }
+    for (std::size_t k = 0; k < job.sites.size(); ++k) {
+      const Vec3<double>& r = job.sites[k];
+      std::array<Double, parts> arm[3];
+      for (std::size_t h = 0; h < parts; ++h) {
+        const Vec3<Double> site =
+            S[h].row0 * Double(r.x) + S[h].row1 * Double(r.y) + S[h].row2 * Double(r.z);
+        for (std::size_t d = 0; d < 3; ++d) arm[d][h] = site[d];
+      }
+      for (std::size_t d = 0; d < 3; ++d) column[3 + 3 * k + d] = packed(arm[d]);
+    }
+    for (std::size_t k = 0; k < numbers; k += Real::width) {
+      Real row[Real::width];
+      transpose<T>([&](std::size_t i) { return column[k + i]; }, row);
+      for (std::size_t i = 0; i < Real::width; ++i) row[i].store(job.records.of(s + i) + k);
+    }
+  }
+  alignas(pack_bytes) double lane[Double::width];
+  largest.store(lane);
+  const double moved2 = *std::max_element(lane, lane + Double::width);
+  return sum(all) < 1e300 ? moved2 : 1e300;  // not where a position is no number
 }
 
 }  // namespace
 
-void pair_forces(const PairJob& job, PartnerBuffer& buffer, Load& load) {
-  if (job.laws.truncation == Truncation::molecule_switch)
-    pair_forces_by_shape<Truncation::molecule_switch>(job, buffer, load);
-  else
-    pair_forces_by_shape<Truncation::reaction_field>(job, buffer, load);
-}
+double place_sites(const PlaceJob<double>& job) { return place(job); }
+double place_sites(const PlaceJob<float>& job) { return place(job); }
+void pair_forces(const PairJob<double>& job) { pair_forces_of(job); }
+void pair_forces(const PairJob<float>& job) { pair_forces_of(job); }
+std::size_t pair_lanes(const PairJob<double>*) { return Pack<double>::width; }
+std::size_t pair_lanes(const PairJob<float>*) { return Pack<float>::width; }
 
 }  // namespace polhode::POLHODE_LOOPS

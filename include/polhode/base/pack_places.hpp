@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Packs and whole numbers: coordinates in fixed point, whose differences are exact, and lists of
+// the lanes that a mask selects.
+#pragma once
+
+#include <cstdint>
+
+#include "polhode/base/pack_rows.hpp"
+
+namespace polhode {
+inline namespace HWY_NAMESPACE {
+
+using FixedTag = hn::RebindToSigned<Pack<float>::Tag>;
+
+/// p[k] − from, exact in 32 bits with overflow from end to end, then rounded.
+inline Pack<float> fixed_point_difference(const std::int32_t* p, std::int32_t from) {
+  const FixedTag fixed;
+  return Pack<float>(
+      hn::ConvertTo(Pack<float>::Tag(), hn::Sub(hn::LoadU(fixed, p), hn::Set(fixed, from))));
+}
+
+/// The same for numbers that stand in a pack as bits.
+inline Pack<float> fixed_point_difference(Pack<float> bits, std::int32_t from) {
+  const FixedTag fixed;
+  return Pack<float>(
+      hn::ConvertTo(Pack<float>::Tag(), hn::Sub(hn::BitCast(fixed, bits.v), hn::Set(fixed, from))));
+}
+
+/// Sum of two packs that hold fixed-point numbers as bits; adding 0 leaves any bits as they are.
+inline Pack<float> fixed_point_sum(Pack<float> a, Pack<float> b) {
+  const FixedTag fixed;
+  return Pack<float>(
+      hn::BitCast(Pack<float>::Tag(), hn::Add(hn::BitCast(fixed, a.v), hn::BitCast(fixed, b.v))));
+}
+
+/// Doubles rounded to floats.
+inline Pack<float> narrowed(const std::array<Pack<double>, halves>& a) {
+  const Pack<float>::Tag tag;
+#if HWY_TARGET == HWY_SCALAR
+  return Pack<float>(hn::DemoteTo(tag, a[0].v));
+#else
+  const hn::Half<Pack<float>::Tag> half;
+  return Pack<float>(hn::Combine(tag, hn::DemoteTo(half, a[1].v), hn::DemoteTo(half, a[0].v)));
+#endif
+}
+
+/// Doubles rounded to fixed point, as bits.
+inline Pack<float> narrowed_to_fixed_point(const std::array<Pack<double>, halves>& a) {
+  const Pack<float>::Tag tag;
+  const FixedTag fixed;
+#if HWY_TARGET == HWY_SCALAR
+  return Pack<float>(hn::BitCast(tag, hn::DemoteTo(fixed, hn::Round(a[0].v))));
+#else
+  const hn::Half<FixedTag> half;
+  return Pack<float>(hn::BitCast(tag, hn::Combine(fixed, hn::DemoteTo(half, hn::Round(a[1].v)),
+                                                  hn::DemoteTo(half, hn::Round(a[0].v)))));
+#endif
+}
+
+/// from[index[k]] for each lane.
+inline Pack<double> gathered(const double* from, const std::uint32_t* index) {
+  const Pack<double>::Tag tag;
+#if HWY_TARGET == HWY_SCALAR
+  return Pack<double>(hn::Load(tag, from + index[0]));
+#else
+  const hn::RebindToSigned<Pack<double>::Tag> wide;
+  const hn::Rebind<std::int32_t, Pack<double>::Tag> narrow;
+  const auto words = hn::LoadU(narrow, reinterpret_cast<const std::int32_t*>(index));
+  return Pack<double>(hn::GatherIndex(tag, from, hn::PromoteTo(wide, words)));
+#endif
+}
+
+/// Stores `first` + k for each lane k that the mask selects, one after the other, and returns how
+/// many. The rest of a pack beyond them is overwritten.
+template <class T>
+std::size_t store_counted(std::uint32_t first, PackMask<T> mask, std::uint32_t* to) {
+  const hn::RebindToUnsigned<typename Pack<T>::Tag> words;
+  const auto numbers = hn::Iota(words, 0) + hn::Set(words, first);
+  const auto selected = hn::RebindMask(words, mask.m);
+  hn::StoreU(hn::Compress(numbers, selected), words, to);
+  return hn::CountTrue(words, selected);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace polhode

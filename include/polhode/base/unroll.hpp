@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Loops that unroll where their length is known when they are compiled.
+#pragma once
+
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+namespace polhode {
+
+/// A count that is part of its type.
+template <std::size_t n>
+using Count = std::integral_constant<std::size_t, n>;
+
+/// body(k) for 0 ≤ k < n, written out.
+template <std::size_t n, class Body>
+[[gnu::always_inline]] constexpr void each(Count<n>, const Body& body) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
+    (body(Count<k>{}), ...);
+  }
+  (std::make_index_sequence<n>{});
+}
+
+/// body(k) for 0 ≤ k < n, as a loop.
+template <class Body>
+[[gnu::always_inline]] constexpr void each(std::size_t n, const Body& body) {
+  for (std::size_t k = 0; k < n; ++k) body(k);
+}
+
+}  // namespace polhode

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// A grid of cells over the box, and the order of bodies by cells: neighbours in space become
+// neighbours in memory.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// Cells of equal size that fill the box; the index along x runs fastest, so that a run of cells
+/// along x is contiguous.
+struct CellGrid {
+  Vec3<double> edge{1, 1, 1};  ///< of the box [nm]
+  std::array<std::size_t, 3> cells{1, 1, 1};
+
+  CellGrid() = default;
+  /// Cells about half as wide as `range` [nm], a quarter along x.
+  CellGrid(const Box& box, double range);
+
+  std::size_t size() const { return cells[0] * cells[1] * cells[2]; }
+  double width(std::size_t d) const { return edge[d] / static_cast<double>(cells[d]); }
+  /// The cell of a coordinate that lies in the box.
+  std::size_t coordinate(double x, std::size_t d) const;
+  std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
+    return (z * cells[1] + y) * cells[0] + x;
+  }
+};
+
+/// Slots of each molecule type begin at multiples of this many: whole packs of any width.
+inline constexpr std::size_t slot_block = 64;
+
+/// Bodies in the order of their cells, molecule type by molecule type. A slot is a place in this
+/// order. Slots of a type begin at a multiple of slot_block; those left over repeat a body of the
+/// type and take no part.
+struct Slots {
+  struct Part {
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t end() const { return first + count; }
+  };
+  std::vector<Part> parts;
+  std::vector<std::uint32_t> body;  ///< of each slot
+
+  // Of each slot, when the order was made:
+  Vec3Column built_at;                  ///< q [nm], with its images
+  Vec3Column place;                     ///< q in the box [nm]
+  std::vector<std::uint32_t> cell_end;  ///< [part, cell]: the first slot after the cell's
+
+  explicit Slots(const Topology& topology);
+  std::size_t size() const { return body.size(); }
+  std::uint32_t cell_begin(const CellGrid& grid, std::size_t part, std::size_t cell) const {
+    return cell == 0 ? parts[part].first : cell_end[part * grid.size() + cell - 1];
+  }
+
+  /// Orders the bodies anew.
+  /// @throws RunError  if a position is not finite
+  void sort(const State& state, const CellGrid& grid);
+
+ private:
+  std::vector<std::uint32_t> first_body_;  // of each part
+  std::vector<std::uint32_t> cell_of_;     // of each body
+};
+
+}  // namespace polhode

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A force evaluation over the neighbour list in one precision: place the sites, sum the pairs chunk
+// by chunk, bring the sums together.
+#pragma once
+
+#include <vector>
+
+#include "polhode/forces/neighbours.hpp"
+#include "polhode/forces/pair_loops.hpp"
+#include "polhode/forces/pair_table.hpp"
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+
+namespace polhode {
+
+/// @tparam T  in which pairs are computed: double or float
+template <class T>
+class PairEngine {
+ public:
+  PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box);
+
+  /// Forces and torques of a state, and the energies and the virial if wanted, else 0.
+  void operator()(const State& state, Load& load, bool energies);
+
+  const NeighbourList& neighbours() const { return list_; }
+
+ private:
+  double place(const State& state);
+  void prepare_sums();
+  void sum_chunk(std::size_t chunk, bool energies);
+  void collect(std::size_t chunk, Load& load) const;
+
+  Truncation truncation_;
+  PairTables tables_;
+  PairLaws<T> laws_;
+  NeighbourList list_;
+  std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
+  SiteRecords<T> records_;
+  std::vector<ChunkSums> sums_;  // of each chunk
+};
+
+}  // namespace polhode

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+// How rows of the neighbour list become whole packs.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "polhode/forces/neighbours.hpp"
+
+namespace polhode {
+
+/// Partners while a row is made: room for a pack beyond the last, as packs are stored whole.
+class RowBuffer {
+ public:
+  void clear() { size_ = 0; }
+  std::size_t size() const { return size_; }
+  /// The end, with room for n more entries and a pack.
+  std::uint32_t* end_with_room(std::size_t n) {
+    if (words_.size() < size_ + n + slot_block) words_.resize(2 * (size_ + n + slot_block));
+    return &words_[size_];
+  }
+  void grow(std::size_t n) { size_ += n; }  ///< n entries were written at the end
+  void push(Neighbour n) { *end_with_room(1) = n.word(), ++size_; }
+  Neighbour pop() { return Neighbour(words_[--size_]); }
+  Neighbour operator[](std::size_t k) const { return Neighbour(words_[k]); }
+  /// Takes an entry out; the last one takes its place.
+  void remove(std::size_t k) { words_[k] = words_[--size_]; }
+  const std::uint32_t* begin() const { return words_.data(); }
+  const std::uint32_t* end() const { return words_.data() + size_; }
+
+ private:
+  std::vector<std::uint32_t> words_;
+  std::size_t size_ = 0;
+};
+
+/// Pairs that rows hand to later rows of the same chunk, one list per slot.
+class HandedPairs {
+ public:
+  HandedPairs(std::uint32_t first, std::uint32_t end) : first_(first), head_(end - first, none) {}
+
+  void give(std::uint32_t slot, Neighbour pair) {
+    std::uint32_t& head = head_[slot - first_];
+    links_.push_back({pair, std::exchange(head, static_cast<std::uint32_t>(links_.size()))});
+  }
+  /// Appends what was handed to a slot.
+  void take(std::uint32_t slot, RowBuffer& row) const {
+    for (std::uint32_t k = head_[slot - first_]; k != none; k = links_[k].next)
+      row.push(links_[k].pair);
+  }
+
+ private:
+  static constexpr std::uint32_t none = ~0u;
+  struct Link {
+    Neighbour pair;
+    std::uint32_t next;
+  };
+  std::uint32_t first_;
+  std::vector<std::uint32_t> head_;
+  std::vector<Link> links_;
+};
+
+/// Hands pairs of a slot's row to rows of partners that come later in the chunk, until whole packs
+/// are left; none if that cannot be reached. Pairs that were handed to this row stay: their
+/// partners come earlier.
+inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t width,
+                      RowBuffer& row, HandedPairs& later) {
+  const std::size_t surplus = row.size() % width;
+  const auto can_take = [&](Neighbour n) { return n.slot() > slot && n.slot() < chunk_end; };
+  std::size_t takers = 0;
+  for (std::size_t k = row.size(); k-- > 0 && takers < surplus;) takers += can_take(row[k]);
+  if (takers < surplus) return;
+  std::size_t left = surplus;
+  for (std::size_t k = row.size(); k-- > 0 && left > 0;) {
+    if (!can_take(row[k])) continue;
+    later.give(row[k].slot(), {slot, Neighbour::images - 1 - row[k].image()});
+    row.remove(k);
+    --left;
+  }
+}
+
+}  // namespace polhode

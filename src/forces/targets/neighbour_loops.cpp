@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: MIT
+// The search for partners, in packs over runs of cells.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "polhode/base/pack_places.hpp"
+#include "polhode/forces/neighbours.hpp"
+#include "polhode/forces/row_packing.hpp"
+
+namespace polhode::POLHODE_LOOPS {
+namespace {
+
+// Places are compared in fixed point and float: 2⁻³⁰ of an edge and 2⁻²² of a distance, which this
+// exceeds for distances of some nm.
+constexpr double rounding = 1e-5;  // [nm]
+
+using Real = Pack<float>;
+
+// The partners of a body: those certainly closer than where any switch begins, and the others.
+struct Partners {
+  RowBuffer whole, ending;
+};
+
+// An interval of slots.
+struct Run {
+  std::uint32_t begin, end;
+};
+
+// Tests the slots of a run; `at` is the place of the body in fixed point, less the image's shift.
+void scan(const ListJob& job, Run run, const Vec3<std::int32_t>& at, std::uint32_t image,
+          const Vec3<float>& unit, float whole2, float listed2, Partners& found) {
+  std::uint32_t* const whole_begin = found.whole.end_with_room(run.end - run.begin);
+  std::uint32_t* const ending_begin = found.ending.end_with_room(run.end - run.begin);
+  std::size_t n_whole = 0, n_ending = 0;
+  for (std::uint32_t s = run.begin; s < run.end; s += Real::width) {
+    const auto along = [&](std::size_t d) {
+      return fixed_point_difference(&job.fixed[d][s], at[d]) * Real(unit[d]);
+    };
+    const Real x = along(0), y = along(1), z = along(2);
+    const Real r2 = x * x + y * y + z * z;
+    const auto lanes = first_lanes<float>(std::min<std::size_t>(run.end - s, Real::width));
+    const auto listed = lanes && r2 < Real(listed2), whole = r2 < Real(whole2);
+    const std::uint32_t word = s | image << Neighbour::slot_bits;
+    n_whole += store_counted<float>(word, listed && whole, whole_begin + n_whole);
+    n_ending += store_counted<float>(word, listed && !whole, ending_begin + n_ending);
+  }
+  found.whole.grow(n_whole);
+  found.ending.grow(n_ending);
+}
+
+// The slots j of a part with n of them that are ahead of the k-th: 1 to n/2 places, cyclically; of
+// two that are exactly half a turn apart, the first has the other ahead.
+std::array<Run, 2> ahead(const Slots::Part& part, std::uint32_t k) {
+  const std::uint32_t n = part.count;
+  const std::uint32_t half = n % 2 == 0 && k >= n / 2 ? n / 2 - 1 : n / 2;
+  const std::uint32_t from = part.first + k + 1, last = k + half;
+  if (last < n) return {Run{from, part.first + last + 1}, Run{0, 0}};
+  return {Run{from, part.first + n}, Run{part.first, part.first + last - n + 1}};
+}
+
+class Search {
+ public:
+  Search(const ListJob& job, std::size_t part, std::size_t partner_part)
+      : job_(job), grid_(job.grid), partner_(partner_part), same_(part == partner_part) {
+    const PairRange& range = job.ranges[part * job.slots.parts.size() + partner_part];
+    listed_ = std::sqrt(range.listed2) + rounding;
+    listed2_ = static_cast<float>(listed_ * listed_);
+    const double whole = std::max(0.0, std::sqrt(range.whole2) - rounding);
+    whole2_ = static_cast<float>(whole * whole);
+    for (std::size_t d = 0; d < 3; ++d)
+      unit_[d] = static_cast<float>(grid_.edge[d] / static_cast<double>(fixed_point_edge));
+  }
+
+  void operator()(std::uint32_t slot, Partners& found) const {
+    const Slots::Part& part = job_.slots.parts[partner_];
+    std::array<Run, 2> allowed{Run{part.first, part.end()}, Run{0, 0}};
+    if (same_) allowed = ahead(part, slot - part.first);
+    const Vec3<double> q = job_.slots.place[slot];
+    Vec3<std::int32_t> at;
+    for (std::size_t d = 0; d < 3; ++d) at[d] = job_.fixed[d][slot];
+
+    over_cells(q, 2, [&](std::size_t z, int image_z, double far_z) {
+      over_cells(q, 1, [&](std::size_t y, int image_y, double far_y) {
+        const double left2 = listed_ * listed_ - far_y * far_y - far_z * far_z;
+        if (left2 <= 0) return;
+        const double reach = std::sqrt(left2), edge = grid_.edge.x;
+        for (int image_x = -1; image_x <= 1; ++image_x) {
+          const double low = q.x - reach - image_x * edge, high = q.x + reach - image_x * edge;
+          if (high < 0 || low >= edge) continue;
+          const std::size_t c0 = grid_.index(grid_.coordinate(low, 0), y, z),
+                            c1 = grid_.index(grid_.coordinate(std::min(high, edge), 0), y, z);
+          const Run run{job_.slots.cell_begin(grid_, partner_, c0),
+                        job_.slots.cell_end[partner_ * grid_.size() + c1]};
+          const auto image = static_cast<std::uint32_t>((image_z * 3 + image_y) * 3 + image_x + 13);
+          const auto shift = static_cast<std::int32_t>(fixed_point_edge);
+          const Vec3<std::int32_t> from{at.x - image_x * shift, at.y - image_y * shift,
+                                        at.z - image_z * shift};
+          for (const Run& a : allowed) {
+            const Run part_of{std::max(run.begin, a.begin), std::min(run.end, a.end)};
+            if (part_of.begin < part_of.end)
+              scan(job_, part_of, from, image, unit_, whole2_, listed2_, found);
+          }
+        }
+      });
+    });
+  }
+
+ private:
+  // visit(cell, image, distance): layers of cells across direction d that come within the range of
+  // q, in all images.
+  template <class Visit>
+  void over_cells(const Vec3<double>& q, std::size_t d, const Visit& visit) const {
+    const auto n = static_cast<int>(grid_.cells[d]);
+    const double w = grid_.width(d);
+    const int low = std::max(static_cast<int>(std::floor((q[d] - listed_) / w)), -n);
+    const int high = std::min(static_cast<int>(std::floor((q[d] + listed_) / w)), 2 * n - 1);
+    for (int c = low; c <= high; ++c) {
+      const int image = c < 0 ? -1 : c >= n ? 1 : 0;
+      const double far = std::max({0.0, c * w - q[d], q[d] - (c + 1) * w});
+      visit(static_cast<std::size_t>(c - image * n), image, far);
+    }
+  }
+
+  const ListJob& job_;
+  const CellGrid& grid_;
+  std::size_t partner_;
+  bool same_;
+  double listed_;
+  float listed2_, whole2_;
+  Vec3<float> unit_;
+};
+
+// The smallest cyclic window of a part's slots that holds all marked blocks.
+SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& marked) {
+  constexpr auto block = static_cast<std::uint32_t>(slot_block);
+  const std::uint32_t first = part.first / block, blocks = (part.count + block - 1) / block;
+  std::uint32_t gap = 0, longest = 0, after = 0;  // the longest cyclic run of unmarked blocks
+  for (std::uint32_t k = 0; k < 2 * blocks; ++k) {
+    gap = marked[first + k % blocks] ? 0 : gap + 1;
+    if (gap > longest) longest = gap, after = (k + 1) % blocks;
+  }
+  if (longest >= blocks) return {part.first, 0};
+  return {part.first + after * block, std::min((blocks - longest) * block, part.count)};
+}
+
+}  // namespace
+
+void find_partners(const ListJob& job, ListChunk& chunk) {
+  const std::size_t parts = job.slots.parts.size();
+  chunk.rows.clear();
+  chunk.entries.clear();
+  chunk.longest_row = 0;
+  std::vector<std::uint8_t> marked(job.slots.size() / slot_block, 0);
+  const std::uint32_t end = std::min(chunk.end, job.slots.parts[chunk.part].end());
+  HandedPairs handed_whole(chunk.first, chunk.end), handed_ending(chunk.first, chunk.end);
+  Partners found;
+  std::vector<Search> searches;
+  for (std::size_t partner = chunk.part; partner < parts; ++partner)
+    searches.emplace_back(job, chunk.part, partner);
+
+  const auto append = [&](const RowBuffer& row) {
+    for (const std::uint32_t word : row) marked[Neighbour(word).slot() / slot_block] = 1;
+    chunk.entries.insert(chunk.entries.end(), row.begin(), row.end());
+    return static_cast<std::uint32_t>(chunk.entries.size());
+  };
+  for (std::uint32_t slot = chunk.first; slot < end; ++slot) {
+    marked[slot / slot_block] = 1;
+    for (std::size_t partner = chunk.part; partner < parts; ++partner) {
+      const bool same = partner == chunk.part;
+      found.whole.clear();
+      found.ending.clear();
+      searches[partner - chunk.part](slot, found);
+      if (same) {
+        handed_whole.take(slot, found.whole);
+        hand_over(slot, end, job.width, found.whole, handed_whole);
+      }
+      // What is left beyond whole packs joins the pairs that may end.
+      while (found.whole.size() % job.width != 0) found.ending.push(found.whole.pop());
+      if (same) {
+        handed_ending.take(slot, found.ending);
+        hand_over(slot, end, job.width, found.ending, handed_ending);
+      }
+      while (found.ending.size() % job.width != 0)
+        found.ending.push(Neighbour(found.ending[0].slot(), Neighbour::nowhere));
+
+      ListChunk::Row row;
+      row.begin = static_cast<std::uint32_t>(chunk.entries.size());
+      row.ending = append(found.whole);
+      row.end = append(found.ending);
+      chunk.rows.push_back(row);
+      chunk.longest_row = std::max(chunk.longest_row, row.end - row.begin);
+    }
+  }
+  chunk.windows.clear();
+  for (const Slots::Part& part : job.slots.parts) chunk.windows.push_back(window_of(part, marked));
+}
+
+}  // namespace polhode::POLHODE_LOOPS
