@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
-#include <string_view>
 #include <thread>
 
 #include "polhode/base/error.hpp"
@@ -75,11 +74,17 @@ std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
   return bound;
 }
 
-[[noreturn]] void refuse(const std::string& value, int allowed, const std::string& place) {
-  throw Error(fmt::format("{} threads are asked for, and there must be 1 to {}, one for each core "
-                          "that this process may use: threads that share a core wait for each "
-                          "other; ask for fewer, or leave it out to use all",
-                          value, allowed),
+/// The number that a text says.
+int judged(const std::string& text, const std::string& place) {
+  const int allowed = allowed_threads();
+  int n = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, n);
+  if (error == std::errc{} && end == last && n >= 1 && n <= allowed) return n;
+  throw Error(fmt::format("threads = '{}' must be a whole number from 1 to {}, the cores that this "
+                          "process may use, because threads that share a core wait for each other; "
+                          "ask for fewer, or leave it out to use all",
+                          text, allowed),
               place);
 }
 
@@ -112,20 +117,15 @@ int allowed_threads() {
   return std::min(bound_cores(), bandwidth.value_or(bound_cores()));
 }
 
+int threads_wanted(const std::string& option) {
+  if (!option.empty()) return judged(option, "--threads");
+  const char* const variable = std::getenv("POLHODE_THREADS");
+  if (variable != nullptr && *variable != '\0') return judged(variable, "POLHODE_THREADS");
+  return allowed_threads();
+}
+
 int threads_wanted(std::optional<int> option) {
-  const int allowed = allowed_threads();
-  if (option) {
-    if (*option < 1 || *option > allowed) refuse(fmt::format("{}", *option), allowed, "--threads");
-    return *option;
-  }
-  const char* variable = std::getenv("POLHODE_THREADS");
-  if (variable == nullptr || *variable == '\0') return allowed;
-  const std::string_view text(variable);
-  int n = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
-  if (error != std::errc{} || end != text.data() + text.size() || n < 1 || n > allowed)
-    refuse(fmt::format("'{}'", text), allowed, "POLHODE_THREADS");
-  return n;
+  return threads_wanted(option ? std::to_string(*option) : std::string());
 }
 
 }  // namespace polhode

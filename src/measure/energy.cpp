@@ -13,11 +13,17 @@ namespace polhode {
 POLHODE_DECLARE_LOOPS(KineticSums kinetic_sums(const State&, const Bodies&, std::size_t,
                                                std::size_t);)
 
+namespace {
+
+constexpr std::size_t block = 4096;  // bodies: about 3 µs with the widest packs
+
+}  // namespace
+
 Energies energies(const State& state, const Bodies& bodies, const Load& load, Workers& workers) {
   const auto loop = POLHODE_CURRENT_LOOPS(kinetic_sums);
-  std::vector<KineticSums> sums(blocks(state.size()));
-  each_block(state.size(), workers, [&](std::size_t first, std::size_t end) {
-    sums[first / block_size] = loop(state, bodies, first, end);
+  std::vector<KineticSums> sums(blocks(state.size(), block));
+  each_block(state.size(), block, workers, [&](std::size_t first, std::size_t end) {
+    sums[first / block] = loop(state, bodies, first, end);
   });
   Energies e{state.time, load.lennard_jones, load.coulomb, 0, {0, 0, 0}};
   for (const KineticSums& sum : sums) {

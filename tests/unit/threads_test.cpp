@@ -70,7 +70,7 @@ TEST_CASE("threads wanted are the option's, else the environment's, else all") {
   CHECK(threads_wanted(all) == all);
   for (const int n : {0, -3, all + 1})
     check_error([&] { threads_wanted(n); },
-                {std::to_string(n).c_str(), bound.c_str(), "core", "--threads"});
+                {fmt::format("'{}'", n).c_str(), bound.c_str(), "core", "--threads"});
   const std::string too_many = std::to_string(all + 1);
   for (const char* text : {"0", "-1", "two", "1.5", "1 2", "99999999999", too_many.c_str()}) {
     setenv("POLHODE_THREADS", text, 1);
@@ -78,7 +78,10 @@ TEST_CASE("threads wanted are the option's, else the environment's, else all") {
     check_error([&] { threads_wanted(std::nullopt); },
                 {quoted.c_str(), bound.c_str(), "core", "POLHODE_THREADS"});
   }
+  check_error([] { threads_wanted("two"); }, {"'two'", bound.c_str(), "--threads"});
+  CHECK(threads_wanted("1") == 1);
   setenv("POLHODE_THREADS", "", 1);
+  CHECK(threads_wanted("") == all);
   CHECK(threads_wanted(std::nullopt) == all);
   unsetenv("POLHODE_THREADS");
 }

@@ -9,16 +9,16 @@
 
 namespace polhode {
 
-/// Bodies of a block: whole packs of any kind, and some µs of work.
-inline constexpr std::size_t block_size = 512;
+constexpr std::size_t blocks(std::size_t size, std::size_t block) {
+  return (size + block - 1) / block;
+}
 
-constexpr std::size_t blocks(std::size_t size) { return (size + block_size - 1) / block_size; }
-
-/// Calls task(first, end) for every block of 0 ≤ i < size, `size` itself ending the last.
+/// Calls task(first, end) for every block of 0 ≤ i < size, `size` itself ending the last. A block
+/// should be some µs of work, several times what a fork and a join cost, and hold whole packs.
 template <class Task>
-void each_block(std::size_t size, Workers& workers, const Task& task) {
-  workers.each(blocks(size),
-               [&](std::size_t k) { task(k * block_size, std::min(size, (k + 1) * block_size)); });
+void each_block(std::size_t size, std::size_t block, Workers& workers, const Task& task) {
+  workers.each(blocks(size, block),
+               [&](std::size_t k) { task(k * block, std::min(size, (k + 1) * block)); });
 }
 
 }  // namespace polhode

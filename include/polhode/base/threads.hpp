@@ -24,4 +24,7 @@ std::optional<int> group_bandwidth(const std::string& membership,
 /// @throws Error  if that is no whole number from 1 to allowed_threads()
 int threads_wanted(std::optional<int> option);
 
+/// The same of an option as it was typed; empty without one.
+int threads_wanted(const std::string& option);
+
 }  // namespace polhode
