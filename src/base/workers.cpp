@@ -11,6 +11,12 @@
 #include <thread>
 #include <vector>
 
+#ifdef __linux__
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
 namespace polhode {
 namespace {
 
@@ -37,6 +43,37 @@ bool spin(const Done& done) {
   } while (std::chrono::steady_clock::now() - start < longest);
   return done();
 }
+
+/// A number on which threads sleep until it changes. std::atomic::wait would yield some times
+/// before it sleeps, and a process beside this one takes each yield for a whole slice of time.
+struct Sleepable {
+  std::atomic<std::uint32_t> value{0};
+  std::atomic<int> sleepers{0};
+
+  /// Returns at once if the value is another one; may return early.
+  void sleep_while(std::uint32_t old) {
+#ifdef __linux__
+    sleepers.fetch_add(1);
+    syscall(SYS_futex, &value, FUTEX_WAIT_PRIVATE, old, nullptr, nullptr, 0);
+    sleepers.fetch_sub(1);
+#else
+    value.wait(old);
+#endif
+  }
+
+  /// To be called after a sequentially consistent change of the value, so that either the sleeper
+  /// sees the change or the caller sees the sleeper.
+  void wake(std::size_t most) {
+#ifdef __linux__
+    constexpr std::size_t all = std::numeric_limits<int>::max();
+    if (sleepers.load() > 0)
+      syscall(SYS_futex, &value, FUTEX_WAKE_PRIVATE, static_cast<int>(std::min(most, all)), nullptr,
+              nullptr, 0);
+#else
+    if (most > 0) value.notify_all();
+#endif
+  }
+};
 
 // The gate: one number that says whether there is work, how many of the pool's threads are at it,
 // and which call it belongs to. A thread joins by one exchange on the whole number, so only while
@@ -69,11 +106,11 @@ class Workers::Pool {
     }
     work_ = work;
     next_.store(0, std::memory_order_relaxed);
-    const Gate call = call_of(gate_.load(std::memory_order_relaxed)) + 1;
-    gate_.store(call * one_call | open);  // in one order with the count of sleepers that is next
-    gate_.notify_all();
+    const Gate call = call_of(gate_.value.load(std::memory_order_relaxed)) + 1;
+    gate_.value.store(call * one_call | open);
+    gate_.wake(work.count - 1);
     take();
-    if (inside(gate_.fetch_and(~open, std::memory_order_acq_rel)) > 0) wait_for_the_last();
+    if (inside(gate_.value.fetch_and(~open, std::memory_order_acq_rel)) > 0) wait_for_the_last();
     const std::exception_ptr thrown = thrown_;
     if (thrown) {
       thrown_ = nullptr;
@@ -104,12 +141,14 @@ class Workers::Pool {
   }
 
   void wait_for_the_last() {
-    const auto all_left = [this] { return inside(gate_.load(std::memory_order_acquire)) == 0; };
+    const auto all_left = [this] {
+      return inside(gate_.value.load(std::memory_order_acquire)) == 0;
+    };
     if (spin(all_left)) return;
     for (;;) {
-      const std::uint32_t seen = ended_.load(std::memory_order_acquire);
+      const std::uint32_t seen = ended_.value.load(std::memory_order_acquire);
       if (all_left()) return;
-      ended_.wait(seen, std::memory_order_acquire);
+      ended_.sleep_while(seen);
     }
   }
 
@@ -119,35 +158,35 @@ class Workers::Pool {
     for (;;) {
       Gate gate = 0;
       const auto called = [&] {
-        gate = gate_.load(std::memory_order_acquire);
+        gate = gate_.value.load(std::memory_order_acquire);
         return (gate & over) != 0 || ((gate & open) != 0 && call_of(gate) != done);
       };
-      while (!spin(called)) gate_.wait(gate, std::memory_order_acquire);
+      while (!spin(called)) gate_.sleep_while(gate);
       if (gate & over) return;
-      if (!gate_.compare_exchange_weak(gate, gate + one_inside, std::memory_order_acq_rel,
-                                       std::memory_order_relaxed))
+      if (!gate_.value.compare_exchange_weak(gate, gate + one_inside, std::memory_order_acq_rel,
+                                             std::memory_order_relaxed))
         continue;
       done = call_of(gate);
       take();
-      const Gate left = gate_.fetch_sub(one_inside, std::memory_order_acq_rel) - one_inside;
+      const Gate left = gate_.value.fetch_sub(one_inside, std::memory_order_acq_rel) - one_inside;
       if ((left & open) == 0 && inside(left) == 0) {
-        ended_.fetch_add(1, std::memory_order_acq_rel);
-        ended_.notify_one();
+        ended_.value.fetch_add(1);
+        ended_.wake(1);
       }
     }
   }
 
   void end() {
-    gate_.fetch_or(over, std::memory_order_acq_rel);
-    gate_.notify_all();
+    gate_.value.fetch_or(over);
+    gate_.wake(threads_.size());
     for (std::thread& thread : threads_) thread.join();
   }
 
   // What many write stands on lines of its own.
-  alignas(64) std::atomic<Gate> gate_{0};
+  alignas(64) Sleepable gate_;
   alignas(64) std::atomic<std::size_t> next_{0};
   alignas(64) Work work_;
-  std::atomic<std::uint32_t> ended_{0};  // how often a call was closed before its last worker left
+  Sleepable ended_;  // how often a call was closed before its last worker left
   std::atomic<bool> busy_{false};
   std::mutex throwing_;
   std::exception_ptr thrown_;
