@@ -60,6 +60,14 @@ class Repeatable(Sandbox):
         for kind in ("energies.csv", "trajectory.gro", "final.gro"):
             self.assertEqual(self.body(f"one-{kind}"), self.body(f"all-{kind}"), kind)
 
+    def test_studies_by_numbers_of_threads(self):
+        self.write("run.toml", SMALL)
+        for threads, options in (("one", ("--threads", "1")), ("all", ())):
+            process = self.polhode("study", "run.toml", "--output", threads, *options, POLHODE_THREADS="")
+            self.assertEqual(process.returncode, 0, process.err)
+        self.assertEqual(self.body("one.csv"), self.body("all.csv"))
+        self.assertEqual(sorted(self.body("one-runs.csv")), sorted(self.body("all-runs.csv")))
+
     def test_unknown_instruction_set(self):
         self.write("run.toml", SMALL)
         before = self.contents()

@@ -17,7 +17,7 @@ using namespace polhode;
 namespace {
 
 // Three of the largest blocks, of which the last is short and fills no pack.
-constexpr std::size_t largest_block = 4096, count = 2 * largest_block + 203;
+constexpr std::size_t largest_block = 2048, count = 2 * largest_block + 203;
 
 scenes::Scene crowd() {
   return scenes::lattice({{"tip4p", count - 300}, {"co2", 100}, {"argon", 200}}, 0.4, 20, 3);

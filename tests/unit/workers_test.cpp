@@ -14,6 +14,26 @@
 
 using namespace polhode;
 
+namespace {
+
+/// A place where threads wait for each other, but not for ever.
+class Meeting {
+ public:
+  explicit Meeting(int expected) : expected_(expected) {}
+  void join() {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    for (++arrived_; !complete() && std::chrono::steady_clock::now() < end;)
+      std::this_thread::yield();
+  }
+  bool complete() const { return arrived_ == expected_; }
+
+ private:
+  int expected_;
+  std::atomic<int> arrived_ = 0;
+};
+
+}  // namespace
+
 TEST_CASE("workers do each task exactly once") {
   for (const int threads : {1, 2, 3, 5}) {
     Workers workers(threads);
@@ -51,13 +71,64 @@ TEST_CASE("workers outlast their count of calls") {
   CHECK(sum[1] == calls);
 }
 
-TEST_CASE("workers take part in the work") {
-  Workers workers(3);
-  std::atomic<int> arrived = 0;
-  workers.each(3, [&](std::size_t) {  // ends only if three threads are inside at once
-    for (++arrived; arrived < 3;) std::this_thread::yield();
-  });
-  CHECK(arrived == 3);
+TEST_CASE("workers take part in the work, awake and asleep") {
+  for (const int threads : {2, 3}) {
+    Workers workers(threads);
+    for (const int gap : {0, 5, 0}) {  // [ms]
+      std::this_thread::sleep_for(std::chrono::milliseconds(gap));
+      Meeting meeting(threads);
+      workers.each(static_cast<std::size_t>(threads), [&](std::size_t) { meeting.join(); });
+      CHECK(meeting.complete());
+    }
+  }
+}
+
+TEST_CASE("a call ends after the last of its tasks") {
+  Workers workers(2);
+  const auto caller = std::this_thread::get_id();
+  for (const int late : {1, 0}) {  // the other thread, so that the caller falls asleep; the caller
+    Meeting meeting(2);
+    std::atomic<int> done = 0;
+    workers.each(2, [&](std::size_t) {
+      meeting.join();
+      if ((std::this_thread::get_id() != caller) == (late == 1))
+        std::this_thread::sleep_for(std::chrono::milliseconds(3));
+      ++done;
+    });
+    CHECK(meeting.complete());
+    CHECK(done == 2);
+  }
+}
+
+TEST_CASE("of two tasks that throw the smaller one is heard, whichever is the first") {
+  Workers workers(2);
+  for (const std::size_t late : {0, 1}) {
+    Meeting meeting(2);
+    std::string what;
+    try {
+      workers.each(2, [&](std::size_t k) {
+        meeting.join();
+        if (k == late) std::this_thread::sleep_for(std::chrono::milliseconds(3));
+        throw std::runtime_error(std::to_string(k));
+      });
+    } catch (const std::runtime_error& e) {
+      what = e.what();
+    }
+    CHECK(what == "0");
+  }
+}
+
+TEST_CASE("tasks after one that throws are not begun") {
+  Workers workers(2);
+  std::atomic<int> begun = 0;
+  CHECK_THROWS_AS(workers.each(300,
+                               [&](std::size_t k) {
+                                 ++begun;
+                                 if (k == 0) throw std::runtime_error("0");
+                                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
+                               }),
+                  std::runtime_error);
+  CHECK(begun < 300);
 }
 
 TEST_CASE("the smallest task that throws is the one that is heard") {
