@@ -120,10 +120,12 @@ TEST_CASE("of two tasks that throw the smaller one is heard, whichever is the fi
 
 TEST_CASE("tasks after one that throws are not begun") {
   Workers workers(2);
+  Meeting meeting(2);
   std::atomic<int> begun = 0;
   CHECK_THROWS_AS(workers.each(300,
                                [&](std::size_t k) {
                                  ++begun;
+                                 if (k < 2) meeting.join();
                                  if (k == 0) throw std::runtime_error("0");
                                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
                                }),
