@@ -13,6 +13,7 @@
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
+#include "polhode/base/threads.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/plot.hpp"
@@ -26,7 +27,7 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, scheme, step, length, output;
+  std::string file, scheme, step, length, output, threads;
   bool force = false, json = false;
 };
 
@@ -125,7 +126,14 @@ std::string verdict(const Drift& drift) {
   return drift.chance < significance ? "significant" : "not significant";
 }
 
-void print_summary(const RunSummary& s, const TrajectorySettings& t, const Scheme& scheme) {
+/// What the run was computed with.
+struct Means {
+  int threads;
+  std::string target;
+};
+
+void print_summary(const RunSummary& s, const TrajectorySettings& t, const Scheme& scheme,
+                   const Means& means) {
   const auto percent = [](double x) { return 100 * x; };
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
              s.molecules, s.steps, t.step * 1000, scheme.name(), s.length, s.sample * 1000);
@@ -152,11 +160,12 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
       "energies and output {:.0f} %\n",
       all, percent(s.timings.forces / all), percent(s.timings.list / all),
       percent(s.timings.motion / all), percent(s.timings.measurement / all));
-  fmt::print("speed                 {:.4g} ns/day\n", s.ns_per_day);
+  fmt::print("speed                 {:.4g} ns/day with {} {}, instruction set {}\n", s.ns_per_day,
+             means.threads, means.threads == 1 ? "thread" : "threads", means.target);
 }
 
-nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const Files& files,
-                       bool stopped) {
+nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
+                       const Files& files, bool stopped) {
   return {{"molecules", s.molecules},
           {"scheme", text_of(t.scheme)},
           {"step_fs", t.step * 1000},
@@ -188,6 +197,8 @@ nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const F
             {"motion", s.timings.motion},
             {"energies_and_output", s.timings.measurement}}},
           {"ns_per_day", s.ns_per_day},
+          {"threads", means.threads},
+          {"target", means.target},
           {"files", files.all()}};
 }
 
@@ -201,6 +212,7 @@ int run(const Options& o) {
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
                     settings.length * 1000, settings.step * 1000),
         config.source);
+  Workers workers(threads_wanted(o.threads));
   System system = assembled(config);
   ForceField forces(system.topology, system.forces, system.state.box);
   const Files files(config.output);
@@ -208,9 +220,10 @@ int run(const Options& o) {
 
   const Provenance provenance{POLHODE_VERSION, typed(o), config.text, name(current_target()),
                               config.system.seed};
-  fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}\n",
+  const Means means{workers.threads(), provenance.target};
+  fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n",
              POLHODE_VERSION, system.topology.size(), config.source, scheme.name(),
-             settings.step * 1000, provenance.target);
+             settings.step * 1000, means.target, means.threads);
   if (system.fit_deviation > 1e-4)
     fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
                system.fit_deviation);
@@ -224,7 +237,7 @@ int run(const Options& o) {
                         progress.show(now / config.run.equilibrate);
                       },
                       interrupted};
-    if (!equilibrate(system, forces, config.run.equilibrate, watch)) {
+    if (!equilibrate(system, forces, config.run.equilibrate, watch, workers)) {
       fmt::print(stderr, "interrupted while equilibrating; nothing was written\n");
       return 130;
     }
@@ -245,7 +258,7 @@ int run(const Options& o) {
           next_frame = step + steps_per_frame;
         },
         interrupted};
-    t = trajectory(system, forces, settings, watch);
+    t = trajectory(system, forces, settings, watch, workers);
   }
   if (t.samples.empty()) throw RunError(t.failure);
   if (t.stopped)
@@ -268,9 +281,9 @@ int run(const Options& o) {
         config.output.plot, std::cerr);
 
   if (o.json) {
-    fmt::print("{}\n", as_json(s, settings, files, t.stopped).dump(2));
+    fmt::print("{}\n", as_json(s, settings, means, files, t.stopped).dump(2));
   } else {
-    print_summary(s, settings, scheme);
+    print_summary(s, settings, scheme, means);
     fmt::print("files                ");
     for (const std::string& file : files.all()) fmt::print(" {}", file);
     fmt::print("\n");
@@ -287,6 +300,8 @@ Action run_verb(CLI::App& app) {
   app.add_option("--step", o->step, "instead of the run file's: \"2 fs\"");
   app.add_option("--length", o->length, "instead of the run file's: \"15 ps\"");
   app.add_option("--output", o->output, "prefix of the output files, instead of the run file's");
+  app.add_option("--threads", o->threads,
+                 "that share the work of a run; without it: one for each core allowed");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return run(*o); };

@@ -11,6 +11,7 @@
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
+#include "polhode/base/threads.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
@@ -25,7 +26,7 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, output = "study", length, decorrelate;
+  std::string file, output = "study", length, decorrelate, threads;
   std::vector<std::string> schemes, steps;
   int runs = 0;
   bool quick = false, force = false, json = false;
@@ -66,6 +67,7 @@ int study(const Options& o) {
                       "more, so ask for longer runs, or leave out long steps",
                       config.study.length * 1000, point.step * 1000),
           config.source);
+  Workers workers(threads_wanted(o.threads));
   const System system = assembled(config);
 
   const StudyFiles files(o.output);
@@ -78,9 +80,10 @@ int study(const Options& o) {
   StudyRecord record(files.runs, provenance, o.force);
   std::vector<StudyRun> runs = record.known();
   fmt::print(stderr,
-             "polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}\n",
+             "polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}, "
+             "threads {}\n",
              POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
-             config.study.length, provenance.target);
+             config.study.length, provenance.target, workers.threads());
   if (!runs.empty()) fmt::print(stderr, "{} runs are known from {}\n", runs.size(), files.runs);
 
   catch_interrupts();
@@ -92,7 +95,8 @@ int study(const Options& o) {
           record.add(run);
           runs.push_back(run);
         },
-        {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted});
+        {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted},
+        workers);
   }
 
   const StudyReport report(config, efficiency_points(points, runs));
@@ -120,6 +124,8 @@ Action study_verb(CLI::App& app) {
   app.add_option("--length", o->length, "of each run: \"15 ps\"");
   app.add_option("--decorrelate", o->decorrelate, "preparation of each start: \"10 ps\"");
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
+  app.add_option("--threads", o->threads,
+                 "so many runs at once; without it: one for each core allowed");
   app.add_flag("--force", o->force, "start anew where results of another study exist");
   app.add_flag("--json", o->json, "print the results as JSON");
   return [o] { return study(*o); };

@@ -1,16 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/energy.hpp"
 
+#include <vector>
+
+#include "kinetic_sums.hpp"
+#include "polhode/base/blocks.hpp"
+#include "polhode/base/target.hpp"
 #include "polhode/base/units.hpp"
 
 namespace polhode {
 
-Energies energies(const State& state, const Bodies& bodies, const Load& load) {
+POLHODE_DECLARE_LOOPS(KineticSums kinetic_sums(const State&, const Bodies&, std::size_t,
+                                               std::size_t);)
+
+namespace {
+
+constexpr std::size_t block = 2048;  // bodies: about 2 µs with the widest packs
+
+}  // namespace
+
+Energies energies(const State& state, const Bodies& bodies, const Load& load, Workers& workers) {
+  const auto loop = POLHODE_CURRENT_LOOPS(kinetic_sums);
+  std::vector<KineticSums> sums(blocks(state.size(), block));
+  each_block(state.size(), block, workers, [&](std::size_t first, std::size_t end) {
+    sums[first / block] = loop(state, bodies, first, end);
+  });
   Energies e{state.time, load.lennard_jones, load.coulomb, 0, {0, 0, 0}};
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    e.translation += norm2(state.p[i]) * bodies.inverse_m[i] / 2;
-    const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
-    for (std::size_t k = 0; k < 3; ++k) e.rotation[k] += L[k] * L[k] * bodies.inverse_J[i][k] / 2;
+  for (const KineticSums& sum : sums) {
+    e.translation += sum.translation;
+    for (std::size_t k = 0; k < 3; ++k) e.rotation[k] += sum.rotation[k];
   }
   return e;
 }

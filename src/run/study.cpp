@@ -2,12 +2,9 @@
 #include "polhode/run/study.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
@@ -65,31 +62,6 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
   return run;
 }
 
-/// Calls work(i) for 0 ≤ i < count on all cores until done or stopped; rethrows the first error.
-void on_all_cores(std::size_t count, const std::function<bool()>& stop,
-                  const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::exception_ptr error;
-  std::mutex guard;
-  const auto loop = [&] {
-    for (std::size_t i = next++; i < count && !(stop && stop()); i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::lock_guard lock(guard);
-        if (!error) error = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  std::vector<std::jthread> threads;
-  const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-  for (std::size_t k = 1; k < std::min(cores, count); ++k) threads.emplace_back(loop);
-  loop();
-  threads.clear();
-  if (error) std::rethrow_exception(error);
-}
-
 }  // namespace
 
 std::vector<StudyPoint> study_points(const StudySettings& settings) {
@@ -104,8 +76,8 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
 }
 
 void run_study(const Config& config, const std::vector<StudyRun>& known,
-               const std::function<void(const StudyRun&)>& finished,
-               const StudyProgress& progress) {
+               const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
+               Workers& workers) {
   struct Job {
     StudyPoint point;
     int start;
@@ -143,20 +115,22 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
 
   const System base = assembled(config);
   std::vector<System> starts(needed.size(), base);
-  on_all_cores(starts.size(), progress.stop, [&](std::size_t r) {
-    if (!needed[r]) return;
+  const auto stopped = [&] { return progress.stop && progress.stop(); };
+  workers.each(starts.size(), [&](std::size_t r) {
+    if (!needed[r] || stopped()) return;
     draw_momenta(starts[r], config.system.seed + 1 + r);
     ForceField forces(base.topology, base.forces, base.state.box);
     equilibrate(starts[r], forces, config.study.decorrelate, {nullptr, progress.stop});
     advance(1000 * config.study.decorrelate, "preparing starts");
   });
-  if (progress.stop && progress.stop()) return;
+  if (stopped()) return;
 
-  on_all_cores(jobs.size(), progress.stop, [&](std::size_t k) {
+  workers.each(jobs.size(), [&](std::size_t k) {
+    if (stopped()) return;
     const Job& job = jobs[k];
     const StudyRun run = one_run(starts[static_cast<std::size_t>(job.start)], job.start, job.point,
                                  config, progress);
-    if (progress.stop && progress.stop()) return;  // it may have been cut short
+    if (stopped()) return;  // it may have been cut short
     {
       const std::lock_guard lock(guard);
       finished(run);

@@ -58,9 +58,9 @@ std::size_t TrajectorySettings::steps_per_sample() const {
 }
 
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
-                      const Watch& watch) {
+                      const Watch& watch, Workers& workers) {
   TimedForces timed{forces};
-  Integrator integrator(settings.scheme, system.bodies, timed, settings.lambda);
+  Integrator integrator(settings.scheme, system.bodies, timed, settings.lambda, workers);
   Trajectory result;
   const std::size_t steps = settings.steps(), interval = settings.steps_per_sample();
   const double list_before = forces.neighbours().seconds();
@@ -71,7 +71,8 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   const auto sample = [&] {
     motion += part.lap();
     const double forces_before = timed.seconds;
-    const Energies now = energies(system.state, system.bodies, integrator.load(system.state));
+    const Energies now =
+        energies(system.state, system.bodies, integrator.load(system.state), workers);
     forces_of_samples += timed.seconds - forces_before;
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
@@ -122,7 +123,8 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   return result;
 }
 
-bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch) {
+bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch,
+                 Workers& workers) {
   constexpr double step = 0.001, interval = 0.02;  // [ps]
   const Scheme scheme = scheme_of("velocity-verlet");
   double done = 0;
@@ -130,7 +132,7 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
     const Trajectory part =
-        trajectory(system, forces, {scheme, step, std::max(piece, step), interval}, watch);
+        trajectory(system, forces, {scheme, step, std::max(piece, step), interval}, watch, workers);
     done += piece;
     if (!part.failure.empty()) throw RunError("while equilibrating, " + part.failure);
     if (part.stopped) return false;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Wrong input ends with exit code 2 and a text that says value, bound, remedy and place; no file is made or changed."""
 
+import json
 import os
 import unittest
 
@@ -103,9 +104,9 @@ MOLECULE_FILE = [
 
 
 class BadInput(Sandbox):
-    def refused(self, arguments, words, title):
+    def refused(self, arguments, words, title, **environment):
         before = self.contents()
-        process = self.polhode(*arguments)
+        process = self.polhode(*arguments, **environment)
         with self.subTest(case=title, command=" ".join(arguments), message=process.err):
             self.assertEqual(process.returncode, 2)
             self.assertEqual(process.out, "")
@@ -172,6 +173,19 @@ class BadInput(Sandbox):
             self.refused(("study", "run.toml", *options), words, "study")
         self.refused((), ["run", "study"], "no verb")
         self.refused(("stdy",), ["'stdy'", "'study'"], "unknown verb")
+
+    def test_threads(self):
+        self.write("run.toml", SMALL)
+        allowed = json.loads(self.polhode("run", "run.toml", "--json", POLHODE_THREADS="").out)["threads"]
+        self.assertGreaterEqual(allowed, 1)
+        more = str(allowed + 1)
+        for verb in ("run", "study"):
+            for value in ("0", "-1", more, "two", "1.5", "99999999999"):
+                words = [f"threads = '{value}'", f"1 to {allowed}", "core"]
+                self.refused((verb, "run.toml", f"--threads={value}"), [*words, "--threads"], verb)
+                self.refused((verb, "run.toml"), [*words, "POLHODE_THREADS"], verb, POLHODE_THREADS=value)
+        process = self.polhode("run", "run.toml", "--threads", "1", "--force", POLHODE_THREADS="two")
+        self.assertEqual(process.returncode, 0, process.err)  # an option takes the variable's place
 
     def test_length_shorter_than_a_step(self):
         self.write("run.toml", edited(SMALL, ('"0.02 ps"\n\n[output]', '"1.5 fs"\n\n[output]')))

@@ -2,6 +2,7 @@
 """The same run file gives the same bytes, every instruction set the same energies, and --json what machines read."""
 
 import json
+import os
 
 import sandbox
 from sandbox import SMALL, Sandbox, edited
@@ -46,6 +47,26 @@ class Repeatable(Sandbox):
                 self.assertLess(abs(value - scalar), AGREEMENT * abs(scalar), target)
             for value, scalar in zip(totals[target], totals["scalar"], strict=True):
                 self.assertLess(abs(value - scalar), AFTER_STEPS * abs(scalar), target)
+
+    def test_numbers_of_threads(self):
+        # More than a block of bodies, so that threads share them.
+        self.write("run.toml", edited(WATER, ("count = 27", "count = 1331"), ('"2.5 nm"', '"4 nm"')))
+        for threads, options in (("one", ("--threads", "1")), ("all", ())):
+            process = self.polhode("run", "run.toml", "--output", threads, *options, "--json", POLHODE_THREADS="")
+            self.assertEqual(process.returncode, 0, process.err)
+            report = json.loads(process.out)
+            self.assertIn(report["threads"], [1] if threads == "one" else range(1, os.cpu_count() + 1))
+            self.assertIn(report["target"], ("scalar", "sse4", "avx2", "avx512"))
+        for kind in ("energies.csv", "trajectory.gro", "final.gro"):
+            self.assertEqual(self.body(f"one-{kind}"), self.body(f"all-{kind}"), kind)
+
+    def test_studies_by_numbers_of_threads(self):
+        self.write("run.toml", SMALL)
+        for threads, options in (("one", ("--threads", "1")), ("all", ())):
+            process = self.polhode("study", "run.toml", "--output", threads, *options, POLHODE_THREADS="")
+            self.assertEqual(process.returncode, 0, process.err)
+        self.assertEqual(self.body("one.csv"), self.body("all.csv"))
+        self.assertEqual(sorted(self.body("one-runs.csv")), sorted(self.body("all-runs.csv")))
 
     def test_unknown_instruction_set(self):
         self.write("run.toml", SMALL)

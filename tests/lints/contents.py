@@ -7,8 +7,8 @@ from tree import CODE, Finding, files, lines, main
 
 LONGEST = 500
 OPEN_END = re.compile(r"\b(TO" r"DO|FIX" r"ME|X" r"XX)\b")
-# Two components or more, at the start of a word; the system's interpreters are meant.
-ABSOLUTE = re.compile(r"(?<![\w.:/~$})>*@\\-])/(?!usr/bin/|dev/|proc/)[a-z]\w*/[\w.]")
+# Two components or more, at the start of a word; the system's own are no project's.
+ABSOLUTE = re.compile(r"(?<![\w.:/~$})>*@\\-])/(?!usr/bin/|dev/|proc/|sys/fs/)[a-z]\w*/[\w.]")
 
 
 def check(root):

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "polhode/base/threads.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/guideline.hpp"
@@ -35,7 +36,9 @@ std::map<std::pair<std::string, int>, EfficiencyPoint> measured(
     config.study.schemes = {scheme};
     config.study.steps = steps;
     for (const StudyPoint& p : study_points(config.study)) points.push_back(p);
-    run_study(config, {}, [&](const StudyRun& run) { runs.push_back(run); }, {});
+    Workers workers(allowed_threads());
+    run_study(
+        config, {}, [&](const StudyRun& run) { runs.push_back(run); }, {}, workers);
   }
   std::map<std::pair<std::string, int>, EfficiencyPoint> by_fs;
   for (const EfficiencyPoint& p : efficiency_points(points, runs))

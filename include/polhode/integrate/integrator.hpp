@@ -2,11 +2,10 @@
 // Plays a scheme on a state: drifts and kicks in order, with forces from any callable.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <utility>
 
-#include "polhode/base/quaternion.hpp"
+#include "polhode/base/workers.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/scheme.hpp"
 
@@ -18,36 +17,20 @@ concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
 };
 
-/// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v) turns
-/// a body by the body-frame vector v (vanzon2008, below Eq. 7; S̃ = R(v) S).
-inline Quaternion<double> rodrigues(const Vec3<double>& v) {
-  const double half = norm(v) / 2;
-  const double s = half > 0 ? std::sin(half) / (2 * half) : 0.5;
-  return {std::cos(half), s * v.x, s * v.y, s * v.z};
-}
-
-/// Moves every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
-/// (vanzon2008, Eq. 7 with c = 2 ξ λ h²).
-inline void displace(State& state, const Bodies& bodies, const Load& load, double c) {
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Quaternion<double> a = state.attitude[i];
-    const Vec3<double> v = scaled(bodies.inverse_J[i], to_body(a, load.tau[i]));  // J⁻¹ S τ
-    state.q.add(i, c * bodies.inverse_m[i] * load.f[i]);
-    state.attitude.set(i, a * rodrigues(c * v));
-  }
-}
-
 /// An integrator owns its scratch space and the last Load; a step does not allocate.
 template <ForceModel Forces>
 class Integrator {
  public:
   /// @param forces  kept by reference
   /// @param lambda  of the finite difference in gradient kicks (vanzon2008, Eq. 6)
-  Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4)
+  /// @param workers  for drifts and kicks, kept by reference; the forces have their own
+  Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4,
+             Workers& workers = Workers::serial())
       : scheme_(scheme),
         bodies_(bodies),
         forces_(forces),
         lambda_(lambda),
+        workers_(workers),
         load_(bodies.size()),
         gradient_load_(bodies.size()),
         shifted_(bodies.size(), Box{}) {}
@@ -96,7 +79,7 @@ class Integrator {
  private:
   void play(const Stage& stage, State& state, double h) {
     if (stage.flow == Flow::drift) {
-      drift(state, bodies_, stage.fraction * h);
+      drift(state, bodies_, stage.fraction * h, workers_);
       current_ = false;
       return;
     }
@@ -105,7 +88,7 @@ class Integrator {
       ++evaluations_;
       current_ = true;
     }
-    kick(state, load_, stage.fraction * h);
+    kick(state, load_, stage.fraction * h, workers_);
     if (stage.xi != 0) gradient_kick(stage, state, h);
   }
 
@@ -116,18 +99,19 @@ class Integrator {
     shifted_.q = state.q;
     shifted_.attitude = state.attitude;
     shifted_.box = state.box;
-    displace(shifted_, bodies_, load_, 2 * stage.xi * lambda_ * h * h);
+    displace(shifted_, bodies_, load_, 2 * stage.xi * lambda_ * h * h, workers_);
     forces_(shifted_, gradient_load_);
     ++evaluations_;
     const double t = stage.fraction * h / lambda_;
-    kick(state, gradient_load_, t);
-    kick(state, load_, -t);
+    kick(state, gradient_load_, t, workers_);
+    kick(state, load_, -t, workers_);
   }
 
   Scheme scheme_;
   const Bodies& bodies_;
   Forces& forces_;
   double lambda_;
+  Workers& workers_;
   Load load_, gradient_load_;
   State shifted_;  // q̃, S̃
   bool current_ = false;

@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "polhode/base/workers.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -22,8 +23,10 @@ struct Energies {
   double total() const { return potential() + kinetic(); }
 };
 
-/// The energies of a state with the Load at its positions.
-Energies energies(const State& state, const Bodies& bodies, const Load& load);
+/// The energies of a state with the Load at its positions. Sums of fixed blocks are added in their
+/// order: the same bits for any number of threads.
+Energies energies(const State& state, const Bodies& bodies, const Load& load,
+                  Workers& workers = Workers::serial());
 
 /// Σ p [u nm/ps].
 Vec3<double> total_momentum(const State& state);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/base/workers.hpp"
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/measure/fluctuation.hpp"
@@ -53,9 +54,11 @@ struct StudyProgress {
   std::function<bool()> stop;
 };
 
-/// Runs what is not in `known` yet, on all cores, and reports each run as it ends.
+/// Runs what is not in `known` yet, as many runs at once as there are workers, and reports each run
+/// as it ends. A run is one thread's.
 void run_study(const Config& config, const std::vector<StudyRun>& known,
-               const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress);
+               const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
+               Workers& workers = Workers::serial());
 
 /// Points from runs, in the order of schemes and steps.
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/base/workers.hpp"
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/system.hpp"
@@ -52,14 +53,16 @@ struct Trajectory {
 
 /// Moves the system's state along. Total energy is sampled at synchronised steps. A trajectory that
 /// blows up ends there and says so, with the step and what to try, in `failure`: an energy is not
-/// finite, or the total energy has changed by more than the kinetic energy at the start.
+/// finite, or the total energy has changed by more than the kinetic energy at the start. The
+/// trajectory is the same for any number of threads.
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
-                      const Watch& watch = {});
+                      const Watch& watch = {}, Workers& workers = Workers::serial());
 
 /// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
 /// the total momentum removed. The step is at most 1 fs, so that rough starts relax.
 /// @return  false if the watch stopped it
 /// @throws RunError  if it blows up
-bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {});
+bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {},
+                 Workers& workers = Workers::serial());
 
 }  // namespace polhode

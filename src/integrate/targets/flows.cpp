@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loops of drift and kick over packs of bodies.
+// The loops of drift, kick and displacement over packs of bodies. A range begins at a whole pack;
+// its end is one, or the last body.
 #include "polhode/integrate/flows.hpp"
 
 #include "polhode/base/pack.hpp"
@@ -34,10 +35,41 @@ Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, doub
   return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
 }
 
+/// Half angles of displacements are about 1e-6; up to this one the terms below are enough for every
+/// digit: x^14/15! and x^14/14! are below 5e-20.
+constexpr double longest_half = 0.25;
+
+/// R(v) by the series of sin and cos, or for larger angles body by body.
+Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
+  const Real y = Real(0.25) * norm2(v);  // of the half angle
+  if (any(y > Real(longest_half * longest_half))) {
+    alignas(pack_bytes) double lane[7][Real::width];
+    v.x.store(lane[0]);
+    v.y.store(lane[1]);
+    v.z.store(lane[2]);
+    for (std::size_t k = 0; k < Real::width; ++k) {
+      const Quaternion<double> r = rodrigues({lane[0][k], lane[1][k], lane[2][k]});
+      lane[3][k] = r.w;
+      lane[4][k] = r.x;
+      lane[5][k] = r.y;
+      lane[6][k] = r.z;
+    }
+    return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
+  }
+  Real sine(1), cosine(1);  // sin(x)/x and cos(x), the innermost terms first
+  series::unrolled<6>([&](auto count) {
+    constexpr double n = 6 - static_cast<double>(count);
+    sine = Real(1) - y * Real(1 / (2 * n * (2 * n + 1))) * sine;
+    cosine = Real(1) - y * Real(1 / (2 * n * (2 * n - 1))) * cosine;
+  });
+  const Real s = Real(0.5) * sine;
+  return {cosine, s * v.x, s * v.y, s * v.z};
+}
+
 }  // namespace
 
-void drift(State& state, const Bodies& bodies, double t) {
-  for (std::size_t i = 0; i < state.size(); i += Real::width) {
+void drift(State& state, const Bodies& bodies, double t, std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; i += Real::width) {
     const Vec3<Real> p = load_pack<Real>(state.p, i);
     const Vec3<Real> q = load_pack<Real>(state.q, i);
     store_pack(q + (Real(t) * Real::load(&bodies.inverse_m[i])) * p, state.q, i);  // q + t p/m
@@ -55,11 +87,24 @@ void drift(State& state, const Bodies& bodies, double t) {
   }
 }
 
-void kick(State& state, const Load& load, double t) {
-  for (std::size_t i = 0; i < state.size(); i += Real::width) {
+void kick(State& state, const Load& load, double t, std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; i += Real::width) {
     store_pack(load_pack<Real>(state.p, i) + load_pack<Real>(load.f, i) * Real(t), state.p, i);
     store_pack(load_pack<Real>(state.ell, i) + load_pack<Real>(load.tau, i) * Real(t), state.ell,
                i);
+  }
+}
+
+void displace(State& state, const Bodies& bodies, const Load& load, double c, std::size_t first,
+              std::size_t end) {
+  for (std::size_t i = first; i < end; i += Real::width) {
+    const Real c_over_m = Real(c) * Real::load(&bodies.inverse_m[i]);
+    store_pack(load_pack<Real>(state.q, i) + c_over_m * load_pack<Real>(load.f, i), state.q, i);
+
+    const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
+    const Vec3<Real> torque = to_body(attitude, load_pack<Real>(load.tau, i));  // S tau
+    const Vec3<Real> v = Real(c) * scaled(load_pack<Real>(bodies.inverse_J, i), torque);
+    store_pack(attitude * rodrigues_pack(v), state.attitude, i);
   }
 }
 

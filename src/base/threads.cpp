@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/base/threads.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "polhode/base/error.hpp"
+
+#ifdef __linux__
+#include <sched.h>
+#endif
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Cores by affinity.
+int bound_cores() {
+#ifdef __linux__
+  for (int cores = 1024; cores <= 1 << 20; cores *= 2) {  // until the kernel's set fits
+    cpu_set_t* set = CPU_ALLOC(static_cast<std::size_t>(cores));
+    const std::size_t bytes = CPU_ALLOC_SIZE(static_cast<std::size_t>(cores));
+    const bool known = sched_getaffinity(0, bytes, set) == 0;
+    const int count = known ? CPU_COUNT_S(bytes, set) : 0;
+    CPU_FREE(set);
+    if (known) return std::max(1, count);
+  }
+#endif
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// The first line of a file; empty if there is none.
+std::string first_line(const fs::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  return line;
+}
+
+/// Quota over period in cores, "max" and -1 meaning no bound.
+std::optional<int> cores(const std::string& quota, const std::string& period) {
+  const double q = std::atof(quota.c_str()), p = std::atof(period.c_str());
+  if (!(q > 0) || !(p > 0)) return std::nullopt;
+  return static_cast<int>(std::clamp(std::ceil(q / p), 1.0, 1e6));
+}
+
+std::optional<int> least(std::optional<int> a, std::optional<int> b) {
+  return a && b ? std::min(a, b) : a ? a : b;
+}
+
+/// The bound of one group, in either version.
+std::optional<int> bound_of(const fs::path& group) {
+  std::istringstream words(first_line(group / "cpu.max"));
+  std::string quota, period;
+  words >> quota >> period;
+  return least(cores(quota, period), cores(first_line(group / "cpu.cfs_quota_us"),
+                                           first_line(group / "cpu.cfs_period_us")));
+}
+
+/// Least bound of a group and of those around it. A container may see its own group as the root, so
+/// a folder that is not there is passed over.
+std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
+  std::optional<int> bound = bound_of(mount);
+  for (group = group.relative_path(); !group.empty(); group = group.parent_path())
+    bound = least(bound, bound_of(mount / group));
+  return bound;
+}
+
+/// The number that a text says.
+int judged(const std::string& text, const std::string& place) {
+  const int allowed = allowed_threads();
+  int n = 0;
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, n);
+  if (error == std::errc{} && end == last && n >= 1 && n <= allowed) return n;
+  throw Error(fmt::format("threads = '{}' must be a whole number from 1 to {}, the cores that this "
+                          "process may use, because threads that share a core wait for each other; "
+                          "ask for fewer, or leave it out to use all",
+                          text, allowed),
+              place);
+}
+
+}  // namespace
+
+std::optional<int> group_bandwidth(const std::string& membership, const fs::path& mount) {
+  // A line is "number:controllers:/group"; version 2 has number 0 and no controllers.
+  std::istringstream lines(membership);
+  std::optional<int> bound;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find(':'), second = line.find(':', first + 1);
+    if (first == std::string::npos || second == std::string::npos) continue;
+    const std::string controllers = line.substr(first + 1, second - first - 1);
+    const fs::path group = line.substr(second + 1);
+    if (controllers.empty())
+      for (const fs::path& root : {mount, mount / "unified"})
+        bound = least(bound, bound_up_to_root(root, group));
+    else if (("," + controllers + ",").find(",cpu,") != std::string::npos)
+      for (const std::string& folder : {controllers, std::string("cpu")})
+        bound = least(bound, bound_up_to_root(mount / folder, group));
+  }
+  return bound;
+}
+
+int allowed_threads() {
+  std::ifstream in("/proc/self/cgroup");
+  std::ostringstream membership;
+  membership << in.rdbuf();
+  const std::optional<int> bandwidth = group_bandwidth(membership.str(), "/sys/fs/cgroup");
+  return std::min(bound_cores(), bandwidth.value_or(bound_cores()));
+}
+
+int threads_wanted(const std::string& option) {
+  if (!option.empty()) return judged(option, "--threads");
+  const char* const variable = std::getenv("POLHODE_THREADS");
+  if (variable != nullptr && *variable != '\0') return judged(variable, "POLHODE_THREADS");
+  return allowed_threads();
+}
+
+int threads_wanted(std::optional<int> option) {
+  return threads_wanted(option ? std::to_string(*option) : std::string());
+}
+
+}  // namespace polhode

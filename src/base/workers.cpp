@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/base/workers.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#ifdef __linux__
+#include <linux/futex.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+#endif
+
+namespace polhode {
+namespace {
+
+void pause() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#elif defined(__aarch64__)
+  asm volatile("yield");
+#endif
+}
+
+/// Asks, awake, until `done` or for 30 µs at most: some times what it takes to fall asleep and be
+/// woken, and little of what another process on the core would lose.
+template <class Done>
+bool spin(const Done& done) {
+  constexpr std::chrono::microseconds longest(30);
+  constexpr int pauses = 16;  // between two looks at the clock
+  const auto start = std::chrono::steady_clock::now();
+  do {
+    for (int n = 0; n < pauses; ++n) {
+      if (done()) return true;
+      pause();
+    }
+  } while (std::chrono::steady_clock::now() - start < longest);
+  return done();
+}
+
+/// A number on which threads sleep until it changes. std::atomic::wait would yield some times
+/// before it sleeps, and a process beside this one takes each yield for a whole slice of time.
+struct Sleepable {
+  std::atomic<std::uint32_t> value{0};
+  std::atomic<int> sleepers{0};
+
+  /// Returns at once if the value is another one; may return early.
+  void sleep_while(std::uint32_t old) {
+#ifdef __linux__
+    sleepers.fetch_add(1);
+    syscall(SYS_futex, &value, FUTEX_WAIT_PRIVATE, old, nullptr, nullptr, 0);
+    sleepers.fetch_sub(1);
+#else
+    value.wait(old);
+#endif
+  }
+
+  /// To be called after a sequentially consistent change of the value, so that either the sleeper
+  /// sees the change or the caller sees the sleeper.
+  void wake(std::size_t most) {
+#ifdef __linux__
+    constexpr std::size_t all = std::numeric_limits<int>::max();
+    if (sleepers.load() > 0)
+      syscall(SYS_futex, &value, FUTEX_WAKE_PRIVATE, static_cast<int>(std::min(most, all)), nullptr,
+              nullptr, 0);
+#else
+    if (most > 0) value.notify_all();
+#endif
+  }
+};
+
+// The gate: one number that says whether there is work, how many of the pool's threads are at it,
+// and which call it belongs to. A thread joins by one exchange on the whole number, so only while
+// the gate is open; once it is closed and nobody is inside, the caller owns the work again. The
+// count of calls wraps around: a thread that slept through exactly 2¹⁶ calls misses one.
+using Gate = std::uint32_t;
+constexpr Gate over = 1, open = 2, one_inside = 4, one_call = Gate{1} << 16;
+constexpr Gate inside(Gate gate) { return gate / one_inside % (one_call / one_inside); }
+constexpr Gate call_of(Gate gate) { return gate / one_call; }
+
+}  // namespace
+
+class Workers::Pool {
+ public:
+  explicit Pool(int others) {
+    threads_.reserve(static_cast<std::size_t>(others));
+    try {
+      for (int n = 0; n < others; ++n) threads_.emplace_back([this] { wait_and_work(); });
+    } catch (...) {
+      end();
+      throw;
+    }
+  }
+  ~Pool() { end(); }
+
+  void run(const Work& work) {
+    if (busy_.exchange(true, std::memory_order_acquire)) {  // within a task, or a call of another
+      for (std::size_t k = 0; k < work.count; ++k) work.call(work.task, k);
+      return;
+    }
+    work_ = work;
+    next_.store(0, std::memory_order_relaxed);
+    const Gate call = call_of(gate_.value.load(std::memory_order_relaxed)) + 1;
+    gate_.value.store(call * one_call | open);
+    gate_.wake(work.count - 1);
+    take();
+    if (inside(gate_.value.fetch_and(~open, std::memory_order_acq_rel)) > 0) wait_for_the_last();
+    const std::exception_ptr thrown = thrown_;
+    if (thrown) {
+      thrown_ = nullptr;
+      thrown_by_ = none;
+    }
+    busy_.store(false, std::memory_order_release);
+    if (thrown) std::rethrow_exception(thrown);
+  }
+
+ private:
+  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+  /// Does tasks until there is none left.
+  void take() {
+    const Work work = work_;
+    std::size_t k = 0;
+    try {
+      while ((k = next_.fetch_add(1, std::memory_order_relaxed)) < work.count)
+        work.call(work.task, k);
+    } catch (...) {
+      next_.store(work.count, std::memory_order_relaxed);
+      const std::lock_guard lock(throwing_);
+      if (k < thrown_by_) {
+        thrown_ = std::current_exception();
+        thrown_by_ = k;
+      }
+    }
+  }
+
+  void wait_for_the_last() {
+    const auto all_left = [this] {
+      return inside(gate_.value.load(std::memory_order_acquire)) == 0;
+    };
+    if (spin(all_left)) return;
+    for (;;) {
+      const std::uint32_t seen = ended_.value.load(std::memory_order_acquire);
+      if (all_left()) return;
+      ended_.sleep_while(seen);
+    }
+  }
+
+  /// The life of one of the pool's threads.
+  void wait_and_work() {
+    Gate done = 0;  // the call whose work was joined last
+    for (;;) {
+      Gate gate = 0;
+      const auto called = [&] {
+        gate = gate_.value.load(std::memory_order_acquire);
+        return (gate & over) != 0 || ((gate & open) != 0 && call_of(gate) != done);
+      };
+      while (!spin(called)) gate_.sleep_while(gate);
+      if (gate & over) return;
+      if (!gate_.value.compare_exchange_weak(gate, gate + one_inside, std::memory_order_acq_rel,
+                                             std::memory_order_relaxed))
+        continue;
+      done = call_of(gate);
+      take();
+      const Gate left = gate_.value.fetch_sub(one_inside, std::memory_order_acq_rel) - one_inside;
+      if ((left & open) == 0 && inside(left) == 0) {
+        ended_.value.fetch_add(1);
+        ended_.wake(1);
+      }
+    }
+  }
+
+  void end() {
+    gate_.value.fetch_or(over);
+    gate_.wake(threads_.size());
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  // What many write stands on lines of its own.
+  alignas(64) Sleepable gate_;
+  alignas(64) std::atomic<std::size_t> next_{0};
+  alignas(64) Work work_;
+  Sleepable ended_;  // how often a call was closed before its last worker left
+  std::atomic<bool> busy_{false};
+  std::mutex throwing_;
+  std::exception_ptr thrown_;
+  std::size_t thrown_by_ = none;
+  std::vector<std::thread> threads_;
+};
+
+Workers::Workers(int threads) : threads_(std::max(1, threads)) {
+  if (threads_ > 1) pool_ = std::make_unique<Pool>(threads_ - 1);
+}
+
+Workers::~Workers() = default;
+
+Workers& Workers::serial() {
+  static Workers one(1);
+  return one;
+}
+
+void Workers::fork(const Work& work) { pool_->run(work); }
+
+}  // namespace polhode
