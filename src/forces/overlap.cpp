@@ -31,9 +31,9 @@ struct Overlap {
 using Cell = std::array<std::int64_t, 3>;
 
 // Contacts sorted by the bucket of their cell. Cells are at least as wide as the closest contact,
-// so that partners are in a cell or next to it. A bucket holds cells that may lie anywhere in the
-// box: memory goes with the number of sites and not with the size of the box. Cells that follow one
-// another along x are in buckets that do so, too.
+// so that partners are in a cell or next to it. Their rows and layers are laid one after another
+// over the buckets, round and round if there are more cells: memory goes with the number of sites
+// and not with the size of the box, and what is close in the box is mostly close in memory.
 class Buckets {
  public:
   Buckets(const Topology& topology, const State& state);
@@ -49,14 +49,10 @@ class Buckets {
     }
     return cell;
   }
-  // The start of a row of cells along x, mixed by odd constants (the golden ratio's and π's bits).
-  static std::uint64_t row(std::int64_t y, std::int64_t z) {
-    const std::uint64_t h = static_cast<std::uint64_t>(y) * 0x9E3779B97F4A7C15 +
-                            static_cast<std::uint64_t>(z) * 0x243F6A8885A308D3;
-    return h ^ h >> 29;
-  }
-  std::size_t bucket(std::uint64_t row_start, std::int64_t x) const {
-    return (row_start + static_cast<std::uint64_t>(x)) & mask_;
+  std::size_t bucket(std::int64_t x, std::int64_t y, std::int64_t z) const {
+    return (static_cast<std::uint64_t>(x) + static_cast<std::uint64_t>(y) * row_ +
+            static_cast<std::uint64_t>(z) * layer_) &
+           mask_;
   }
   double distance2(const Vec3<double>& a, const Vec3<double>& b) const {
     double sum = 0;
@@ -70,7 +66,8 @@ class Buckets {
 
   Vec3<double> edge_;
   Cell cells_;
-  std::size_t mask_;
+  std::uint64_t row_, layer_;         // from one to the next; odd, so that few fall on each other
+  std::uint64_t mask_;                // buckets are a power of two: this is one less
   std::vector<std::uint32_t> begin_;  // of each bucket, and the end
   std::vector<Contact> contacts_;     // of one bucket in the order of their numbers
 };
@@ -105,6 +102,8 @@ Buckets::Buckets(const Topology& topology, const State& state) : edge_(state.box
   constexpr double most = 1 << 30;
   for (std::size_t d = 0; d < 3; ++d)
     cells_[d] = static_cast<std::int64_t>(std::clamp(edge_[d] / (2 * closest_contact), 1.0, most));
+  row_ = static_cast<std::uint64_t>(cells_[0]) | 1;
+  layer_ = (static_cast<std::uint64_t>(cells_[1]) * row_) | 1;
   std::size_t sites = 0;
   for (const auto& [molecule, count] : topology.parts) sites += count * molecule.sites.size();
   if (sites > std::numeric_limits<std::uint32_t>::max())
@@ -114,7 +113,7 @@ Buckets::Buckets(const Topology& topology, const State& state) : edge_(state.box
   begin_.assign(mask_ + 2, 0);
   const auto bucket_of = [&](const Vec3<double>& r) {
     const Cell cell = cell_of(r);
-    return bucket(row(cell[1], cell[2]), cell[0]);
+    return bucket(cell[0], cell[1], cell[2]);
   };
   each_site(topology, state,
             [&](std::size_t, const Vec3<double>& r) { ++begin_[bucket_of(r) + 1]; });
@@ -138,23 +137,25 @@ std::optional<Overlap> Buckets::first_overlap() const {
       const std::int64_t c = cell[d] + by;
       return c < 0 ? c + cells_[d] : c >= cells_[d] ? c - cells_[d] : c;
     };
-    const std::array x = {beside(0, -1), cell[0], beside(0, 1)};
+    const auto compare = [&](std::size_t from, std::size_t to) {
+      for (std::size_t k = from; k < to; ++k) {
+        const Contact& earlier = contacts_[k];
+        if (!(distance2(earlier.r, later.r) < closest_contact * closest_contact)) continue;
+        if (earlier.number >= later.number || earlier.body == later.body) continue;
+        if (first && first->later.number == later.number && first->earlier.number <= earlier.number)
+          continue;
+        first = {later, earlier, std::sqrt(distance2(earlier.r, later.r))};
+      }
+    };
     for (std::int64_t dz = -1; dz <= 1; ++dz)
       for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const std::uint64_t start = row(beside(1, dy), beside(2, dz));
-        for (const std::int64_t cx : x) {
-          const std::size_t b = bucket(start, cx);
-          for (std::size_t k = begin_[b]; k < begin_[b + 1]; ++k) {
-            const Contact& earlier = contacts_[k];
-            if (earlier.number >= later.number) break;
-            if (earlier.body == later.body) continue;
-            const double d2 = distance2(earlier.r, later.r);
-            if (!(d2 < closest_contact * closest_contact)) continue;
-            if (first && first->later.number == later.number &&
-                first->earlier.number <= earlier.number)
-              continue;
-            first = {later, earlier, std::sqrt(d2)};
-          }
+        const std::int64_t y = beside(1, dy), z = beside(2, dz);
+        const std::size_t left = bucket(beside(0, -1), y, z), right = bucket(beside(0, 1), y, z);
+        if (left + 2 == right) {
+          compare(begin_[left], begin_[right + 1]);
+        } else {
+          for (const std::size_t b : {left, bucket(cell[0], y, z), right})
+            compare(begin_[b], begin_[b + 1]);
         }
       }
   }
