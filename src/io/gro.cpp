@@ -11,6 +11,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/embedded.hpp"
+#include "text_buffer.hpp"
 #include "text_file.hpp"
 
 namespace polhode {
@@ -157,6 +158,39 @@ double title_time(std::string_view title) {
   return time && std::isfinite(*time) ? *time : 0;
 }
 
+// Writes a frame line by line.
+class GroLines {
+ public:
+  GroLines(std::ostream& out, int decimals, bool velocities)
+      : text_(out), decimals_(decimals), velocities_(velocities) {}
+
+  void head(const std::string& title, std::size_t atoms) {
+    text_.print("{}\n{:5}\n", title, atoms);
+  }
+  void atom(const Atom& atom) {
+    number_ = (number_ + 1) % digits5;
+    text_.print("{:5}{:<5.5}{:>5.5}{:5}", atom.residue % digits5, atom.residue_name, atom.name,
+                number_);
+    for (std::size_t k = 0; k < 3; ++k) text_.fixed(atom.r[k], width(), decimals_);
+    for (std::size_t k = 0; k < 3 && velocities_; ++k)
+      text_.fixed(atom.v[k], width(), decimals_ + 1);
+    text_.end_line();
+  }
+  void box(const Box& box) {
+    for (std::size_t k = 0; k < 3; ++k) text_.fixed(box.edge[k], width(), decimals_);
+    text_.end_line();
+  }
+
+ private:
+  // Numbers of residues and atoms have five digits and start again at 0.
+  static constexpr int digits5 = 100000;
+  std::size_t width() const { return static_cast<std::size_t>(decimals_) + 5; }
+
+  TextBuffer text_;
+  int decimals_, number_ = 0;
+  bool velocities_;
+};
+
 }  // namespace
 
 Frame parse_gro(std::string_view text, const std::string& file) {
@@ -208,23 +242,17 @@ Frame read_start(const std::string& name_or_path) {
 }
 
 void write_gro(std::ostream& out, const Frame& frame, int decimals) {
-  out << fmt::format("{}\n{:5}\n", frame.title, frame.atoms.size());
-  // Numbers of residues and atoms have five digits and start again at 0.
-  int number = 0;
-  for (const Atom& atom : frame.atoms) {
-    number = (number + 1) % 100000;
-    out << fmt::format("{:5}{:<5.5}{:>5.5}{:5}", atom.residue % 100000, atom.residue_name,
-                       atom.name, number);
-    for (const double x : {atom.r.x, atom.r.y, atom.r.z})
-      out << fmt::format("{:{}.{}f}", x, decimals + 5, decimals);
-    if (frame.has_velocities)
-      for (const double v : {atom.v.x, atom.v.y, atom.v.z})
-        out << fmt::format("{:{}.{}f}", v, decimals + 5, decimals + 1);
-    out << '\n';
-  }
-  const Vec3<double>& edge = frame.box.edge;
-  out << fmt::format("{:{}.{}f}{:{}.{}f}{:{}.{}f}\n", edge.x, decimals + 5, decimals, edge.y,
-                     decimals + 5, decimals, edge.z, decimals + 5, decimals);
+  GroLines lines(out, decimals, frame.has_velocities);
+  lines.head(frame.title, frame.atoms.size());
+  for (const Atom& atom : frame.atoms) lines.atom(atom);
+  lines.box(frame.box);
+}
+
+void write_gro(std::ostream& out, const State& state, const Topology& topology, int decimals) {
+  GroLines lines(out, decimals, true);
+  lines.head(title_of(state), atom_count(topology));
+  each_atom(state, topology, MasslessSites::kept, [&](const Atom& atom) { lines.atom(atom); });
+  lines.box(state.box);
 }
 
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,12 @@ enum class MasslessSites { kept, left_out };
 /// moved into the box.
 Frame frame_of(const State& state, const Topology& topology,
                MasslessSites massless = MasslessSites::kept);
+
+/// Calls visit(atom) for the atoms of that frame one after another: a frame need not be held whole.
+void each_atom(const State& state, const Topology& topology, MasslessSites massless,
+               const std::function<void(const Atom&)>& visit);
+std::size_t atom_count(const Topology& topology, MasslessSites massless = MasslessSites::kept);
+std::string title_of(const State& state);  ///< of that frame: it tells the time [ps]
 
 /// What a frame gives for rigid bodies.
 struct FittedState {
