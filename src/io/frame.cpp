@@ -11,6 +11,10 @@ namespace {
 // J⁻¹ L, where a vanishing moment holds no angular momentum.
 double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
+bool visible(const Site& site, MasslessSites massless) {
+  return massless == MasslessSites::kept || site.mass != 0;
+}
+
 }  // namespace
 
 std::string title_of(const State& state) {
@@ -21,22 +25,27 @@ std::size_t atom_count(const Topology& topology, MasslessSites massless) {
   std::size_t n = 0;
   for (const auto& [molecule, count] : topology.parts)
     for (const Site& site : molecule.sites)
-      if (massless == MasslessSites::kept || site.mass != 0) n += count;
+      if (visible(site, massless)) n += count;
   return n;
+}
+
+std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massless) {
+  std::vector<AtomKind> kinds;
+  for (const auto& [molecule, count] : topology.parts)
+    for (const Site& site : molecule.sites)
+      if (visible(site, massless)) kinds.push_back({molecule.name, site.name, site.element});
+  return kinds;
 }
 
 void each_atom(const State& state, const Topology& topology, MasslessSites massless,
                const std::function<void(const Atom&)>& visit) {
   const Vec3<double> edge = state.box.edge;
   std::size_t i = 0;
+  std::uint32_t first_kind = 0;
   for (const auto& [molecule, count] : topology.parts) {
-    std::vector<Atom> atoms;  // names stay, numbers change from molecule to molecule
     std::vector<Vec3<double>> sites;
-    for (const Site& site : molecule.sites) {
-      if (massless == MasslessSites::left_out && site.mass == 0) continue;
-      atoms.push_back({.residue_name = molecule.name, .name = site.name, .element = site.element});
-      sites.push_back(site.r);
-    }
+    for (const Site& site : molecule.sites)
+      if (visible(site, massless)) sites.push_back(site.r);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       const Vec3<double> q = state.q[i];
       const Vec3<double> home{q.x - edge.x * std::floor(q.x / edge.x),
@@ -48,12 +57,13 @@ void each_atom(const State& state, const Topology& topology, MasslessSites massl
           to_lab(state.attitude[i], {over(L.x, J.x), over(L.y, J.y), over(L.z, J.z)});
       for (std::size_t k = 0; k < sites.size(); ++k) {
         const Vec3<double> x = to_lab(state.attitude[i], sites[k]);
-        atoms[k].residue = static_cast<int>(i % 100000) + 1;
-        atoms[k].r = home + x;
-        atoms[k].v = state.p[i] / molecule.mass + cross(omega, x);
-        visit(atoms[k]);
+        visit({.kind = first_kind + static_cast<std::uint32_t>(k),
+               .residue = static_cast<int>(i % 100000) + 1,
+               .r = home + x,
+               .v = state.p[i] / molecule.mass + cross(omega, x)});
       }
     }
+    first_kind += static_cast<std::uint32_t>(sites.size());
   }
 }
 
@@ -63,6 +73,7 @@ Frame frame_of(const State& state, const Topology& topology, MasslessSites massl
   frame.box = state.box;
   frame.time = state.time;
   frame.has_velocities = true;
+  frame.kinds = atom_kinds(topology, massless);
   frame.atoms.reserve(atom_count(topology, massless));
   each_atom(state, topology, massless, [&](const Atom& atom) { frame.atoms.push_back(atom); });
   return frame;

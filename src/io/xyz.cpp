@@ -10,7 +10,11 @@ namespace {
 // Writes a frame line by line.
 class XyzLines {
  public:
-  XyzLines(std::ostream& out, bool velocities) : text_(out), velocities_(velocities) {}
+  XyzLines(std::ostream& out, const std::vector<AtomKind>& kinds, bool velocities)
+      : text_(out), velocities_(velocities) {
+    for (const AtomKind& kind : kinds)
+      species_.push_back(fmt::format("{:<2}", kind.element.empty() ? "X" : kind.element));
+  }
 
   void head(std::size_t atoms, const Box& box, double time) {
     const Vec3<double> edge = box.edge / angstrom_;
@@ -20,7 +24,7 @@ class XyzLines {
         atoms, edge.x, edge.y, edge.z, velocities_ ? ":velo:R:3" : "", time);
   }
   void atom(const Atom& atom) {
-    text_.print("{:<2}", atom.element.empty() ? std::string_view("X") : atom.element);
+    text_.append(species_[atom.kind]);
     vector(atom.r / angstrom_);
     if (velocities_) vector(atom.v / angstrom_);
     text_.end_line();
@@ -35,6 +39,7 @@ class XyzLines {
   }
 
   TextBuffer text_;
+  std::vector<std::string> species_;  // of each kind
   bool velocities_;
   double angstrom_ = unit("A", Dimension::length);
 };
@@ -42,13 +47,13 @@ class XyzLines {
 }  // namespace
 
 void write_xyz(std::ostream& out, const Frame& frame) {
-  XyzLines lines(out, frame.has_velocities);
+  XyzLines lines(out, frame.kinds, frame.has_velocities);
   lines.head(frame.atoms.size(), frame.box, frame.time);
   for (const Atom& atom : frame.atoms) lines.atom(atom);
 }
 
 void write_xyz(std::ostream& out, const State& state, const Topology& topology) {
-  XyzLines lines(out, true);
+  XyzLines lines(out, atom_kinds(topology, MasslessSites::kept), true);
   lines.head(atom_count(topology), state.box, state.time);
   each_atom(state, topology, MasslessSites::kept, [&](const Atom& atom) { lines.atom(atom); });
 }

@@ -41,8 +41,8 @@ TEST_CASE("an extended XYZ frame is in angstrom and says so") {
   frame.box = {{1, 2, 3}};
   frame.time = 0.5;
   frame.has_velocities = true;
-  frame.atoms = {{.name = "OW", .element = "O", .r = {0.1, -0.2, 0.3}, .v = {1, 0, -1}},
-                 {.name = "MW", .r = {0, 0, 0}}};
+  frame.kinds = {{"SOL", "OW", "O"}, {"SOL", "MW", ""}};
+  frame.atoms = {{.kind = 0, .r = {0.1, -0.2, 0.3}, .v = {1, 0, -1}}, {.kind = 1, .r = {0, 0, 0}}};
   std::ostringstream out;
   write_xyz(out, frame);
   std::istringstream in(out.str());
@@ -91,7 +91,8 @@ TEST_CASE("numbers of fixed width are those of printf") {
       Frame frame;
       frame.title = "t";
       frame.box = {{1, 1, 1}};
-      frame.atoms = {{.residue = 1, .residue_name = "R", .name = "A", .r = {x, 0, 0}}};
+      frame.kinds = {{"R", "A", ""}};
+      frame.atoms = {{.residue = 1, .r = {x, 0, 0}}};
       std::ostringstream out;
       write_gro(out, frame, decimals);
       std::vector<char> number(400);
