@@ -4,9 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
-#include <map>
-#include <tuple>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <vector>
 
 #include "polhode/base/error.hpp"
 
@@ -14,53 +18,159 @@ namespace polhode {
 namespace {
 
 struct Contact {
-  std::size_t body;
+  std::uint32_t number = 0;  // of the site, in the order of the bodies
+  std::uint32_t body = 0;
   Vec3<double> r;  // wrapped
 };
 
-using Cell = std::tuple<int, int, int>;
+struct Overlap {
+  Contact later, earlier;
+  double distance = 0;
+};
+
+using Cell = std::array<std::int64_t, 3>;
+
+// Contacts sorted by the bucket of their cell. Cells are at least as wide as the closest contact,
+// so that partners are in a cell or next to it. Their rows and layers are laid one after another
+// over the buckets, round and round if there are more cells: memory goes with the number of sites
+// and not with the size of the box, and what is close in the box is mostly close in memory.
+class Buckets {
+ public:
+  Buckets(const Topology& topology, const State& state);
+  /// The overlap whose later site, and then whose earlier one, comes first.
+  std::optional<Overlap> first_overlap() const;
+
+ private:
+  Cell cell_of(const Vec3<double>& r) const {
+    Cell cell;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double c = r[d] / edge_[d] * static_cast<double>(cells_[d]);
+      cell[d] = static_cast<std::int64_t>(std::clamp(c, 0.0, static_cast<double>(cells_[d] - 1)));
+    }
+    return cell;
+  }
+  std::size_t bucket(std::int64_t x, std::int64_t y, std::int64_t z) const {
+    return (static_cast<std::uint64_t>(x) + static_cast<std::uint64_t>(y) * row_ +
+            static_cast<std::uint64_t>(z) * layer_) &
+           mask_;
+  }
+  double distance2(const Vec3<double>& a, const Vec3<double>& b) const {
+    double sum = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double inside = std::abs(a[d] - b[d]);
+      const double nearest = std::min(inside, std::abs(edge_[d] - inside));
+      sum += nearest * nearest;
+    }
+    return sum;
+  }
+
+  Vec3<double> edge_;
+  Cell cells_;
+  std::uint64_t row_, layer_;         // from one to the next; odd, so that few fall on each other
+  std::uint64_t mask_;                // buckets are a power of two: this is one less
+  std::vector<std::uint32_t> begin_;  // of each bucket, and the end
+  std::vector<Contact> contacts_;     // of one bucket in the order of their numbers
+};
+
+// Calls visit(body, site position) for all sites that can touch, in the order of the bodies.
+template <class Visit>
+void each_site(const Topology& topology, const State& state, Visit visit) {
+  std::size_t i = 0;
+  for (const auto& [molecule, count] : topology.parts) {
+    std::vector<Vec3<double>> sites;
+    for (const Site& site : molecule.sites)
+      if (site.mass != 0 || site.epsilon != 0) sites.push_back(site.r);
+    for (std::size_t copy = 0; copy < count; ++copy, ++i) {
+      const Vec3<double> q = state.q[i];
+      const Mat3<double> to_lab = transpose(matrix_S(state.attitude[i]));
+      for (const Vec3<double>& site : sites) {
+        Vec3<double> r = q + to_lab * site;
+        if (!std::isfinite(norm2(r)))
+          throw Error(
+              fmt::format("molecule {} has a position that is not finite; mend the start", i + 1));
+        for (std::size_t d = 0; d < 3; ++d) {
+          const double edge = state.box.edge[d];
+          r[d] -= std::floor(r[d] / edge) * edge;
+        }
+        visit(i, r);
+      }
+    }
+  }
+}
+
+Buckets::Buckets(const Topology& topology, const State& state) : edge_(state.box.edge) {
+  constexpr double most = 1 << 30;
+  for (std::size_t d = 0; d < 3; ++d)
+    cells_[d] = static_cast<std::int64_t>(std::clamp(edge_[d] / (2 * closest_contact), 1.0, most));
+  row_ = static_cast<std::uint64_t>(cells_[0]) | 1;
+  layer_ = (static_cast<std::uint64_t>(cells_[1]) * row_) | 1;
+  std::size_t sites = 0;
+  for (const auto& [molecule, count] : topology.parts) sites += count * molecule.sites.size();
+  if (sites > std::numeric_limits<std::uint32_t>::max())
+    throw Error(fmt::format("{} sites are more than can be numbered ({}); run a smaller system",
+                            sites, std::numeric_limits<std::uint32_t>::max()));
+  mask_ = std::bit_ceil(std::max<std::size_t>(sites, 1)) - 1;
+  begin_.assign(mask_ + 2, 0);
+  const auto bucket_of = [&](const Vec3<double>& r) {
+    const Cell cell = cell_of(r);
+    return bucket(cell[0], cell[1], cell[2]);
+  };
+  each_site(topology, state,
+            [&](std::size_t, const Vec3<double>& r) { ++begin_[bucket_of(r) + 1]; });
+  for (std::size_t k = 0; k <= mask_; ++k) begin_[k + 1] += begin_[k];
+  contacts_.resize(begin_.back());
+  std::uint32_t number = 0;
+  each_site(topology, state, [&](std::size_t body, const Vec3<double>& r) {
+    contacts_[begin_[bucket_of(r)]++] = {number++, static_cast<std::uint32_t>(body), r};
+  });
+  // Every bucket has been filled up to the beginning of the next.
+  std::copy_backward(begin_.begin(), begin_.end() - 1, begin_.end());
+  begin_.front() = 0;
+}
+
+std::optional<Overlap> Buckets::first_overlap() const {
+  std::optional<Overlap> first;
+  for (const Contact& later : contacts_) {
+    if (first && later.number > first->later.number) continue;
+    const Cell cell = cell_of(later.r);
+    const auto beside = [&](std::size_t d, std::int64_t by) {
+      const std::int64_t c = cell[d] + by;
+      return c < 0 ? c + cells_[d] : c >= cells_[d] ? c - cells_[d] : c;
+    };
+    const auto compare = [&](std::size_t from, std::size_t to) {
+      for (std::size_t k = from; k < to; ++k) {
+        const Contact& earlier = contacts_[k];
+        if (!(distance2(earlier.r, later.r) < closest_contact * closest_contact)) continue;
+        if (earlier.number >= later.number || earlier.body == later.body) continue;
+        if (first && first->later.number == later.number && first->earlier.number <= earlier.number)
+          continue;
+        first = {later, earlier, std::sqrt(distance2(earlier.r, later.r))};
+      }
+    };
+    for (std::int64_t dz = -1; dz <= 1; ++dz)
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        const std::int64_t y = beside(1, dy), z = beside(2, dz);
+        const std::size_t left = bucket(beside(0, -1), y, z), right = bucket(beside(0, 1), y, z);
+        if (left + 2 == right) {
+          compare(begin_[left], begin_[right + 1]);
+        } else {
+          for (const std::size_t b : {left, bucket(cell[0], y, z), right})
+            compare(begin_[b], begin_[b + 1]);
+        }
+      }
+  }
+  return first;
+}
 
 }  // namespace
 
 void check_overlap(const Topology& topology, const State& state) {
-  const Bodies bodies(topology);
-  const Box& box = state.box;
-  // Cells at least as wide as the closest contact: partners are in a cell or next to it.
-  int cells[3];
-  for (std::size_t d = 0; d < 3; ++d)
-    cells[d] = std::max(1, static_cast<int>(box.edge[d] / (2 * closest_contact)));
-  const auto cell_of = [&](const Vec3<double>& r, std::size_t d) {
-    return std::min(static_cast<int>(r[d] / box.edge[d] * cells[d]), cells[d] - 1);
-  };
-  std::map<Cell, std::vector<Contact>> grid;
-  for (std::size_t i = 0; i < state.size(); ++i)
-    for (const Site& site : topology.parts[bodies.part[i]].molecule.sites) {
-      if (site.mass == 0 && site.epsilon == 0) continue;
-      Vec3<double> r = state.q[i] + to_lab(state.attitude[i], site.r);
-      if (!std::isfinite(norm2(r)))
-        throw Error(
-            fmt::format("molecule {} has a position that is not finite; mend the start", i + 1));
-      for (std::size_t d = 0; d < 3; ++d) r[d] -= std::floor(r[d] / box.edge[d]) * box.edge[d];
-      const auto wrapped = [&](int c, std::size_t d) { return (c + cells[d]) % cells[d]; };
-      for (int dx = -1; dx <= 1; ++dx)
-        for (int dy = -1; dy <= 1; ++dy)
-          for (int dz = -1; dz <= 1; ++dz) {
-            const auto near =
-                grid.find({wrapped(cell_of(r, 0) + dx, 0), wrapped(cell_of(r, 1) + dy, 1),
-                           wrapped(cell_of(r, 2) + dz, 2)});
-            if (near == grid.end()) continue;
-            for (const Contact& other : near->second) {
-              const double distance = norm(box.minimum_image(other.r - r));
-              if (other.body != i && distance < closest_contact)
-                throw Error(fmt::format(
-                    "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer "
-                    "than "
-                    "{:.3f} nm, half of a hydrogen bond; take a lower density or another start",
-                    other.body + 1, i + 1, distance, closest_contact));
-            }
-          }
-      grid[{cell_of(r, 0), cell_of(r, 1), cell_of(r, 2)}].push_back({i, r});
-    }
+  const auto found = Buckets(topology, state).first_overlap();
+  if (!found) return;
+  throw Error(fmt::format(
+      "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer "
+      "than {:.3f} nm, half of a hydrogen bond; take a lower density or another start",
+      found->earlier.body + 1, found->later.body + 1, found->distance, closest_contact));
 }
 
 }  // namespace polhode

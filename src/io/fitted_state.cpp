@@ -40,12 +40,13 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
   Match match;
   const Atom* first = atoms.empty() ? nullptr : &atoms.front();
   const auto place = [&] {
-    return atoms.empty() ? std::string("the end of the atoms")
-                         : fmt::format("atom {} ({} {})", &atoms.front() - frame.atoms.data() + 1,
-                                       atoms.front().residue, atoms.front().residue_name);
+    return atoms.empty()
+               ? std::string("the end of the atoms")
+               : fmt::format("atom {} ({} {})", &atoms.front() - frame.atoms.data() + 1,
+                             atoms.front().residue, frame.kind(atoms.front()).residue_name);
   };
   for (const Site& site : molecule.sites) {
-    const bool here = !atoms.empty() && matches(atoms.front().name, site);
+    const bool here = !atoms.empty() && matches(frame.kind(atoms.front()).name, site);
     const bool massless = site.mass == 0;
     if (massless && !(here && atoms.front().residue == first->residue)) {
       match.push_back(nullptr);
@@ -53,10 +54,12 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
     }
     if (!here)
       throw Error(
-          fmt::format("{} is {} where site '{}' of molecule '{}' must be; atoms must stand in the "
-                      "order of the model's sites, of which only massless ones may be missing",
-                      place(), atoms.empty() ? "reached" : fmt::format("'{}'", atoms.front().name),
-                      site.name, molecule.name),
+          fmt::format(
+              "{} is {} where site '{}' of molecule '{}' must be; atoms must stand in the "
+              "order of the model's sites, of which only massless ones may be missing",
+              place(),
+              atoms.empty() ? "reached" : fmt::format("'{}'", frame.kind(atoms.front()).name),
+              site.name, molecule.name),
           frame.source);
     match.push_back(&atoms.front());
     atoms = atoms.subspan(1);
@@ -106,8 +109,8 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
           fmt::format("atom '{}' of molecule {} ({} {}) lies {:.4f} nm from its site in the "
                       "rigid model '{}'; it must lie within {} nm: another model or another "
                       "order of atoms would fit",
-                      match[k]->name, i + 1, match[k]->residue, match[k]->residue_name, off,
-                      molecule.name, fit_tolerance),
+                      frame.kind(*match[k]).name, i + 1, match[k]->residue,
+                      frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
           frame.source);
   }
   state.q.set(i, q);

@@ -11,17 +11,41 @@ namespace {
 // J⁻¹ L, where a vanishing moment holds no angular momentum.
 double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
+bool visible(const Site& site, MasslessSites massless) {
+  return massless == MasslessSites::kept || site.mass != 0;
+}
+
 }  // namespace
 
-Frame frame_of(const State& state, const Topology& topology, MasslessSites massless) {
-  Frame frame;
-  frame.title = fmt::format("polhode t= {:.6f}", state.time);  // GROMACS finds the time here
-  frame.box = state.box;
-  frame.time = state.time;
-  frame.has_velocities = true;
+std::string title_of(const State& state) {
+  return fmt::format("polhode t= {:.6f}", state.time);  // GROMACS finds the time here
+}
+
+std::size_t atom_count(const Topology& topology, MasslessSites massless) {
+  std::size_t n = 0;
+  for (const auto& [molecule, count] : topology.parts)
+    for (const Site& site : molecule.sites)
+      if (visible(site, massless)) n += count;
+  return n;
+}
+
+std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massless) {
+  std::vector<AtomKind> kinds;
+  for (const auto& [molecule, count] : topology.parts)
+    for (const Site& site : molecule.sites)
+      if (visible(site, massless)) kinds.push_back({molecule.name, site.name, site.element});
+  return kinds;
+}
+
+void each_atom(const State& state, const Topology& topology, MasslessSites massless,
+               const std::function<void(const Atom&)>& visit) {
   const Vec3<double> edge = state.box.edge;
   std::size_t i = 0;
+  std::uint32_t first_kind = 0;
   for (const auto& [molecule, count] : topology.parts) {
+    std::vector<Vec3<double>> sites;
+    for (const Site& site : molecule.sites)
+      if (visible(site, massless)) sites.push_back(site.r);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       const Vec3<double> q = state.q[i];
       const Vec3<double> home{q.x - edge.x * std::floor(q.x / edge.x),
@@ -31,18 +55,27 @@ Frame frame_of(const State& state, const Topology& topology, MasslessSites massl
       const Vec3<double> J = molecule.J;
       const Vec3<double> omega =
           to_lab(state.attitude[i], {over(L.x, J.x), over(L.y, J.y), over(L.z, J.z)});
-      for (const Site& site : molecule.sites) {
-        if (massless == MasslessSites::left_out && site.mass == 0) continue;
-        const Vec3<double> x = to_lab(state.attitude[i], site.r);
-        frame.atoms.push_back({.residue = static_cast<int>(i % 100000) + 1,
-                               .residue_name = molecule.name,
-                               .name = site.name,
-                               .element = site.element,
-                               .r = home + x,
-                               .v = state.p[i] / molecule.mass + cross(omega, x)});
+      for (std::size_t k = 0; k < sites.size(); ++k) {
+        const Vec3<double> x = to_lab(state.attitude[i], sites[k]);
+        visit({.kind = first_kind + static_cast<std::uint32_t>(k),
+               .residue = static_cast<int>(i % 100000) + 1,
+               .r = home + x,
+               .v = state.p[i] / molecule.mass + cross(omega, x)});
       }
     }
+    first_kind += static_cast<std::uint32_t>(sites.size());
   }
+}
+
+Frame frame_of(const State& state, const Topology& topology, MasslessSites massless) {
+  Frame frame;
+  frame.title = title_of(state);
+  frame.box = state.box;
+  frame.time = state.time;
+  frame.has_velocities = true;
+  frame.kinds = atom_kinds(topology, massless);
+  frame.atoms.reserve(atom_count(topology, massless));
+  each_atom(state, topology, massless, [&](const Atom& atom) { frame.atoms.push_back(atom); });
   return frame;
 }
 

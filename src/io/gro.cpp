@@ -3,14 +3,17 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
 #include <ostream>
+#include <unordered_map>
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/embedded.hpp"
+#include "text_buffer.hpp"
 #include "text_file.hpp"
 
 namespace polhode {
@@ -30,9 +33,11 @@ class Lines {
  public:
   Lines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
 
-  std::string_view next(const char* expected) {
+  /// @param expected  tells what the line must be
+  template <class Expected>
+  std::string_view next(const Expected& expected) {
     ++number_;
-    if (text_.empty()) refuse(fmt::format("the file ends where {} must stand", expected));
+    if (text_.empty()) refuse(fmt::format("the file ends where {} must stand", expected()));
     const auto end = text_.find('\n');
     std::string_view line = text_.substr(0, end);
     text_.remove_prefix(end == text_.npos ? text_.size() : end + 1);
@@ -96,6 +101,25 @@ struct AtomLine {
   bool has_velocity = false;
 };
 
+// The kinds of atoms that have been met, by the characters that name them.
+class Kinds {
+ public:
+  std::uint32_t of(std::string_view line, std::vector<AtomKind>& kinds, const Lines& lines) {
+    const auto [known, is_new] =
+        known_.try_emplace(line.substr(5, 10), static_cast<std::uint32_t>(kinds.size()));
+    if (is_new)
+      kinds.push_back(
+          {std::string(trimmed(line.substr(5, 5))), std::string(trimmed(line.substr(10, 5))), {}});
+    if (kinds[known->second].name.empty())
+      lines.refuse("there is no atom name in characters 11 to 15; sites are matched by it");
+    return known->second;
+  }
+
+ private:
+  std::unordered_map<std::string_view, std::uint32_t> known_;
+};
+
+// All of an atom but its kind.
 AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines) {
   static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate",
                                        "x velocity",   "y velocity",   "z velocity"};
@@ -108,10 +132,6 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
         fmt::format("'{}' stands where the residue number must be, in the first five "
                     "characters",
                     residue));
-  atom.residue_name = trimmed(line.substr(5, 5));
-  atom.name = trimmed(line.substr(10, 5));
-  if (atom.name.empty())
-    lines.refuse("there is no atom name in characters 11 to 15; sites are matched by it");
   const std::size_t written = line.find_last_not_of(" \t") + 1;
   result.has_velocity = written > first_number + 3 * width;
   const std::size_t needed = first_number + (result.has_velocity ? 6 : 3) * width;
@@ -157,15 +177,53 @@ double title_time(std::string_view title) {
   return time && std::isfinite(*time) ? *time : 0;
 }
 
+// Writes a frame line by line.
+class GroLines {
+ public:
+  GroLines(std::ostream& out, const std::vector<AtomKind>& kinds, int decimals, bool velocities)
+      : text_(out), decimals_(decimals), velocities_(velocities) {
+    for (const AtomKind& kind : kinds)
+      names_.push_back(fmt::format("{:<5.5}{:>5.5}", kind.residue_name, kind.name));
+  }
+
+  void head(const std::string& title, std::size_t atoms) {
+    text_.print("{}\n{:5}\n", title, atoms);
+  }
+  void atom(const Atom& atom) {
+    number_ = (number_ + 1) % digits5;
+    text_.print("{:5}", atom.residue % digits5);
+    text_.append(names_[atom.kind]);
+    text_.print("{:5}", number_);
+    for (std::size_t k = 0; k < 3; ++k) text_.fixed(atom.r[k], width(), decimals_);
+    for (std::size_t k = 0; k < 3 && velocities_; ++k)
+      text_.fixed(atom.v[k], width(), decimals_ + 1);
+    text_.end_line();
+  }
+  void box(const Box& box) {
+    for (std::size_t k = 0; k < 3; ++k) text_.fixed(box.edge[k], width(), decimals_);
+    text_.end_line();
+  }
+
+ private:
+  // Numbers of residues and atoms have five digits and start again at 0.
+  static constexpr int digits5 = 100000;
+  std::size_t width() const { return static_cast<std::size_t>(decimals_) + 5; }
+
+  TextBuffer text_;
+  std::vector<std::string> names_;  // of each kind
+  int decimals_, number_ = 0;
+  bool velocities_;
+};
+
 }  // namespace
 
 Frame parse_gro(std::string_view text, const std::string& file) {
   Lines lines(text, file);
   Frame frame;
   frame.source = file;
-  frame.title = trimmed(lines.next("the title"));
+  frame.title = trimmed(lines.next([] { return "the title"; }));
   frame.time = title_time(frame.title);
-  const std::string_view count_line = trimmed(lines.next("the number of atoms"));
+  const std::string_view count_line = trimmed(lines.next([] { return "the number of atoms"; }));
   std::size_t count = 0;
   const auto end = count_line.data() + count_line.size();
   const auto [last, status] = std::from_chars(count_line.data(), end, count);
@@ -173,13 +231,18 @@ Frame parse_gro(std::string_view text, const std::string& file) {
     lines.refuse(fmt::format("'{}' stands where the number of atoms must be, in the second line",
                              count_line));
   std::size_t width = 0;
+  Kinds kinds;
+  frame.atoms.reserve(std::min(count, text.size() / first_number));
   for (std::size_t i = 0; i < count; ++i) {
-    const auto here = fmt::format("atom {} of the {} that the second line tells", i + 1, count);
-    const std::string_view line = lines.next(here.c_str());
+    const auto here = [&] {
+      return fmt::format("atom {} of the {} that the second line tells", i + 1, count);
+    };
+    const std::string_view line = lines.next(here);
     if (line.size() < first_number || line.find('.') < first_number)
-      lines.refuse(fmt::format("'{}' stands where {} must be", trimmed(line), here));
+      lines.refuse(fmt::format("'{}' stands where {} must be", trimmed(line), here()));
     if (i == 0) width = column_width(line, lines);
-    const auto [atom, has_velocity] = read_atom(line, width, lines);
+    auto [atom, has_velocity] = read_atom(line, width, lines);
+    atom.kind = kinds.of(line, frame.kinds, lines);
     if (i == 0) frame.has_velocities = has_velocity;
     if (has_velocity != frame.has_velocities)
       lines.refuse(
@@ -188,7 +251,7 @@ Frame parse_gro(std::string_view text, const std::string& file) {
                       has_velocity ? "a" : "no", has_velocity ? "none" : "one"));
     frame.atoms.push_back(atom);
   }
-  const std::string_view box = lines.next("the box");
+  const std::string_view box = lines.next([] { return "the box"; });
   const auto point = box.find('.');
   if (point != box.npos && point >= first_number)
     lines.refuse(
@@ -208,23 +271,17 @@ Frame read_start(const std::string& name_or_path) {
 }
 
 void write_gro(std::ostream& out, const Frame& frame, int decimals) {
-  out << fmt::format("{}\n{:5}\n", frame.title, frame.atoms.size());
-  // Numbers of residues and atoms have five digits and start again at 0.
-  int number = 0;
-  for (const Atom& atom : frame.atoms) {
-    number = (number + 1) % 100000;
-    out << fmt::format("{:5}{:<5.5}{:>5.5}{:5}", atom.residue % 100000, atom.residue_name,
-                       atom.name, number);
-    for (const double x : {atom.r.x, atom.r.y, atom.r.z})
-      out << fmt::format("{:{}.{}f}", x, decimals + 5, decimals);
-    if (frame.has_velocities)
-      for (const double v : {atom.v.x, atom.v.y, atom.v.z})
-        out << fmt::format("{:{}.{}f}", v, decimals + 5, decimals + 1);
-    out << '\n';
-  }
-  const Vec3<double>& edge = frame.box.edge;
-  out << fmt::format("{:{}.{}f}{:{}.{}f}{:{}.{}f}\n", edge.x, decimals + 5, decimals, edge.y,
-                     decimals + 5, decimals, edge.z, decimals + 5, decimals);
+  GroLines lines(out, frame.kinds, decimals, frame.has_velocities);
+  lines.head(frame.title, frame.atoms.size());
+  for (const Atom& atom : frame.atoms) lines.atom(atom);
+  lines.box(frame.box);
+}
+
+void write_gro(std::ostream& out, const State& state, const Topology& topology, int decimals) {
+  GroLines lines(out, atom_kinds(topology, MasslessSites::kept), decimals, true);
+  lines.head(title_of(state), atom_count(topology));
+  each_atom(state, topology, MasslessSites::kept, [&](const Atom& atom) { lines.atom(atom); });
+  lines.box(state.box);
 }
 
 }  // namespace polhode

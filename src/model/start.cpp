@@ -29,12 +29,19 @@ std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
   return n;
 }
 
-// The first `bodies` of a random order of all places (Fisher and Yates).
-std::vector<std::size_t> shuffled_places(std::size_t places, Random random) {
-  std::vector<std::size_t> order(places);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  for (std::size_t i = places; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-  return order;
+// A place for every body. Which places a component has is random (Fisher and Yates); its bodies
+// then follow the lattice, so that what is near in the box is near in memory.
+std::vector<std::size_t> drawn_places(const Topology& topology, std::size_t places, Random random) {
+  std::vector<std::size_t> place(places);
+  std::iota(place.begin(), place.end(), std::size_t{0});
+  for (std::size_t i = places; i > 1; --i) std::swap(place[i - 1], place[random.below(i)]);
+  auto first = place.begin();
+  for (const auto& part : topology.parts) {
+    const auto last = first + static_cast<std::ptrdiff_t>(part.count);
+    std::sort(first, last);
+    first = last;
+  }
+  return place;
 }
 
 }  // namespace
@@ -49,7 +56,7 @@ State lattice(const Topology& topology, const Box& box, std::uint64_t seed) {
     throw Error("the shortest edge of the box is " + std::to_string(box.shortest_edge()) +
                 " nm; it must be longer than 0 nm to hold molecules");
   const auto n = cells(topology.size(), box.edge);
-  const auto place = shuffled_places(n[0] * n[1] * n[2], Random(seed, shuffling));
+  const auto place = drawn_places(topology, n[0] * n[1] * n[2], Random(seed, shuffling));
   Random random(seed, attitudes);
   State state(topology.size(), box);
   for (std::size_t i = 0; i < state.size(); ++i) {

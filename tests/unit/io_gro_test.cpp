@@ -51,8 +51,8 @@ double largest_difference(const Vec3Column& a, const Vec3Column& b) {
 TEST_CASE("a GRO file of any number of decimals reads") {
   const Frame frame = parse_gro(replaced(water, "water", "water in a box t=  1.500 step= 3"), "x");
   CHECK(frame.atoms.size() == 3);
-  CHECK(frame.atoms[1].name == "HW1");
-  CHECK(frame.atoms[1].residue_name == "SOL");
+  CHECK(frame.kind(frame.atoms[1]).name == "HW1");
+  CHECK(frame.kind(frame.atoms[1]).residue_name == "SOL");
   CHECK(frame.atoms[2].r.y == 0.294);
   CHECK(!frame.has_velocities);
   CHECK(frame.box.edge.y == 2);
@@ -181,7 +181,7 @@ TEST_CASE("write and read of a GRO file give the same bodies") {
   write_gro(out, frame);
   const Frame again = parse_gro(out.str(), "again.gro");
   REQUIRE(again.atoms.size() == frame.atoms.size());
-  CHECK(again.atoms[5].name == "HW1");
+  CHECK(again.kind(again.atoms[5]).name == "HW1");
   double dr = 0, dv = 0;
   for (std::size_t i = 0; i < frame.atoms.size(); ++i) {
     dr = std::max(dr, norm(frame.atoms[i].r - again.atoms[i].r));

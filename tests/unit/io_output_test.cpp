@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <limits>
@@ -10,6 +12,7 @@
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/io/xyz.hpp"
+#include "polhode/model/start.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;
@@ -38,8 +41,8 @@ TEST_CASE("an extended XYZ frame is in angstrom and says so") {
   frame.box = {{1, 2, 3}};
   frame.time = 0.5;
   frame.has_velocities = true;
-  frame.atoms = {{.name = "OW", .element = "O", .r = {0.1, -0.2, 0.3}, .v = {1, 0, -1}},
-                 {.name = "MW", .r = {0, 0, 0}}};
+  frame.kinds = {{"SOL", "OW", "O"}, {"SOL", "MW", ""}};
+  frame.atoms = {{.kind = 0, .r = {0.1, -0.2, 0.3}, .v = {1, 0, -1}}, {.kind = 1, .r = {0, 0, 0}}};
   std::ostringstream out;
   write_xyz(out, frame);
   std::istringstream in(out.str());
@@ -58,6 +61,45 @@ TEST_CASE("an extended XYZ frame is in angstrom and says so") {
   CHECK(Vec3<double>{u, v, w} == Vec3<double>{10, 0, -10});
   in >> species;
   CHECK(species == "X");
+}
+
+TEST_CASE("states are written as their frames are") {
+  // More than one piece of text, two kinds of molecules, numbers of atoms beyond five digits.
+  const Topology topology{{{read_molecule("tip4p"), 26000}, {read_molecule("argon"), 1000}}};
+  State state = lattice(topology, {{9, 10, 11}}, 1);
+  draw_momenta(state, topology, 297, 1);
+  state.q.add(5, {40, -30, 20});
+  state.time = 1.25;
+  const Frame frame = frame_of(state, topology);
+  CHECK(frame.atoms.size() == 105000);
+  std::ostringstream gro, gro_of_frame, xyz, xyz_of_frame;
+  write_gro(gro, state, topology);
+  write_gro(gro_of_frame, frame);
+  write_xyz(xyz, state, topology);
+  write_xyz(xyz_of_frame, frame);
+  CHECK((gro.str() == gro_of_frame.str()));
+  CHECK((xyz.str() == xyz_of_frame.str()));
+  const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+  CHECK(lines(gro.str()) == 105003);
+  CHECK(lines(xyz.str()) == 105002);
+}
+
+TEST_CASE("numbers of fixed width are those of printf") {
+  for (const double x : {0.0, -0.0, 0.5, 1.5, -2.5, 0.125, 1e-12, -1e-12, 31.0497, 99999.999999,
+                         1e300, -1e22, std::numeric_limits<double>::infinity()})
+    for (const int decimals : {0, 2, 10}) {
+      Frame frame;
+      frame.title = "t";
+      frame.box = {{1, 1, 1}};
+      frame.kinds = {{"R", "A", ""}};
+      frame.atoms = {{.residue = 1, .r = {x, 0, 0}}};
+      std::ostringstream out;
+      write_gro(out, frame, decimals);
+      std::vector<char> number(400);
+      std::snprintf(number.data(), number.size(), "%*.*f", decimals + 5, decimals, x);
+      CAPTURE(x);
+      CHECK(out.str().starts_with("t\n    1\n    1R        A    1" + std::string(number.data())));
+    }
 }
 
 TEST_CASE("the hash of a text is FNV-1a") {

@@ -40,6 +40,12 @@ TEST_CASE("a lattice spreads molecules evenly and mixes components") {
   double height = 0;
   for (std::size_t i = 0; i < 60; ++i) height += state.q[i].z / 60 / box.edge.z;
   CHECK(std::abs(height - 0.5) < 5 * 0.027);
+  // The bodies of a component follow the lattice: along x, then y, then z.
+  const auto place = [&](std::size_t i) {
+    const Vec3<double> cell = state.q[i] / (box.edge.x / 5);
+    return 25 * std::floor(cell.z) + 5 * std::floor(cell.y) + std::floor(cell.x);
+  };
+  for (std::size_t i = 1; i < state.size(); ++i) CHECK((i == 60 || place(i - 1) < place(i)));
   const State again = lattice(topology, box, 1), other = lattice(topology, box, 2);
   CHECK(again.q[3] == state.q[3]);
   CHECK(again.attitude[3] == state.attitude[3]);

@@ -11,7 +11,7 @@ namespace polhode {
 /// shortest contact in liquids, that of a hydrogen bond (0.17 nm).
 inline constexpr double closest_contact = 0.085;
 
-/// @throws Error  naming the molecules if two of them are closer than that
+/// @throws Error  naming two molecules if any are closer than that, the first in the order of sites
 void check_overlap(const Topology& topology, const State& state);
 
 }  // namespace polhode

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,22 +14,30 @@
 
 namespace polhode {
 
-struct Atom {
-  int residue = 0;           ///< number of its molecule
+/// What atoms of one name have in common: kept once, for frames of many atoms.
+struct AtomKind {
   std::string residue_name;  ///< "SOL"
   std::string name;          ///< "OW"
   std::string element;       ///< "O"; empty if the file does not tell, or for massless sites
-  Vec3<double> r;            ///< [nm]
-  Vec3<double> v;            ///< [nm/ps]
+};
+
+struct Atom {
+  std::uint32_t kind = 0;  ///< index into Frame::kinds
+  int residue = 0;         ///< number of its molecule
+  Vec3<double> r;          ///< [nm]
+  Vec3<double> v;          ///< [nm/ps]
 };
 
 struct Frame {
   std::string title;
+  std::vector<AtomKind> kinds;
   std::vector<Atom> atoms;
   bool has_velocities = false;
   Box box;             ///< [nm]
   double time = 0;     ///< [ps]
   std::string source;  ///< file that it was read from
+
+  const AtomKind& kind(const Atom& atom) const { return kinds[atom.kind]; }
 };
 
 enum class MasslessSites { kept, left_out };
@@ -36,6 +46,15 @@ enum class MasslessSites { kept, left_out };
 /// moved into the box.
 Frame frame_of(const State& state, const Topology& topology,
                MasslessSites massless = MasslessSites::kept);
+
+/// The kinds of that frame's atoms: the topology's sites.
+std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massless);
+
+/// Calls visit(atom) for the atoms of that frame one after another: a frame need not be held whole.
+void each_atom(const State& state, const Topology& topology, MasslessSites massless,
+               const std::function<void(const Atom&)>& visit);
+std::size_t atom_count(const Topology& topology, MasslessSites massless = MasslessSites::kept);
+std::string title_of(const State& state);  ///< of that frame: it tells the time [ps]
 
 /// What a frame gives for rigid bodies.
 struct FittedState {

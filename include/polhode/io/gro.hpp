@@ -24,4 +24,7 @@ Frame read_start(const std::string& name_or_path);
 /// Writes a frame; positions have `decimals` decimals, velocities one more, as GROMACS has it.
 void write_gro(std::ostream& out, const Frame& frame, int decimals = 10);
 
+/// Writes the frame of a state, without holding it whole.
+void write_gro(std::ostream& out, const State& state, const Topology& topology, int decimals = 10);
+
 }  // namespace polhode

@@ -13,4 +13,7 @@ namespace polhode {
 /// Å/ps. Massless sites, if the frame has them, are of species X.
 void write_xyz(std::ostream& out, const Frame& frame);
 
+/// Appends the frame of a state, without holding it whole.
+void write_xyz(std::ostream& out, const State& state, const Topology& topology);
+
 }  // namespace polhode

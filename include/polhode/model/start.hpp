@@ -13,7 +13,8 @@ namespace polhode {
 Box cubic_box(const Topology& topology, double density);
 
 /// Centres on a lattice as nearly cubic as the box allows, attitudes uniform at random; components
-/// of a mixture are shuffled over the lattice. All momenta are zero.
+/// of a mixture are shuffled over the lattice, and the bodies of one follow it. All momenta are
+/// zero.
 /// @throws Error  if an edge of the box is not longer than 0
 State lattice(const Topology& topology, const Box& box, std::uint64_t seed);
 
