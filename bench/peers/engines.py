@@ -6,11 +6,11 @@ An engine makes samples with `samples(case, step, length, interval)` and a time 
 
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
 from dataclasses import dataclass
-from math import pi, sqrt
 from pathlib import Path
 from string import Template
 
@@ -19,7 +19,15 @@ import logs
 
 HERE = Path(__file__).resolve().parent
 CHARGES, MASSES = (0, 0.52, -1.04), (15.9994, 1.008, 1e-20)  # O, H, M; LAMMPS has no massless atoms
-COULOMB = 138.935458  # e² N_A/(4 π ε₀) [kJ/mol nm/e²]
+
+# LAMMPS's ranks have one thread each; Open MPI refuses the superuser unless told twice.
+ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "GMX_MAXBACKUP": "-1"}
+
+
+def said(*command):
+    """All that a command prints."""
+    done = subprocess.run(command, text=True, capture_output=True, check=False)
+    return done.stdout + done.stderr
 
 
 @dataclass
@@ -41,15 +49,14 @@ class Case:
 
     def write(self, name, template, **values):
         text = Template((HERE / "inputs" / template).read_text(encoding="utf-8")).substitute(
-            values, molecules=self.molecules, cutoff_nm=self.cutoff, switch_nm=self.switch,
-            cutoff_angstrom=10 * self.cutoff)
+            values, molecules=self.molecules, cutoff_nm=self.cutoff, switch_nm=self.switch)
         (self.folder / name).write_text(text, encoding="utf-8")
 
     def run(self, *command, given=None):
         """Standard output and errors of a command in the case's folder; a RuntimeError if it ended badly."""
-        threads = {"OMP_NUM_THREADS": "1"} if command[0] != "gmx" else {}
         done = subprocess.run([str(c) for c in command], cwd=self.folder, text=True, input=given,
-                              capture_output=True, check=False, env={**os.environ, **threads})
+                              capture_output=True, check=False,
+                              env={**os.environ, **ENVIRONMENT})
         if done.returncode != 0:
             end = "\n".join((done.stdout + done.stderr).splitlines()[-15:])
             raise RuntimeError(f"{' '.join(map(str, command))}: exit code {done.returncode}\n{end}")
@@ -67,7 +74,6 @@ class Engine:
     evaluations = 1
     start_step = 2.0  # [fs], for the first table of times
     ladder = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0)  # [fs]
-    missing_program = "set its path by an option"
 
     def missing(self):
         """Why it cannot run here, or None."""
@@ -93,6 +99,9 @@ class Polhode(Engine):
     def threads(self, wanted):
         return wanted if self.threaded else 1
 
+    def version(self):
+        return said(self.program, "--version").strip()
+
     def _run(self, case, step, length, interval, threads):
         case.write("polhode.toml", "polhode.toml", start="start.gro", truncation=self.truncation,
                    precision=f'precision = "{self.precision}"\n' if self.precision else "",
@@ -111,11 +120,18 @@ class Polhode(Engine):
 
 
 class Gromacs(Engine):
-    def __init__(self, options, name="gromacs", integrator="md", coulomb="reaction-field",
+    def __init__(self, options, name="gromacs", integrator="md-vv", coulomb="reaction-field",
                  program=None):
         self.name, self.program = name, program or options.gmx
         self.integrator, self.coulomb = integrator, coulomb
         self.tolerance, self.skin, self.lifetime = options.gromacs_tolerance, 0.1, 20.0
+        self.lists = {}  # by step
+
+    def version(self):
+        text = said(self.program, "--version")
+        found = [re.search(rf"^{key}:\s*(.*)$", text, re.M) for key in
+                 ("GROMACS version", "Precision", "SIMD instructions")]
+        return ", ".join(f[1] for f in found if f)
 
     def _run(self, case, step, steps, every, threads, *more):
         case.write("gromacs.top", "gromacs.top")
@@ -129,7 +145,9 @@ class Gromacs(Engine):
                  "gromacs.top", "-o", "gromacs.tpr", "-po", "mdout.mdp", "-maxwarn", 3)
         case.run(self.program, "-nobackup", "mdrun", "-deffnm", "gromacs", "-ntmpi", 1, "-ntomp",
                  threads, "-noconfout", *more)
-        return (case.folder / "gromacs.log").read_text(errors="replace")
+        log = (case.folder / "gromacs.log").read_text(errors="replace")
+        self.lists[step] = logs.gromacs_lists(log)
+        return log
 
     def samples(self, case, step, length, interval):
         self._run(case, step, round(length / step), steps_between(interval, step), 1)
@@ -144,33 +162,39 @@ class Gromacs(Engine):
 
 
 class Lammps(Engine):
-    pairs = {  # pair style, k-space style
-        "dsf": ("pair_style lj/cut/coul/dsf 0.0 {rc}", ""),
-        "pppm": ("pair_style lj/cut/coul/long {rc}", "kspace_style pppm 1e-4"),
+    rows = 8000  # of a table, evenly spaced in r²
+    nearest = 0.05  # [nm], where the tables begin
+    laws = {
+        "reaction-field": ("pair_style hybrid lj/cut {rc} table linear {rows}",
+                           "table lammps.table {name} {rc}", ""),
+        "PME": ("pair_style hybrid lj/cut {rc} coul/long {rc}", "coul/long", "kspace_style pppm 1e-4"),
     }
 
-    def __init__(self, options, name="lammps", law="dsf"):
+    def __init__(self, options, name="lammps", law="reaction-field"):
         self.name, self.program, self.law = name, options.lmp, law
 
-    def offset(self, case):
-        """What LAMMPS adds to the energy of a shifted force: every site's interaction with itself [kJ/mol]."""
-        squares = 2 * CHARGES[1] ** 2 + CHARGES[2] ** 2
-        return -case.molecules * COULOMB * squares / case.cutoff if self.law == "dsf" else 0.0
+    def version(self):
+        return re.search(r"\(([^)]*)\)|- ([^\n]*)", said(self.program, "-h")).group(0)
 
     def _run(self, case, step, steps, every, threads, warmup):
         if not (case.folder / "lammps.data").exists():
             (case.folder / "lammps.data").write_text(gro.lammps_data(case.start, CHARGES, MASSES))
-        pair, kspace = (t.format(rc=10 * case.cutoff) for t in self.pairs[self.law])
-        case.write("lammps.in", "lammps.in", data="lammps.data", pair=pair, kspace=kspace,
-                   step_fs=step, steps=steps, sample_steps=every, warmup=warmup)
-        ranks = [] if threads == 1 else ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", threads]
+            (case.folder / "lammps.table").write_text(
+                gro.lammps_tables(self.rows, self.nearest, case.cutoff, CHARGES))
+        style, coefficients, kspace = self.laws[self.law]
+        rc = 10 * case.cutoff
+        lines = [style.format(rc=rc, rows=self.rows), "pair_coeff 1 1 lj/cut 0.155 3.15365",
+                 "pair_coeff 1 2*3 none"]
+        lines += [f"pair_coeff {pair} {coefficients.format(rc=rc, name=name)}"
+                  for pair, name in (("2 2", "HH"), ("2 3", "HM"), ("3 3", "MM"))]
+        case.write("lammps.in", "lammps.in", pairs="\n".join(lines), kspace=kspace, step_fs=step,
+                   steps=steps, sample_steps=every, warmup=warmup)
+        ranks = ["mpirun", "--oversubscribe", "--bind-to", "none", "-np", threads] if threads > 1 else []
         return case.run(*ranks, self.program, "-in", "lammps.in", "-log", "none", "-sf", "opt")
 
     def samples(self, case, step, length, interval):
         every, steps = steps_between(interval, step), round(length / step)
-        offset = self.offset(case)
-        return [logs.Sample(s.total - offset, s.potential - offset, s.temperature)
-                for s in logs.lammps_energies(self._run(case, step, steps, every, 1, 1))]
+        return logs.lammps_energies(self._run(case, step, steps, every, 1, 0))
 
     def step_us(self, case, step, steps, threads):
         return logs.lammps_step_us(self._run(case, step, steps, steps, threads, max(10, steps // 10)))
@@ -185,6 +209,9 @@ class OpenMM(Engine):
             return super().missing()
         asked = subprocess.run([self.program, "-c", "import openmm"], capture_output=True, check=False)
         return None if asked.returncode == 0 else f"{self.program} has no module openmm"
+
+    def version(self):
+        return said(self.program, "-c", "import openmm; print(openmm.__version__)").strip()
 
     def _run(self, case, step, steps, every, threads):
         order = {"start": "start.gro", "cutoff": case.cutoff, "switch": case.switch, "law": self.law,
@@ -202,13 +229,16 @@ def engines(options):
     """Those asked for, ours first; the names of peers are the words of --peers."""
     peers = {
         "gromacs": lambda: Gromacs(options),
-        "gromacs-vv": lambda: Gromacs(options, "gromacs-vv", integrator="md-vv"),
+        "gromacs-md": lambda: Gromacs(options, "gromacs-md", integrator="md"),
         "gromacs-double": lambda: Gromacs(options, "gromacs-double", program=options.gmx_double),
         "gromacs-pme": lambda: Gromacs(options, "gromacs-pme", coulomb="PME"),
         "lammps": lambda: Lammps(options),
-        "lammps-pppm": lambda: Lammps(options, "lammps-pppm", "pppm"),
+        "lammps-pppm": lambda: Lammps(options, "lammps-pppm", "PME"),
         "openmm": lambda: OpenMM(options),
         "openmm-pme": lambda: OpenMM(options, "openmm-pme", "PME"),
     }
     ours = [Polhode(options, scheme) for scheme in Polhode.costs]
-    return ours, [peers[name]() for name in options.peers], sorted(peers)
+    for name in options.peers:
+        if name not in peers:
+            sys.exit(f"there is no peer '{name}'; those known are {', '.join(peers)}")
+    return ours, [peers[name]() for name in options.peers]

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Start configurations: GRO files read, replicated and written, and the data file LAMMPS wants."""
 
+from math import sqrt
 from typing import NamedTuple
 
 NAMES = 20  # characters of residue number and name, atom name and atom number
 SITES = 4  # of a TIP4P water: O, H, H, M
+COULOMB = 138.935458 * 10 / 4.184  # e² N_A/(4 π ε₀) [kcal/mol Å/e²]
 
 
 class Start(NamedTuple):
@@ -74,3 +76,18 @@ def lammps_data(start, charges, masses):
         f"{i + 1} " + " ".join(f"{x / 100:.13f}" for x in v) for i, v in enumerate(start.velocities)
     ]
     return "\n".join(lines) + "\n"
+
+
+def lammps_tables(rows, nearest, cutoff, charges):
+    """Energy and force of the reaction field of an infinite dielectric, for each pair of charged sites."""
+    low, high = 10 * nearest, 10 * cutoff
+    lines = []
+    for name, qq in (("HH", charges[1] ** 2), ("HM", charges[1] * charges[2]), ("MM", charges[2] ** 2)):
+        lines += [name, f"N {rows} RSQ {low} {high}", ""]
+        for i in range(rows):
+            r = sqrt(low**2 + (high**2 - low**2) * i / (rows - 1))
+            energy = COULOMB * qq * (1 / r + r * r / (2 * high**3) - 1.5 / high)
+            force = COULOMB * qq * (1 / r**2 - r / high**3)
+            lines.append(f"{i + 1} {r:.12g} {energy:.15g} {force:.15g}")
+        lines.append("")
+    return "\n".join(lines)

@@ -30,11 +30,10 @@ def gromacs_step_us(text, step_fs):
     return None if found is None else US_PER_DAY * step_fs * 1e-6 / float(found[1])
 
 
-def gromacs_list(text):
-    """The list settings that mdrun went with: the last ones in its log."""
-    found = re.findall(r"(?:nstlist|update every)\D{0,20}(\d+).{0,40}?rlist(?:\s*=|\s+from \S+ to)?\s*([\d.]+)",
-                       text)
-    return found[-1] if found else None
+def gromacs_lists(text):
+    """The pair lists mdrun went with, outer first: (steps between updates, range [nm])."""
+    found = re.findall(r"updated every (\d+) steps?, buffer \S+ nm, rlist (\S+) nm", text)
+    return [(int(steps), float(reach)) for steps, reach in found]
 
 
 def lammps_energies(text):
