@@ -174,7 +174,8 @@ class Lammps(Engine):
         self.name, self.program, self.law = name, options.lmp, law
 
     def version(self):
-        return re.search(r"\(([^)]*)\)|- ([^\n]*)", said(self.program, "-h")).group(0)
+        found = re.search(r"Simulator - (.*)", said(self.program, "-h"))
+        return found[1] if found else "unknown"
 
     def _run(self, case, step, steps, every, threads, warmup):
         if not (case.folder / "lammps.data").exists():

@@ -5,12 +5,15 @@ import json
 import shutil
 import subprocess
 import sys
+from math import floor, log10
 from pathlib import Path
 from string import Template
 
 HERE = Path(__file__).resolve().parent
 # Okabe and Ito's colours, as in all figures here: one hue for ours, others for the peers.
 OURS = ("#0072B2", "#56B4E9", "#9AD0F0")
+GAP = 1.5  # bars between clusters
+KEY = 100  # height of the key and of the first title
 PEERS = ("#D55E00", "#009E73", "#E69F00", "#CC79A7", "#000000", "#8C510A", "#7F7F7F", "#B2ABD2")
 
 
@@ -29,6 +32,16 @@ def block(result, panel, names):
     return "\n".join(lines)
 
 
+def absent(result, panel, names):
+    """Labels where a bar is missing, in gnuplot's clusters with a gap of GAP bars."""
+    rows = [r for r in result["costs"] if (r["molecules"], r["threads"]) == panel and not r["seconds_per_ns"]]
+    targets = list(dict.fromkeys(r["R_percent"] for r in result["costs"]))
+    places = [targets.index(r["R_percent"]) + (names.index(r["engine"]) - (len(names) - 1) / 2) / (len(names) + GAP)
+              for r in rows]
+    return "unset label\n" + "".join(
+        f'set label "not reached" at first {x:.4f}, graph 0.02 rotate left textcolor "#808080"\n' for x in places)
+
+
 def script(result, image):
     """The gnuplot script."""
     names = list(dict.fromkeys(r["engine"] for r in result["costs"]))
@@ -42,20 +55,21 @@ def script(result, image):
     for i, panel in enumerate(shown):
         data.append(f"$panel{i} << EOD\n{block(result, panel, names)}\nEOD")
         molecules, threads = panel
-        plots.append(f'set title "{molecules} molecules, {threads} thread{"s" * (threads > 1)}"\n'
-                     + ("set key at screen 0.5, screen 0.985 center top horizontal\n" if i == 0 else "unset key\n")
+        plots.append(absent(result, panel, names) + f'set title "{molecules} molecules, {threads} thread{"s" * (threads > 1)}"\n'
+                     + ("set key at screen 0.5, screen 0.985 center top horizontal Left reverse maxcols 4 width 2\n" if i == 0
+                        else "unset key\n")
                      + "plot " + ", \\\n  ".join(
                          f'$panel{i} using {k + 2}{":xtic(1)" if k == 0 else ""} with histogram '
                          f'linecolor "{c}" title "{n}"' for k, (n, c) in enumerate(zip(names, colours))))
-    width, height = 460 * across, 330 * down + 60
+    width, height = (940 if across == 2 else 640), 320 * down + KEY
     svg = image.suffix != ".png"
     terminal = (f'svg size {width},{height} dynamic enhanced font "Helvetica,14" background "white"' if svg else
                 f'pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 enhanced font "Helvetica,11" '
                 'background "white"')
     return Template((HERE / "figure.gp").read_text(encoding="utf-8")).substitute(
-        image=image.name, terminal=terminal, data="\n".join(data), plots="\n".join(plots), down=down, across=across,
-        top=f"{1 - 55 / height:.3f}", low=f"{10 ** __import__('math').floor(__import__('math').log10(min(values))):g}",
-        high=f"{2 * max(values):g}")
+        image=image.name, terminal=terminal, data="\n".join(data), plots="\n".join(plots), down=down, across=across, gap=GAP,
+        left=f"{80 / width:.3f}", between=f"{90 / width:.3f}", base=f"{30 / height:.3f}",
+        top=f"{1 - KEY / height:.3f}", above=f"{70 / height:.3f}", low=f"{10 ** floor(log10(min(values))):g}", high=f"{2 * max(values):g}")
 
 
 def draw(result, image):

@@ -83,7 +83,7 @@ def scan(programs, case, options):
           f"{'':24}{'fs':>7}{'%':>10}{'+-':>9}{'%/ns':>9}{'K':>8}")
     for rung in range(max(len(e.ladder) for e in programs)):
         for e in programs:
-            if rung >= len(e.ladder) or (options.quick and rung % 2 == 0 and len(e.ladder) > 2):
+            if rung >= len(e.ladder) or (options.quick and rung % 2):
                 continue
             step = e.ladder[rung]
             interval = step * engines.steps_between(INTERVAL, step)
