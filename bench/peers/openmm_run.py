@@ -52,7 +52,12 @@ def main():
     context = mm.Context(water(start, order), integrator, mm.Platform.getPlatformByName("CPU"),
                          {"Threads": str(order["threads"])})
     context.setPositions([mm.Vec3(*r) for r in start.positions])
-    context.setVelocities([mm.Vec3(*v) for v in start.velocities])
+    # The integrator's velocities are those of half a step ago.
+    pull = context.getState(getForces=True).getForces()._value
+    back = [order["step_fs"] / 2000 / MASSES[i % gro.SITES] if MASSES[i % gro.SITES] else 0.0
+            for i in range(len(start.labels))]
+    context.setVelocities([mm.Vec3(*v) - f * b for v, f, b in zip(start.velocities, pull, back)])
+    context.applyVelocityConstraints(1e-6)
     freedoms = 6 * start.molecules - 3
     samples, step_us = [], None
 
