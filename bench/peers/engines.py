@@ -108,7 +108,7 @@ class Polhode(Engine):
                    scheme=self.scheme, step_fs=step, length_fs=length, sample_fs=interval,
                    prefix="polhode")
         more = ["--threads", threads] if self.threaded else []
-        return case.run(Path(shutil.which(self.program)).resolve(), "run", "polhode.toml", "--json", "--force", *more)
+        return case.run(self.program, "run", "polhode.toml", "--json", "--force", *more)
 
     def samples(self, case, step, length, interval):
         self._run(case, step, length, interval, 1)
@@ -172,6 +172,9 @@ class Lammps(Engine):
 
     def __init__(self, options, name="lammps", law="reaction-field"):
         self.name, self.program, self.law = name, options.lmp, law
+
+    def threads(self, wanted):
+        return wanted if shutil.which("mpirun") else 1
 
     def version(self):
         found = re.search(r"Simulator - (.*)", said(self.program, "-h"))

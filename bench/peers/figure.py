@@ -13,7 +13,7 @@ HERE = Path(__file__).resolve().parent
 # Okabe and Ito's colours, as in all figures here: one hue for ours, others for the peers.
 OURS = ("#0072B2", "#56B4E9", "#9AD0F0")
 GAP = 1.5  # bars between clusters
-KEY = 100  # height of the key and of the first title
+KEY, PANEL = 60, 320  # heights [pixel]
 PEERS = ("#D55E00", "#009E73", "#E69F00", "#CC79A7", "#000000", "#8C510A", "#7F7F7F", "#B2ABD2")
 
 
@@ -42,34 +42,40 @@ def absent(result, panel, names):
         f'set label "not reached" at first {x:.4f}, graph 0.02 rotate left textcolor "#808080"\n' for x in places)
 
 
+def margins(width, height, across, i):
+    """Screen margins of panel i, of PANEL pixels with room for its title and axes."""
+    column, row = i % across, i // across
+    left, top = column * width / across, KEY + row * PANEL
+    sides = {"l": (left + 80) / width, "r": (left + width / across - 10) / width,
+             "t": 1 - (top + 40) / height, "b": 1 - (top + PANEL - 30) / height}
+    return "".join(f"set {side}margin at screen {place:.4f}\n" for side, place in sides.items())
+
+
 def script(result, image):
-    """The gnuplot script."""
+    """The gnuplot script: a strip with the key, then a panel for each size and number of threads."""
     names = list(dict.fromkeys(r["engine"] for r in result["costs"]))
     shown = panels(result)
     ours, peers = iter(OURS), iter(PEERS)
     colours = [next(ours if n.startswith("polhode") else peers) for n in names]
     across = 2 if len(shown) > 1 else 1
-    down = -(-len(shown) // across)
+    width, height = 1020 if across == 2 else 940, PANEL * -(-len(shown) // across) + KEY
     values = [r["seconds_per_ns"] for r in result["costs"] if r["seconds_per_ns"]]
     data, plots = [], []
     for i, panel in enumerate(shown):
         data.append(f"$panel{i} << EOD\n{block(result, panel, names)}\nEOD")
         molecules, threads = panel
-        plots.append(absent(result, panel, names) + f'set title "{molecules} molecules, {threads} thread{"s" * (threads > 1)}"\n'
-                     + ("set key at screen 0.5, screen 0.985 center top horizontal Left reverse maxcols 4 width 2\n" if i == 0
-                        else "unset key\n")
-                     + "plot " + ", \\\n  ".join(
-                         f'$panel{i} using {k + 2}{":xtic(1)" if k == 0 else ""} with histogram '
-                         f'linecolor "{c}" title "{n}"' for k, (n, c) in enumerate(zip(names, colours))))
-    width, height = (940 if across == 2 else 640), 320 * down + KEY
-    svg = image.suffix != ".png"
-    terminal = (f'svg size {width},{height} dynamic enhanced font "Helvetica,14" background "white"' if svg else
-                f'pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 enhanced font "Helvetica,11" '
-                'background "white"')
+        bars = [f'$panel{i} using {k + 2}{":xtic(1)" if k == 0 else ""} with histogram linecolor "{c}"'
+                for k, c in enumerate(colours)]
+        plots.append(f'{margins(width, height, across, i)}{absent(result, panel, names)}'
+                     f'set title "{molecules} molecules, {threads} thread{"s" * (threads > 1)}"\n'
+                     "plot " + ", \\\n  ".join(bars))
+    key = [f'NaN with boxes linecolor "{c}" title "{n}"' for n, c in zip(names, colours)]
+    terminal = (f'svg size {width},{height} dynamic enhanced font "Helvetica,14"' if image.suffix != ".png" else
+                f'pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 enhanced font "Helvetica,11"')
     return Template((HERE / "figure.gp").read_text(encoding="utf-8")).substitute(
-        image=image.name, terminal=terminal, data="\n".join(data), plots="\n".join(plots), down=down, across=across, gap=GAP,
-        left=f"{80 / width:.3f}", between=f"{90 / width:.3f}", base=f"{30 / height:.3f}",
-        top=f"{1 - KEY / height:.3f}", above=f"{70 / height:.3f}", low=f"{10 ** floor(log10(min(values))):g}", high=f"{2 * max(values):g}")
+        image=image.name, terminal=terminal, data="\n".join(data), plots="\n".join(plots),
+        key=", \\\n  ".join(key), strip=f"{1 - KEY / height:.4f}", gap=GAP,
+        low=f"{10 ** floor(log10(min(values))):g}", high=f"{2 * max(values):g}")
 
 
 def draw(result, image):

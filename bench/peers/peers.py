@@ -61,6 +61,9 @@ def arguments():
     o.scan_length = o.scan_length or (2.0 if o.quick else 10.0)
     if not shutil.which(o.polhode) and (ROOT / "polhode").exists():
         o.polhode = str(ROOT / "polhode")
+    for key in ("polhode", "gmx", "gmx_double", "lmp", "openmm_python"):
+        if "/" in (getattr(o, key) or ""):  # the programs run in folders of their own
+            setattr(o, key, os.path.abspath(getattr(o, key)))
     return o
 
 
@@ -106,12 +109,21 @@ def times(programs, case, threads, steps, options):
     """Microseconds a step of each engine at each of its steps, in alternating rounds: median and spread."""
     runs = [(e, h) for e in programs for h in steps[e.name]]
     counts, found = {}, {(e.name, h): [] for e, h in runs}
-    for e, h in runs:  # a short run says how many steps fill the time
-        guess = e.step_us(case, h, 50, e.threads(threads))
-        counts[e.name, h] = max(20, round(options.seconds * 1e6 / guess))
-    for _ in range(options.rounds):
+    for turn in range(1 + options.rounds):
         for e, h in runs:
-            found[e.name, h].append(e.step_us(case, h, counts[e.name, h], e.threads(threads)))
+            key = e.name, h
+            if key not in found:
+                continue
+            try:
+                us = e.step_us(case, h, counts.get(key, 20), e.threads(threads))
+            except RuntimeError as error:
+                print(f"{e.name} at {h:.3g} fs is left out: {error}", flush=True)
+                del found[key]
+                continue
+            if turn == 0:  # a short run says how many steps fill the time
+                counts[key] = max(20, round(options.seconds * 1e6 / us))
+            else:
+                found[key].append(us)
     return {key: curves.middle(values) for key, values in found.items()}
 
 
@@ -142,11 +154,12 @@ def costs(programs, reached, measured, molecules, threads):
         for target in TARGETS:
             step, mark = reached[e.name][target]
             seconds = None
-            if step is not None:
-                at = min((h for name, h in measured if name == e.name), key=lambda h: abs(h / step - 1))
+            timed = [h for name, h in measured if name == e.name]
+            if step is not None and timed:
+                at = min(timed, key=lambda h: abs(h / step - 1))
                 seconds = curves.seconds_per_ns(measured[e.name, at][0], step)
             rows.append({"engine": e.name, "molecules": molecules, "threads": threads, "R_percent": target,
-                         "step_fs": step, "mark": mark, "seconds_per_ns": seconds})
+                         "step_fs": step, "mark": mark or ("" if seconds else "not timed"), "seconds_per_ns": seconds})
     for row in rows:
         ours = [r["seconds_per_ns"] for r in rows
                 if r["R_percent"] == row["R_percent"] and r["engine"].startswith("polhode") and r["seconds_per_ns"]]
