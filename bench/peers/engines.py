@@ -30,6 +30,12 @@ def said(*command):
     return done.stdout + done.stderr
 
 
+def complaint(error):
+    """The line of a RuntimeError that says most: the first after the command with 'error', else the last."""
+    lines = [line.strip() for line in str(error).splitlines()]
+    return next((line for line in lines[1:] if "error" in line.lower()), lines[-1])
+
+
 @dataclass
 class Case:
     """A start in a folder of its own, and how interactions end."""

@@ -93,7 +93,7 @@ def scan(programs, case, options):
             try:
                 samples = e.samples(case, step, 1100 * options.scan_length, INTERVAL)
             except RuntimeError as error:
-                print(f"{e.name:24}{step:7g}  {str(error).splitlines()[-1][:80]}", flush=True)
+                print(f"{e.name:24}{step:7g}  {engines.complaint(error)}", flush=True)
                 samples = []
             p = curves.point(step, samples[int(1000 * skipped / interval):], interval)
             points[e.name].append(p)
@@ -117,7 +117,7 @@ def times(programs, case, threads, steps, options):
             try:
                 us = e.step_us(case, h, counts.get(key, 20), e.threads(threads))
             except RuntimeError as error:
-                print(f"{e.name} at {h:.3g} fs is left out: {error}", flush=True)
+                print(f"{e.name} at {h:.3g} fs is left out: {engines.complaint(error)}", flush=True)
                 del found[key]
                 continue
             if turn == 0:  # a short run says how many steps fill the time
