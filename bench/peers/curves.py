@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 BLOCKS = 20
 T_18 = 2.878  # Student's t of 18 degrees of freedom that chance exceeds once in a hundred
+LONG = 400.0  # [fs], of a block: energies remember shorter times, and a t-test on them would see drifts everywhere
 LOST = 0.05  # of the kinetic energy in a nanosecond: a drift not to be overlooked
 
 
@@ -58,11 +59,12 @@ def point(step, samples, interval_fs):
     if not all(isfinite(s.total) and isfinite(s.potential) for s in samples) or len(samples) < 2 * BLOCKS:
         return Point(step, float("nan"), float("nan"), float("nan"), True, float("nan"), float("nan"))
     parts = blocks(samples)
-    length_ns = len(parts[0]) * interval_fs * 1e-6
-    times = [(k + 0.5) * length_ns for k in range(BLOCKS)]
+    length = len(parts[0]) * interval_fs
+    times = [(k + 0.5) * length * 1e-6 for k in range(BLOCKS)]  # [ns]
     rate, error = slope(times, [fmean(s.total for s in p) for p in parts])
     kinetic = fmean(s.total - s.potential for s in samples)
-    return Point(step, ratio(samples), ratio_error(samples), rate / kinetic, abs(rate) > T_18 * error,
+    return Point(step, ratio(samples), ratio_error(samples), rate / kinetic,
+                 length >= LONG and abs(rate) > T_18 * error,
                  fmean(s.temperature for s in samples), fmean(s.potential for s in samples))
 
 

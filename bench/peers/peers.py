@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+from math import isfinite
 from pathlib import Path
 
 import curves
@@ -45,7 +46,7 @@ def arguments():
     p.add_argument("--json", type=Path, metavar="FILE", help="write all numbers there")
     p.add_argument("--figure", type=Path, metavar="FILE", help="draw FILE.svg, or .png, with gnuplot")
     p.add_argument("--polhode", default="polhode", help="our program")
-    p.add_argument("--truncation", default="molecule-switch", help="ours: molecule-switch or reaction-field")
+    p.add_argument("--truncation", default="molecule-switch", help="ours, as run files name it (molecule-switch)")
     p.add_argument("--precision", default="", help="ours: written to the run file if given, as mixed")
     p.add_argument("--polhode-threads", action="store_true",
                    help="ours takes --threads N; without it, ours is timed with one thread")
@@ -193,9 +194,12 @@ def main():
     programs = available(options)
     if not programs:
         sys.exit("none of the programs is here")
+    load = os.getloadavg()[0]
+    if load > 0.5:
+        print(f"warning: the load average is {load:.1f}; other work makes these times too long, unevenly")
     versions = {e.name: e.version() for e in programs}
     result = {"date": str(datetime.date.today()), "command": shlex.join(["peers.py", *sys.argv[1:]]),
-              "processor": processor(), "cores": os.cpu_count(), "versions": versions,
+              "processor": processor(), "cores": os.cpu_count(), "load_average": load, "versions": versions,
               "options": {k: v for k, v in vars(options).items() if isinstance(v, (int, float, str, list))},
               "R": {}, "times": [], "costs": []}
     with tempfile.TemporaryDirectory() as scratch:
@@ -203,7 +207,8 @@ def main():
         cases = {n: case(n) for n in dict.fromkeys([SCANNED, *options.sizes])}
         points, potential = scan(programs, cases[SCANNED], options)
         result["potential_of_start"] = potential
-        result["R"] = {name: [p._asdict() for p in ps] for name, ps in points.items()}
+        result["R"] = {name: [{k: v if isfinite(v) else None for k, v in p._asdict().items()} for p in ps]
+                       for name, ps in points.items()}
         result["gromacs_lists"] = {e.name: e.lists for e in programs if hasattr(e, "lists")}
         reached = {name: {t: curves.step_at(t / 100, ps) for t in TARGETS} for name, ps in points.items()}
         for n in options.sizes:

@@ -61,7 +61,7 @@ class Energies(unittest.TestCase):
 
     def made(self, rate):
         wave = lambda k: cos(2 * pi * k / 10)  # whole periods in every block
-        return [logs.Sample(0.25 * wave(k) + rate * k, 50.0 * wave(k) - 100, 300.0) for k in range(2000)]
+        return [logs.Sample(0.25 * wave(k) + rate * k, 50.0 * wave(k) - 100, 300.0) for k in range(4000)]
 
     def test_ratio(self):
         p = curves.point(2.0, self.made(0.0), 4.0)
@@ -71,10 +71,11 @@ class Energies(unittest.TestCase):
         self.assertTrue(p.usable)
 
     def test_drift(self):
-        p = curves.point(2.0, self.made(1e-3), 4.0)  # 1e-3 a sample of 4 fs, of some 101 kinetic
-        self.assertAlmostEqual(p.drift * (100 + 1e-3 * 999.5), 1e-3 / 4e-6, 6)
+        p = curves.point(2.0, self.made(1e-3), 4.0)  # 1e-3 a sample of 4 fs, of some 102 kinetic
+        self.assertAlmostEqual(p.drift * (100 + 1e-3 * 1999.5), 1e-3 / 4e-6, 6)
         self.assertTrue(p.drift_significant)
         self.assertFalse(p.usable)
+        self.assertTrue(curves.point(2.0, self.made(1e-3)[:1000], 4.0).usable)  # too short to say
 
     def test_blown_up(self):
         self.assertFalse(curves.point(2.0, [], 4.0).usable)
