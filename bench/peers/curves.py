@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""Statistics of energies, and the step at which a program reaches a wanted R."""
+
+from math import exp, isfinite, log, sqrt
+from statistics import fmean, median, pstdev
+from typing import NamedTuple
+
+BLOCKS = 20
+T_18 = 2.878  # Student's t of 18 degrees of freedom that chance exceeds once in a hundred
+LONG = 400.0  # [fs], of a block: energies remember shorter times, and a t-test on them would see drifts everywhere
+LOST = 0.05  # of the kinetic energy in a nanosecond: a drift not to be overlooked
+
+
+class Point(NamedTuple):
+    step: float  # [fs]
+    ratio: float  # R
+    error: float  # of R
+    drift: float  # [1/ns], of the total energy, over the kinetic energy
+    drift_significant: bool
+    temperature: float  # [K]
+    potential: float  # mean [kJ/mol]
+
+    @property
+    def usable(self):
+        """Energies stay finite, and the total does not run away."""
+        return isfinite(self.ratio) and not (self.drift_significant and abs(self.drift) > LOST)
+
+
+def ratio(samples):
+    """R: rms deviation of the total energy from its mean over that of the potential energy."""
+    return pstdev([s.total for s in samples]) / pstdev([s.potential for s in samples])
+
+
+def blocks(samples):
+    """BLOCKS equal parts, one after the other; what does not fill a block is left out."""
+    size = len(samples) // BLOCKS
+    return [samples[k * size : (k + 1) * size] for k in range(BLOCKS)]
+
+
+def ratio_error(samples):
+    """Standard error of R by the jackknife over blocks."""
+    parts = blocks(samples)
+    without = [ratio([s for j, p in enumerate(parts) if j != k for s in p]) for k in range(BLOCKS)]
+    mean = fmean(without)
+    return sqrt((BLOCKS - 1) / BLOCKS * sum((r - mean) ** 2 for r in without))
+
+
+def slope(times, values):
+    """Least-squares slope and its standard error from the scatter about the line."""
+    t, v = fmean(times), fmean(values)
+    spread = sum((x - t) ** 2 for x in times)
+    result = sum((x - t) * (y - v) for x, y in zip(times, values)) / spread
+    scatter = sum((y - v - result * (x - t)) ** 2 for x, y in zip(times, values))
+    return result, sqrt(scatter / (len(times) - 2) / spread)
+
+
+def point(step, samples, interval_fs):
+    """What a run at one step says, from its samples at every `interval_fs`."""
+    if not all(isfinite(s.total) and isfinite(s.potential) for s in samples) or len(samples) < 2 * BLOCKS:
+        return Point(step, float("nan"), float("nan"), float("nan"), True, float("nan"), float("nan"))
+    parts = blocks(samples)
+    length = len(parts[0]) * interval_fs
+    times = [(k + 0.5) * length * 1e-6 for k in range(BLOCKS)]  # [ns]
+    rate, error = slope(times, [fmean(s.total for s in p) for p in parts])
+    kinetic = fmean(s.total - s.potential for s in samples)
+    return Point(step, ratio(samples), ratio_error(samples), rate / kinetic,
+                 length >= LONG and abs(rate) > T_18 * error,
+                 fmean(s.temperature for s in samples), fmean(s.potential for s in samples))
+
+
+def step_at(target, points):
+    """(longest step with R at or below the target, mark), log-log between neighbouring usable points.
+
+    The mark is "" between points, "+" where even the longest usable step has a smaller R, and "not
+    reached", without a step, where R stays above the target."""
+    usable = []
+    for p in sorted(points):
+        if not p.usable:
+            break
+        usable.append(p)
+    if not usable:
+        return None, "not reached"
+    if usable[-1].ratio <= target:
+        return usable[-1].step, "+"
+    for low, high in reversed(list(zip(usable, usable[1:]))):
+        if low.ratio <= target < high.ratio:
+            part = log(target / low.ratio) / log(high.ratio / low.ratio)
+            return exp(log(low.step) + part * log(high.step / low.step)), ""
+    return None, "not reached"
+
+
+def seconds_per_ns(step_us, step_fs):
+    return step_us / step_fs  # 10⁶ fs in a ns, 10⁶ µs in a second
+
+
+def ns_per_day(step_us, step_fs):
+    return 86400 / seconds_per_ns(step_us, step_fs)
+
+
+def middle(values):
+    """Median, and half of the range over it."""
+    m = median(values)
+    return m, (max(values) - min(values)) / 2 / m
