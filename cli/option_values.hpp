@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "polhode/forces/settings.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/quantity.hpp"
 
@@ -44,6 +46,16 @@ inline Scheme scheme_option(const std::string& text, const std::string& option) 
   } catch (const Error& e) {
     throw e.at(option);
   }
+}
+
+/// "double" or "mixed".
+/// @throws Error  for any other word
+inline Precision precision_option(const std::string& text) {
+  if (text == "double") return Precision::full;
+  if (text == "mixed") return Precision::mixed;
+  const std::string names[] = {"double", "mixed"};
+  throw Error(
+      fmt::format("--precision {} must be double or mixed{}", text, did_you_mean(text, names)));
 }
 
 }  // namespace polhode::cli

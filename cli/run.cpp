@@ -27,12 +27,13 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, scheme, step, length, output, threads;
+  std::string file, scheme, step, length, output, threads, precision;
   bool force = false, json = false;
 };
 
 Config configured(const Options& o) {
   Config config = o.file.empty() ? default_config() : read_config(o.file);
+  if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
   if (!o.scheme.empty()) {
     scheme_option(o.scheme, "--scheme");
     config.integrator.scheme = o.scheme;
@@ -88,12 +89,11 @@ class TrajectoryFiles {
     }
   }
   void write(const State& state) {
-    const Frame frame = frame_of(state, topology_);
     for (auto& [path, stream] : streams_) {
       if (path.ends_with(".gro"))
-        write_gro(stream, frame);
+        write_gro(stream, state, topology_);
       else
-        write_xyz(stream, frame);
+        write_xyz(stream, state, topology_);
       stream.flush();
       if (!stream)
         throw RunError("'" + path + "' could not be written to the end; is the disk full?");
@@ -214,7 +214,7 @@ int run(const Options& o) {
         config.source);
   Workers workers(threads_wanted(o.threads));
   System system = assembled(config);
-  ForceField forces(system.topology, system.forces, system.state.box);
+  ForceField forces(system.topology, system.forces, system.state.box, workers);
   const Files files(config.output);
   for (const std::string& file : files.all()) refuse_existing(file, o.force);
 
@@ -273,7 +273,7 @@ int run(const Options& o) {
     throw RunError(t.failure);
   }
   write_file(files.final_state,
-             [&](std::ostream& out) { write_gro(out, frame_of(system.state, system.topology)); });
+             [&](std::ostream& out) { write_gro(out, system.state, system.topology); });
   if (!files.plot.empty())
     energy_plot(
         files.energies,
@@ -300,6 +300,8 @@ Action run_verb(CLI::App& app) {
   app.add_option("--step", o->step, "instead of the run file's: \"2 fs\"");
   app.add_option("--length", o->length, "instead of the run file's: \"15 ps\"");
   app.add_option("--output", o->output, "prefix of the output files, instead of the run file's");
+  app.add_option("--precision", o->precision,
+                 "of the pairs, instead of the run file's: double or mixed");
   app.add_option("--threads", o->threads,
                  "that share the work of a run; without it: one for each core allowed");
   app.add_flag("--force", o->force, "overwrite output files that exist");

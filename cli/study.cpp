@@ -26,7 +26,7 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, output = "study", length, decorrelate, threads;
+  std::string file, output = "study", length, decorrelate, threads, precision;
   std::vector<std::string> schemes, steps;
   int runs = 0;
   bool quick = false, force = false, json = false;
@@ -42,6 +42,7 @@ void make_quick(StudySettings& study) {
 
 Config configured(const Options& o) {
   Config config = o.file.empty() ? default_config() : read_config(o.file);
+  if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
   StudySettings& study = config.study;
   if (o.quick) make_quick(study);
   if (!o.schemes.empty()) study.schemes = o.schemes;
@@ -124,6 +125,8 @@ Action study_verb(CLI::App& app) {
   app.add_option("--length", o->length, "of each run: \"15 ps\"");
   app.add_option("--decorrelate", o->decorrelate, "preparation of each start: \"10 ps\"");
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
+  app.add_option("--precision", o->precision,
+                 "of the pairs, instead of the run file's: double or mixed");
   app.add_option("--threads", o->threads,
                  "so many runs at once; without it: one for each core allowed");
   app.add_flag("--force", o->force, "start anew where results of another study exist");

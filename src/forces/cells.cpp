@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -37,22 +38,27 @@ Slots::Slots(const Topology& topology) {
   built_at = place = Vec3Column(slot);
 }
 
-void Slots::sort(const State& state, const CellGrid& grid) {
+void Slots::sort(const State& state, const CellGrid& grid, Workers& workers) {
+  constexpr std::size_t at_once = 1024;
+  const auto in_box = [&](double x, std::size_t d) {
+    return x - std::floor(x / grid.edge[d]) * grid.edge[d];
+  };
+  each_block(state.size(), at_once, workers, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3<double> q = state.q[i];
+      if (!std::isfinite(norm2(q)))
+        throw RunError(fmt::format("the position of molecule {} is not finite", i + 1));
+      cell_of_[i] = static_cast<std::uint32_t>(grid.index(grid.coordinate(in_box(q.x, 0), 0),
+                                                          grid.coordinate(in_box(q.y, 1), 1),
+                                                          grid.coordinate(in_box(q.z, 2), 2)));
+    }
+  });
+
   cell_end.assign(parts.size() * grid.size(), 0);
   for (std::size_t p = 0; p < parts.size(); ++p) {
     std::uint32_t* const count = &cell_end[p * grid.size()];
     const std::uint32_t first = first_body_[p], end = first + parts[p].count;
-    for (std::uint32_t i = first; i < end; ++i) {
-      std::size_t c[3];
-      for (std::size_t d = 0; d < 3; ++d) {
-        const double x = state.q[i][d];
-        if (!std::isfinite(x))
-          throw RunError(fmt::format("the position of molecule {} is not finite", i + 1));
-        c[d] = grid.coordinate(x - std::floor(x / grid.edge[d]) * grid.edge[d], d);
-      }
-      cell_of_[i] = static_cast<std::uint32_t>(grid.index(c[0], c[1], c[2]));
-      ++count[cell_of_[i]];
-    }
+    for (std::uint32_t i = first; i < end; ++i) ++count[cell_of_[i]];
     std::uint32_t slot = parts[p].first;  // counts become first slots, then ends as bodies enter
     for (std::size_t c = 0; c < grid.size(); ++c) {
       const std::uint32_t here = count[c];
@@ -60,17 +66,17 @@ void Slots::sort(const State& state, const CellGrid& grid) {
       slot += here;
     }
     for (std::uint32_t i = first; i < end; ++i) body[count[cell_of_[i]]++] = i;
-    const std::size_t whole = (parts[p].count + slot_block - 1) / slot_block * slot_block;
+    const std::size_t whole = blocks(parts[p].count, slot_block) * slot_block;
     for (std::size_t s = parts[p].end(); s < parts[p].first + whole; ++s) body[s] = first;
   }
-  for (std::size_t s = 0; s < size(); ++s) {
-    const Vec3<double> q = state.q[body[s]];
-    built_at.set(s, q);
-    for (std::size_t d = 0; d < 3; ++d)
-      (d == 0   ? place.x
-       : d == 1 ? place.y
-                : place.z)[s] = q[d] - std::floor(q[d] / grid.edge[d]) * grid.edge[d];
-  }
+
+  each_block(size(), at_once, workers, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t s = begin; s < end; ++s) {
+      const Vec3<double> q = state.q[body[s]];
+      built_at.set(s, q);
+      place.set(s, {in_box(q.x, 0), in_box(q.y, 1), in_box(q.z, 2)});
+    }
+  });
 }
 
 }  // namespace polhode

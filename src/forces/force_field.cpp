@@ -34,16 +34,20 @@ const ForceSettings& checked(const ForceSettings& s) {
 }
 
 using Engine = std::variant<PairEngine<double>, PairEngine<float>>;
-Engine engine(const Topology& topology, const ForceSettings& settings, const Box& box) {
+Engine engine(const Topology& topology, const ForceSettings& settings, const Box& box,
+              Workers& workers) {
   if (settings.precision == Precision::mixed)
-    return Engine(std::in_place_type<PairEngine<float>>, topology, settings, box);
-  return Engine(std::in_place_type<PairEngine<double>>, topology, settings, box);
+    return Engine(std::in_place_type<PairEngine<float>>, topology, settings, box, workers);
+  return Engine(std::in_place_type<PairEngine<double>>, topology, settings, box, workers);
 }
 
 }  // namespace
 
-ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box)
-    : topology_(topology), settings_(checked(settings)), engine_(engine(topology, settings, box)) {}
+ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
+                       Workers& workers)
+    : topology_(topology),
+      settings_(checked(settings)),
+      engine_(engine(topology, settings, box, workers)) {}
 
 void ForceField::evaluate(const State& state, Load& load, bool energies) {
   ++evaluations_;

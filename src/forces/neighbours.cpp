@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -33,6 +34,8 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
                     "a cutoff of at most {:.3f} nm",
                     settings.cutoff, reach, shortest, floored(shortest - 2 * reach)));
 }
+
+constexpr std::size_t slots_at_once = 1024;  // put into fixed point by one task
 
 // Work is cut by the number of bodies alone, so that sums do not depend on the number of threads:
 // pieces large enough that a piece's own rows outweigh those of its neighbours that it touches.
@@ -100,19 +103,22 @@ std::size_t NeighbourList::lanes() const {
   return n;
 }
 
-void NeighbourList::build(const State& state, std::size_t width) {
+void NeighbourList::build(const State& state, std::size_t width, Workers& workers) {
   const auto begin = std::chrono::steady_clock::now();
-  slots_.sort(state, grid_);
-  std::vector<std::int32_t> fixed[3];
-  const Column<double>* const place[3] = {&slots_.place.x, &slots_.place.y, &slots_.place.z};
-  for (std::size_t d = 0; d < 3; ++d) {
-    fixed[d].resize(slots_.size() + slot_block);
-    const double scale = static_cast<double>(fixed_point_edge) / box_.edge[d];
-    for (std::size_t s = 0; s < slots_.size(); ++s)
-      fixed[d][s] = static_cast<std::int32_t>((*place[d])[s] * scale);
-  }
-  const ListJob job{grid_, slots_, ranges_, fixed, width};
-  for (ListChunk& chunk : chunks_) POLHODE_CURRENT_LOOPS(find_partners)(job, chunk);
+  slots_.sort(state, grid_, workers);
+  std::array<std::vector<std::int32_t>, 3> fixed;
+  for (auto& f : fixed) f.resize(slots_.size() + slot_block);  // packs read beyond the last
+  const auto fix = [&](const Column<double>& place, std::size_t d, std::size_t s) {
+    fixed[d][s] = static_cast<std::int32_t>(place[s] *
+                                            (static_cast<double>(fixed_point_edge) / box_.edge[d]));
+  };
+  each_block(slots_.size(), slots_at_once, workers, [&](std::size_t first, std::size_t end) {
+    for (std::size_t s = first; s < end; ++s)
+      fix(slots_.place.x, 0, s), fix(slots_.place.y, 1, s), fix(slots_.place.z, 2, s);
+  });
+  const ListJob job{grid_, slots_, ranges_, fixed.data(), width};
+  const auto find = POLHODE_CURRENT_LOOPS(find_partners);
+  workers.each(chunks_.size(), [&](std::size_t c) { find(job, chunks_[c]); });
   width_ = width;
   ++rebuilds_;
   seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -2,9 +2,14 @@
 #include "polhode/forces/pair_engine.hpp"
 
 #include <algorithm>
+#include <array>
+
+#include "polhode/base/blocks.hpp"
 
 namespace polhode {
 namespace {
+
+constexpr std::size_t slots_at_once = 4 * slot_block;  // placed by one task
 
 std::size_t most_sites_of(const Topology& topology) {
   std::size_t most = 0;
@@ -16,8 +21,10 @@ std::size_t most_sites_of(const Topology& topology) {
 }  // namespace
 
 template <class T>
-PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box)
-    : truncation_(settings.truncation),
+PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
+                          Workers& workers)
+    : workers_(workers),
+      truncation_(settings.truncation),
       tables_(topology),
       laws_(settings),
       list_(topology, settings, box),
@@ -34,13 +41,13 @@ void PairEngine<T>::operator()(const State& state, Load& load, bool energies) {
   const std::size_t width =
       POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
   if (list_.width() != width || !(place(state) < list_.allowed2())) {
-    list_.build(state, width);
+    list_.build(state, width, workers_);
     place(state);
     prepare_sums();
   }
   if (load.f.size() != state.size()) load = Load(state.size());
-  for (std::size_t c = 0; c < sums_.size(); ++c) sum_chunk(c, energies);
-  for (std::size_t c = 0; c < sums_.size(); ++c) collect(c, load);
+  workers_.each(sums_.size(), [&](std::size_t c) { sum_chunk(c, energies); });
+  workers_.each(sums_.size(), [&](std::size_t c) { collect(c, load); });
   load.lennard_jones = load.coulomb = 0;
   load.virial = {};
   for (const ChunkSums& sums : sums_) {
@@ -57,9 +64,14 @@ double PairEngine<T>::place(const State& state) {
   double moved2 = 0;
   for (std::size_t p = 0; p < sites_.size(); ++p) {
     const Slots::Part& part = list_.slots().parts[p];
-    const std::size_t blocks = (part.count + slot_block - 1) / slot_block;
-    moved2 = std::max(moved2, place_sites({state, list_.slots(), sites_[p], part.first,
-                                           part.first + blocks * slot_block, records_}));
+    const std::size_t slots = blocks(part.count, slot_block) * slot_block;
+    moved2_.resize(std::max(moved2_.size(), blocks(slots, slots_at_once)));
+    each_block(slots, slots_at_once, workers_, [&](std::size_t first, std::size_t end) {
+      moved2_[first / slots_at_once] = place_sites(
+          {state, list_.slots(), sites_[p], part.first + first, part.first + end, records_});
+    });
+    for (std::size_t k = 0; k < blocks(slots, slots_at_once); ++k)
+      moved2 = std::max(moved2, moved2_[k]);
   }
   return moved2;
 }
@@ -94,36 +106,28 @@ void PairEngine<T>::sum_chunk(std::size_t c, bool energies) {
 /// Adds what all chunks did to the slots of one of them, in the order of the chunks.
 template <class T>
 void PairEngine<T>::collect(std::size_t c, Load& load) const {
+  constexpr std::uint32_t block = slot_block;
+  constexpr std::size_t stride = ChunkSums::stride;
   const ListChunk& own = list_.chunks()[c];
   const Slots& slots = list_.slots();
   const Slots::Part& part = slots.parts[own.part];
-  const std::uint32_t n = own.end - own.first;
-  std::vector<double> total(n * ChunkSums::stride, 0.0);
-  for (std::size_t k = 0; k < sums_.size(); ++k) {
-    const SlotWindow& window = list_.chunks()[k].windows[own.part];
-    const double* const sums = &sums_[k].values[sums_[k].first[own.part] * ChunkSums::stride];
-    // The window's place of this chunk's first slot; from `turn` on the window's slots wrap.
-    for (std::uint32_t i = 0; i < n;) {
-      const std::uint32_t slot = own.first + i;
-      const std::uint32_t at = slot - window.first + (slot < window.first ? part.count : 0);
-      std::uint32_t run = 1;
-      if (at < window.count) {
-        run = std::min(n - i, window.count - at);
-        if (slot < window.first) run = std::min(run, window.first - slot);
-        double* const to = &total[i * ChunkSums::stride];
-        const double* const from = sums + at * ChunkSums::stride;
-        for (std::size_t x = 0; x < run * ChunkSums::stride; ++x) to[x] += from[x];
-      } else {
-        run = slot < window.first ? std::min(n - i, window.first - slot) : n - i;
-      }
-      i += run;
+  for (std::uint32_t first = own.first; first < own.end; first += block) {
+    const std::uint32_t n = std::min(block, own.end - first);
+    std::array<double, block * stride> total{};
+    for (std::size_t k = 0; k < sums_.size(); ++k) {
+      // Windows begin at blocks, so that a block lies in one piece in a window or not at all.
+      const SlotWindow& window = list_.chunks()[k].windows[own.part];
+      const std::uint32_t at = first - window.first + (first < window.first ? part.count : 0);
+      if (at >= window.count) continue;
+      const double* const from = &sums_[k].values[(sums_[k].first[own.part] + at) * stride];
+      for (std::size_t x = 0; x < n * stride; ++x) total[x] += from[x];
     }
-  }
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const double* const from = &total[i * ChunkSums::stride];
-    const std::uint32_t body = slots.body[own.first + i];
-    load.f.set(body, {from[0], from[1], from[2]});
-    load.tau.set(body, {from[3], from[4], from[5]});
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double* const sum = &total[i * stride];
+      const std::uint32_t body = slots.body[first + i];
+      load.f.set(body, {sum[0], sum[1], sum[2]});
+      load.tau.set(body, {sum[3], sum[4], sum[5]});
+    }
   }
 }
 

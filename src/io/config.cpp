@@ -208,6 +208,8 @@ void read_integrator(TomlTable table, IntegratorSettings& integrator) {
   check_scheme(integrator.scheme, "scheme", table);
   take_time(table, "step", integrator.step, "2 fs");
   table.require(integrator.step > 0, "step", "must be longer than 0 fs: time goes on in steps");
+  integrator.lambda_given = table.has("lambda");
+  if (integrator.lambda_given) integrator.lambda_place = table.where("lambda");
   take(integrator.lambda, table.number("lambda"));
   table.require(integrator.lambda > 0 && integrator.lambda <= 1, "lambda",
                 "must be above 0 and not above 1, the scale of a finite difference");
@@ -293,7 +295,21 @@ Config parse_config(std::string_view text, const std::string& file) {
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);
   if (study) read_study(*study, config.study);
+  set_precision(config, config.forces.precision);
   return config;
+}
+
+void set_precision(Config& config, Precision precision) {
+  config.forces.precision = precision;
+  IntegratorSettings& integrator = config.integrator;
+  if (!integrator.lambda_given) integrator.lambda = precision == Precision::mixed ? 1 : 1e-4;
+  if (precision == Precision::mixed && integrator.lambda < least_lambda_in_mixed)
+    throw Error(
+        fmt::format("lambda = {:g} is below {:g}, the least in mixed precision: forces rounded to "
+                    "float enter a finite-difference gradient divided by lambda; leave it out, "
+                    "which means 1, or take precision = \"double\"",
+                    integrator.lambda, least_lambda_in_mixed),
+        integrator.lambda_place);
 }
 
 Config read_config(const std::string& file) { return parse_config(file_text(file), file); }

@@ -65,7 +65,8 @@ std::string study_identity(const Config& config, const System& system) {
   id << edge.x << ' ' << edge.y << ' ' << edge.z << ' ';
   id << config.system.temperature << ' ' << config.system.seed << ' ';
   const ForceSettings& f = config.forces;
-  id << static_cast<int>(f.truncation) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
+  id << static_cast<int>(f.truncation) << ' ' << static_cast<int>(f.electrostatics) << ' '
+     << static_cast<int>(f.precision) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
      << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
      << config.study.length << ' ' << config.study.decorrelate;
   return id.str();

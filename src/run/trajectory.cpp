@@ -36,6 +36,11 @@ struct TimedForces {
     forces(state, load);
     seconds += watch.lap();
   }
+  void forces_alone(const State& state, Load& load) {
+    Stopwatch watch;
+    forces.forces_alone(state, load);
+    seconds += watch.lap();
+  }
 };
 
 [[noreturn]] void blown_up(const TrajectorySettings& s, std::size_t step, const std::string& what) {
@@ -87,9 +92,9 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
     if (watch.sample) watch.sample(result.steps, system.state, now);
     part.lap();
   };
-  const auto step = [&] {
+  const auto step = [&](bool energies) {
     try {
-      integrator.advance(system.state, settings.step);
+      integrator.advance(system.state, settings.step, 1, energies);
     } catch (const RunError& e) {
       blown_up(settings, result.steps + 1, e.what());
     }
@@ -104,7 +109,7 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
     while (result.steps < steps && !result.stopped) {
       const std::size_t next = std::min(result.steps + interval, steps);
       while (result.steps < next && !result.stopped) {  // one by one: a step that fails is known
-        step();
+        step(result.steps + 1 == next);
         result.stopped = watch.stop && watch.stop();
       }
       system.state.time = start_time + static_cast<double>(result.steps) * settings.step;

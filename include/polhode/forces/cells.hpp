@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "polhode/base/workers.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -58,7 +59,7 @@ struct Slots {
 
   /// Orders the bodies anew.
   /// @throws RunError  if a position is not finite
-  void sort(const State& state, const CellGrid& grid);
+  void sort(const State& state, const CellGrid& grid, Workers& workers);
 
  private:
   std::vector<std::uint32_t> first_body_;  // of each part

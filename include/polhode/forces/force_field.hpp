@@ -14,8 +14,10 @@ namespace polhode {
 /// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box.
 class ForceField {
  public:
-  /// @throws Error  if the cutoff does not fit the box, or a setting is out of its domain
-  ForceField(const Topology& topology, const ForceSettings& settings, const Box& box);
+  /// @param workers  the threads that share an evaluation; results do not depend on their number
+  /// @throws Error   if the cutoff does not fit the box, or a setting is out of its domain
+  ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
+             Workers& workers = Workers::serial());
 
   /// Forces, torques, energies and virial of a state. Does not allocate, except where the list
   /// grows.

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "polhode/base/target.hpp"
+#include "polhode/base/workers.hpp"
 #include "polhode/forces/cells.hpp"
 #include "polhode/forces/settings.hpp"
 
@@ -80,7 +81,7 @@ class NeighbourList {
 
   /// Lists all pairs anew, in packs of `width`.
   /// @throws RunError  if a position is not finite
-  void build(const State& state, std::size_t width);
+  void build(const State& state, std::size_t width, Workers& workers = Workers::serial());
 
   const Box& box() const { return box_; }
   const Slots& slots() const { return slots_; }

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "polhode/base/workers.hpp"
 #include "polhode/forces/neighbours.hpp"
 #include "polhode/forces/pair_loops.hpp"
 #include "polhode/forces/pair_table.hpp"
@@ -17,7 +18,8 @@ namespace polhode {
 template <class T>
 class PairEngine {
  public:
-  PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box);
+  PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
+             Workers& workers);
 
   /// Forces and torques of a state, and the energies and the virial if wanted, else 0.
   void operator()(const State& state, Load& load, bool energies);
@@ -30,6 +32,7 @@ class PairEngine {
   void sum_chunk(std::size_t chunk, bool energies);
   void collect(std::size_t chunk, Load& load) const;
 
+  Workers& workers_;
   Truncation truncation_;
   PairTables tables_;
   PairLaws<T> laws_;
@@ -37,6 +40,7 @@ class PairEngine {
   std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
   SiteRecords<T> records_;
   std::vector<ChunkSums> sums_;  // of each chunk
+  std::vector<double> moved2_;   // of each task of place()
 };
 
 }  // namespace polhode

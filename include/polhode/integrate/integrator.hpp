@@ -11,7 +11,8 @@
 
 namespace polhode {
 
-/// Anything that computes the Load of a State.
+/// Anything that computes the Load of a State. It may offer a second function, forces_alone(state,
+/// load), which leaves the energies out where nobody asks for them.
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
@@ -38,7 +39,9 @@ class Integrator {
   /// Steps e^{Lh}, `steps` times (vanzon2008, Eq. 1). Between two steps the last stage of one and
   /// the first of the next are one flow, played at once; at the end the state is synchronised:
   /// positions and momenta belong to the same time.
-  void advance(State& state, double h, std::size_t steps = 1) {
+  /// @param energies  whether load() will be asked for energies at the end; else it has to compute
+  ///                  them then
+  void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {
     const std::span<const Stage> stages = scheme_.stages();
     const bool mergeable = scheme_.mergeable();
     for (std::size_t n = 0; n < steps; ++n) {
@@ -48,7 +51,7 @@ class Integrator {
           continue;  // played with the last stage of the step before
         Stage stage = stages[k];
         if (mergeable && k + 1 == stages.size() && !last) stage.fraction *= 2;
-        play(stage, state, h);
+        play(stage, state, h, energies && last && k + 1 == stages.size());
       }
     }
     state.time += static_cast<double>(steps) * h;
@@ -58,10 +61,9 @@ class Integrator {
   /// same, else a new evaluation, which is counted as a measurement and not as part of the
   /// integration.
   const Load& load(const State& state) {
-    if (!current_) {
-      forces_(state, load_);
+    if (!current_ || !complete_) {
+      evaluate(state, load_, true);
       ++measurements_;
-      current_ = true;
     }
     return load_;
   }
@@ -77,16 +79,29 @@ class Integrator {
   std::uint64_t measurements() const { return measurements_; }      ///< for load() alone
 
  private:
-  void play(const Stage& stage, State& state, double h) {
+  void evaluate(const State& state, Load& load, bool energies) {
+    if constexpr (requires { forces_.forces_alone(state, load); }) {
+      if (energies)
+        forces_(state, load);
+      else
+        forces_.forces_alone(state, load);
+      complete_ = energies;
+    } else {
+      forces_(state, load);
+      complete_ = true;
+    }
+    current_ = true;
+  }
+
+  void play(const Stage& stage, State& state, double h, bool energies) {
     if (stage.flow == Flow::drift) {
       drift(state, bodies_, stage.fraction * h, workers_);
       current_ = false;
       return;
     }
     if (!current_) {
-      forces_(state, load_);  // f, τ
+      evaluate(state, load_, energies);  // f, τ
       ++evaluations_;
-      current_ = true;
     }
     kick(state, load_, stage.fraction * h, workers_);
     if (stage.xi != 0) gradient_kick(stage, state, h);
@@ -100,7 +115,9 @@ class Integrator {
     shifted_.attitude = state.attitude;
     shifted_.box = state.box;
     displace(shifted_, bodies_, load_, 2 * stage.xi * lambda_ * h * h, workers_);
-    forces_(shifted_, gradient_load_);
+    const bool complete = complete_;
+    evaluate(shifted_, gradient_load_, false);
+    complete_ = complete;
     ++evaluations_;
     const double t = stage.fraction * h / lambda_;
     kick(state, gradient_load_, t, workers_);
@@ -113,8 +130,9 @@ class Integrator {
   double lambda_;
   Workers& workers_;
   Load load_, gradient_load_;
-  State shifted_;  // q̃, S̃
-  bool current_ = false;
+  State shifted_;          // q̃, S̃
+  bool current_ = false;   // load_ belongs to the positions
+  bool complete_ = false;  // and holds energies
   std::uint64_t evaluations_ = 0, measurements_ = 0;
 };
 

@@ -29,7 +29,12 @@ struct SystemSettings {
 struct IntegratorSettings {
   std::string scheme = "hoa2";  ///< name, or stages as text
   double step = 0.002;          ///< [ps]
-  double lambda = 1e-4;         ///< of the finite-difference gradient (vanzon2008)
+  /// Of the finite-difference gradient (vanzon2008, Eq. 6). Without a word 1e-4 in double
+  /// precision, and 1 in mixed: rounding of the forces enters divided by lambda, while the order of
+  /// a scheme does not depend on it.
+  double lambda = 1e-4;
+  bool lambda_given = false;
+  std::string lambda_place;  ///< "water.toml:12, integrator.lambda"
 };
 
 struct RunSettings {
@@ -65,6 +70,14 @@ struct Config {
   std::string text;          ///< as read: its hash names outputs
   std::string cutoff_place;  ///< "water.toml:9, forces.cutoff": only the box tells if it fits
 };
+
+/// The smallest lambda that is accepted in mixed precision.
+inline constexpr double least_lambda_in_mixed = 0.1;
+
+/// Sets the precision of a run, as an option in place of the run file's word does, and a lambda
+/// that suits it where the run file has none.
+/// @throws Error  if the run file's lambda is below the least one for mixed precision
+void set_precision(Config& config, Precision precision);
 
 /// Reads and checks a run file. A relative path in it is relative to the file.
 /// @throws Error  with file, line and key

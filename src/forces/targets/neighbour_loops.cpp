@@ -141,7 +141,10 @@ SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& m
     if (gap > longest) longest = gap, after = (k + 1) % blocks;
   }
   if (longest >= blocks) return {part.first, 0};
-  return {part.first + after * block, std::min((blocks - longest) * block, part.count)};
+  const std::uint32_t kept = blocks - longest;  // from `after` on
+  const bool holds_last = (2 * blocks - 1 - after) % blocks < kept;
+  const std::uint32_t missing = blocks * block - part.count;  // the last block may be part empty
+  return {part.first + after * block, kept * block - (holds_last ? missing : 0)};
 }
 
 }  // namespace

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// The loops over pairs in double precision.
+#include "pair_rows.hpp"
+
+namespace polhode::POLHODE_LOOPS {
+
+void pair_forces(const PairJob<double>& job) { pair_forces_of(job); }
+std::size_t pair_lanes(const PairJob<double>*) { return Pack<double>::width; }
+
+}  // namespace polhode::POLHODE_LOOPS
