@@ -15,7 +15,7 @@ CellGrid::CellGrid(const Box& box, double range) : edge(box.edge) {
   const auto count = [](double edge, double width) {
     return std::clamp<std::size_t>(static_cast<std::size_t>(edge / width), 1, 1024);
   };
-  cells = {count(box.edge.x, range / 4), count(box.edge.y, range / 2),
+  cells = {count(box.edge.x, range / 2), count(box.edge.y, range / 2),
            count(box.edge.z, range / 2)};
 }
 

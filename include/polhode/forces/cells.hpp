@@ -20,7 +20,7 @@ struct CellGrid {
   std::array<std::size_t, 3> cells{1, 1, 1};
 
   CellGrid() = default;
-  /// Cells about half as wide as `range` [nm], a quarter along x.
+  /// Cells about half as wide as `range` [nm].
   CellGrid(const Box& box, double range);
 
   std::size_t size() const { return cells[0] * cells[1] * cells[2]; }

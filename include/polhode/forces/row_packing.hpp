@@ -68,11 +68,13 @@ inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t w
   const std::size_t surplus = row.size() % width;
   const auto can_take = [&](Neighbour n) { return n.slot() > slot && n.slot() < chunk_end; };
   std::size_t takers = 0;
-  for (std::size_t k = row.size(); k-- > 0 && takers < surplus;) takers += can_take(row[k]);
+  for (std::size_t k = 0; k < row.size() && takers < surplus; ++k) takers += can_take(row[k]);
   if (takers < surplus) return;
-  std::size_t left = surplus;
-  for (std::size_t k = row.size(); k-- > 0 && left > 0;) {
-    if (!can_take(row[k])) continue;
+  for (std::size_t k = 0, left = surplus; left > 0;) {
+    if (!can_take(row[k])) {
+      ++k;
+      continue;
+    }
     later.give(row[k].slot(), {slot, Neighbour::images - 1 - row[k].image()});
     row.remove(k);
     --left;

@@ -59,6 +59,7 @@ std::array<Run, 2> ahead(const Slots::Part& part, std::uint32_t k) {
   return {Run{from, part.first + n}, Run{part.first, part.first + last - n + 1}};
 }
 
+// The partners of one body after the other; bodies of a cell share the runs of slots to be tested.
 class Search {
  public:
   Search(const ListJob& job, std::size_t part, std::size_t partner_part)
@@ -72,52 +73,67 @@ class Search {
       unit_[d] = static_cast<float>(grid_.edge[d] / static_cast<double>(fixed_point_edge));
   }
 
-  void operator()(std::uint32_t slot, Partners& found) const {
+  void operator()(std::uint32_t slot, Partners& found) {
+    const Vec3<double> q = job_.slots.place[slot];
+    const std::array<std::size_t, 3> cell{grid_.coordinate(q.x, 0), grid_.coordinate(q.y, 1),
+                                          grid_.coordinate(q.z, 2)};
+    if (cell != cell_) gather_runs(cell_ = cell);
     const Slots::Part& part = job_.slots.parts[partner_];
     std::array<Run, 2> allowed{Run{part.first, part.end()}, Run{0, 0}};
     if (same_) allowed = ahead(part, slot - part.first);
-    const Vec3<double> q = job_.slots.place[slot];
     Vec3<std::int32_t> at;
     for (std::size_t d = 0; d < 3; ++d) at[d] = job_.fixed[d][slot];
+    for (const ImageRun& run : runs_)
+      for (const Run& a : allowed) {
+        const Run tested{std::max(run.slots.begin, a.begin), std::min(run.slots.end, a.end)};
+        if (tested.begin < tested.end)
+          scan(job_, tested, at - run.shift, run.image, unit_, whole2_, listed2_, found);
+      }
+  }
 
-    over_cells(q, 2, [&](std::size_t z, int image_z, double far_z) {
-      over_cells(q, 1, [&](std::size_t y, int image_y, double far_y) {
+ private:
+  struct ImageRun {
+    Run slots;
+    std::uint32_t image;
+    Vec3<std::int32_t> shift;  // in fixed point
+  };
+
+  // The runs along x of slots in cells that come within the range of a cell, in all images.
+  void gather_runs(const std::array<std::size_t, 3>& cell) {
+    runs_.clear();
+    const double x0 = static_cast<double>(cell[0]) * grid_.width(0), x1 = x0 + grid_.width(0);
+    over_layers(cell[2], 2, [&](std::size_t z, int image_z, double far_z) {
+      over_layers(cell[1], 1, [&](std::size_t y, int image_y, double far_y) {
         const double left2 = listed_ * listed_ - far_y * far_y - far_z * far_z;
         if (left2 <= 0) return;
         const double reach = std::sqrt(left2), edge = grid_.edge.x;
         for (int image_x = -1; image_x <= 1; ++image_x) {
-          const double low = q.x - reach - image_x * edge, high = q.x + reach - image_x * edge;
+          const double low = x0 - reach - image_x * edge, high = x1 + reach - image_x * edge;
           if (high < 0 || low >= edge) continue;
           const std::size_t c0 = grid_.index(grid_.coordinate(low, 0), y, z),
                             c1 = grid_.index(grid_.coordinate(std::min(high, edge), 0), y, z);
           const Run run{job_.slots.cell_begin(grid_, partner_, c0),
                         job_.slots.cell_end[partner_ * grid_.size() + c1]};
-          const auto image = static_cast<std::uint32_t>((image_z * 3 + image_y) * 3 + image_x + 13);
-          const auto shift = static_cast<std::int32_t>(fixed_point_edge);
-          const Vec3<std::int32_t> from{at.x - image_x * shift, at.y - image_y * shift,
-                                        at.z - image_z * shift};
-          for (const Run& a : allowed) {
-            const Run part_of{std::max(run.begin, a.begin), std::min(run.end, a.end)};
-            if (part_of.begin < part_of.end)
-              scan(job_, part_of, from, image, unit_, whole2_, listed2_, found);
-          }
+          if (run.begin == run.end) continue;
+          constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
+          runs_.push_back({run,
+                           static_cast<std::uint32_t>((image_z * 3 + image_y) * 3 + image_x + 13),
+                           {image_x * one, image_y * one, image_z * one}});
         }
       });
     });
   }
 
- private:
-  // visit(cell, image, distance): layers of cells across direction d that come within the range of
-  // q, in all images.
+  // visit(layer, image, distance): layers of cells across direction d that come within the range of
+  // a layer, in all images.
   template <class Visit>
-  void over_cells(const Vec3<double>& q, std::size_t d, const Visit& visit) const {
-    const auto n = static_cast<int>(grid_.cells[d]);
+  void over_layers(std::size_t from, std::size_t d, const Visit& visit) const {
+    const auto n = static_cast<int>(grid_.cells[d]), own = static_cast<int>(from);
     const double w = grid_.width(d);
-    const int low = std::max(static_cast<int>(std::floor((q[d] - listed_) / w)), -n);
-    const int high = std::min(static_cast<int>(std::floor((q[d] + listed_) / w)), 2 * n - 1);
-    for (int c = low; c <= high; ++c) {
+    const int reach = static_cast<int>(listed_ / w) + 1;
+    for (int c = std::max(own - reach, -n); c <= std::min(own + reach, 2 * n - 1); ++c) {
       const int image = c < 0 ? -1 : c >= n ? 1 : 0;
-      const double far = std::max({0.0, c * w - q[d], q[d] - (c + 1) * w});
+      const double far = std::max(0.0, (std::abs(c - own) - 1) * w);
       visit(static_cast<std::size_t>(c - image * n), image, far);
     }
   }
@@ -129,6 +145,8 @@ class Search {
   double listed_;
   float listed2_, whole2_;
   Vec3<float> unit_;
+  std::array<std::size_t, 3> cell_{~std::size_t{0}, 0, 0};
+  std::vector<ImageRun> runs_;
 };
 
 // The smallest cyclic window of a part's slots that holds all marked blocks.
