@@ -19,11 +19,6 @@ CellGrid::CellGrid(const Box& box, double range) : edge(box.edge) {
            count(box.edge.z, range / 2)};
 }
 
-std::size_t CellGrid::coordinate(double x, std::size_t d) const {
-  const auto c = static_cast<std::size_t>(std::max(x, 0.0) / width(d));
-  return std::min(c, cells[d] - 1);
-}
-
 Slots::Slots(const Topology& topology) {
   std::uint32_t slot = 0, bodies = 0;
   for (const auto& part : topology.parts) {
@@ -41,7 +36,7 @@ Slots::Slots(const Topology& topology) {
 void Slots::sort(const State& state, const CellGrid& grid, Workers& workers) {
   constexpr std::size_t at_once = 1024;
   const auto in_box = [&](double x, std::size_t d) {
-    return x - std::floor(x / grid.edge[d]) * grid.edge[d];
+    return std::max(0.0, x - std::floor(x / grid.edge[d]) * grid.edge[d]);
   };
   each_block(state.size(), at_once, workers, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {

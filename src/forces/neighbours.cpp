@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 #include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
@@ -93,6 +94,15 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
       ranges_.push_back({listed * listed, whole * whole});
     }
   range_ = longest + skin;
+  for (ListChunk& chunk : chunks_) {  // room for a uniform density, so that lists need not grow
+    double row = 0;
+    for (std::size_t b = chunk.part; b < slots_.parts.size(); ++b) {
+      const double listed = std::sqrt(ranges_[chunk.part * slots_.parts.size() + b].listed2);
+      const double sphere = 4 * std::numbers::pi / 3 * listed * listed * listed;
+      row += slots_.parts[b].count * sphere / box.volume() * (b == chunk.part ? 0.5 : 1.0);
+    }
+    chunk.entries.reserve(static_cast<std::size_t>(1.05 * row * (chunk.end - chunk.first)));
+  }
   allowed2_ = skin * skin / 4;
   grid_ = CellGrid(box, range_);
 }

@@ -3,6 +3,7 @@
 // neighbours in memory.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -13,9 +14,12 @@
 
 namespace polhode {
 
-/// Cells of equal size that fill the box; the index along x runs fastest, so that a run of cells
-/// along x is contiguous.
+/// Cells of equal size that fill the box, numbered so that those near in space are near in number:
+/// layers in z are cut into strips, some cells wide in x; in a strip y runs slowly and x fast. What
+/// a strip and its neighbours hold stays in the fast caches while one goes along y.
 struct CellGrid {
+  static constexpr std::size_t strip = 12;  ///< cells
+
   Vec3<double> edge{1, 1, 1};  ///< of the box [nm]
   std::array<std::size_t, 3> cells{1, 1, 1};
 
@@ -26,9 +30,19 @@ struct CellGrid {
   std::size_t size() const { return cells[0] * cells[1] * cells[2]; }
   double width(std::size_t d) const { return edge[d] / static_cast<double>(cells[d]); }
   /// The cell of a coordinate that lies in the box.
-  std::size_t coordinate(double x, std::size_t d) const;
+  std::size_t coordinate(double x, std::size_t d) const {
+    const auto c = static_cast<std::size_t>(x * static_cast<double>(cells[d]) / edge[d]);
+    return std::min(c, cells[d] - 1);
+  }
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
-    return (z * cells[1] + y) * cells[0] + x;
+    const std::size_t left = x / strip * strip, width = std::min(strip, cells[0] - left);
+    return (z * cells[0] + left) * cells[1] + y * width + (x - left);
+  }
+  /// visit(from, to): the pieces of an interval along x whose cells have consecutive numbers.
+  template <class Visit>
+  void over_strips(std::size_t from, std::size_t to, const Visit& visit) const {
+    for (std::size_t x = from; x <= to; x = x / strip * strip + strip)
+      visit(x, std::min(to, x / strip * strip + strip - 1));
   }
 };
 

@@ -71,6 +71,7 @@ class Search {
     whole2_ = static_cast<float>(whole * whole);
     for (std::size_t d = 0; d < 3; ++d)
       unit_[d] = static_cast<float>(grid_.edge[d] / static_cast<double>(fixed_point_edge));
+    rows_ = rows_within_range();
   }
 
   void operator()(std::uint32_t slot, Partners& found) {
@@ -98,43 +99,63 @@ class Search {
     Vec3<std::int32_t> shift;  // in fixed point
   };
 
-  // The runs along x of slots in cells that come within the range of a cell, in all images.
-  void gather_runs(const std::array<std::size_t, 3>& cell) {
-    runs_.clear();
-    const double x0 = static_cast<double>(cell[0]) * grid_.width(0), x1 = x0 + grid_.width(0);
-    over_layers(cell[2], 2, [&](std::size_t z, int image_z, double far_z) {
-      over_layers(cell[1], 1, [&](std::size_t y, int image_y, double far_y) {
-        const double left2 = listed_ * listed_ - far_y * far_y - far_z * far_z;
-        if (left2 <= 0) return;
-        const double reach = std::sqrt(left2), edge = grid_.edge.x;
-        for (int image_x = -1; image_x <= 1; ++image_x) {
-          const double low = x0 - reach - image_x * edge, high = x1 + reach - image_x * edge;
-          if (high < 0 || low >= edge) continue;
-          const std::size_t c0 = grid_.index(grid_.coordinate(low, 0), y, z),
-                            c1 = grid_.index(grid_.coordinate(std::min(high, edge), 0), y, z);
-          const Run run{job_.slots.cell_begin(grid_, partner_, c0),
-                        job_.slots.cell_end[partner_ * grid_.size() + c1]};
-          if (run.begin == run.end) continue;
-          constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
-          runs_.push_back({run,
-                           static_cast<std::uint32_t>((image_z * 3 + image_y) * 3 + image_x + 13),
-                           {image_x * one, image_y * one, image_z * one}});
-        }
-      });
-    });
+  // Rows of cells along x that come within the range of a cell, relative to it.
+  struct Row {
+    int y, z, reach;  // cells across, and along x in both directions
+  };
+  std::vector<Row> rows_within_range() const {
+    std::vector<Row> rows;
+    const auto reach = [&](std::size_t d) {
+      return static_cast<int>(listed_ / grid_.width(d)) + 1;
+    };
+    const auto far = [&](int cells, std::size_t d) {
+      return std::max(0, std::abs(cells) - 1) * grid_.width(d);
+    };
+    for (int z = -reach(2); z <= reach(2); ++z)
+      for (int y = -reach(1); y <= reach(1); ++y) {
+        const double left2 = listed_ * listed_ - far(y, 1) * far(y, 1) - far(z, 2) * far(z, 2);
+        if (left2 > 0)
+          rows.push_back({y, z, static_cast<int>(std::sqrt(left2) / grid_.width(0)) + 1});
+      }
+    return rows;
   }
 
-  // visit(layer, image, distance): layers of cells across direction d that come within the range of
-  // a layer, in all images.
+  // visit(cells from, to, image): the pieces of an interval of cells within the box and its images;
+  // what lies beyond them is out of range.
   template <class Visit>
-  void over_layers(std::size_t from, std::size_t d, const Visit& visit) const {
-    const auto n = static_cast<int>(grid_.cells[d]), own = static_cast<int>(from);
-    const double w = grid_.width(d);
-    const int reach = static_cast<int>(listed_ / w) + 1;
-    for (int c = std::max(own - reach, -n); c <= std::min(own + reach, 2 * n - 1); ++c) {
-      const int image = c < 0 ? -1 : c >= n ? 1 : 0;
-      const double far = std::max(0.0, (std::abs(c - own) - 1) * w);
-      visit(static_cast<std::size_t>(c - image * n), image, far);
+  void over_images(int from, int to, std::size_t d, const Visit& visit) const {
+    const auto n = static_cast<int>(grid_.cells[d]);
+    for (int image = -1; image <= 1; ++image) {
+      const int first = std::max(from - image * n, 0), last = std::min(to - image * n, n - 1);
+      if (first <= last)
+        visit(static_cast<std::size_t>(first), static_cast<std::size_t>(last), image);
+    }
+  }
+
+  // The runs of slots along x in cells that come within the range of a cell, in all images.
+  void gather_runs(const std::array<std::size_t, 3>& cell) {
+    constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
+    runs_.clear();
+    const auto at = [&](std::size_t d) { return static_cast<int>(cell[d]); };
+    for (const Row& row : rows_) {
+      over_images(at(2) + row.z, at(2) + row.z, 2, [&](std::size_t z, std::size_t, int image_z) {
+        over_images(at(1) + row.y, at(1) + row.y, 1, [&](std::size_t y, std::size_t, int image_y) {
+          over_images(at(0) - row.reach, at(0) + row.reach, 0,
+                      [&](std::size_t from, std::size_t to, int image_x) {
+                        const int image = (image_z * 3 + image_y) * 3 + image_x + 13;
+                        grid_.over_strips(from, to, [&](std::size_t x0, std::size_t x1) {
+                          const std::size_t last = partner_ * grid_.size() + grid_.index(x1, y, z);
+                          const Run run{
+                              job_.slots.cell_begin(grid_, partner_, grid_.index(x0, y, z)),
+                              job_.slots.cell_end[last]};
+                          if (run.begin != run.end)
+                            runs_.push_back({run,
+                                             static_cast<std::uint32_t>(image),
+                                             {image_x * one, image_y * one, image_z * one}});
+                        });
+                      });
+        });
+      });
     }
   }
 
@@ -145,7 +166,8 @@ class Search {
   double listed_;
   float listed2_, whole2_;
   Vec3<float> unit_;
-  std::array<std::size_t, 3> cell_{~std::size_t{0}, 0, 0};
+  std::vector<Row> rows_;
+  std::array<std::size_t, 3> cell_{~std::size_t{0}, 0, 0};  // the runs belong to it
   std::vector<ImageRun> runs_;
 };
 
