@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/rounding.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/run/study.hpp"
+#include "polhode/run/trajectory.hpp"
+
+using namespace polhode;
+
+namespace {
+
+System water(Precision precision) {
+  Config config = default_config();
+  config.forces.precision = precision;
+  return assembled(config);
+}
+
+}  // namespace
+
+TEST_CASE("weights of kicks: shared evaluations add, finite differences divide by lambda") {
+  constexpr double eta = 0.1931833275037836;
+  const auto close = [](double x) { return doctest::Approx(x).epsilon(1e-12); };
+  CHECK(kick_weights(scheme_of("velocity-verlet"), 1e-4) == close(1));
+  CHECK(kick_weights(scheme_of("A(1/2) B(1) A(1/2)"), 1e-4) == close(1));
+  CHECK(kick_weights(scheme_of("hoa2"), 1) == close(4 * eta * eta + (1 - 2 * eta) * (1 - 2 * eta)));
+  CHECK(kick_weights(scheme_of("gier4"), 1) == close(5.0 / 9));
+  // 1/9 and 4/9 [(1 − 1/λ)² + 1/λ²] with λ = 1/10
+  CHECK(kick_weights(scheme_of("gier4"), 0.1) == close((1 + 4 * 181) / 9.0));
+}
+
+TEST_CASE("rounding makes a walk with h and t, over a floor") {
+  const Scheme scheme = scheme_of("velocity-verlet");
+  CHECK(rounding_fluctuation({3, 0}, scheme, 1, 0.002, 3) ==
+        doctest::Approx(3 * std::sqrt(0.001)).epsilon(1e-12));
+  CHECK(rounding_fluctuation({3, 0.7}, scheme, 1, 0.002, 0) == doctest::Approx(0.7));
+}
+
+TEST_CASE("in double precision there is no noise") {
+  const ForceNoise noise = force_noise(water(Precision::full));
+  CHECK(noise.power == 0);
+  CHECK(noise.energy == 0);
+}
+
+// The same start in both precisions: truncation is the same in both until the trajectories part, so
+// the difference of the total energies is rounding alone. The potential energy is read twice along
+// the mixed run: in float, where its own noise is nearly all that there is, and in double, where
+// the walk of the trajectory is left.
+TEST_CASE("the total energy walks, and is read, as the noise says") {
+  const Scheme scheme = scheme_of("velocity-verlet");
+  constexpr double step = 0.0005, length = 0.1;  // [ps]: 200 steps, before the trajectories part
+  System mixed = water(Precision::mixed);
+  const ForceNoise noise = force_noise(mixed);
+  System full = water(Precision::full);
+  const TrajectorySettings settings{scheme, step, length, step, 1};
+  ForceField forces(full.topology, full.forces, full.state.box);
+  const Trajectory truth = trajectory(full, forces, settings);
+
+  ForceField rounded(mixed.topology, mixed.forces, mixed.state.box);
+  Load load(mixed.bodies.size());
+  std::vector<double> walk, reading;  // differences from the run in double, by step
+  trajectory(mixed, rounded, settings,
+             {[&](std::size_t k, const State& state, const Energies& e) {
+                forces(state, load);
+                walk.push_back(e.kinetic() + load.potential() - truth.samples[k].total());
+                reading.push_back(e.potential() - load.potential());
+              },
+              nullptr});
+  REQUIRE(walk.size() == 201);
+
+  // 201 readings and eight states say the deviation to 5 and 27 %: a factor 2 is 3.6 deviations.
+  const double read = fluctuation(reading);
+  CHECK(read < 2 * noise.energy);
+  CHECK(read > noise.energy / 2);
+
+  // The states lie between two halves of an evaluation's kick, so k steps hold k − 1 whole ones and
+  // two of half the weight: power² h² (k − 1/2). n increments give the deviation to 1/√(2n), and
+  // four times that is allowed either way; the power itself comes from 21504 differences.
+  for (const std::size_t lag : {1u, 2u, 8u}) {
+    double variance = 0, n = 0;
+    for (std::size_t i = 0; i + lag < walk.size(); i += lag, ++n)
+      variance += std::pow(walk[i + lag] - walk[i], 2);
+    const double measured = std::sqrt(variance / n);
+    const double expected = noise.power * step * std::sqrt(static_cast<double>(lag) - 0.5);
+    const double margin = 1 + 4 / std::sqrt(2 * n);
+    INFO("lag " << lag << ": measured " << measured << ", expected " << expected);
+    CHECK(measured < margin * expected);
+    CHECK(measured > expected / margin);
+  }
+}
+
+TEST_CASE("a point is at the floor of rounding below twice its R") {
+  EfficiencyPoint p;
+  p.ratio = {1.9e-5, 1e-7};
+  p.rounding = 1e-5;
+  CHECK(p.at_rounding());
+  p.ratio.value = 2.1e-5;
+  CHECK(!p.at_rounding());
+  p.rounding = 0;  // double
+  CHECK(!p.at_rounding());
+}
