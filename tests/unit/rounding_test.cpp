@@ -3,11 +3,18 @@
 
 #include <doctest/doctest.h>
 
+#include <unistd.h>
+
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <vector>
 
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/study.hpp"
+#include "polhode/io/plot.hpp"
+#include "polhode/run/guideline.hpp"
+#include "polhode/run/study_record.hpp"
 #include "polhode/run/trajectory.hpp"
 
 using namespace polhode;
@@ -102,4 +109,65 @@ TEST_CASE("a point is at the floor of rounding below twice its R") {
   CHECK(!p.at_rounding());
   p.rounding = 0;  // double
   CHECK(!p.at_rounding());
+}
+
+TEST_CASE("at the floor of rounding no cost is extrapolated") {
+  EfficiencyPoint p;
+  p.scheme = "gier4";
+  p.step = 0.002;
+  p.cost = 1500;
+  p.ratio = {3e-5, 1e-6};
+  const auto extrapolated = [&] { return cost_at(curves({p})[0], 2e-5).has_value(); };
+  CHECK(extrapolated());
+  p.rounding = 2.9e-5;
+  CHECK(!extrapolated());
+}
+
+TEST_CASE("the record of a study keeps the rounding, and knows records without it") {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("polhode-rounding-" + std::to_string(::getpid()));
+  std::filesystem::create_directories(folder);
+  const std::string path = (folder / "runs.csv").string();
+  const Provenance provenance{"0", "", "of this test", "", 1};
+  StudyRun run{.scheme = "hoa2", .step = 0.002, .start = 1, .ratio = 3e-5, .temperature = 297};
+  run.rounding = 2.5e-5;
+  StudyRecord(path, provenance, false).add(run);
+  {
+    const StudyRecord again(path, provenance, false);
+    REQUIRE(again.known().size() == 1);
+    CHECK(again.known()[0].rounding == 2.5e-5);
+    CHECK(again.known()[0].temperature == 297);
+  }
+  std::vector<std::string> lines;
+  {
+    std::ifstream in(path);
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+  }
+  std::ofstream old(path);
+  for (const std::string& line : lines)
+    old << (line[0] == '#' ? line : line.substr(0, line.rfind(';'))) << '\n';
+  old.close();
+  {
+    const StudyRecord again(path, provenance, false);
+    REQUIRE(again.known().size() == 1);
+    CHECK(again.known()[0].rounding == 0);
+    CHECK(again.known()[0].temperature == 297);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a figure crosses out what is rounding") {
+  const std::filesystem::path prefix =
+      std::filesystem::temp_directory_path() / ("polhode-crossed-" + std::to_string(::getpid()));
+  const auto script = [&](bool rounded) {
+    std::ostringstream warnings, text;
+    efficiency_plot(prefix.string(),
+                    {{"gier4", {{3000, 3e-5, 1e-6, true, rounded}, {300, 0.02, 1e-3}}}}, "svg",
+                    warnings);
+    text << std::ifstream(prefix.string() + ".gp").rdbuf();
+    return text.str();
+  };
+  CHECK(script(true).find("title \"rounding\"") != std::string::npos);
+  CHECK(script(false).find("title \"rounding\"") == std::string::npos);
+  for (const char* ending : {".gp", ".svg"}) std::filesystem::remove(prefix.string() + ending);
 }
