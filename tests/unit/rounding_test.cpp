@@ -13,6 +13,8 @@
 
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/plot.hpp"
+#include "polhode/math/random.hpp"
+#include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/guideline.hpp"
 #include "polhode/run/study_record.hpp"
 #include "polhode/run/trajectory.hpp"
@@ -45,6 +47,22 @@ TEST_CASE("rounding makes a walk with h and t, over a floor") {
   CHECK(rounding_fluctuation({3, 0}, scheme, 1, 0.002, 3) ==
         doctest::Approx(3 * std::sqrt(0.001)).epsilon(1e-12));
   CHECK(rounding_fluctuation({3, 0.7}, scheme, 1, 0.002, 0) == doctest::Approx(0.7));
+}
+
+TEST_CASE("a walk deviates from its own mean by a sixth of its variance at the end") {
+  constexpr int walks = 4000, steps = 200;
+  Random random(7);
+  double variance = 0;
+  for (int w = 0; w < walks; ++w) {
+    std::vector<double> totals{0};
+    for (int k = 0; k < steps; ++k) totals.push_back(totals.back() + random.normal());
+    variance += std::pow(fluctuation(totals), 2) / walks;
+  }
+  // Velocity Verlet with power 1 and steps of 1: t = 200. The variance of a walk about its mean
+  // scatters by 2/√5 of itself, so that of 4000 by 1.4 %; 4 times that.
+  const double expected =
+      std::pow(rounding_fluctuation({1, 0}, scheme_of("velocity-verlet"), 1, 1, steps), 2);
+  CHECK(variance == doctest::Approx(expected).epsilon(0.06));
 }
 
 TEST_CASE("in double precision there is no noise") {
