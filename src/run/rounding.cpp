@@ -12,7 +12,7 @@
 namespace polhode {
 namespace {
 
-constexpr int states = 8;
+constexpr int states = 16;
 constexpr double apart = 1e-4;  // [ps]
 
 /// Sums of a quantity over the states, for its sample variance.

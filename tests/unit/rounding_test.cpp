@@ -97,14 +97,14 @@ TEST_CASE("the total energy walks, and is read, as the noise says") {
               nullptr});
   REQUIRE(walk.size() == 201);
 
-  // 201 readings and eight states say the deviation to 5 and 27 %: a factor 2 is 3.6 deviations.
+  // 201 readings and sixteen states say the deviation to 5 and 18 %: a factor 2 is four deviations.
   const double read = fluctuation(reading);
   CHECK(read < 2 * noise.energy);
   CHECK(read > noise.energy / 2);
 
   // The states lie between two halves of an evaluation's kick, so k steps hold k − 1 whole ones and
   // two of half the weight: power² h² (k − 1/2). n increments give the deviation to 1/√(2n), and
-  // four times that is allowed either way; the power itself comes from 21504 differences.
+  // four times that is allowed either way; the power itself comes from 46080 differences.
   for (const std::size_t lag : {1u, 2u, 8u}) {
     double variance = 0, n = 0;
     for (std::size_t i = 0; i + lag < walk.size(); i += lag, ++n)
