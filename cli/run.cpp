@@ -141,6 +141,11 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
       "R                     {:.4g} ± {:.2g} %   (rms of total energy {:.4g} over that of the "
       "potential {:.4g} kJ/mol)\n",
       percent(s.ratio.value), percent(s.ratio.error), s.total_fluctuation, s.potential_fluctuation);
+  if (s.rounding > 0)
+    fmt::print("R of rounding         {:.2g} %, estimated{}\n", percent(s.rounding),
+               s.ratio.value < rounding_margin * s.rounding
+                   ? "; R is not the scheme's any more: precision = \"double\" gives it"
+                   : "");
   fmt::print("drift                 {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g})\n",
              s.drift.rate.value, s.drift.rate.error, verdict(s.drift), s.drift.chance);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
@@ -175,6 +180,7 @@ nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const M
           {"interrupted", stopped},
           {"R", s.ratio.value},
           {"R_error", s.ratio.error},
+          {"R_rounding", s.rounding},
           {"rms_total_kJ_per_mol", s.total_fluctuation},
           {"rms_potential_kJ_per_mol", s.potential_fluctuation},
           {"drift_kJ_per_mol_ps", s.drift.rate.value},
@@ -243,6 +249,7 @@ int run(const Options& o) {
     }
   }
 
+  const ForceNoise noise = force_noise(system, workers);
   TrajectoryFiles frames(files.trajectories, system.topology);
   const auto steps_per_frame = static_cast<std::size_t>(
       std::max(1.0, config.output.trajectory_every / settings.step + 1e-9));
@@ -264,7 +271,7 @@ int run(const Options& o) {
   if (t.stopped)
     fmt::print(stderr, "interrupted after {} steps; what was computed follows\n", t.steps);
 
-  const RunSummary s = summary(system, forces, settings, t);
+  const RunSummary s = summary(system, forces, settings, t, noise);
   write_file(files.energies, [&](std::ostream& out) {
     write_csv(out, energy_table(t.samples, s.freedoms), provenance);
   });

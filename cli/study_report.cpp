@@ -28,14 +28,16 @@ Table point_table(const StudyReport& report) {
                    {"drift", "kJ/mol/ps"},
                    {"drift_error", "kJ/mol/ps"},
                    {"drift_chance", "1"},
-                   {"temperature", "K"}};
+                   {"temperature", "K"},
+                   {"R_rounding", "1"},
+                   {"rounded", "1"}};
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
       table.rows.push_back({p.scheme, p.step * 1000, p.cost, static_cast<double>(p.runs),
                             p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
                             p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.chance,
-                            p.temperature});
+                            p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0});
     }
   return table;
 }
@@ -97,7 +99,9 @@ std::string study_json(const StudyReport& report) {
                                 {"drift_kJ_per_mol_ps", p.drift.rate.value},
                                 {"drift_error", p.drift.rate.error},
                                 {"drift_chance", p.drift.chance},
-                                {"temperature_K", p.temperature}});
+                                {"temperature_K", p.temperature},
+                                {"R_rounding", p.rounding},
+                                {"rounded", p.at_rounding()}});
     }
   for (const Guideline& line : report.guidelines) {
     nlohmann::json row{{"R", line.ratio}};
@@ -129,7 +133,8 @@ void write_study(const StudyFiles& files, const StudyReport& report, const Prove
     drawn.push_back({curve.scheme, {}});
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      drawn.back().marks.push_back({p.cost, p.ratio.value, p.ratio.error, i < curve.usable});
+      drawn.back().marks.push_back(
+          {p.cost, p.ratio.value, p.ratio.error, i < curve.usable, p.at_rounding()});
     }
   }
   for (const char* format : {"svg", "png"}) efficiency_plot(files.prefix, drawn, format, std::cerr);
@@ -145,7 +150,9 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
       const std::string note = !p.stable                       ? "blew up"
                                : p.drift.chance < significance ? "drift significant"
                                : i >= curve.usable             ? "beyond the end of stability"
-                                                               : "";
+                               : p.at_rounding()
+                                   ? fmt::format("rounding alone makes {:.2g} %", 100 * p.rounding)
+                                   : "";
       fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme, p.step * 1000,
                  p.cost, p.runs,
                  fmt::format("{:.4g} ± {:.2g}", 100 * p.ratio.value, 100 * p.ratio.error),

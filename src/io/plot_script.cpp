@@ -101,19 +101,26 @@ bool end_known(const EfficiencyCurve& curve) {
   return std::any_of(curve.marks.begin(), curve.marks.end(), [](auto& m) { return !m.stable; });
 }
 
-// One data block for each curve: cost, R [%], its error, and 1 at the end of stability.
+bool any_rounded(const EfficiencyCurve& curve) {
+  return std::any_of(curve.marks.begin(), curve.marks.end(),
+                     [](auto& m) { return m.stable && m.rounded; });
+}
+
+// One data block for each curve: cost, R [%], its error, 1 at the end of stability, and 1 where R
+// is that of rounding.
 std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
   std::string text;
   for (std::size_t k = 0; k < curves.size(); ++k) {
     text += fmt::format(
-        "\n# {}: force evaluations per ps, R [%], its standard error, last stable\n"
+        "\n# {}: force evaluations per ps, R [%], its standard error, last stable, rounded\n"
         "$curve{} << EOD\n",
         curves[k].scheme, k);
     bool first = true;  // marks ascend in cost, so the first stable one has the longest step
     for (const EfficiencyMark& mark : curves[k].marks) {
       if (!mark.stable) continue;
-      text += fmt::format("{:.8g} {:.8g} {:.3g} {}\n", mark.cost, 100 * mark.ratio,
-                          100 * mark.error, first && end_known(curves[k]) ? 1 : 0);
+      text +=
+          fmt::format("{:.8g} {:.8g} {:.3g} {} {}\n", mark.cost, 100 * mark.ratio, 100 * mark.error,
+                      first && end_known(curves[k]) ? 1 : 0, mark.rounded ? 1 : 0);
       first = false;
     }
     text += "EOD\n";
@@ -148,12 +155,21 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
         "\\\n  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype {} "
         "pointsize {} linewidth 1.6 linecolor \"{}\" notitle, ",
         open, 1.4 * size, colour);
+    if (any_rounded(curves[k]))
+      plot += fmt::format(
+          "\\\n  '' using 1:($5 == 1 ? $2 : NaN) with points pointtype 2 pointsize {} "
+          "linewidth 1.4 linecolor \"#404040\" notitle, ",
+          1.8 * size);
     if (!inset)
       plot += fmt::format(
           "\\\n  NaN with linespoints linewidth 1.6 pointtype {} pointsize {} "
           "linecolor \"{}\" title {}, ",
           filled, size, colour, quoted(curves[k].scheme));
   }
+  if (!inset && std::any_of(curves.begin(), curves.end(), any_rounded))
+    plot +=
+        "\\\n  NaN with points pointtype 2 pointsize 1.3 linewidth 1.4 linecolor \"#404040\" "
+        "title \"rounding\", ";
   if (!inset && std::any_of(curves.begin(), curves.end(), end_known))
     plot +=
         "\\\n  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor \"#404040\" "

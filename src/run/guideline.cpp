@@ -44,7 +44,7 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   double log_error = 0;  // of the step, relative
   if (ratio < points[0].ratio.value) {
     const int order = scheme_of(curve.scheme).order();
-    if (order == 0) return std::nullopt;
+    if (order == 0 || points[0].at_rounding()) return std::nullopt;
     at.exponent = order;
     at.step = points[0].step * std::pow(ratio / points[0].ratio.value, 1.0 / order);
     at.extrapolated = true;

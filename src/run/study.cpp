@@ -59,6 +59,10 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
   run.total = fluctuation(total);
   run.potential = fluctuation(potential);
   run.temperature = temperature(kinetic, freedoms(system.topology).all());
+  if (run.potential > 0)
+    run.rounding = rounding_fluctuation(force_noise(start), point.scheme, config.integrator.lambda,
+                                        point.step, config.study.length) /
+                   run.potential;
   return run;
 }
 
@@ -152,7 +156,7 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
       if (run.scheme == e.scheme && same(run.step, e.step)) own.push_back(run);
     std::sort(own.begin(), own.end(),
               [](const auto& a, const auto& b) { return a.start < b.start; });
-    std::vector<double> ratios, drifts, temperatures;
+    std::vector<double> ratios, drifts, temperatures, roundings;
     for (const StudyRun& run : own) {
       ++e.runs;
       if (!run.stable) {
@@ -162,12 +166,14 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
       ratios.push_back(run.ratio);
       drifts.push_back(run.drift);
       temperatures.push_back(run.temperature);
+      roundings.push_back(run.rounding);
     }
     if (e.runs == 0) continue;
     if (!ratios.empty()) {
       e.ratio = mean(ratios);
       e.drift = drift_of_series(drifts);
       e.temperature = mean(temperatures).value;
+      e.rounding = mean(roundings).value;
     }
     result.push_back(e);
   }

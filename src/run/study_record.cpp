@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -15,21 +16,23 @@ namespace {
 
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
-    "rms potential [kJ/mol];temperature [K]";
+    "rms potential [kJ/mol];temperature [K];R of rounding";
+/// Of records that know nothing of rounding: their last field is missing.
+constexpr std::size_t old_fields = 9, fields = 10;
 
 std::string record_line(const StudyRun& run) {
-  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
+  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
                      run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
-                     run.potential, run.temperature);
+                     run.potential, run.temperature, run.rounding);
 }
 
 /// Nothing if the line is not whole: the last one of a record may have been cut short.
-std::optional<StudyRun> record_run(const std::string& line) {
+std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
   std::istringstream in(line);
   StudyRun run;
-  std::string field[9];
-  for (std::string& f : field)
-    if (!std::getline(in, f, ';')) return std::nullopt;
+  std::array<std::string, fields> field;
+  for (std::size_t k = 0; k < count; ++k)
+    if (!std::getline(in, field[k], ';')) return std::nullopt;
   try {
     run = {field[0],
            std::stod(field[1]),
@@ -39,7 +42,8 @@ std::optional<StudyRun> record_run(const std::string& line) {
            std::stod(field[5]),
            std::stod(field[6]),
            std::stod(field[7]),
-           std::stod(field[8])};
+           std::stod(field[8]),
+           count == fields ? std::stod(field[9]) : 0};
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -86,8 +90,12 @@ StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, 
           fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
                       "start anew",
                       path));
+    std::size_t count = old_fields;
     while (std::getline(in, line))
-      if (const auto run = record_run(line)) known_.push_back(*run);
+      if (line == record_head)
+        count = fields;
+      else if (const auto run = record_run(line, count))
+        known_.push_back(*run);
     for (const StudyRun& run : known_) head += record_line(run) + "\n";
   }
   write_file(path, [&](std::ostream& out) { out << head; });  // without a last line cut short

@@ -6,7 +6,8 @@
 namespace polhode {
 
 RunSummary summary(const System& system, const ForceField& forces,
-                   const TrajectorySettings& settings, const Trajectory& trajectory) {
+                   const TrajectorySettings& settings, const Trajectory& trajectory,
+                   const ForceNoise& noise) {
   RunSummary s;
   const auto n = static_cast<double>(trajectory.samples.size());
   s.molecules = system.topology.size();
@@ -36,6 +37,10 @@ RunSummary summary(const System& system, const ForceField& forces,
     s.potential_fluctuation = fluctuation(potential);
     s.ratio = fluctuation_ratio_with_error(trajectory.samples);
     s.drift = drift(trajectory.samples);
+    if (s.potential_fluctuation > 0)
+      s.rounding =
+          rounding_fluctuation(noise, settings.scheme, settings.lambda, settings.step, s.length) /
+          s.potential_fluctuation;
   }
   s.force_evaluations = trajectory.force_evaluations;
   s.measurements = trajectory.measurements;

@@ -48,8 +48,8 @@ TEST_CASE("without gnuplot there is a warning, and the script stays") {
   const std::string script = text_of(prefix + ".gp");
   CHECK(script.find("set output \"efficiency.svg\"") != std::string::npos);
   // R in %; the longest stable step is marked only where a longer one is unstable.
-  CHECK(script.find("250 1.2 0.1 1\n1000 0.1 0.01 0\n") != std::string::npos);
-  CHECK(script.find("300 2 0.1 0\n") != std::string::npos);
+  CHECK(script.find("250 1.2 0.1 1 0\n1000 0.1 0.01 0 0\n") != std::string::npos);
+  CHECK(script.find("300 2 0.1 0 0\n") != std::string::npos);
   CHECK(script.find("200 50") == std::string::npos);
 }
 

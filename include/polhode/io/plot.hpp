@@ -22,10 +22,11 @@ bool energy_plot(const std::string& csv, const std::string& title, const std::st
 
 /// What a scheme achieves at one step.
 struct EfficiencyMark {
-  double cost;         ///< force evaluations per ps
-  double ratio;        ///< R = rms of E over rms of V [1]
-  double error;        ///< of R [1]
-  bool stable = true;  ///< false: the step is too long for the scheme; not drawn
+  double cost;           ///< force evaluations per ps
+  double ratio;          ///< R = rms of E over rms of V [1]
+  double error;          ///< of R [1]
+  bool stable = true;    ///< false: the step is too long for the scheme; not drawn
+  bool rounded = false;  ///< R is that of rounding, not of the scheme
 };
 
 struct EfficiencyCurve {
@@ -35,7 +36,8 @@ struct EfficiencyCurve {
 
 /// R against cost for each scheme (vanzon2008, Fig. 1), on linear axes up to `highest` R, with a
 /// logarithmic inset of everything. The longest stable step is an open symbol, where a longer one
-/// is known to be unstable. Writes PREFIX.gp and PREFIX.svg or PREFIX.png.
+/// is known to be unstable; marks at the floor of rounding are crossed out. Writes PREFIX.gp and
+/// PREFIX.svg or PREFIX.png.
 bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
                      const std::string& format, std::ostream& warnings, double highest = 0.035);
 

@@ -11,6 +11,7 @@
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/measure/fluctuation.hpp"
+#include "polhode/run/rounding.hpp"
 
 namespace polhode {
 
@@ -25,6 +26,7 @@ struct StudyRun {
   double total = 0;        ///< rms fluctuation of the total energy [kJ/mol]
   double potential = 0;    ///< rms fluctuation of the potential energy [kJ/mol]
   double temperature = 0;  ///< mean over the run [K]
+  double rounding = 0;     ///< R of rounding alone, estimated; 0 in double precision
 };
 
 /// A point of the figure: all runs of a scheme with one step.
@@ -37,8 +39,11 @@ struct EfficiencyPoint {
   Estimate ratio;          ///< R with its standard error over the runs
   Drift drift;             ///< of the series, as the paper has it
   double temperature = 0;  ///< [K]
+  double rounding = 0;     ///< R of rounding alone, mean; 0 in double precision
   /// No run blew up, and the drift is not significant.
   bool usable() const { return stable && drift.chance >= significance; }
+  /// R is no longer that of the scheme.
+  bool at_rounding() const { return stable && ratio.value < rounding_margin * rounding; }
 };
 
 /// The (scheme, step) pairs that a study measures.

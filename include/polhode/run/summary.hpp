@@ -5,6 +5,7 @@
 #include <array>
 
 #include "polhode/measure/fluctuation.hpp"
+#include "polhode/run/rounding.hpp"
 #include "polhode/run/trajectory.hpp"
 
 namespace polhode {
@@ -17,6 +18,7 @@ struct RunSummary {
   Estimate ratio;                    ///< R
   double total_fluctuation = 0;      ///< [kJ/mol]
   double potential_fluctuation = 0;  ///< [kJ/mol]
+  double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
   Drift drift;                       ///< [kJ/mol/ps]
   double potential = 0;              ///< mean per molecule [kJ/mol]
   double total = 0;                  ///< mean per molecule [kJ/mol]
@@ -31,7 +33,9 @@ struct RunSummary {
   double ns_per_day = 0;
 };
 
+/// @param noise  of the forces at the start; none in double precision
 RunSummary summary(const System& system, const ForceField& forces,
-                   const TrajectorySettings& settings, const Trajectory& trajectory);
+                   const TrajectorySettings& settings, const Trajectory& trajectory,
+                   const ForceNoise& noise = {});
 
 }  // namespace polhode

@@ -1,0 +1,131 @@
+# Restyle this and run it again: gnuplot draws precision.svg.
+set encoding utf8
+set minussign
+set terminal svg size 1000,440 dynamic enhanced font "Helvetica,14" background "white"
+set output "precision.svg"
+set border 3 linewidth 1 linecolor "#404040"
+set tics nomirror out scale 0.6 textcolor "#404040"
+set grid linewidth 0.5 linecolor "#e4e4e4"
+set title offset 0,-0.4 textcolor "#404040"
+set key textcolor "#404040" samplen 2 spacing 1.1 noenhanced Left reverse
+
+$velocity_verlet_mixed << EOD
+0.5 0.0598298
+1 0.228245
+2 0.907061
+3 2.11416
+4 4.15248
+EOD
+$velocity_verlet_double << EOD
+0.5 0.0627978
+1 0.240919
+2 1.05578
+3 1.90375
+4 4.17437
+EOD
+$hoa2_mixed << EOD
+0.5 0.00616704
+1 0.0206558
+2 0.0794756
+3 0.171969
+4 0.375956
+EOD
+$hoa2_double << EOD
+0.5 0.00499018
+1 0.0194732
+2 0.0764626
+3 0.185229
+4 0.337492
+EOD
+$gier4_mixed << EOD
+0.5 0.00341784
+1 0.00333466
+2 0.00331533
+3 0.00572405
+4 0.0144314
+5 0.0432099
+EOD
+$gier4_double << EOD
+0.5 3.73454e-06
+1 5.73318e-05
+2 0.000921834
+3 0.00472868
+4 0.0157883
+5 0.0396921
+EOD
+$growth_gier4_mixed << EOD
+0.25 0.00261093
+0.5 0.00261839
+1 0.00262232
+2 0.00262929
+4 0.00263274
+8 0.002643
+16 0.0026443
+EOD
+$growth_gier4_double << EOD
+0.25 4.49073e-05
+0.5 4.49391e-05
+1 4.49853e-05
+2 4.50408e-05
+4 4.50651e-05
+8 4.51827e-05
+16 4.58404e-05
+EOD
+$growth_hoa2_mixed << EOD
+0.25 0.100556
+0.5 0.118671
+1 0.127624
+2 0.146289
+4 0.159644
+8 0.151843
+16 0.15593
+EOD
+$growth_hoa2_double << EOD
+0.25 0.0915746
+0.5 0.110767
+1 0.124371
+2 0.14706
+4 0.158985
+8 0.145905
+16 0.153367
+EOD
+
+set multiplot
+set bmargin at screen 0.145
+set tmargin at screen 0.905
+
+set lmargin at screen 0.085
+set rmargin at screen 0.475
+set logscale xy
+set title "runs of 2 ps: mixed filled, double open"
+set xlabel "time step  (fs)" offset 0,0.3
+set ylabel "R  (%)" offset 0.8
+set xtics (0.5, 1, 2, 3, 4, 5)
+set format y "10^{%T}"
+set xrange [0.42:6]
+set yrange [1e-06:10]
+set key bottom right
+plot $velocity_verlet_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 7 linecolor "#0072B2" title "velocity-verlet", \
+  $velocity_verlet_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 6 linecolor "#0072B2" notitle, \
+  $hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2", \
+  $hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" notitle, \
+  $gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4", \
+  $gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" notitle, \
+  0.00336947 with lines linewidth 1.2 dashtype 3 linecolor "#404040" title "rounding alone"
+
+set lmargin at screen 0.585
+set rmargin at screen 0.985
+set title "one run of 16 ps, in windows"
+set xlabel "length of a window  (ps)" offset 0,0.3
+set ylabel "rms of E about its mean  (kJ/mol)" offset 1.2
+set xtics (0.25, 0.5, 1, 2, 4, 8, 16, 32)
+set xrange [0.2:20]
+set yrange [1e-05:10]
+set key top center maxrows 3 samplen 1.6 width -1
+plot $growth_gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4 1 fs, mixed", \
+  $growth_gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" title "gier4 1 fs, double", \
+  $growth_hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2 3 fs, mixed", \
+  $growth_hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" title "hoa2 3 fs, double", \
+  sqrt(6.79722e-06 + 2.0842e-08*x) with lines linewidth 1.2 dashtype 3 linecolor "#404040" title "rounding of gier4", \
+  sqrt(2.0842e-08*x) with lines linewidth 1.2 dashtype 4 linecolor "#404040" title "its walk"
+unset multiplot

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// How much of R is the rounding of mixed precision: the noise of the forces, measured on the system
+// itself, and the random walk of the total energy that it drives.
+#pragma once
+
+#include "polhode/base/workers.hpp"
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/run/system.hpp"
+
+namespace polhode {
+
+/// What rounding adds to the forces and the energy of a system. Both are 0 in double precision.
+struct ForceNoise {
+  /// rms of Σ (p/m)·δf + ω·δτ over thermal momenta [kJ/mol/ps].
+  double power = 0;
+  /// rms of δV [kJ/mol].
+  double energy = 0;
+};
+
+/// Compares forces, torques and energy in the system's precision with those in double, on a few
+/// states next to the system's own: free drifts of 0.1 fs, far enough for every last digit to
+/// change, near enough for all else to stay. What the differences have in common, rounded charges
+/// above all, belongs to a potential and is no noise; their sample variances s² are. Components of
+/// p/m have the thermal variance k_B T/m, those of ω in the body frame k_B T/J, hence
+/// power² = k_B T Σ [s²(δf)/m + Σ_k s²(δτ_k)/J_k], with T of the system's momenta.
+ForceNoise force_noise(const System& system, Workers& workers = Workers::serial());
+
+/// Σ w² over the force evaluations of one step, where noise δf of an evaluation kicks by w h δf.
+/// Kicks at the same positions share one evaluation, and their weights add; steps follow each
+/// other. A gradient kick of weight b, b {f + [f(q̃) − f]/λ}, has b (1 − 1/λ) of one evaluation and
+/// b/λ of another. Velocity Verlet: 1; HOA2: (2η)² + (1 − 2η)²; GIER4 with λ = 1: 5/9.
+double kick_weights(const Scheme& scheme, double lambda);
+
+/// The rms deviation of the total energy from its mean that rounding alone makes in a run
+/// [kJ/mol]. Every evaluation changes the energy by w h times a power of its own: a random walk of
+/// variance power² h Σw² after time 1, and a walk over t has the mean variance t/6 of that about
+/// its own mean (t/2 about its start, less t/3 for the mean). The energy's own noise comes on top:
+/// σ² = power² h t Σw²/6 + energy².
+double rounding_fluctuation(const ForceNoise& noise, const Scheme& scheme, double lambda,
+                            double step, double length);
+
+/// Below this many times what rounding alone makes, R is said to be at the floor of rounding: the
+/// two add in quadrature, so R is then at least 15 % above what double precision would give.
+inline constexpr double rounding_margin = 2;
+
+}  // namespace polhode
