@@ -154,9 +154,9 @@ json as_json(const SystemTiming& s) {
           {"steps", steps}};
 }
 
-std::string joined(const std::vector<std::string>& parts) {
+std::string joined(const std::vector<std::string>& parts, const char* between = ", ") {
   std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
   return text;
 }
 
@@ -179,7 +179,7 @@ std::vector<std::string> verdict(const Benchmark& b) {
       } else {
         for (const SystemTiming& one : b.systems)
           if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
-            speed_up.push_back(fmt::format("{:.2f} times one for forces and {:.2f} for steps in {}",
+            speed_up.push_back(fmt::format("{:.2f} times as much as one for forces, {:.2f} for steps in {} precision",
                                            one.evaluations[0].forces.best / e.forces.best,
                                            one.steps[0].all.best / hoa2.all.best, precision));
       }
@@ -191,7 +191,7 @@ std::vector<std::string> verdict(const Benchmark& b) {
         molecules, joined(beside)));
     if (!speed_up.empty())
       lines.push_back(fmt::format("{} waters: {} do {}", molecules,
-                                  threads_text(b.systems.back().threads), joined(speed_up)));
+                                  threads_text(b.systems.back().threads), joined(speed_up, "; ")));
     lines.push_back(
         fmt::format("{} waters: ns/day with hoa2 at 4 fs: {}", molecules, joined(speeds)));
   }

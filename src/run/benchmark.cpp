@@ -43,7 +43,7 @@ struct Effort {
   std::size_t repeats, fewest;
   double longest;  // [s] for one size, once there are the fewest repeats
 };
-constexpr Effort normal{0.5, 0.02, 0.05, 9, 2, 12}, quick{0.1, 0.004, 0.01, 3, 2, 2};
+constexpr Effort normal{0.5, 0.02, 0.05, 9, 2, 12}, quick{0.2, 0.01, 0.02, 5, 2, 3};
 
 std::size_t tiles_along_edge(std::size_t molecules) {
   const auto n = static_cast<std::size_t>(

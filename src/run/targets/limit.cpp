@@ -17,14 +17,25 @@ constexpr std::size_t chains = 12;
 template <class T>
 void multiply_adds(std::size_t rounds, T* numbers) {
   using Real = Pack<T>;
-  std::array<Real, chains> sum;  // from memory, or the compiler would see that all are the same
-  for (std::size_t k = 0; k < chains; ++k) sum[k] = Real::load(numbers + k * Real::width);
+  // All loops over the chains are written out, or the chains would live in memory; and they start
+  // from there, or the compiler would see that all are the same.
+  const auto each_chain = [](const auto& body) __attribute__((always_inline)) {
+    each(Count<chains>{}, body);
+  };
+  std::array<Real, chains> sum;
+  each_chain([&](auto k) __attribute__((always_inline)) {
+    sum[k] = Real::load(numbers + k * Real::width);
+  });
   const Real a(static_cast<T>(0.999)), b(static_cast<T>(1e-3));
   for (std::size_t n = 0; n < rounds; ++n)
-    each(
-        Count<chains>{}, [&](auto k)
-                             __attribute__((always_inline)) { sum[k] = fma(sum[k], a, b); });
-  for (std::size_t k = 0; k < chains; ++k) sum[k].store(numbers + k * Real::width);
+    each_chain([&](auto k) __attribute__((always_inline)) { sum[k] = fma(sum[k], a, b); });
+  each_chain([&](auto k)
+                 __attribute__((always_inline)) { sum[k].store(numbers + k * Real::width); });
+}
+
+template <class T>
+void store(const Vec3<Pack<T>>& v, T* to) {
+  v.x.store(to), v.y.store(to + Pack<T>::width), v.z.store(to + 2 * Pack<T>::width);
 }
 
 template <class T, Ending ending, bool energies>
@@ -48,14 +59,14 @@ void water_pairs(const PairTable& table, const PairLaws<T>& laws, const T* own, 
         },
         f_a.data());
     T* const to = out + p * 6 * Real::width;
-    for (std::size_t d = 0; d < 3; ++d) {
-      load.f[d].store(to + d * Real::width);
-      load.tau_b[d].store(to + (3 + d) * Real::width);
-    }
+    store(load.f, to);
+    store(load.tau_b, to + 3 * Real::width);
     if constexpr (energies) u += load.lennard_jones + load.coulomb;
   }
-  for (std::size_t a = 0; a < 4; ++a)  // all that was computed is used
-    for (std::size_t d = 0; d < 3; ++d) (f_a[a][d] + u).store(out + (3 * a + d) * Real::width);
+  each(  // all that was computed is used
+      Count<4>{}, [&](auto a) __attribute__((always_inline)) {
+        store(f_a[a] + Vec3<Real>{u, u, u}, out + 3 * a * Real::width);
+      });
 }
 
 template <class T>
