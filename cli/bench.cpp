@@ -63,7 +63,7 @@ int bench(const Options& o) {
 
 Action bench_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_flag("--quick", o->quick, "512 waters alone, fewer and shorter repeats: some 5 s");
+  app.add_flag("--quick", o->quick, "512 waters alone, fewer and shorter repeats: some seconds");
   app.add_option("--sizes", o->sizes, "numbers of waters; without it: 512,4096")
       ->delimiter(',')
       ->check(CLI::Range(1, 100'000'000));

@@ -179,9 +179,10 @@ std::vector<std::string> verdict(const Benchmark& b) {
       } else {
         for (const SystemTiming& one : b.systems)
           if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
-            speed_up.push_back(fmt::format("{:.2f} times as much as one for forces, {:.2f} for steps in {} precision",
-                                           one.evaluations[0].forces.best / e.forces.best,
-                                           one.steps[0].all.best / hoa2.all.best, precision));
+            speed_up.push_back(fmt::format(
+                "{:.2f} times as much as one for forces, {:.2f} for steps in {} precision",
+                one.evaluations[0].forces.best / e.forces.best,
+                one.steps[0].all.best / hoa2.all.best, precision));
       }
       speeds.push_back(fmt::format("{:.3g} in {} with {}", hoa2.ns_per_day(), precision,
                                    threads_text(s.threads)));

@@ -11,7 +11,7 @@ from string import Template
 
 # Okabe and Ito's colours, as in all figures here; filled marks for forces, open ones for steps.
 COLOURS = {"mixed": "#0072B2", "double": "#D55E00"}
-QUANTITIES = {"force": ("a force evaluation", 1, (7, 5)), "step": ("a step of HOA2", "(6,4)", (6, 4))}
+QUANTITIES = {"force": ("a force evaluation", (7, 5)), "step": ("a step of HOA2", (6, 4))}
 
 SCRIPT = Template("""# Restyle this and run it again: gnuplot draws ${image}.
 set encoding utf8
@@ -48,32 +48,32 @@ def value(system, quantity):
 def scaling(result):
     """Curves (title, style, [(molecules, µs per molecule)]) of one thread."""
     for precision, colour in COLOURS.items():
-        for quantity, (text, dash, marks) in QUANTITIES.items():
+        for quantity, (text, marks) in QUANTITIES.items():
             points = sorted((s["molecules"], value(s, quantity) / 1000) for s in result["systems"]
                             if s["precision"] == precision and s["threads"] == 1)
-            yield f"{text}, {precision}", colour, dash, marks[precision == "double"], points
+            yield f"{text}, {precision}", colour, marks[precision == "double"], points
 
 
 def speed_up(result, threads):
     """Curves of the same kind: time of one thread over that of so many."""
     times = {(s["molecules"], s["precision"], s["threads"]): s for s in result["systems"]}
     for precision, colour in COLOURS.items():
-        for quantity, (text, dash, marks) in QUANTITIES.items():
+        for quantity, (text, marks) in QUANTITIES.items():
             points = sorted((n, value(times[n, p, 1], quantity) / value(s, quantity))
                             for (n, p, t), s in times.items()
                             if p == precision and t == threads and (n, p, 1) in times)
-            yield f"{text}, {precision}", colour, dash, marks[precision == "double"], points
+            yield f"{text}, {precision}", colour, marks[precision == "double"], points
 
 
 def script(curves, image, label, key, top, extra=()):
-    curves = [curve for curve in curves if curve[4]]
-    data = [f"$curve{k} << EOD\n" + "\n".join(f"{x} {y:.6g}" for x, y in curve[4]) + "\nEOD"
+    curves = [curve for curve in curves if curve[3]]
+    data = [f"$curve{k} << EOD\n" + "\n".join(f"{x} {y:.6g}" for x, y in curve[3]) + "\nEOD"
             for k, curve in enumerate(curves)]
-    plots = [*extra, *(f'$curve{k} using 1:2 with linespoints linewidth 1.6 dashtype {dash} linecolor "{colour}" '
+    plots = [*extra, *(f'$curve{k} using 1:2 with linespoints linewidth 1.6 linecolor "{colour}" '
                        f'pointtype {mark} pointsize 0.9 title "{title}"'
-                       for k, (title, colour, dash, mark, _) in enumerate(curves))]
-    sizes = [x for curve in curves for x, _ in curve[4]]
-    values = [y for curve in curves for _, y in curve[4]]
+                       for k, (title, colour, mark, _) in enumerate(curves))]
+    sizes = [x for curve in curves for x, _ in curve[3]]
+    values = [y for curve in curves for _, y in curve[3]]
     return SCRIPT.substitute(
         image=image.name, terminal=terminal(image.suffix[1:]), key=key, label=label, data="\n".join(data),
         low=f"{0.7 * min(sizes):g}", high=f"{1.4 * max(sizes):g}", bottom=0,
