@@ -62,13 +62,13 @@ def arguments():
     return o
 
 
-def outcome(command, folder=None):
-    """What a process said, its wall-clock seconds and its peak memory [bytes], asked for every ms while it runs: what
-    wait4(2) tells counts the memory of the process that started it as well."""
+def outcome(command, folder=None, memory=False):
+    """What a process said, its wall-clock seconds and, if wanted, its peak memory [bytes], asked for every ms while it
+    runs: what wait4(2) tells counts the memory of the process that started it as well."""
     start, peak = time.perf_counter(), 0
     with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
         with subprocess.Popen(command, cwd=folder, stdout=said, stderr=complaint) as process:
-            while process.poll() is None:
+            while memory and process.poll() is None:
                 peak = max(peak, peak_memory(process.pid))
                 time.sleep(0.001)
         seconds = time.perf_counter() - start
@@ -106,7 +106,7 @@ def at_rest(o, molecules, precision):
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "run.toml").write_text(RUN.format(molecules=molecules, precision=precision), encoding="utf-8")
         seconds = outcome([o.polhode, "energy", "run.toml"], folder)[1]
-        peak = outcome([o.polhode, "run", "run.toml", "--threads", "1", "--json"], folder)[2]
+        peak = outcome([o.polhode, "run", "run.toml", "--threads", "1", "--json"], folder, memory=True)[2]
     return {"peak_bytes": peak, "bytes_per_molecule": peak / molecules, "first_energies_s": seconds}
 
 

@@ -71,7 +71,7 @@ System side_by_side(System water, std::size_t n) {
   return water;
 }
 
-System liquid_water(std::size_t molecules) {
+System liquid_water(std::size_t molecules, Workers& workers) {
   Config config = default_config();
   config.forces = benchmark_forces(Precision::mixed, switches[0]);
   const std::size_t n = tiles_along_edge(molecules);
@@ -83,8 +83,8 @@ System liquid_water(std::size_t molecules) {
   config.system.density = one.topology.mass() / one.state.box.volume();
   config.source = config.cutoff_place = fmt::format("a box of {} waters", molecules);
   System water = assembled(config);
-  ForceField forces(water.topology, water.forces, water.state.box);
-  equilibrate(water, forces, 0.1);
+  ForceField forces(water.topology, water.forces, water.state.box, workers);
+  equilibrate(water, forces, 0.1, {}, workers);
   return water;
 }
 
@@ -203,7 +203,7 @@ class Measurement {
  public:
   Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,
               const std::vector<Limit>& limits, std::vector<std::unique_ptr<Workers>>& workers)
-      : effort_(effort), water_(liquid_water(molecules)) {
+      : effort_(effort), water_(liquid_water(molecules, *workers.back())) {
     for (std::size_t p = 0; p < settings.precisions.size(); ++p)
       for (const auto& w : workers) kinds_.push_back({limits[p], *w, water_, {}, {}});
   }
