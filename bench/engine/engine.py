@@ -47,7 +47,7 @@ def arguments():
     numbers = lambda text: [int(word) for word in text.split(",")]
     words = lambda text: text.split(",")
     p = argparse.ArgumentParser(description=__doc__)
-    p.add_argument("--sizes", type=numbers, help="waters (512,4096,32768,110592,1000188; quick: 512,1000)")
+    p.add_argument("--sizes", type=numbers, help="waters (512,4096,32768,110592,884736; quick: 512,1000)")
     p.add_argument("--threads", type=numbers, default=[1, 2], help="(1,2)")
     p.add_argument("--precisions", type=words, default=["mixed", "double"], help="(mixed,double)")
     p.add_argument("--quick", action="store_true", help="small systems, short repeats")
@@ -56,7 +56,7 @@ def arguments():
     p.add_argument("--format", choices=("svg", "png"), default="svg", help="of the figures (svg)")
     p.add_argument("--polhode", default="polhode", help="the program")
     o = p.parse_args()
-    o.sizes = o.sizes or ([512, 1000] if o.quick else [512, 4096, 32768, 110592, 1000188])
+    o.sizes = o.sizes or ([512, 1000] if o.quick else [512, 4096, 32768, 110592, 884736])
     if Path(o.polhode).exists():
         o.polhode = str(Path(o.polhode).resolve())
     return o
