@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One complete force evaluation of 512 TIP4P waters, list valid, on every instruction set, in both
 // precisions, for each law; and a step of HOA2, which adds drifts, kicks and the upkeep of the
-// list.
+// list. For the molecule switch, the fill of the lanes and what the arithmetic of the pairs alone
+// would take stand beside it.
 #include <benchmark/benchmark.h>
 
 #include <string>
@@ -9,6 +10,7 @@
 #include "polhode/base/target.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/run/benchmark.hpp"
 #include "polhode/run/system.hpp"
 
 namespace {
@@ -32,7 +34,15 @@ void force_evaluation(benchmark::State& loop, Target target, Truncation truncati
     else
       forces.forces_alone(water.state, load);
   }
-  loop.counters["lanes"] = static_cast<double>(forces.neighbours().lanes());
+  const auto lanes = static_cast<double>(forces.neighbours().lanes());
+  loop.counters["lanes"] = lanes;
+  if (truncation != Truncation::molecule_switch) return;
+  const ForceSettings& settings = forces.settings();
+  const std::size_t pairs = pairs_within(water.state, settings.cutoff),
+                    whole = pairs_within(water.state, settings.switch_from);
+  loop.counters["fill"] = static_cast<double>(pairs) / lanes;
+  loop.counters["arithmetic_us"] =
+      1e6 * measured_limit(precision, 0.05).seconds(whole, pairs - whole, energies);
 }
 
 void hoa2_step(benchmark::State& loop, Target target, Precision precision, double skin) {

@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""The engine alone, from small systems to large ones: time of a force evaluation, of the neighbour list and of a step
+with its parts, by `polhode bench`; peak memory and the time to the first energies, each in a process of its own."""
+
+import argparse
+import datetime
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import figure
+
+# The same water as that of `polhode bench`, on a lattice; some short steps, for what a run holds in memory.
+RUN = """[system]
+molecules = [{{ model = "tip4p", count = {molecules} }}]
+density = "1 g/cm3"
+temperature = "297 K"
+
+[forces]
+truncation = "molecule-switch"
+cutoff = "0.9 nm"
+switch = "0.765 nm"
+electrostatics = "reaction-field"
+precision = "{precision}"
+
+[integrator]
+scheme = "hoa2"
+step = "0.1 fs"
+
+[run]
+length = "1 fs"
+sample = "1 fs"
+
+[output]
+prefix = "out"
+trajectory_every = "0 ps"
+plot = "none"
+"""
+
+
+def arguments():
+    numbers = lambda text: [int(word) for word in text.split(",")]
+    words = lambda text: text.split(",")
+    p = argparse.ArgumentParser(description=__doc__)
+    p.add_argument("--sizes", type=numbers, help="waters (512,4096,32768,110592,884736; quick: 512,1000)")
+    p.add_argument("--threads", type=numbers, default=[1, 2], help="(1,2)")
+    p.add_argument("--precisions", type=words, default=["mixed", "double"], help="(mixed,double)")
+    p.add_argument("--quick", action="store_true", help="small systems, short repeats")
+    p.add_argument("--json", type=Path, metavar="FILE", help="write all numbers there")
+    p.add_argument("--figures", type=Path, metavar="PREFIX", help="draw PREFIX-sizes.svg and PREFIX-threads.svg")
+    p.add_argument("--format", choices=("svg", "png"), default="svg", help="of the figures (svg)")
+    p.add_argument("--polhode", default="polhode", help="the program")
+    o = p.parse_args()
+    o.sizes = o.sizes or ([512, 1000] if o.quick else [512, 4096, 32768, 110592, 884736])
+    if Path(o.polhode).exists():
+        o.polhode = str(Path(o.polhode).resolve())
+    return o
+
+
+def outcome(command, folder=None, memory=False):
+    """What a process said, its wall-clock seconds and, if wanted, its peak memory [bytes], asked for every ms while it
+    runs: what wait4(2) tells counts the memory of the process that started it as well."""
+    start, peak = time.perf_counter(), 0
+    with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
+        with subprocess.Popen(command, cwd=folder, stdout=said, stderr=complaint) as process:
+            while memory and process.poll() is None:
+                peak = max(peak, peak_memory(process.pid))
+                time.sleep(0.001)
+        seconds = time.perf_counter() - start
+        for stream in (said, complaint):
+            stream.seek(0)
+        if process.returncode != 0:
+            sys.exit(f"'{' '.join(command)}' ended with {process.returncode}: {complaint.read().decode()}")
+        return said.read().decode(), seconds, peak
+
+
+def peak_memory(pid):
+    """[bytes]; 0 of a process that has just ended, or where the system does not tell."""
+    try:
+        status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
+    except OSError:
+        return 0
+    found = re.search(r"VmHWM:\s*(\d+) kB", status)
+    return 1024 * int(found[1]) if found else 0
+
+
+def timed(o, molecules, precision):
+    """The systems of `polhode bench`, one for each number of threads, and the whole report of the last call."""
+    systems, report = {}, None
+    for threads in [n for n in o.threads if n > 1] or [1]:
+        command = [o.polhode, "bench", "--json", "--sizes", str(molecules), "--precision", precision,
+                   "--threads", str(threads), *(["--quick"] if o.quick else [])]
+        report = json.loads(outcome(command)[0])
+        for system in report["systems"]:
+            systems.setdefault(system["threads"], system)
+    return [systems[n] for n in o.threads if n in systems], report
+
+
+def at_rest(o, molecules, precision):
+    """Peak memory of a run [bytes], and seconds from the start of the program to the first energies."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "run.toml").write_text(RUN.format(molecules=molecules, precision=precision), encoding="utf-8")
+        seconds = outcome([o.polhode, "energy", "run.toml"], folder)[1]
+        peak = outcome([o.polhode, "run", "run.toml", "--threads", "1", "--json"], folder, memory=True)[2]
+    return {"peak_bytes": peak, "bytes_per_molecule": peak / molecules, "first_energies_s": seconds}
+
+
+def measured(o):
+    result = {"date": datetime.date.today().isoformat(), "quick": o.quick, "limits": [], "systems": []}
+    for precision in o.precisions:
+        for molecules in o.sizes:
+            systems, report = timed(o, molecules, precision)
+            rest = at_rest(o, molecules, precision)
+            result.update({key: report[key] for key in ("version", "processor", "target")})
+            if molecules == o.sizes[0]:
+                result["limits"] += report["limits"]
+            for system in systems:
+                forces = system["evaluations"][0]["forces_us"]["best"]
+                system["force_ns_per_molecule"] = 1e3 * forces / molecules
+                system["step_ns_per_molecule"] = 1e3 * system["steps"][0]["step_us"]["best"] / molecules
+                result["systems"].append({**system, **rest})
+                line(result["systems"][-1])
+    return result
+
+
+def line(s):
+    e, step = s["evaluations"][0], s["steps"][0]
+    parts = " ".join(f"{name} {100 * us / step['step_us']['best']:.0f} %" for name, us in step["parts_us"].items())
+    print(f"{s['molecules']:>8} waters {s['precision']:>6} {s['threads']:>2} threads: forces "
+          f"{e['forces_us']['best']:.4g} µs, {s['force_ns_per_molecule']:.4g} ns a molecule, list "
+          f"{e['list_us']['best']:.4g} µs; step {step['step_us']['best']:.4g} µs: {parts}; "
+          f"{s['bytes_per_molecule']:.0f} bytes a molecule, first energies after {s['first_energies_s']:.2f} s",
+          flush=True)
+
+
+def main():
+    o = arguments()
+    result = measured(o)
+    if o.json:
+        o.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    if o.figures:
+        figure.draw(result, o.figures, o.format)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""The pictures of the engine: time per molecule against the number of molecules, and what more threads gain, drawn by
+gnuplot."""
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from string import Template
+
+# Okabe and Ito's colours, as in all figures here; filled marks for forces, open ones for steps.
+COLOURS = {"mixed": "#0072B2", "double": "#D55E00"}
+QUANTITIES = {"force": ("a force evaluation", (7, 5)), "step": ("a step of HOA2", (6, 4))}
+
+SCRIPT = Template("""# Restyle this and run it again: gnuplot draws ${image}.
+set encoding utf8
+set minussign
+set terminal ${terminal} background "white"
+set output "${image}"
+set border 3 linewidth 1 linecolor "#404040"
+set tics nomirror out scale 0.6 textcolor "#404040"
+set grid linewidth 0.5 linecolor "#e4e4e4"
+set key ${key} Left reverse noenhanced samplen 2.5 textcolor "#404040"
+set logscale x
+set format x "10^{%T}"
+set xrange [${low}:${high}]
+set xlabel "number of waters" textcolor "#404040"
+set ylabel "${label}" textcolor "#404040"
+set yrange [${bottom}:${top}]
+
+${data}
+
+plot ${plots}
+""")
+
+
+def terminal(form):
+    if form == "png":
+        return 'pngcairo size 1440,960 fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11"'
+    return 'svg size 720,480 dynamic enhanced font "Helvetica,15"'
+
+
+def value(system, quantity):
+    return system[f"{quantity}_ns_per_molecule"]
+
+
+def scaling(result):
+    """Curves (title, style, [(molecules, µs per molecule)]) of one thread."""
+    for precision, colour in COLOURS.items():
+        for quantity, (text, marks) in QUANTITIES.items():
+            points = sorted((s["molecules"], value(s, quantity) / 1000) for s in result["systems"]
+                            if s["precision"] == precision and s["threads"] == 1)
+            yield f"{text}, {precision}", colour, marks[precision == "double"], points
+
+
+def speed_up(result, threads):
+    """Curves of the same kind: time of one thread over that of so many."""
+    times = {(s["molecules"], s["precision"], s["threads"]): s for s in result["systems"]}
+    for precision, colour in COLOURS.items():
+        for quantity, (text, marks) in QUANTITIES.items():
+            points = sorted((n, value(times[n, p, 1], quantity) / value(s, quantity))
+                            for (n, p, t), s in times.items()
+                            if p == precision and t == threads and (n, p, 1) in times)
+            yield f"{text}, {precision}", colour, marks[precision == "double"], points
+
+
+def script(curves, image, label, key, top, extra=()):
+    curves = [curve for curve in curves if curve[3]]
+    data = [f"$curve{k} << EOD\n" + "\n".join(f"{x} {y:.6g}" for x, y in curve[3]) + "\nEOD"
+            for k, curve in enumerate(curves)]
+    plots = [*extra, *(f'$curve{k} using 1:2 with linespoints linewidth 1.6 linecolor "{colour}" '
+                       f'pointtype {mark} pointsize 0.9 title "{title}"'
+                       for k, (title, colour, mark, _) in enumerate(curves))]
+    sizes = [x for curve in curves for x, _ in curve[3]]
+    values = [y for curve in curves for _, y in curve[3]]
+    return SCRIPT.substitute(
+        image=image.name, terminal=terminal(image.suffix[1:]), key=key, label=label, data="\n".join(data),
+        low=f"{0.7 * min(sizes):g}", high=f"{1.4 * max(sizes):g}", bottom=0,
+        top=f"{max(1.15 * max(values), top):g}", plots=", \\\n  ".join(plots))
+
+
+def write(text, image):
+    image.with_suffix(".gp").write_text(text, encoding="utf-8")
+    if not shutil.which("gnuplot"):
+        print(f"no gnuplot on PATH, so no figure; its script is {image.with_suffix('.gp')}")
+        return
+    subprocess.run(["gnuplot", image.with_suffix(".gp").name], cwd=image.resolve().parent, check=True)
+
+
+def draw(result, prefix, form="svg"):
+    """Writes the scripts beside the images and runs gnuplot on them."""
+    image = lambda name: prefix.with_name(f"{prefix.name}-{name}.{form}")
+    write(script(scaling(result), image("sizes"), "µs per molecule, one thread", "top left", 0), image("sizes"))
+    threads = max(s["threads"] for s in result["systems"])
+    if threads > 1:
+        ideal = f'{threads} with lines linewidth 1 dashtype 3 linecolor "#808080" notitle'
+        write(script(speed_up(result, threads), image("threads"), f"speed-up by {threads} threads", "bottom right",
+                     1.1 * threads, [ideal]), image("threads"))
+
+
+if __name__ == "__main__":  # figure.py RESULT.json PREFIX [svg|png]: draws kept numbers again
+    draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]), *sys.argv[3:4])

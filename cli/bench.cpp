@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// polhode bench: how fast this computer runs water, and what keeps it from being faster.
+#include <fmt/core.h>
+
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench_report.hpp"
+#include "option_values.hpp"
+#include "polhode/base/target.hpp"
+#include "polhode/base/threads.hpp"
+#include "progress.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::vector<std::size_t> sizes;
+  std::string precision, threads;
+  bool quick = false, json = false;
+};
+
+/// As the system names it.
+std::string processor() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (const auto colon = line.find(": "); line.starts_with("model name") && colon < line.size())
+      return line.substr(colon + 2);
+  return "unknown processor";
+}
+
+BenchmarkSettings configured(const Options& o) {
+  BenchmarkSettings settings;
+  settings.quick = o.quick;
+  if (o.quick) settings.sizes = {512};
+  if (!o.sizes.empty()) settings.sizes = o.sizes;
+  if (!o.precision.empty()) settings.precisions = {precision_option(o.precision)};
+  const int threads = threads_wanted(o.threads);
+  if (threads > 1) settings.threads.push_back(threads);
+  return settings;
+}
+
+int bench(const Options& o) {
+  const BenchmarkSettings settings = configured(o);
+  const Computer computer{processor(), name(current_target()), settings.threads};
+  Benchmark result;
+  {
+    Progress progress("bench");
+    result = benchmark(settings,
+                       [&](double done, const std::string& what) { progress.show(done, what); });
+  }
+  if (o.json)
+    fmt::print("{}\n", benchmark_json(result, computer));
+  else
+    print_benchmark(result, computer);
+  return 0;
+}
+
+}  // namespace
+
+Action bench_verb(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_flag("--quick", o->quick, "512 waters alone, fewer and shorter repeats: some seconds");
+  app.add_option("--sizes", o->sizes, "numbers of waters; without it: 512,4096")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 100'000'000));
+  app.add_option("--precision", o->precision, "of the pairs: double or mixed; without it: both");
+  app.add_option("--threads", o->threads,
+                 "beside one thread; without it: one for each core allowed");
+  app.add_flag("--json", o->json, "print all numbers as JSON");
+  return [o] { return bench(*o); };
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+"""bench/engine runs, keeps its numbers and draws them."""
+
+import argparse
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ENGINE = Path(__file__).resolve().parents[2] / "bench/engine/engine.py"
+PROGRAM = None  # the built program, from the command line
+
+
+class Engine(unittest.TestCase):
+    def test_quick(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = subprocess.run([sys.executable, "-B", ENGINE, "--quick", "--sizes", "512,600", "--threads", "1",
+                                  "--polhode", PROGRAM, "--json", "numbers.json", "--figures", "picture"],
+                                 cwd=folder, text=True, capture_output=True, check=False)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            result = json.loads((Path(folder) / "numbers.json").read_text(encoding="utf-8"))
+            self.assertEqual([(s["precision"], s["molecules"]) for s in result["systems"]],
+                             [(p, n) for p in ("mixed", "double") for n in (512, 600)])
+            for s in result["systems"]:
+                for key in ("force_ns_per_molecule", "step_ns_per_molecule", "bytes_per_molecule", "first_energies_s"):
+                    self.assertGreater(s[key], 0, key)
+            self.assertEqual(len(result["limits"]), 2)
+            self.assertTrue((Path(folder) / "picture-sizes.gp").exists())
+            self.assertEqual((Path(folder) / "picture-sizes.svg").exists(), bool(shutil.which("gnuplot")))
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", type=Path, required=True)
+    options, rest = parser.parse_known_args()
+    PROGRAM = options.program.resolve()
+    unittest.main(module="__main__", argv=["engine", *rest])

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The counts that force evaluations are held against; times are no test's business.
+#include "polhode/run/benchmark.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "polhode/math/random.hpp"
+
+using namespace polhode;
+
+namespace {
+
+State scattered(std::size_t bodies, const Box& box) {
+  State state(bodies, box);
+  Random random(7);
+  for (std::size_t i = 0; i < bodies; ++i)
+    for (std::size_t d = 0; d < 3; ++d) {
+      Column<double>& along = d == 0 ? state.q.x : d == 1 ? state.q.y : state.q.z;
+      along[i] = (3 * random.uniform() - 1) * box.edge[d];  // unwrapped
+    }
+  return state;
+}
+
+std::size_t one_by_one(const State& state, double distance) {
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      pairs += norm(state.box.minimum_image(state.q[i] - state.q[j])) < distance;
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("pairs within a distance are counted once, in boxes of few cells and of many") {
+  for (const Box& box : {Box{{2.1, 2.1, 2.1}}, Box{{2.1, 3.5, 9}}, Box{{5, 4, 3}}}) {
+    const State state = scattered(300, box);
+    for (const double distance : {0.3, 0.7, 1.0})
+      CHECK(pairs_within(state, distance) == one_by_one(state, distance));
+  }
+}
+
+TEST_CASE("a timing is the best of its repeats with their median") {
+  const Timing t = timing({5, 2, 4, 3, 9});
+  CHECK(t.best == 2);
+  CHECK(t.median == 4);
+  CHECK(t.spread() == 1);
+}
+
+TEST_CASE("a limit counts pairs within the switch at their own price") {
+  const Limit limit{Precision::full, 8, 1, {{2, 2}, {3, 3}}, {{4, 4}, {5, 5}}};
+  CHECK(limit.seconds(10, 100, false) == doctest::Approx(320e-9));
+  CHECK(limit.seconds(10, 100, true) == doctest::Approx(540e-9));
+}
