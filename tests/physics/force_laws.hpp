@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/base/units.hpp"
 #include "polhode/forces/reference.hpp"
 #include "scenes.hpp"
 
@@ -72,6 +73,61 @@ inline double largest_difference(const Mat3<double>& a, const Mat3<double>& b) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(a[i][k] - b[i][k]));
   return most;
+}
+
+inline double rms_distance(const Vec3Column& a, const std::vector<Vec3<double>>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += norm2(a[i] - b[i]);
+  return std::sqrt(sum / double(a.size()));
+}
+
+/// What roundings are relative to, from all terms of the energy.
+struct Terms {
+  double sum = 0;           ///< Σ |u| [kJ/mol]
+  double f2 = 0, tau2 = 0;  ///< mean squares of what float makes of forces and torques
+  double f2_of_places = 0;  ///< the same of forces, from places rounded to 2⁻²⁴ nm
+};
+
+/// A rounding to float has an rms of 0.4 × 2⁻²⁴. Three make r², which a term u of power n feels n/2
+/// times, and four or so its powers, products and the sum: together 0.7 √((n/2)² + 1) × 2⁻²⁴ of its
+/// force n u/r. In a switch there is the force w'(r) u as well.
+inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings) {
+  const State& state = scene.state;
+  const Switch<> w(settings.switch_from, settings.cutoff, settings.smoothness);
+  const bool by_molecule = settings.truncation == Truncation::molecule_switch;
+  const bool by_site = settings.truncation == Truncation::site_switch;
+  Terms terms;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    for (std::size_t j = i + 1; j < state.size(); ++j) {
+      const Molecule& a_molecule = scene.topology.parts[scene.bodies.part[i]].molecule;
+      const Molecule& b_molecule = scene.topology.parts[scene.bodies.part[j]].molecule;
+      Vec3<double> R = state.q[j] - state.q[i];
+      for (std::size_t d = 0; d < 3; ++d)
+        R[d] -= std::round(R[d] / state.box.edge[d]) * state.box.edge[d];
+      if (norm(R) > settings.cutoff + (by_molecule ? 0 : a_molecule.reach() + b_molecule.reach()))
+        continue;
+      for (const Site& a : a_molecule.sites)
+        for (const Site& b : b_molecule.sites) {
+          const double r =
+              norm(R + to_lab(state.attitude[j], b.r) - to_lab(state.attitude[i], a.r));
+          if (!by_molecule && r > settings.cutoff) continue;
+          const double slope = by_molecule ? w(norm(R)).slope : by_site ? w(r).slope : 0;
+          const double x = std::pow((a.sigma + b.sigma) / 2 / r, 6);
+          const double depth = 4 * std::sqrt(a.epsilon * b.epsilon);
+          const auto add = [&](int n, double u) {
+            const double f = 0.7 * 0x1p-24 * u * (std::hypot(n / 2.0, 1) * n / r + std::abs(slope));
+            const double by_place = 0x1p-24 * u * n * (n + 1) / (r * r);
+            terms.sum += u;
+            terms.f2 += 2 * f * f / double(state.size());  // on both bodies
+            terms.tau2 += f * f * (norm2(a.r) + norm2(b.r)) / double(state.size());
+            terms.f2_of_places += 2 * by_place * by_place / double(state.size());
+          };
+          add(1, units::coulomb * std::abs(a.charge * b.charge) / r);
+          add(6, depth * x);
+          add(12, depth * x * x);
+        }
+    }
+  return terms;
 }
 
 }  // namespace polhode
