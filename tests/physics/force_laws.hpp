@@ -83,17 +83,22 @@ inline double rms_distance(const Vec3Column& a, const std::vector<Vec3<double>>&
 
 /// What roundings are relative to, from all terms of the energy.
 struct Terms {
-  double sum = 0;           ///< Σ |u| [kJ/mol]
-  double f2 = 0, tau2 = 0;  ///< mean squares of what float makes of forces and torques
-  double f2_of_places = 0;  ///< the same of forces, from places rounded to 2⁻²⁴ nm
+  double sum = 0;              ///< Σ |u| [kJ/mol]
+  double f2 = 0, tau2 = 0;     ///< mean squares of what float makes of forces and torques
+  double u2 = 0, virial2 = 0;  ///< squares of what float makes of the energy and the virial
+  double f2_of_places = 0;     ///< the same of forces, from places rounded to 2⁻²⁴ nm
 };
 
 /// A rounding to float has an rms of 0.4 × 2⁻²⁴. Three make r², which a term u of power n feels n/2
 /// times, and four or so its powers, products and the sum: together 0.7 √((n/2)² + 1) × 2⁻²⁴ of its
-/// force n u/r. In a switch there is the force w'(r) u as well.
+/// force n u/r. In a switch there is the force w'(r) u as well, in a shift as much again is taken
+/// off, and a reaction field adds (r/r_c)³ of 1/r at most. Places rounded by 2⁻²⁴ nm change a force
+/// by n (n + 1) u/r² of that, and in a switch of sites by the bend of w, up to 7.5 over its width
+/// squared.
 inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings) {
   const State& state = scene.state;
   const Switch<> w(settings.switch_from, settings.cutoff, settings.smoothness);
+  const double width = settings.cutoff - settings.switch_from;
   const bool by_molecule = settings.truncation == Truncation::molecule_switch;
   const bool by_site = settings.truncation == Truncation::site_switch;
   Terms terms;
@@ -111,18 +116,28 @@ inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings)
           const double r =
               norm(R + to_lab(state.attitude[j], b.r) - to_lab(state.attitude[i], a.r));
           if (!by_molecule && r > settings.cutoff) continue;
-          const double slope = by_molecule ? w(norm(R)).slope : by_site ? w(r).slope : 0;
+          const double end = by_molecule ? norm(R) : by_site ? r : 0;  // where the switch is asked
+          const double bend = !by_site || w(end).slope == 0 ? 0 : 7.5 * end / (width * width);
+          const double slope = std::abs(w(end).slope);
+          const double beyond = settings.electrostatics == Electrostatics::reaction_field
+                                    ? std::pow(r / settings.cutoff, 3)
+                                    : 0;
+          const double terms_each = by_molecule || by_site ? 1 : 2;
           const double x = std::pow((a.sigma + b.sigma) / 2 / r, 6);
           const double depth = 4 * std::sqrt(a.epsilon * b.epsilon);
           const auto add = [&](int n, double u) {
-            const double f = 0.7 * 0x1p-24 * u * (std::hypot(n / 2.0, 1) * n / r + std::abs(slope));
-            const double by_place = 0x1p-24 * u * n * (n + 1) / (r * r);
+            const double f =
+                0.7 * 0x1p-24 * u * (terms_each * std::hypot(n / 2.0, 1) * n / r + slope);
+            const double by_place = 0x1p-24 * u * (n * (n + 1) / (r * r) + bend);
+            const double du = 0x1p-24 * u * (0.7 * std::hypot(n / 2.0, 1) + n / r);
             terms.sum += u;
+            terms.u2 += du * du;
+            terms.virial2 += norm2(R) * (f * f + by_place * by_place);
             terms.f2 += 2 * f * f / double(state.size());  // on both bodies
             terms.tau2 += f * f * (norm2(a.r) + norm2(b.r)) / double(state.size());
             terms.f2_of_places += 2 * by_place * by_place / double(state.size());
           };
-          add(1, units::coulomb * std::abs(a.charge * b.charge) / r);
+          add(1, units::coulomb * std::abs(a.charge * b.charge) / r * (1 + beyond));
           add(6, depth * x);
           add(12, depth * x * x);
         }
