@@ -2,6 +2,8 @@
 // Small systems that the tests share.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 #include <string>
 #include <utility>
@@ -25,28 +27,20 @@ inline Quaternion<double> random_attitude(std::mt19937_64& random) {
   return normalized(Quaternion<double>{w, x, y, z});
 }
 
-/// Molecules on a jittered cubic lattice of spacing `a` [nm] in the given box, with thermal-like
-/// momenta from a fixed seed.
-inline Scene lattice(const std::vector<std::pair<std::string, std::size_t>>& parts, double a,
-                     double box, unsigned seed) {
-  Topology topology;
-  for (const auto& [name, count] : parts) topology.parts.push_back({read_molecule(name), count});
-  Scene scene{topology, Bodies(topology), State(topology.size(), Box{{box, box, box}})};
+/// Molecules at some of the places, in random order, each off its place by about `jitter` [nm],
+/// with thermal-like momenta from a fixed seed.
+inline Scene populated(const Topology& topology, const Vec3<double>& box,
+                       std::vector<Vec3<double>> places, double jitter, unsigned seed) {
+  Scene scene{topology, Bodies(topology), State(topology.size(), Box{box})};
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal;
   const auto vector = [&](double scale) {
     const double x = normal(random), y = normal(random), z = normal(random);
     return scale * Vec3<double>{x, y, z};
   };
-  std::size_t n = 1;
-  while (n * n * n < topology.size()) ++n;
-  std::vector<std::size_t> places(n * n * n);
-  for (std::size_t i = 0; i < places.size(); ++i) places[i] = i;
   std::shuffle(places.begin(), places.end(), random);
   for (std::size_t i = 0; i < topology.size(); ++i) {
-    const std::size_t k = places[i];
-    const Vec3<double> place{double(k % n), double(k / n % n), double(k / (n * n))};
-    scene.state.q.set(i, a * place + vector(0.01 * a));
+    scene.state.q.set(i, places[i] + vector(jitter));
     scene.state.p.set(i, vector(std::sqrt(2.5 * scene.bodies.m[i])));  // kT of 300 K
     scene.state.attitude.set(i, random_attitude(random));
     const Vec3<double> J = scene.bodies.J[i];
@@ -55,6 +49,34 @@ inline Scene lattice(const std::vector<std::pair<std::string, std::size_t>>& par
     scene.state.ell.set(i, to_lab(scene.state.attitude[i], L));
   }
   return scene;
+}
+
+/// Molecules by name on a jittered cubic lattice of spacing `a` [nm] in the given box.
+inline Scene lattice(const std::vector<std::pair<std::string, std::size_t>>& parts, double a,
+                     double box, unsigned seed) {
+  Topology topology;
+  for (const auto& [name, count] : parts) topology.parts.push_back({read_molecule(name), count});
+  std::size_t n = 1;
+  while (n * n * n < topology.size()) ++n;
+  std::vector<Vec3<double>> places;
+  for (std::size_t k = 0; k < n * n * n; ++k)
+    places.push_back(a * Vec3<double>{double(k % n), double(k / n % n), double(k / (n * n))});
+  return populated(topology, {box, box, box}, places, 0.01 * a, seed);
+}
+
+/// Molecules spread evenly over a box of any edges.
+inline Scene spread(const Topology& topology, const Vec3<double>& box, unsigned seed) {
+  double a = std::cbrt(box.x * box.y * box.z / double(topology.size()));
+  const auto along = [&](double edge) { return std::max<std::size_t>(1, std::size_t(edge / a)); };
+  while (along(box.x) * along(box.y) * along(box.z) < topology.size()) a *= 0.99;
+  const std::size_t nx = along(box.x), ny = along(box.y), nz = along(box.z);
+  std::vector<Vec3<double>> places;
+  for (std::size_t k = 0; k < nx * ny * nz; ++k)
+    places.push_back(
+        scaled(Vec3<double>{double(k % nx) / double(nx), double(k / nx % ny) / double(ny),
+                            double(k / (nx * ny)) / double(nz)},
+               box));
+  return populated(topology, box, places, 0.01 * a, seed);
 }
 
 /// Five waters close together in vacuum: the switch begins far beyond them.

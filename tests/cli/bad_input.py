@@ -59,6 +59,10 @@ RUN_FILE = [
     ("no extent", [('box = "2.5 nm"\n', "")], ["density", "run.toml"]),
     ("density beside a box", [('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')], ["leave one out", "run.toml:4"]),
     ("switch beyond the cutoff", [('"1.0 nm"\n', '"1.0 nm"\nswitch = "1.1 nm"\n')], ["1.1 nm", "1 nm", "run.toml:8"]),
+    ("unknown precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixd"\n')], ["'mixd'", "'mixed'", "double", "run.toml:8"]),
+    ("small lambda in mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixed"\n'), ('"2 fs"\n\n', '"2 fs"\nlambda = 0.01\n\n')],
+     ["lambda = 0.01", "0.1", "mixed", "double", "run.toml:13", "integrator.lambda"]),
+    ("unknown electrostatics", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "coulom"\n')], ["'coulomb'", "reaction-field", "run.toml:8"]),
     ("zero skin", [('"1.0 nm"\n', '"1.0 nm"\nskin = "0 nm"\n')], ["skin", "0.1 nm", "run.toml:8"]),
     ("not TOML", [("[system]", "[system")], ["not TOML", "run.toml:1"]),
     ("no molecules", [('molecules = [{ model = "argon", count = 27 }]\n', "")], ["no molecules", "tip4p", "run.toml"]),
@@ -173,6 +177,19 @@ class BadInput(Sandbox):
             self.refused(("study", "run.toml", *options), words, "study")
         self.refused((), ["run", "study"], "no verb")
         self.refused(("stdy",), ["'stdy'", "'study'"], "unknown verb")
+
+    def test_precision(self):
+        self.write("run.toml", SMALL)
+        for verb in ("run", "study"):
+            self.refused((verb, "run.toml", "--precision", "mixd"), ["--precision", "mixd", "'mixed'"], verb)
+        self.write("run.toml", edited(SMALL, ('"2 fs"\n\n', '"2 fs"\nlambda = 0.01\n\n')))
+        for verb in ("run", "study"):
+            self.refused((verb, "run.toml", "--precision", "mixed"), ["lambda = 0.01", "0.1", "run.toml:12"], verb)
+        process = self.polhode("run", "run.toml", "--force", "--precision", "double")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.write("run.toml", SMALL)
+        process = self.polhode("run", "run.toml", "--force", "--precision", "mixed")
+        self.assertEqual(process.returncode, 0, process.err)
 
     def test_threads(self):
         self.write("run.toml", SMALL)

@@ -4,70 +4,21 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <string>
 
-#include "polhode/base/target.hpp"
+#include "physics/force_laws.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/reference.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/math/dual.hpp"
-#include "scenes.hpp"
 
 using namespace polhode;
-
-namespace {
-
-struct Named {
-  std::string name;
-  ForceSettings settings;
-};
-
-std::vector<Named> all_laws() {
-  std::vector<Named> laws;
-  using enum Truncation;
-  using enum Electrostatics;
-  const std::string names[] = {"molecule switch", "site switch", "site shift"};
-  for (const Truncation truncation : {molecule_switch, site_switch, site_shift})
-    for (const int smoothness : {1, 2, 3}) {
-      if (truncation == site_shift && smoothness > 1) continue;  // it has none
-      const auto add = [&](Electrostatics electrostatics, double dielectric, const char* what) {
-        laws.push_back({names[int(truncation)] + " " + std::to_string(smoothness) + ", " + what,
-                        {truncation, 0.75, 0.55, smoothness, electrostatics, dielectric, 0.1}});
-      };
-      add(coulomb, 1, "Coulomb");
-      add(reaction_field, 78.5, "reaction field of 78.5");
-      add(reaction_field, INFINITY, "reaction field of infinity");
-    }
-  return laws;
-}
-
-// All kinds of bodies at once: atoms, linear, symmetric, spherical, asymmetric.
-scenes::Scene mixture() {
-  return scenes::lattice(
-      {{"argon", 3}, {"co2", 3}, {"n2", 2}, {"benzene", 2}, {"ch4", 3}, {"tip4p", 5}}, 0.62, 1.9,
-      11);
-}
-
-double largest(const Vec3Column& v) {
-  double m = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) m = std::max(m, norm(v[i]));
-  return m;
-}
-
-double largest_difference(const Vec3Column& a, const std::vector<Vec3<double>>& b) {
-  double m = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) m = std::max(m, norm(a[i] - b[i]));
-  return m;
-}
-
-}  // namespace
 
 // dU = −Σ f·dq + τ·dθ for any displacement. The derivative of U comes from dual numbers, exact to
 // rounding, so both sides agree to rounding: sums of some 10³ pair terms of up to 10⁴ kJ/mol/nm.
 TEST_CASE("force and torque are minus the gradient of the energy, for every law and body") {
   const scenes::Scene scene = mixture();
-  for (const Named& law : all_laws()) {
+  for (const NamedLaw& law : all_laws()) {
     CAPTURE(law.name);
     ForceField forces(scene.topology, law.settings, scene.state.box);
     Load load;
@@ -89,35 +40,11 @@ TEST_CASE("force and torque are minus the gradient of the energy, for every law 
   }
 }
 
-// The pair loops of every instruction set against all pairs in double precision: rounding only.
-TEST_CASE("every target's pair loops equal the reference, for every law and body") {
-  const Target before = current_target();
-  const scenes::Scene scene = mixture();
-  for (const Named& law : all_laws()) {
-    CAPTURE(law.name);
-    const auto exact =
-        reference_load(scene.topology, law.settings, scene.state.box, scenes::poses(scene.state));
-    for (const Target target : available_targets()) {
-      CAPTURE(std::string(name(target)));
-      force_target(target);
-      ForceField forces(scene.topology, law.settings, scene.state.box);
-      Load load;
-      forces(scene.state, load);
-      const double scale = largest(load.f);
-      CHECK(scale > 10);
-      CHECK(largest_difference(load.f, exact.f) < 1e-13 * scale);
-      CHECK(largest_difference(load.tau, exact.tau) < 1e-13 * scale);
-      CHECK(std::abs(load.potential() - exact.potential()) < 1e-13 * scale);
-    }
-  }
-  force_target(before);
-}
-
 // The directional derivative against a central difference of fourth order: h⁴ f⁽⁵⁾ against
 // rounding/h leaves 1e-8 of the derivative at h = 1e-4 nm for contacts whose scale is some 0.02 nm.
 TEST_CASE("the directional derivative is the slope of forces and torques") {
   const scenes::Scene scene = mixture();
-  for (const Named& law : all_laws()) {
+  for (const NamedLaw& law : all_laws()) {
     if (law.settings.smoothness < 3) continue;  // a central difference needs the fifth derivative
     CAPTURE(law.name);
     ForceField forces(scene.topology, law.settings, scene.state.box);
@@ -183,13 +110,7 @@ TEST_CASE(
     const scenes::Scene scene = mixture();
     const ForceSettings settings{truncation, 0.8, 0.65, 2, Electrostatics::reaction_field,
                                  78.5,       0.1};
-    const auto load_of = [&](const State& s) {
-      ForceField forces(scene.topology, settings, s.box);
-      Load load;
-      forces(s, load);
-      return load;
-    };
-    const Load base = load_of(scene.state);
+    const Load base = load_of(scene.topology, settings, scene.state);
     State shifted = scene.state, turned = scene.state;
     const Quaternion<double> quarter{std::sqrt(0.5), 0, 0, std::sqrt(0.5)};
     for (std::size_t i = 0; i < scene.state.size(); ++i) {
@@ -199,7 +120,8 @@ TEST_CASE(
       turned.q.set(i, to_lab(quarter, scene.state.q[i]));
       turned.attitude.set(i, quarter * scene.state.attitude[i]);
     }
-    const Load by_shift = load_of(shifted), by_turn = load_of(turned);
+    const Load by_shift = load_of(scene.topology, settings, shifted),
+               by_turn = load_of(scene.topology, settings, turned);
     const double scale = largest(base.f);
     for (std::size_t i = 0; i < scene.state.size(); ++i) {
       CHECK(norm(by_shift.f[i] - base.f[i]) < 1e-11 * scale);

@@ -155,3 +155,68 @@ TEST_CASE("merged steps equal single ones") {
     CHECK(largest_difference(one.state.p, merged.state.p) < 1e-12 * gain);
   }
 }
+
+namespace {
+
+// A spring to the origin that counts who asks for energies, and how.
+struct Spring {
+  int complete = 0, alone = 0;
+  void operator()(const State& state, Load& load) {
+    ++complete;
+    load.lennard_jones = pull(state, load);
+  }
+  void forces_alone(const State& state, Load& load) {
+    ++alone;
+    pull(state, load);
+    load.lennard_jones = 0;
+  }
+  static double pull(const State& state, Load& load) {
+    double energy = 0;
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      load.f.set(i, -1.0 * state.q[i]);
+      energy += norm2(state.q[i]) / 2;
+    }
+    return energy;
+  }
+};
+
+}  // namespace
+
+// Energies are computed where a state is sampled and nowhere else: by the last kick of a scheme
+// that ends in one, else by a measurement of its own, which is not counted as part of the
+// integration.
+TEST_CASE("energies are computed only where they are asked for") {
+  for (const Scheme& scheme : schemes) {
+    CAPTURE(std::string(scheme.name()));
+    scenes::Scene scene = scenes::water_cluster();
+    const auto energy = [&] {
+      double sum = 0;
+      for (std::size_t i = 0; i < scene.state.size(); ++i) sum += norm2(scene.state.q[i]) / 2;
+      return sum;
+    };
+    const bool ends_in_kick = scheme.stages().back().flow == Flow::kick;
+    Spring spring;
+    Integrator integrator(scheme, scene.bodies, spring, 1e-4);
+    integrator.advance(scene.state, 0.001, 3, false);
+    CHECK(spring.complete == 0);
+    CHECK(spring.alone == int(integrator.force_evaluations()));
+    CHECK(integrator.measurements() == 0);
+    CHECK(integrator.load(scene.state).potential() == doctest::Approx(energy()).epsilon(1e-14));
+    CHECK(spring.complete == 1);
+    CHECK(integrator.measurements() == 1);
+    CHECK(integrator.load(scene.state).potential() == doctest::Approx(energy()).epsilon(1e-14));
+    CHECK(integrator.measurements() == 1);  // still known
+
+    const auto evaluations = integrator.force_evaluations();
+    integrator.advance(scene.state, 0.001, 3, true);
+    CHECK(integrator.load(scene.state).potential() == doctest::Approx(energy()).epsilon(1e-14));
+    CHECK(integrator.measurements() == (ends_in_kick ? 1 : 2));
+    CHECK(spring.complete == 2);
+    CHECK(spring.complete + spring.alone ==
+          int(integrator.force_evaluations() + integrator.measurements()));
+    CHECK(integrator.force_evaluations() > evaluations);
+    integrator.forget();
+    integrator.load(scene.state);
+    CHECK(spring.complete == 3);
+  }
+}

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "polhode/base/target.hpp"
 #include "polhode/rotor/free_rotation.hpp"
+#include "targets.hpp"
 
 using namespace polhode;
 
@@ -60,18 +60,6 @@ struct Crowd {
     }
   }
 };
-
-/// Calls f once with each instruction set in force.
-template <class Function>
-void for_each_target(const Function& f) {
-  const Target before = current_target();
-  for (const Target target : available_targets()) {
-    force_target(target);
-    INFO(name(target));
-    f();
-  }
-  force_target(before);
-}
 
 double distance(const Quaternion<double>& a, const Quaternion<double>& b) {
   return norm((conjugate(a) * b).vector());

@@ -179,6 +179,49 @@ TEST_CASE("numbers outside their domain are refused with it") {
   check_text("[study]\ndecorrelate = \"-1 ps\"", {"must be 0 ps or longer"});
 }
 
+TEST_CASE("electrostatics is a choice, whose default goes with the truncation") {
+  const auto electrostatics = [](const std::string& forces) {
+    return parse_config(system_table + "[forces]\n" + forces, "x").forces.electrostatics;
+  };
+  using enum Electrostatics;
+  CHECK(electrostatics("") == coulomb);
+  CHECK(electrostatics("truncation = \"site-switch\"") == reaction_field);
+  CHECK(electrostatics("truncation = \"site-shift\"") == reaction_field);
+  CHECK(electrostatics("truncation = \"site-shift\"\nelectrostatics = \"coulomb\"") == coulomb);
+  CHECK(electrostatics("electrostatics = \"reaction-field\"\ndielectric = 80") == reaction_field);
+  check_text("[forces]\nelectrostatics = \"reaction field\"",
+             {"must be one of: coulomb, reaction-field; did you mean 'reaction-field'?"});
+  check_text(
+      "[forces]\nelectrostatics = \"coulomb\"\ntruncation = \"site-switch\"\ndielectric = 80",
+      {"no meaning without electrostatics", "water.toml:7, forces.dielectric"});
+}
+
+TEST_CASE("mixed precision has a lambda that its rounding bears") {
+  const auto read = [](const std::string& more) { return parse_config(system_table + more, "x"); };
+  const std::string mixed = "[forces]\nprecision = \"mixed\"\n";
+  CHECK(read("").forces.precision == Precision::full);
+  CHECK(read("").integrator.lambda == 1e-4);
+  CHECK(read("[forces]\nprecision = \"double\"").integrator.lambda == 1e-4);
+  CHECK(read(mixed).forces.precision == Precision::mixed);
+  CHECK(read(mixed).integrator.lambda == 1);
+  CHECK(read(mixed + "[integrator]\nlambda = 0.1").integrator.lambda == 0.1);
+  check_text(mixed + "[integrator]\nlambda = 0.09",
+             {"lambda = 0.09 is below 0.1", "leave it out", "precision = \"double\"",
+              "water.toml:7, integrator.lambda"});
+  check_text("[forces]\nprecision = \"single\"", {"must be one of: double, mixed"});
+
+  Config config = read("");  // an option in place of the word
+  set_precision(config, Precision::mixed);
+  CHECK(config.forces.precision == Precision::mixed);
+  CHECK(config.integrator.lambda == 1);
+  set_precision(config, Precision::full);
+  CHECK(config.forces.precision == Precision::full);
+  CHECK(config.integrator.lambda == 1e-4);
+  Config given = read("[integrator]\nlambda = 1e-3");
+  check_error([&] { set_precision(given, Precision::mixed); },
+              {"lambda = 0.001 is below 0.1", "x:5, integrator.lambda"});
+}
+
 TEST_CASE("a run file cut anywhere is an error with its line or whole") {
   const std::string whole = default_config().text;
   for (std::size_t length = 0; length < whole.size(); ++length) {

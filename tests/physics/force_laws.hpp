@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// All laws of forces, a crowd that feels all of them, and distances between forces.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "polhode/base/units.hpp"
+#include "polhode/forces/reference.hpp"
+#include "scenes.hpp"
+
+namespace polhode {
+
+struct NamedLaw {
+  std::string name;
+  ForceSettings settings;
+};
+
+/// Every truncation with every class of its switch and every kind of electrostatics.
+inline std::vector<NamedLaw> all_laws() {
+  std::vector<NamedLaw> laws;
+  using enum Truncation;
+  using enum Electrostatics;
+  const std::string names[] = {"molecule switch", "site switch", "site shift"};
+  for (const Truncation truncation : {molecule_switch, site_switch, site_shift})
+    for (const int smoothness : {1, 2, 3}) {
+      if (truncation == site_shift && smoothness > 1) continue;  // it has none
+      const auto add = [&](Electrostatics electrostatics, double dielectric, const char* what) {
+        laws.push_back({names[int(truncation)] + " " + std::to_string(smoothness) + ", " + what,
+                        {truncation, 0.75, 0.55, smoothness, electrostatics, dielectric, 0.1}});
+      };
+      add(coulomb, 1, "Coulomb");
+      add(reaction_field, 78.5, "reaction field of 78.5");
+      add(reaction_field, INFINITY, "reaction field of infinity");
+    }
+  return laws;
+}
+
+/// All kinds of bodies at once: atoms, linear, symmetric, spherical, asymmetric.
+inline scenes::Scene mixture() {
+  return scenes::lattice(
+      {{"argon", 3}, {"co2", 3}, {"n2", 2}, {"benzene", 2}, {"ch4", 3}, {"tip4p", 5}}, 0.62, 1.9,
+      11);
+}
+
+inline Load load_of(const Topology& topology, const ForceSettings& settings, const State& state) {
+  ForceField forces(topology, settings, state.box);
+  Load load;
+  forces(state, load);
+  return load;
+}
+
+inline double largest(const Vec3Column& v) {
+  double m = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) m = std::max(m, norm(v[i]));
+  return m;
+}
+inline double largest_difference(const Vec3Column& a, const std::vector<Vec3<double>>& b) {
+  double m = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) m = std::max(m, norm(a[i] - b[i]));
+  return m;
+}
+inline double largest(const Mat3<double>& m) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(m[i][k]));
+  return most;
+}
+inline double largest_difference(const Mat3<double>& a, const Mat3<double>& b) {
+  double most = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(a[i][k] - b[i][k]));
+  return most;
+}
+
+inline double rms_distance(const Vec3Column& a, const std::vector<Vec3<double>>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += norm2(a[i] - b[i]);
+  return std::sqrt(sum / double(a.size()));
+}
+
+/// What roundings are relative to, from all terms of the energy.
+struct Terms {
+  double sum = 0;              ///< Σ |u| [kJ/mol]
+  double f2 = 0, tau2 = 0;     ///< mean squares of what float makes of forces and torques
+  double u2 = 0, virial2 = 0;  ///< squares of what float makes of the energy and the virial
+  double f2_of_places = 0;     ///< the same of forces, from places rounded to 2⁻²⁴ nm
+};
+
+/// A rounding to float has an rms of 0.4 × 2⁻²⁴. Three make r², which a term u of power n feels n/2
+/// times, and four or so its powers, products and the sum: together 0.7 √((n/2)² + 1) × 2⁻²⁴ of its
+/// force n u/r. In a switch there is the force w'(r) u as well, in a shift as much again is taken
+/// off, and a reaction field adds (r/r_c)³ of 1/r at most. Places rounded by 2⁻²⁴ nm change a force
+/// by n (n + 1) u/r² of that, and in a switch of sites by the bend of w, up to 7.5 over its width
+/// squared.
+inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings) {
+  const State& state = scene.state;
+  const Switch<> w(settings.switch_from, settings.cutoff, settings.smoothness);
+  const double width = settings.cutoff - settings.switch_from;
+  const bool by_molecule = settings.truncation == Truncation::molecule_switch;
+  const bool by_site = settings.truncation == Truncation::site_switch;
+  Terms terms;
+  for (std::size_t i = 0; i < state.size(); ++i)
+    for (std::size_t j = i + 1; j < state.size(); ++j) {
+      const Molecule& a_molecule = scene.topology.parts[scene.bodies.part[i]].molecule;
+      const Molecule& b_molecule = scene.topology.parts[scene.bodies.part[j]].molecule;
+      Vec3<double> R = state.q[j] - state.q[i];
+      for (std::size_t d = 0; d < 3; ++d)
+        R[d] -= std::round(R[d] / state.box.edge[d]) * state.box.edge[d];
+      if (norm(R) > settings.cutoff + (by_molecule ? 0 : a_molecule.reach() + b_molecule.reach()))
+        continue;
+      for (const Site& a : a_molecule.sites)
+        for (const Site& b : b_molecule.sites) {
+          const double r =
+              norm(R + to_lab(state.attitude[j], b.r) - to_lab(state.attitude[i], a.r));
+          if (!by_molecule && r > settings.cutoff) continue;
+          const double end = by_molecule ? norm(R) : by_site ? r : 0;  // where the switch is asked
+          const double bend = !by_site || w(end).slope == 0 ? 0 : 7.5 * end / (width * width);
+          const double slope = std::abs(w(end).slope);
+          const double beyond = settings.electrostatics == Electrostatics::reaction_field
+                                    ? std::pow(r / settings.cutoff, 3)
+                                    : 0;
+          const double terms_each = by_molecule || by_site ? 1 : 2;
+          const double x = std::pow((a.sigma + b.sigma) / 2 / r, 6);
+          const double depth = 4 * std::sqrt(a.epsilon * b.epsilon);
+          const auto add = [&](int n, double u) {
+            const double f =
+                0.7 * 0x1p-24 * u * (terms_each * std::hypot(n / 2.0, 1) * n / r + slope);
+            const double by_place = 0x1p-24 * u * (n * (n + 1) / (r * r) + bend);
+            const double du = 0x1p-24 * u * (0.7 * std::hypot(n / 2.0, 1) + n / r);
+            terms.sum += u;
+            terms.u2 += du * du;
+            terms.virial2 += norm2(R) * (f * f + by_place * by_place);
+            terms.f2 += 2 * f * f / double(state.size());  // on both bodies
+            terms.tau2 += f * f * (norm2(a.r) + norm2(b.r)) / double(state.size());
+            terms.f2_of_places += 2 * by_place * by_place / double(state.size());
+          };
+          add(1, units::coulomb * std::abs(a.charge * b.charge) / r * (1 + beyond));
+          add(6, depth * x);
+          add(12, depth * x * x);
+        }
+    }
+  return terms;
+}
+
+}  // namespace polhode

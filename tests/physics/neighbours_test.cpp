@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+// The neighbour list: every pair in range once, whole packs, and no pair missed while bodies move.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <map>
+
+#include "physics/force_laws.hpp"
+#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/schemes.hpp"
+#include "targets.hpp"
+
+using namespace polhode;
+
+namespace {
+
+struct ListCase {
+  std::string name;
+  std::vector<std::pair<std::string, std::size_t>> parts;
+  Vec3<double> box;
+  ForceSettings settings;
+};
+
+scenes::Scene scene_of(const ListCase& c, unsigned seed = 21) {
+  Topology topology;
+  for (const auto& [name, count] : c.parts) topology.parts.push_back({read_molecule(name), count});
+  scenes::Scene scene = scenes::spread(topology, c.box, seed);
+  for (std::size_t i = 0; i < scene.state.size(); ++i) {  // some start outside by several edges
+    const Vec3<double> edges{double(i % 7) - 3, double(i % 4) - 2, double(i % 11) - 5};
+    if (i % 3 == 1) scene.state.q.add(i, scaled(edges, c.box));
+  }
+  return scene;
+}
+
+ForceSettings law(Truncation truncation, double cutoff, double switch_from, double skin) {
+  return {truncation, cutoff, switch_from, 2, Electrostatics::reaction_field, 78.5, skin};
+}
+
+// Few and many, and boxes that just hold two cutoffs, or a cutoff and two molecules from centre to
+// site.
+std::vector<ListCase> list_cases() {
+  using enum Truncation;
+  std::vector<ListCase> cases;
+  for (const std::size_t n : {1, 2, 3, 63, 64, 65, 216, 700}) {
+    const double edge = std::max(1.3, 0.31 * std::cbrt(double(n)));
+    cases.push_back({std::to_string(n) + " waters",
+                     {{"tip4p", n}},
+                     {edge, edge, edge},
+                     law(molecule_switch, 0.6, 0.5, 0.05)});
+  }
+  cases.push_back({"a box of twice the cutoff",
+                   {{"tip4p", 60}},
+                   {1.3, 1.3, 1.3},
+                   law(molecule_switch, 0.6499, 0.5, 0.06)});
+  const double reach = read_molecule("benzene").reach();
+  for (const Truncation truncation : {site_switch, site_shift})
+    cases.push_back({"a box of the cutoff and two benzenes",
+                     {{"benzene", 4}},
+                     {1.0, 1.01, 1.02},
+                     law(truncation, 0.99 - 2 * reach, 0.3, 0.05)});
+  for (const Truncation truncation : {molecule_switch, site_switch}) {
+    cases.push_back({"a long box",
+                     {{"tip4p", 100}, {"argon", 50}},
+                     {14, 1.3, 1.4},
+                     law(truncation, 0.6, 0.5, 0.05)});
+    cases.push_back({"a flat box",
+                     {{"tip4p", 100}, {"argon", 50}},
+                     {4.1, 1.25, 3.7},
+                     law(truncation, 0.6, 0.5, 0.05)});
+    cases.push_back({"three types",
+                     {{"tip4p", 90}, {"co2", 40}, {"argon", 77}},
+                     {1.9, 2.3, 2.1},
+                     law(truncation, 0.8, 0.7, 0.08)});
+  }
+  return cases;
+}
+
+// A pair: the smaller body, the larger one, and the larger one's image in edges, bodies in the box
+// as when the list was made.
+using Pair = std::array<int, 5>;
+
+// How often each pair is listed, and how often as one that does not end.
+struct Listed {
+  std::map<Pair, int> times, whole;
+  std::size_t nowhere = 0;
+
+  explicit Listed(const NeighbourList& list) {
+    const Slots& slots = list.slots();
+    for (const ListChunk& chunk : list.chunks())
+      for (std::uint32_t slot = chunk.first; slot < chunk.end; ++slot)
+        for (std::size_t p = chunk.part; p < slots.parts.size(); ++p) {
+          const ListChunk::Row& row = chunk.row(slot, p, slots.parts.size());
+          CHECK((row.ending - row.begin) % list.width() == 0);
+          CHECK((row.end - row.ending) % list.width() == 0);
+          for (std::uint32_t k = row.begin; k < row.end; ++k) {
+            const Neighbour n(chunk.entries[k]);
+            if (n.image() == Neighbour::nowhere) {
+              CHECK(k >= row.ending);  // a pair that does not end is somewhere
+              ++nowhere;
+              continue;
+            }
+            CHECK(n.slot() >= slots.parts[p].first);
+            CHECK(n.slot() < slots.parts[p].end());
+            const Pair pair = pair_of(slots.body[slot], slots.body[n.slot()], n.image());
+            ++times[pair];
+            if (k < row.ending) ++whole[pair];
+          }
+        }
+  }
+
+  static Pair pair_of(std::uint32_t a, std::uint32_t b, std::uint32_t image) {
+    const Vec3<int> e = image_edges(image);
+    return a < b ? Pair{int(a), int(b), e.x, e.y, e.z} : Pair{int(b), int(a), -e.x, -e.y, -e.z};
+  }
+};
+
+// Visits all pairs and images: visit(pair, distance now, part of one, part of the other).
+template <class Visit>
+void all_pairs(const NeighbourList& list, const State& state, const Bodies& bodies,
+               const Visit& visit) {
+  const Slots& slots = list.slots();
+  std::vector<Vec3<double>> place(state.size());  // now, from that in the box when it was made
+  for (const Slots::Part& part : slots.parts)
+    for (std::uint32_t s = part.first; s < part.end(); ++s)
+      place[slots.body[s]] = slots.place[s] + (state.q[slots.body[s]] - slots.built_at[s]);
+  for (std::uint32_t i = 0; i < state.size(); ++i)
+    for (std::uint32_t j = i + 1; j < state.size(); ++j)
+      for (std::uint32_t image = 0; image < Neighbour::images; ++image) {
+        const Vec3<int> e = image_edges(image);
+        const Vec3<double> edges{double(e.x), double(e.y), double(e.z)};
+        visit(Listed::pair_of(i, j, image),
+              norm(place[j] - place[i] + scaled(edges, state.box.edge)), bodies.part[i],
+              bodies.part[j]);
+      }
+}
+
+// Centres of two types may be so much farther apart than their sites.
+double reach_of(const ListCase& c, const scenes::Scene& scene, std::size_t a, std::size_t b) {
+  const auto reach = [&](std::size_t p) { return scene.topology.parts[p].molecule.reach(); };
+  return c.settings.truncation == Truncation::molecule_switch ? 0 : reach(a) + reach(b);
+}
+
+// The skin is shorter where the box leaves less.
+double skin_of(const NeighbourList& list) { return 2 * std::sqrt(list.allowed2()); }
+
+}  // namespace
+
+// Places are compared in fixed point and float, which a margin of 1e-5 nm covers: pairs may be
+// listed that are so much beyond the range, but none be missed within it, and those that do not end
+// are closer than the switch by the skin, whatever the rounding.
+TEST_CASE("every pair in range is listed once, in whole packs") {
+  for (const ListCase& c : list_cases()) {
+    CAPTURE(c.name);
+    const scenes::Scene scene = scene_of(c);
+    for_each_target([&] {
+      for (const std::size_t width : {1, 4, 16}) {
+        CAPTURE(width);
+        NeighbourList list(scene.topology, c.settings, scene.state.box);
+        list.build(scene.state, width);
+        const Listed listed(list);
+        const double skin = skin_of(list);
+        std::size_t expected = 0, wrong = 0, too_early = 0, inner = 0, found = 0, all = 0;
+        all_pairs(list, scene.state, scene.bodies,
+                  [&](const Pair& pair, double r, std::size_t a, std::size_t b) {
+                    const double reach = reach_of(c, scene, a, b);
+                    const double range = c.settings.cutoff + reach + skin;
+                    if (r > range + 2e-5) return;
+                    const auto at = listed.times.find(pair);
+                    const int times = at == listed.times.end() ? 0 : at->second;
+                    found += std::size_t(times);
+                    wrong += times > 1 || (times == 0 && r < range);
+                    expected += r < range;
+                    const double from = c.settings.truncation == Truncation::site_shift
+                                            ? 0
+                                            : c.settings.switch_from - reach - skin;
+                    too_early += listed.whole.contains(pair) && r >= from;
+                    inner += r < from;
+                  });
+        CHECK(wrong == 0);
+        CHECK(too_early == 0);
+        for (const auto& [pair, times] : listed.times) all += std::size_t(times);
+        CHECK(found == all);  // none beyond the range, no body with itself
+        CHECK((scene.state.size() < 60 || expected > scene.state.size()));
+        CHECK(list.lanes() == all + listed.nowhere);
+        if (width == 1) {  // nothing is left over
+          CHECK(listed.nowhere == 0);
+          CHECK(listed.whole.size() <= inner);
+          CHECK(double(listed.whole.size()) >= 0.99 * double(inner));
+        }
+      }
+    });
+  }
+}
+
+// A row hands on what does not fill a pack, unless no partner of its comes later in its chunk: so
+// of a row of some 70 only the last few of a chunk leave lanes empty.
+TEST_CASE("nearly all lanes of a liquid's list are filled, for every width") {
+  const ListCase water{"",
+                       {{"tip4p", 4096}},
+                       {4.97, 4.97, 4.97},
+                       {.cutoff = 1.0, .switch_from = 0.85, .skin = 0.05}};
+  scenes::Scene scene = scene_of(water);
+  for (std::size_t i = 0; i < scene.state.size(); ++i)  // off the lattice by some 0.1 nm
+    scene.state.q.add(i, 0.3 / scene.bodies.m[i] * scene.state.p[i]);
+  NeighbourList list(scene.topology, water.settings, scene.state.box);
+  std::size_t pairs = 0;
+  for (const std::size_t width : {1, 2, 4, 8, 16}) {
+    CAPTURE(width);
+    list.build(scene.state, width);
+    std::size_t filled = 0;
+    for (const ListChunk& chunk : list.chunks())
+      for (const std::uint32_t word : chunk.entries)
+        filled += Neighbour(word).image() != Neighbour::nowhere;
+    if (width == 1) pairs = filled;
+    CHECK(filled == pairs);
+    CHECK(double(filled) >= 0.95 * double(list.lanes()));
+    CHECK(list.lanes() % width == 0);
+  }
+  // 4π/3 (1.05 nm)³ at the density of a water in 0.03 nm³, each pair once; structure is 2 % of it
+  const double ideal = 4096.0 * 4096 / 2 / std::pow(4.97, 3) * 4.18879 * std::pow(1.05, 3);
+  CHECK(double(pairs) == doctest::Approx(ideal).epsilon(0.02));
+}
+
+// A pair that comes into range between two builds must stand in the list; forces say so only if
+// they are large there, so the list itself is asked. Forces: double to rounding of the largest,
+// float to three times the rms that rounding of terms and of places makes, times the reach for
+// torques.
+TEST_CASE("the neighbour list misses no pair over long hot runs") {
+  for (const ListCase& c : list_cases()) {
+    CAPTURE(c.name);
+    const bool large = scene_of(c).state.size() > 300;
+    for_each_target([&] {
+      if (large && current_target() != available_targets().back()) return;
+      for (const Precision precision : {Precision::full, Precision::mixed}) {
+        CAPTURE(int(precision));
+        scenes::Scene scene = scene_of(c, 22);
+        for (std::size_t i = 0; i < scene.state.size(); ++i)
+          scene.state.p.set(i, 3.0 * scene.state.p[i]);  // 2700 K
+        ForceSettings settings = c.settings;
+        settings.precision = precision;
+        ForceField forces(scene.topology, settings, scene.state.box);
+        Integrator integrator(schemes[1], scene.bodies, forces);
+        std::size_t missed = 0, seen = 0;
+        double reach = 0;  // of any site from a centre
+        for (const auto& part : scene.topology.parts)
+          reach = std::max(reach, part.molecule.reach());
+        for (int k = 0; k < (large ? 4 : 8); ++k) {
+          integrator.advance(scene.state, 0.0003, 17, false);
+          const Load& load = integrator.load(scene.state);
+          const auto exact =
+              reference_load(scene.topology, settings, scene.state.box, scenes::poses(scene.state));
+          if (precision == Precision::full) {
+            CHECK(largest_difference(load.f, exact.f) <= 1e-12 * largest(load.f));
+            CHECK(largest_difference(load.tau, exact.tau) <= 1e-12 * largest(load.f));
+          } else {
+            const Terms terms = terms_of(scene, settings);
+            const double rounding = 3 * std::sqrt(terms.f2 + terms.f2_of_places);
+            CHECK(rms_distance(load.f, exact.f) <= rounding);
+            CHECK(rms_distance(load.tau, exact.tau) <= reach * rounding);
+          }
+          const Listed listed(forces.neighbours());
+          all_pairs(forces.neighbours(), scene.state, scene.bodies,
+                    [&](const Pair& pair, double r, std::size_t a, std::size_t b) {
+                      if (r >= c.settings.cutoff + reach_of(c, scene, a, b)) return;
+                      ++seen;
+                      missed += !listed.times.contains(pair);
+                    });
+          for (const auto& [pair, times] : listed.whole) missed += times != 1;
+        }
+        CHECK(missed == 0);
+        if (scene.state.size() >= 60) {
+          CHECK(seen > 8 * scene.state.size());
+          CHECK(forces.neighbours().rebuilds() > 2);
+        }
+      }
+    });
+  }
+}

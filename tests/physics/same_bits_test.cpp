@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Forces are the same to the last bit for any number of threads, and whenever they are asked for.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstdint>
+
+#include "physics/force_laws.hpp"
+#include "polhode/base/workers.hpp"
+
+using namespace polhode;
+
+namespace {
+
+// All bits of a Load as whole numbers, so that a difference of signs of zero counts as well.
+std::vector<std::uint64_t> bits(const Load& load) {
+  std::vector<std::uint64_t> all;
+  const auto add = [&](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };
+  for (const Vec3Column* column : {&load.f, &load.tau})
+    for (std::size_t i = 0; i < column->size(); ++i)
+      for (std::size_t d = 0; d < 3; ++d) add((*column)[i][d]);
+  add(load.lennard_jones);
+  add(load.coulomb);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) add(load.virial[i][k]);
+  return all;
+}
+
+// Bodies move a little and then far, so that the list is used again and made anew.
+std::vector<std::vector<std::uint64_t>> history(const scenes::Scene& scene,
+                                                const ForceSettings& settings, int threads) {
+  Workers workers(threads);
+  ForceField forces(scene.topology, settings, scene.state.box, workers);
+  State state = scene.state;
+  Load load;
+  std::vector<std::vector<std::uint64_t>> all;
+  for (const double t : {0.0, 0.001, 0.2}) {
+    for (std::size_t i = 0; i < state.size(); ++i)
+      state.q.set(i, scene.state.q[i] + t * scene.bodies.inverse_m[i] * scene.state.p[i]);
+    forces(state, load);
+    all.push_back(bits(load));
+    forces(state, load);
+    CHECK((bits(load) == all.back()));
+    forces.forces_alone(state, load);
+    all.push_back(bits(load));
+    forces.forces_alone(state, load);
+    CHECK((bits(load) == all.back()));
+    forces(state, load);
+    CHECK((bits(load) == all[all.size() - 2]));
+  }
+  CHECK(forces.neighbours().rebuilds() == 2);
+  return all;
+}
+
+}  // namespace
+
+// Work is cut by the number of bodies alone, and sums are added in the order of the cuts.
+TEST_CASE("any number of threads gives the same bits of forces, torques, energies and virial") {
+  const std::vector<std::vector<std::pair<std::string, std::size_t>>> systems = {
+      {{"tip4p", 512}}, {{"tip4p", 3000}}, {{"co2", 150}, {"argon", 90}, {"tip4p", 300}}};
+  for (const auto& parts : systems) {
+    Topology topology;
+    for (const auto& [name, count] : parts) topology.parts.push_back({read_molecule(name), count});
+    const double edge = 0.32 * std::cbrt(double(topology.size()));
+    const scenes::Scene scene = scenes::spread(topology, {edge, edge, edge}, 31);
+    CAPTURE(scene.state.size());
+    for (const Precision precision : {Precision::full, Precision::mixed}) {
+      CAPTURE(int(precision));
+      ForceSettings settings{.cutoff = 0.9, .switch_from = 0.75, .skin = 0.05};
+      settings.precision = precision;
+      const auto alone = history(scene, settings, 1);
+      for (const int threads : {2, 3, 8}) {
+        CAPTURE(threads);
+        CHECK((history(scene, settings, threads) == alone));
+      }
+    }
+  }
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// What packs do, one pack at a time, for tests without packs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "polhode/base/target.hpp"
+
+namespace polhode {
+
+POLHODE_DECLARE_LOOPS(
+    /// Numbers in a pack.
+    std::size_t pack_width(const double*); std::size_t pack_width(const float*);
+    /// column[k, i] = row[i, k], as many as a pack is wide in each direction.
+    void transposed(const double* row, double* column);
+    void transposed(const float* row, float* column);
+    /// Adds value[k, lane], 0 ≤ k < 6, to number k of the record of 8 with the lane's index.
+    void added_to_records(const double* value, const std::uint32_t* index, double* records);
+    void added_to_records(const float* value, const std::uint32_t* index, double* records);
+    /// Adds the sum over the lanes of value[k, lane] to number k of a record of 8.
+    void added_sums(const double* value, double* record);
+    void added_sums(const float* value, double* record);
+    /// 1/r, 1/r² and 1/r³ of each r².
+    void inverse_powers(const double* r2, double* first, double* second, double* third);
+    void inverse_powers(const float* r2, float* first, float* second, float* third);
+    /// How many lanes of `x` are below 0, and `first` + lane for each, from `to` on.
+    std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t* to);
+    /// p − from, both ways; p + q as bits.
+    void fixed_differences(const std::int32_t* p, std::int32_t from, float* read, float* in_pack);
+    void fixed_sums(const std::int32_t* p, const std::int32_t* q, std::int32_t* sum);
+    /// A pack of floats from doubles: rounded, and in fixed point as bits.
+    void all_narrowed(const double* x, float* rounded, std::int32_t* fixed);
+    /// from[index] for a pack of doubles.
+    void all_gathered(const double* from, const std::uint32_t* index, double* to);)
+
+}  // namespace polhode

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// Rows become whole packs by handing pairs to later rows.
+#include "polhode/forces/row_packing.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace polhode;
+
+namespace {
+
+std::multiset<std::uint32_t> words(const RowBuffer& row) { return {row.begin(), row.end()}; }
+
+}  // namespace
+
+TEST_CASE("a word of the list holds slot and image") {
+  for (const std::uint32_t slot : {0u, 1u, 77u, Neighbour::slot_mask})
+    for (std::uint32_t image = 0; image <= Neighbour::nowhere; ++image) {
+      const Neighbour n(slot, image);
+      CHECK(n.slot() == slot);
+      CHECK(n.image() == image);
+      CHECK(Neighbour(n.word()).word() == n.word());
+    }
+  for (std::uint32_t image = 0; image < Neighbour::images; ++image) {
+    const Vec3<int> e = image_edges(image), back = image_edges(Neighbour::images - 1 - image);
+    CHECK(e.x == -back.x);
+    CHECK(e.y == -back.y);
+    CHECK(e.z == -back.z);
+    CHECK(image == std::uint32_t((e.z * 3 + e.y) * 3 + e.x + 13));
+  }
+}
+
+TEST_CASE("a row buffer has room for a pack beyond what is asked") {
+  RowBuffer row;
+  for (std::uint32_t k = 0; k < 1000; ++k) {
+    std::uint32_t* const end = row.end_with_room(3);
+    std::fill_n(end, 3 + slot_block, Neighbour(k, 13).word());
+    row.grow(1);
+  }
+  CHECK(row.size() == 1000);
+  for (std::uint32_t k = 0; k < 1000; ++k) CHECK(row[k].slot() == k);
+  row.remove(3);
+  CHECK(row.size() == 999);
+  CHECK(row[3].slot() == 999);
+  CHECK(row.pop().slot() == 998);
+  row.clear();
+  CHECK(row.begin() == row.end());
+}
+
+// The pairs of slot 10 in the chunk of slots 8 to 99: those to earlier slots were handed here,
+// those from 100 on are in no row of this chunk, the others may be handed on.
+TEST_CASE("a row hands its surplus to later rows of its chunk, seen from there, or keeps it all") {
+  for (const std::size_t width : {1, 2, 4, 8, 16})
+    for (std::size_t length = 0; length < 40; ++length)
+      for (const std::size_t takers : {std::size_t{0}, std::size_t{3}, length}) {
+        if (takers > length) continue;
+        RowBuffer row;
+        for (std::uint32_t k = 0; k < length; ++k) {
+          const bool taker = k >= length - takers;
+          const std::uint32_t slot = taker ? 11 + 2 * k : k % 2 ? 8 + k / 2 % 2 : 100 + k;
+          row.push({slot, k % Neighbour::images});
+        }
+        const auto before = words(row);
+        HandedPairs later(8, 100);
+        hand_over(10, 100, width, row, later);
+        const std::size_t surplus = length % width;
+        const bool can = takers >= surplus;
+        CHECK(row.size() == (can ? length - surplus : length));
+        auto all = words(row);
+        for (std::uint32_t slot = 8; slot < 100; ++slot) {
+          RowBuffer handed;
+          later.take(slot, handed);
+          CHECK((handed.size() == 0 || slot > 10));
+          for (std::size_t k = 0; k < handed.size(); ++k) {
+            CHECK(handed[k].slot() == 10);
+            all.insert(Neighbour(slot, Neighbour::images - 1 - handed[k].image()).word());
+          }
+        }
+        CHECK((all == before));
+      }
+}
+
+TEST_CASE("what several rows hand to one is all there") {
+  HandedPairs later(0, 64);
+  for (std::uint32_t from = 0; from < 20; ++from) later.give(40 + from % 2, {from, from});
+  RowBuffer row;
+  later.take(40, row);
+  std::set<std::uint32_t> slots;
+  for (std::size_t k = 0; k < row.size(); ++k) slots.insert(row[k].slot());
+  CHECK(row.size() == 10);
+  CHECK(slots.size() == 10);
+  for (const std::uint32_t slot : slots) CHECK(slot % 2 == 0);
+  later.take(39, row);
+  CHECK(row.size() == 10);
+}
