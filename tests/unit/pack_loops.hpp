@@ -11,7 +11,7 @@ namespace polhode {
 
 POLHODE_DECLARE_LOOPS(
     /// Numbers in a pack.
-    std::size_t pack_width(const double*); std::size_t pack_width(const float*);
+    std::size_t lanes_of(const double*); std::size_t lanes_of(const float*);
     /// column[k, i] = row[i, k], as many as a pack is wide in each direction.
     void transposed(const double* row, double* column);
     void transposed(const float* row, float* column);

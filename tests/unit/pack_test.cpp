@@ -20,7 +20,7 @@ constexpr std::size_t widest = 16;  // numbers in the widest pack
 
 template <class T>
 std::size_t width() {
-  return POLHODE_CURRENT_OVERLOAD(pack_width, std::size_t(*)(const T*))(nullptr);
+  return POLHODE_CURRENT_OVERLOAD(lanes_of, std::size_t(*)(const T*))(nullptr);
 }
 
 template <class T>

@@ -41,8 +41,8 @@ Pack<float> bits_of(const std::int32_t* p) {
 
 }  // namespace
 
-std::size_t pack_width(const double*) { return Pack<double>::width; }
-std::size_t pack_width(const float*) { return Pack<float>::width; }
+std::size_t lanes_of(const double*) { return Pack<double>::width; }
+std::size_t lanes_of(const float*) { return Pack<float>::width; }
 
 void transposed(const double* row, double* column) { transposed_of(row, column); }
 void transposed(const float* row, float* column) { transposed_of(row, column); }
