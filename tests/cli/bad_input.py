@@ -59,7 +59,7 @@ RUN_FILE = [
     ("no extent", [('box = "2.5 nm"\n', "")], ["density", "run.toml"]),
     ("density beside a box", [('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')], ["leave one out", "run.toml:4"]),
     ("switch beyond the cutoff", [('"1.0 nm"\n', '"1.0 nm"\nswitch = "1.1 nm"\n')], ["1.1 nm", "1 nm", "run.toml:8"]),
-    ("unknown precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixd"\n')], ["'mixd'", "'mixed'", "double", "run.toml:8"]),
+    ("unknown precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixd"\n')], ['"mixd"', "'mixed'", "double", "run.toml:8"]),
     ("small lambda in mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixed"\n'), ('"2 fs"\n\n', '"2 fs"\nlambda = 0.01\n\n')],
      ["lambda = 0.01", "0.1", "mixed", "double", "run.toml:13", "integrator.lambda"]),
     ("unknown electrostatics", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "coulom"\n')], ["'coulomb'", "reaction-field", "run.toml:8"]),
