@@ -43,7 +43,7 @@ constexpr std::size_t slots_at_once = 1024;  // put into fixed point by one task
 std::vector<ListChunk> chunks_of(const Slots& slots) {
   std::vector<ListChunk> chunks;
   const std::size_t all = slots.size();
-  const std::size_t wanted = all < 1000 ? 8 : all < 100000 ? 16 : 64;
+  const std::size_t wanted = all < 1000 ? 8 : all < 400000 ? 16 : 32;
   const std::size_t blocks = std::max<std::size_t>(1, all / slot_block / wanted);
   for (std::uint32_t part = 0; part < slots.parts.size(); ++part) {
     const Slots::Part& p = slots.parts[part];

@@ -28,7 +28,8 @@ struct Spread {
 }  // namespace
 
 ForceNoise force_noise(const System& system, Workers& workers) {
-  if (system.forces.precision == Precision::full) return {};
+  if (system.forces.precision == Precision::full || system.bodies.size() > most_estimated)
+    return {};
   const Bodies& bodies = system.bodies;
   const double T = temperature(energies(system.state, bodies, Load{}).kinetic(),
                                freedoms(system.topology).all());

@@ -32,9 +32,10 @@ class Integrator {
         forces_(forces),
         lambda_(lambda),
         workers_(workers),
-        load_(bodies.size()),
-        gradient_load_(bodies.size()),
-        shifted_(bodies.size(), Box{}) {}
+        load_(bodies.size()) {
+    for (const Stage& stage : scheme.stages())
+      if (stage.xi != 0) gradient_load_ = Load(bodies.size()), shifted_ = State(bodies.size(), {});
+  }
 
   /// Steps e^{Lh}, `steps` times (vanzon2008, Eq. 1). Between two steps the last stage of one and
   /// the first of the next are one flow, played at once; at the end the state is synchronised:

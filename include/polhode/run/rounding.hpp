@@ -17,6 +17,12 @@ struct ForceNoise {
   double energy = 0;
 };
 
+/// The most bodies for which the noise is estimated: it takes some 30 force evaluations and a
+/// second force field, which is much for a short run of a large system. There R_rounding is that of
+/// a smaller system of the same liquid: fluctuations of both energies grow with the root of the
+/// size.
+inline constexpr std::size_t most_estimated = 20000;
+
 /// Compares forces, torques and energy in the system's precision with those in double, on a few
 /// states next to the system's own: free drifts of 0.1 fs, far enough for every last digit to
 /// change, near enough for all else to stay. What the differences have in common, rounded charges

@@ -40,7 +40,8 @@ class PairRows {
         strengths_(job.table.template strengths<T>()),
         own_(window(job.chunk.part)),
         partner_(window(job.partner_part)),
-        numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width) {
+        numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width),
+        far_apart_(job.list.slots().size() > 8192 && job.list.slots().parts.size() == 1) {
     for (std::size_t d = 0; d < 3; ++d)
       unit_[d] = static_cast<T>(job.list.box().edge[d] / static_cast<double>(fixed_point_edge));
     const std::size_t packs = job.chunk.longest_row / Real::width * (numbers_ + 6) +
@@ -61,6 +62,7 @@ class PairRows {
       now_.entries = &job_.chunk.entries[row.begin];
       now_.whole = (row.ending - row.begin) / Real::width;
       now_.packs = (row.end - row.begin) / Real::width;
+      if (far_apart_) prefetch(row.end, row.end - row.begin);
       fetch(now_);
       add_up(before_);
       compute<ending, energies>(now_);
@@ -107,6 +109,16 @@ class PairRows {
     return {&job_.sums.values[job_.sums.first[part] * ChunkSums::stride],
             job_.chunk.windows[part].first,
             static_cast<std::int32_t>(job_.list.slots().parts[part].count)};
+  }
+
+  // Asks the caches for what the next row will most likely need: the entries after this one's.
+  void prefetch(std::size_t begin, std::size_t count) const {
+    const std::size_t end = std::min(begin + count, job_.chunk.entries.size());
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::uint32_t slot = Neighbour(job_.chunk.entries[k]).slot();
+      __builtin_prefetch(job_.records.of(slot));
+      __builtin_prefetch(partner_.of(slot), 1);
+    }
   }
 
   auto own_site(const Row& row) const {
@@ -225,6 +237,7 @@ class PairRows {
   const PairStrengths<T>& strengths_;
   const Window own_, partner_;
   const std::size_t numbers_;  // of a partner's record, in whole packs
+  const bool far_apart_;       // records and sums exceed the second-level cache
   Vec3<T> unit_;
   Row now_, before_;
   Pack<double> lennard_jones_, coulomb_;
