@@ -3,11 +3,12 @@
 gnuplot."""
 
 import json
-import shutil
-import subprocess
 import sys
 from pathlib import Path
 from string import Template
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import drawing  # noqa: E402
 
 # Okabe and Ito's colours, as in all figures here; filled marks for forces, open ones for steps.
 COLOURS = {"mixed": "#0072B2", "double": "#D55E00"}
@@ -80,22 +81,14 @@ def script(curves, image, label, key, top, extra=()):
         top=f"{max(1.15 * max(values), top):g}", plots=", \\\n  ".join(plots))
 
 
-def write(text, image):
-    image.with_suffix(".gp").write_text(text, encoding="utf-8")
-    if not shutil.which("gnuplot"):
-        print(f"no gnuplot on PATH, so no figure; its script is {image.with_suffix('.gp')}")
-        return
-    subprocess.run(["gnuplot", image.with_suffix(".gp").name], cwd=image.resolve().parent, check=True)
-
-
 def draw(result, prefix, form="svg"):
     """Writes the scripts beside the images and runs gnuplot on them."""
     image = lambda name: prefix.with_name(f"{prefix.name}-{name}.{form}")
-    write(script(scaling(result), image("sizes"), "µs per molecule, one thread", "top left", 0), image("sizes"))
+    drawing.draw(script(scaling(result), image("sizes"), "µs per molecule, one thread", "top left", 0), image("sizes"))
     threads = max(s["threads"] for s in result["systems"])
     if threads > 1:
         ideal = f'{threads} with lines linewidth 1 dashtype 3 linecolor "#808080" notitle'
-        write(script(speed_up(result, threads), image("threads"), f"speed-up by {threads} threads", "bottom right",
+        drawing.draw(script(speed_up(result, threads), image("threads"), f"speed-up by {threads} threads", "bottom right",
                      1.1 * threads, [ideal]), image("threads"))
 
 

@@ -2,12 +2,13 @@
 """The picture of a benchmark: bars of seconds for a nanosecond at each R, program by program, drawn by gnuplot."""
 
 import json
-import shutil
-import subprocess
 import sys
 from math import floor, log10
 from pathlib import Path
 from string import Template
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 # Okabe and Ito's colours, as in all figures here: one hue for ours, others for the peers.
@@ -80,12 +81,7 @@ def script(result, image):
 
 def draw(result, image):
     """Writes the script beside the image and runs gnuplot on it."""
-    text = script(result, image)
-    image.with_suffix(".gp").write_text(text, encoding="utf-8")
-    if not shutil.which("gnuplot"):
-        print(f"no gnuplot on PATH, so no figure; its script is {image.with_suffix('.gp')}")
-        return
-    subprocess.run(["gnuplot", image.with_suffix(".gp").name], cwd=image.resolve().parent, check=True)
+    drawing.draw(script(result, image), image)
 
 
 if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again

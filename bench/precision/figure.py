@@ -2,13 +2,14 @@
 """The picture: R against the step in both precisions, and how the fluctuation grows; drawn by gnuplot."""
 
 import json
-import shutil
-import subprocess
 import sys
 from math import floor, log10, sqrt
 from pathlib import Path
 from statistics import fmean
 from string import Template
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 # Okabe and Ito's colours, as in all figures here.
@@ -78,11 +79,7 @@ def script(result, image):
 
 def draw(result, image):
     """Writes the script beside the image and runs gnuplot on it."""
-    image.with_suffix(".gp").write_text(script(result, image), encoding="utf-8")
-    if not shutil.which("gnuplot"):
-        print(f"no gnuplot on PATH, so no figure; its script is {image.with_suffix('.gp')}")
-        return
-    subprocess.run(["gnuplot", image.with_suffix(".gp").name], cwd=image.resolve().parent, check=True)
+    drawing.draw(script(result, image), image)
 
 
 if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
