@@ -28,7 +28,7 @@ PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& setting
       tables_(topology),
       laws_(settings),
       list_(topology, settings, box),
-      records_(list_.slots().size(), most_sites_of(topology), box),
+      records_(list_.slots().size(), most_sites_of(topology)),
       sums_(list_.chunks().size()) {
   for (const auto& part : topology.parts) {
     sites_.emplace_back();
@@ -50,7 +50,7 @@ void PairEngine<T>::operator()(const State& state, Load& load, bool energies) {
   workers_.each(sums_.size(), [&](std::size_t c) { collect(c, load); });
   load.lennard_jones = load.coulomb = 0;
   load.virial = {};
-  for (const ChunkSums& sums : sums_) {
+  for (const ChunkSums<T>& sums : sums_) {
     load.lennard_jones += sums.lennard_jones;
     load.coulomb += sums.coulomb;
     for (std::size_t k = 0; k < 3; ++k) load.virial[k] += sums.virial[k];
@@ -85,16 +85,16 @@ void PairEngine<T>::prepare_sums() {
       sums_[c].first.push_back(records);
       records += window.count;
     }
-    if (sums_[c].values.size() < records * ChunkSums::stride)
-      sums_[c].values = Column<double>(records * ChunkSums::stride);
+    if (sums_[c].values.size() < records * ChunkSums<T>::stride)
+      sums_[c].values = Column<T>(records * ChunkSums<T>::stride);
   }
 }
 
 template <class T>
 void PairEngine<T>::sum_chunk(std::size_t c, bool energies) {
   const ListChunk& chunk = list_.chunks()[c];
-  ChunkSums& sums = sums_[c];
-  std::fill_n(sums.values.data(), sums.values.size(), 0.0);
+  ChunkSums<T>& sums = sums_[c];
+  std::fill_n(sums.values.data(), sums.values.size(), T{});
   sums.lennard_jones = sums.coulomb = 0;
   sums.virial = {};
   const auto pair_forces = POLHODE_CURRENT_OVERLOAD(pair_forces, void (*)(const PairJob<T>&));
@@ -107,10 +107,12 @@ void PairEngine<T>::sum_chunk(std::size_t c, bool energies) {
 template <class T>
 void PairEngine<T>::collect(std::size_t c, Load& load) const {
   constexpr std::uint32_t block = slot_block;
-  constexpr std::size_t stride = ChunkSums::stride;
+  constexpr std::size_t stride = ChunkSums<T>::stride;
   const ListChunk& own = list_.chunks()[c];
   const Slots& slots = list_.slots();
   const Slots::Part& part = slots.parts[own.part];
+  const bool turns = std::any_of(sites_[own.part].begin(), sites_[own.part].end(),
+                                 [](const Vec3<double>& r) { return norm2(r) > 0; });
   for (std::uint32_t first = own.first; first < own.end; first += block) {
     const std::uint32_t n = std::min(block, own.end - first);
     std::array<double, block * stride> total{};
@@ -119,14 +121,14 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
       const SlotWindow& window = list_.chunks()[k].windows[own.part];
       const std::uint32_t at = first - window.first + (first < window.first ? part.count : 0);
       if (at >= window.count) continue;
-      const double* const from = &sums_[k].values[(sums_[k].first[own.part] + at) * stride];
+      const T* const from = &sums_[k].values[(sums_[k].first[own.part] + at) * stride];
       for (std::size_t x = 0; x < n * stride; ++x) total[x] += from[x];
     }
     for (std::uint32_t i = 0; i < n; ++i) {
       const double* const sum = &total[i * stride];
       const std::uint32_t body = slots.body[first + i];
       load.f.set(body, {sum[0], sum[1], sum[2]});
-      load.tau.set(body, {sum[3], sum[4], sum[5]});
+      load.tau.set(body, turns ? Vec3<double>{sum[3], sum[4], sum[5]} : Vec3<double>{});
     }
   }
 }

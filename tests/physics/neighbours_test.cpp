@@ -108,8 +108,7 @@ struct Listed {
         }
   }
 
-  static Pair pair_of(std::uint32_t a, std::uint32_t b, std::uint32_t image) {
-    const Vec3<int> e = image_edges(image);
+  static Pair pair_of(std::uint32_t a, std::uint32_t b, const Neighbour::Image& e) {
     return a < b ? Pair{int(a), int(b), e.x, e.y, e.z} : Pair{int(b), int(a), -e.x, -e.y, -e.z};
   }
 };
@@ -125,12 +124,11 @@ void all_pairs(const NeighbourList& list, const State& state, const Bodies& bodi
       place[slots.body[s]] = slots.place[s] + (state.q[slots.body[s]] - slots.built_at[s]);
   for (std::uint32_t i = 0; i < state.size(); ++i)
     for (std::uint32_t j = i + 1; j < state.size(); ++j)
-      for (std::uint32_t image = 0; image < Neighbour::images; ++image) {
-        const Vec3<int> e = image_edges(image);
+      for (int image = 0; image < 27; ++image) {
+        const Neighbour::Image e{image % 3 - 1, image / 3 % 3 - 1, image / 9 - 1};
         const Vec3<double> edges{double(e.x), double(e.y), double(e.z)};
-        visit(Listed::pair_of(i, j, image),
-              norm(place[j] - place[i] + scaled(edges, state.box.edge)), bodies.part[i],
-              bodies.part[j]);
+        visit(Listed::pair_of(i, j, e), norm(place[j] - place[i] + scaled(edges, state.box.edge)),
+              bodies.part[i], bodies.part[j]);
       }
 }
 

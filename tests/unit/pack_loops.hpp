@@ -17,10 +17,10 @@ POLHODE_DECLARE_LOOPS(
     void transposed(const float* row, float* column);
     /// Adds value[k, lane], 0 ≤ k < 6, to number k of the record of 8 with the lane's index.
     void added_to_records(const double* value, const std::uint32_t* index, double* records);
-    void added_to_records(const float* value, const std::uint32_t* index, double* records);
+    void added_to_records(const float* value, const std::uint32_t* index, float* records);
     /// Adds the sum over the lanes of value[k, lane] to number k of a record of 8.
     void added_sums(const double* value, double* record);
-    void added_sums(const float* value, double* record);
+    void added_sums(const float* value, float* record);
     /// 1/r, 1/r² and 1/r³ of each r².
     void inverse_powers(const double* r2, double* first, double* second, double* third);
     void inverse_powers(const float* r2, float* first, float* second, float* third);

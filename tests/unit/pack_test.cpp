@@ -43,19 +43,17 @@ void check_records() {
   std::array<std::uint32_t, widest> index{};
   for (std::size_t lane = 0; lane < n; ++lane) index[lane] = std::uint32_t(7 * lane % 5);  // shared
   if (n > 1) index[1] = index[0];
-  Column<double> records(8 * 8);
-  for (std::size_t k = 0; k < 64; ++k) records[k] = double(k);
-  Column<double> expected = records, record = records;
+  Column<T> records(8 * 8);
+  for (std::size_t k = 0; k < 64; ++k) records[k] = T(k);
+  Column<T> expected = records, record = records, sums = records;
   for (std::size_t lane = 0; lane < n; ++lane)
     for (std::size_t k = 0; k < 6; ++k) {
-      expected[8 * index[lane] + k] += double(value[k * n + lane]);
-      record[k] += double(value[k * n + lane]);
+      expected[8 * index[lane] + k] += value[k * n + lane];
+      record[k] += value[k * n + lane];
     }
-  Column<double> sums(8 * 8);
-  for (std::size_t k = 0; k < 64; ++k) sums[k] = double(k);
-  POLHODE_CURRENT_OVERLOAD(added_to_records, void (*)(const T*, const std::uint32_t*, double*))
+  POLHODE_CURRENT_OVERLOAD(added_to_records, void (*)(const T*, const std::uint32_t*, T*))
   (value.data(), index.data(), records.data());
-  POLHODE_CURRENT_OVERLOAD(added_sums, void (*)(const T*, double*))(value.data(), sums.data());
+  POLHODE_CURRENT_OVERLOAD(added_sums, void (*)(const T*, T*))(value.data(), sums.data());
   for (std::size_t k = 0; k < 64; ++k) {
     CAPTURE(k);
     CHECK(records[k] == expected[k]);

@@ -26,13 +26,6 @@ inline Pack<float> fixed_point_difference(Pack<float> bits, std::int32_t from) {
       hn::ConvertTo(Pack<float>::Tag(), hn::Sub(hn::BitCast(fixed, bits.v), hn::Set(fixed, from))));
 }
 
-/// Sum of two packs that hold fixed-point numbers as bits; adding 0 leaves any bits as they are.
-inline Pack<float> fixed_point_sum(Pack<float> a, Pack<float> b) {
-  const FixedTag fixed;
-  return Pack<float>(
-      hn::BitCast(Pack<float>::Tag(), hn::Add(hn::BitCast(fixed, a.v), hn::BitCast(fixed, b.v))));
-}
-
 /// Doubles rounded to floats.
 inline Pack<float> narrowed(const std::array<Pack<double>, halves>& a) {
   const Pack<float>::Tag tag;
@@ -55,6 +48,46 @@ inline Pack<float> narrowed_to_fixed_point(const std::array<Pack<double>, halves
   return Pack<float>(hn::BitCast(tag, hn::Combine(fixed, hn::DemoteTo(half, hn::Round(a[1].v)),
                                                   hn::DemoteTo(half, hn::Round(a[0].v)))));
 #endif
+}
+
+/// Whole numbers of 32 bits, one for each lane of a pack.
+template <class T>
+struct PackIndex {
+  using Tag = hn::Rebind<std::int32_t, typename Pack<T>::Tag>;
+  hn::Vec<Tag> v;
+
+  static PackIndex load(const std::uint32_t* p) {
+    return {hn::LoadU(Tag(), reinterpret_cast<const std::int32_t*>(p))};
+  }
+  void store(std::int32_t* p) const { hn::StoreU(v, Tag(), p); }
+  friend PackIndex operator+(PackIndex a, PackIndex b) { return {hn::Add(a.v, b.v)}; }
+  friend PackIndex operator-(PackIndex a, std::int32_t b) {
+    return {hn::Sub(a.v, hn::Set(Tag(), b))};
+  }
+  friend PackIndex operator&(PackIndex a, std::uint32_t b) {
+    return {hn::And(a.v, hn::Set(Tag(), static_cast<std::int32_t>(b)))};
+  }
+  friend PackIndex operator<<(PackIndex a, std::size_t bits) {
+    return {hn::ShiftLeftSame(a.v, static_cast<int>(bits))};
+  }
+  /// Keeps the sign.
+  friend PackIndex operator>>(PackIndex a, std::size_t bits) {
+    return {hn::ShiftRightSame(a.v, static_cast<int>(bits))};
+  }
+  /// Adds b to the negative numbers.
+  PackIndex wrapped(std::int32_t b) const {
+    return {hn::Add(v, hn::And(hn::BroadcastSignBit(v), hn::Set(Tag(), b)))};
+  }
+};
+
+inline Pack<double> as_doubles(PackIndex<double> a) {
+  return Pack<double>(hn::PromoteTo(Pack<double>::Tag(), a.v));
+}
+
+/// The sum of fixed-point numbers, those of a pack as bits, with overflow from end to end.
+inline Pack<float> fixed_point_sum(Pack<float> bits, PackIndex<float> b) {
+  return Pack<float>(
+      hn::BitCast(Pack<float>::Tag(), hn::Add(hn::BitCast(FixedTag(), bits.v), b.v)));
 }
 
 /// from[index[k]] for each lane.

@@ -4,6 +4,7 @@
 // would fetch numbers one by one. The way back adds packs to records.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "polhode/base/pack.hpp"
@@ -36,6 +37,25 @@ void transpose_blocks(hn::Vec<typename Pack<T>::Tag>* v) {
 }
 #endif
 
+#if HWY_TARGET != HWY_SCALAR
+/// Turns squares of four floats, one in each block: lane i of block b of column[k] goes to lane k
+/// of block b of vector i.
+template <class Vector>
+std::array<Vector, 4> transpose_within_blocks(Vector a, Vector b, Vector c, Vector d) {
+  const hn::DFromV<Vector> tag;
+  const hn::RepartitionToWide<hn::DFromV<Vector>> pairs;
+  const auto wide = [&](Vector v) { return hn::BitCast(pairs, v); };
+  const auto ab01 = wide(hn::InterleaveLower(tag, a, b)),
+             ab23 = wide(hn::InterleaveUpper(tag, a, b)),
+             cd01 = wide(hn::InterleaveLower(tag, c, d)),
+             cd23 = wide(hn::InterleaveUpper(tag, c, d));
+  return {hn::BitCast(tag, hn::InterleaveLower(pairs, ab01, cd01)),
+          hn::BitCast(tag, hn::InterleaveUpper(pairs, ab01, cd01)),
+          hn::BitCast(tag, hn::InterleaveLower(pairs, ab23, cd23)),
+          hn::BitCast(tag, hn::InterleaveUpper(pairs, ab23, cd23))};
+}
+#endif
+
 /// Turns a square of numbers: number k of row(i) goes to lane i of column[k]. `row` yields a Pack.
 template <class T, class Rows>
 [[gnu::always_inline]] inline void transpose(const Rows& row, Pack<T>* column) {
@@ -52,18 +72,9 @@ template <class T, class Rows>
       part[0][g] = hn::InterleaveLower(tag, a, b);
       part[1][g] = hn::InterleaveUpper(tag, a, b);
     } else {
-      const hn::RepartitionToWide<typename Pack<T>::Tag> pairs;
-      const auto wide = [&](Vector v) { return hn::BitCast(pairs, v); };
-      const Vector a = row(4 * g).v, b = row(4 * g + 1).v, c = row(4 * g + 2).v,
-                   d = row(4 * g + 3).v;
-      const auto ab01 = wide(hn::InterleaveLower(tag, a, b)),
-                 ab23 = wide(hn::InterleaveUpper(tag, a, b)),
-                 cd01 = wide(hn::InterleaveLower(tag, c, d)),
-                 cd23 = wide(hn::InterleaveUpper(tag, c, d));
-      part[0][g] = hn::BitCast(tag, hn::InterleaveLower(pairs, ab01, cd01));
-      part[1][g] = hn::BitCast(tag, hn::InterleaveUpper(pairs, ab01, cd01));
-      part[2][g] = hn::BitCast(tag, hn::InterleaveLower(pairs, ab23, cd23));
-      part[3][g] = hn::BitCast(tag, hn::InterleaveUpper(pairs, ab23, cd23));
+      const auto turned = transpose_within_blocks(row(4 * g).v, row(4 * g + 1).v, row(4 * g + 2).v,
+                                                  row(4 * g + 3).v);
+      for (std::size_t k = 0; k < side; ++k) part[k][g] = turned[k];
     }
   }
   for (std::size_t k = 0; k < side; ++k) {
@@ -87,60 +98,80 @@ inline std::array<Pack<double>, halves> widened(Pack<float> a) {
 }
 inline std::array<Pack<double>, 1> widened(Pack<double> a) { return {a}; }
 
-/// Packs of doubles that a record of so many numbers takes.
-template <std::size_t columns>
-inline constexpr std::size_t record_packs =
-    (columns + Pack<double>::width - 1) / Pack<double>::width;
+/// Records have room for eight numbers, in as many vectors as that takes.
+inline constexpr std::size_t record_stride = 8;
+template <class T>
+using RecordTag = hn::CappedTag<T, record_stride>;
+template <class T>
+using RecordPart = hn::Vec<RecordTag<T>>;
+template <class T>
+inline constexpr std::size_t record_part_width = std::min(record_stride, Pack<T>::width);
+template <std::size_t columns, class T>
+inline constexpr std::size_t record_parts =
+    (columns + record_part_width<T> - 1) / record_part_width<T>;
 
-/// Turns columns into records: visit(lane, part, pack) gets the numbers part · width and on of the
-/// record of a lane; a record ends in zeros.
-template <std::size_t columns, class Visit>
-[[gnu::always_inline]] inline void visit_records(const std::array<Pack<double>, columns>& column,
+/// Turns columns into records: visit(lane, part, vector) gets the part-th vector of the record of a
+/// lane; a record ends in zeros.
+template <std::size_t columns, class T, class Visit>
+[[gnu::always_inline]] inline void visit_records(const std::array<Pack<T>, columns>& column,
                                                  const Visit& visit) {
-  constexpr std::size_t width = Pack<double>::width;
-  for (std::size_t part = 0; part < record_packs<columns>; ++part) {
-    Pack<double> row[width];
-    transpose<double>(
-        [&](std::size_t k) {
-          return part * width + k < columns ? column[part * width + k] : Pack<double>();
-        },
-        row);
-    for (std::size_t i = 0; i < width; ++i) visit(i, part, row[i]);
+  static_assert(columns <= record_stride);
+  constexpr std::size_t width = Pack<T>::width;
+  const auto number = [&](std::size_t k) { return k < columns ? column[k] : Pack<T>(); };
+  if constexpr (width <= record_stride) {
+    for (std::size_t part = 0; part < record_parts<columns, T>; ++part) {
+      Pack<T> row[width];
+      transpose<T>([&](std::size_t k) { return number(part * width + k); }, row);
+      for (std::size_t i = 0; i < width; ++i) visit(i, part, row[i].v);
+    }
+  } else {  // sixteen records, each as wide as half a pack
+#if HWY_TARGET != HWY_SCALAR
+    const auto four = [&](std::size_t k) {
+      return transpose_within_blocks(number(k).v, number(k + 1).v, number(k + 2).v,
+                                     number(k + 3).v);
+    };
+    const auto first = four(0), last = four(4);
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto even = hn::OddEvenBlocks(hn::SwapAdjacentBlocks(last[i]), first[i]);
+      const auto odd = hn::OddEvenBlocks(last[i], hn::SwapAdjacentBlocks(first[i]));
+      const RecordTag<T> half;
+      visit(i, 0, hn::LowerHalf(half, even));
+      visit(i + 4, 0, hn::LowerHalf(half, odd));
+      visit(i + 8, 0, hn::UpperHalf(half, even));
+      visit(i + 12, 0, hn::UpperHalf(half, odd));
+    }
+#endif
   }
 }
 
-/// Adds lane i of column k to number k of record i, for records of doubles that are aligned as a
-/// pack; one after the other, as two lanes may mean the same record. `record` yields a pointer.
+template <class T>
+void add_to_record(RecordPart<T> what, T* part) {
+  const RecordTag<T> tag;
+  hn::Store(hn::Add(hn::Load(tag, part), what), tag, part);
+}
+
+/// Adds lane i of column k to number k of record i, for records that are aligned to their stride;
+/// one after the other, as two lanes may mean the same record. `record` yields a pointer.
 template <std::size_t columns, class T, class Records>
 [[gnu::always_inline]] inline void add_to_records(const std::array<Pack<T>, columns>& value,
                                                   const Records& record) {
-  constexpr std::size_t width = Pack<double>::width;
-  for (std::size_t h = 0; h < Pack<T>::width / width; ++h) {
-    std::array<Pack<double>, columns> column;
-    for (std::size_t k = 0; k < columns; ++k) column[k] = widened(value[k])[h];
-    visit_records(column, [&](std::size_t lane, std::size_t part, Pack<double> row) {
-      double* const sums = record(h * width + lane) + part * width;
-      (Pack<double>::load(sums) + row).store(sums);
-    });
-  }
+  visit_records(value, [&](std::size_t lane, std::size_t part, RecordPart<T> row) {
+    add_to_record<T>(row, record(lane) + part * record_part_width<T>);
+  });
 }
 
 /// Adds the sum over the lanes of column k to number k of one record.
 template <std::size_t columns, class T>
 [[gnu::always_inline]] inline void add_sums_to_record(const std::array<Pack<T>, columns>& value,
-                                                      double* record) {
-  constexpr std::size_t width = Pack<double>::width;
-  std::array<Pack<double>, columns> column;
-  for (std::size_t k = 0; k < columns; ++k)
-    for (const Pack<double>& half : widened(value[k])) column[k] += half;
-  Pack<double> sum[record_packs<columns>][2];  // even and odd lanes apart: a shorter chain
-  visit_records(column, [&](std::size_t lane, std::size_t part, Pack<double> row) {
-    sum[part][lane % 2] += row;
+                                                      T* record) {
+  constexpr std::size_t parts = record_parts<columns, T>;
+  RecordPart<T> sum[parts][2];  // even and odd lanes apart: a shorter chain
+  for (auto& part : sum) part[0] = part[1] = hn::Zero(RecordTag<T>());
+  visit_records(value, [&](std::size_t lane, std::size_t part, RecordPart<T> row) {
+    sum[part][lane % 2] = hn::Add(sum[part][lane % 2], row);
   });
-  for (std::size_t part = 0; part < record_packs<columns>; ++part) {
-    double* const at = record + part * width;
-    (Pack<double>::load(at) + (sum[part][0] + sum[part][1])).store(at);
-  }
+  for (std::size_t part = 0; part < parts; ++part)
+    add_to_record<T>(hn::Add(sum[part][0], sum[part][1]), record + part * record_part_width<T>);
 }
 
 }  // namespace HWY_NAMESPACE

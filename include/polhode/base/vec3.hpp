@@ -42,6 +42,17 @@ constexpr Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// sum += a × b, in the order that multiply-adds take.
+template <class Real>
+constexpr void add_cross(Vec3<Real>& sum, const Vec3<Real>& a, const Vec3<Real>& b) {
+  sum.x += a.y * b.z;
+  sum.y += a.z * b.x;
+  sum.z += a.x * b.y;
+  sum.x -= a.z * b.y;
+  sum.y -= a.x * b.z;
+  sum.z -= a.y * b.x;
+}
+
 /// Entry by entry: J⁻¹ L and the like, for diagonal tensors held as a Vec3.
 template <class Real>
 constexpr Vec3<Real> scaled(const Vec3<Real>& a, const Vec3<Real>& b) {

@@ -3,6 +3,7 @@
 // Written once for numbers, packs (one molecule with several partners) and dual numbers.
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "polhode/base/unroll.hpp"
@@ -27,6 +28,11 @@ struct PairLoad {
   Vec3<Real> f{};                   ///< force on b [kJ/mol/nm]
   Vec3<Real> tau_b{};               ///< torque on b about its centre [kJ/mol]
   Real lennard_jones{}, coulomb{};  ///< [kJ/mol]; only where they are wanted
+
+  /// Torque on a about its centre [kJ/mol]. All forces act along lines between sites or centres, so
+  /// that the torques about any one point cancel: tau_a + tau_b + R × f = 0. It is 0 only to
+  /// rounding where all sites are at the centre.
+  Vec3<Real> tau_a(const Vec3<Real>& R) const { return -(tau_b + cross(R, f)); }
 };
 
 /// The sites of two molecules, their numbers known when the loops over them are compiled: these
@@ -38,12 +44,16 @@ struct FixedShape {
   static constexpr Count<sites_a_> sites_a{};
   static constexpr Count<sites_b_> sites_b{};
   static constexpr std::size_t most_a = sites_a_, most_b = sites_b_;
+  /// Sites of b whose pairs are computed step by step together: enough that a step need not wait
+  /// for the one before, and few enough for the registers.
+  static constexpr std::size_t at_once = std::min<std::size_t>(2, sites_b_);
   static constexpr bool coulomb(std::size_t a, std::size_t b) {
     return a < charged_a_ && b < charged_b_;
   }
   static constexpr bool lennard_jones(std::size_t a, std::size_t b) {
     return a >= sites_a_ - dispersive_a_ && b >= sites_b_ - dispersive_b_;
   }
+  static constexpr Count<(sites_b_ + at_once - 1) / at_once> groups_b() { return {}; }
   explicit FixedShape(const PairTable&) {}
   static bool fits(const PairTable& t) {
     return t.sites_a == sites_a_ && t.sites_b == sites_b_ && t.charged_a == charged_a_ &&
@@ -54,7 +64,7 @@ struct FixedShape {
 
 /// Any numbers of sites.
 struct AnyShape {
-  static constexpr std::size_t most_a = most_sites, most_b = most_sites;
+  static constexpr std::size_t most_a = most_sites, most_b = most_sites, at_once = 1;
   std::size_t sites_a, sites_b, charged_a, charged_b, first_dispersive_a, first_dispersive_b;
   explicit AnyShape(const PairTable& t)
       : sites_a(t.sites_a),
@@ -63,6 +73,7 @@ struct AnyShape {
         charged_b(t.charged_b),
         first_dispersive_a(t.sites_a - t.dispersive_a),
         first_dispersive_b(t.sites_b - t.dispersive_b) {}
+  std::size_t groups_b() const { return sites_b; }
   bool coulomb(std::size_t a, std::size_t b) const { return a < charged_a && b < charged_b; }
   bool lennard_jones(std::size_t a, std::size_t b) const {
     return a >= first_dispersive_a && b >= first_dispersive_b;
@@ -92,12 +103,11 @@ PairValue<Real> shifted(const PairValue<Real>& at_r, const PairValue<Real>& at_c
 /// @param R       centre of b relative to that of a [nm], the image meant
 /// @param site_a  a callable: the k-th site of a relative to a's centre, lab frame [nm]
 /// @param site_b  the same of b, relative to b's
-/// @param f_a     what each site of a does to b is added to these [kJ/mol/nm]
 template <Ending ending, bool energies, class Shape, class Real, class T, class SitesOfA,
           class SitesOfB>
 [[gnu::always_inline]] inline PairLoad<Real> molecule_pair(
     const Shape& shape, const PairStrengths<T>& strengths, const PairLaws<T>& laws,
-    const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b, Vec3<Real>* f_a) {
+    const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b) {
   constexpr bool by_molecule = ending == Ending::molecule_switch;
   constexpr bool need_u = energies || ending != Ending::none;
   PairLoad<Real> load;
@@ -109,80 +119,93 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
     end = laws.switching(R2 * inverse_R);
   }
 
+  // Sites of b some at a time: for each of them, body(k, b), and for each pair, body(k, a, b).
+  constexpr std::size_t at_once = Shape::at_once;
   each(
-      shape.sites_b, [&](auto b) __attribute__((always_inline)) {
-        const Vec3<Real> arm_b = site_b(b), at_b = R + arm_b;
-        std::array<Vec3<Real>, Shape::most_a> r;  // from each site of a to b's
-        std::array<Real, Shape::most_a> r2, s;
-        std::array<InversePowers<Real>, Shape::most_a> inverse_r;
-        const auto each_a = [&](const auto& body) __attribute__((always_inline)) {
+      shape.groups_b(), [&](auto group) __attribute__((always_inline)) {
+        std::array<Vec3<Real>, at_once> arm, f_b;
+        std::array<std::array<Vec3<Real>, Shape::most_a>, at_once> r;  // from a's site to b's
+        std::array<std::array<Real, Shape::most_a>, at_once> r2, s;
+        std::array<std::array<InversePowers<Real>, Shape::most_a>, at_once> inverse_r;
+        const auto each_b = [&](const auto& body) __attribute__((always_inline)) {
           each(
-              shape.sites_a, [&](auto a) __attribute__((always_inline)) {
-                if (shape.coulomb(a, b) || shape.lennard_jones(a, b)) body(a);
+              Count<at_once>{}, [&](auto k) __attribute__((always_inline)) {
+                const std::size_t b = group * at_once + k;
+                if (b < shape.sites_b) body(k, b);
               });
         };
-        each_a([&](auto a) __attribute__((always_inline)) {
-          r[a] = at_b - site_a(a);
-          r2[a] = norm2(r[a]);
+        const auto each_pair = [&](const auto& body) __attribute__((always_inline)) {
+          each_b([&](auto k, std::size_t b) __attribute__((always_inline)) {
+            each(
+                shape.sites_a, [&](auto a) __attribute__((always_inline)) {
+                  if (shape.coulomb(a, b) || shape.lennard_jones(a, b)) body(k, a, b);
+                });
+          });
+        };
+
+        each_b([&](auto k, std::size_t b)
+                   __attribute__((always_inline)) { arm[k] = site_b(b), f_b[k] = {}; });
+        each_pair([&](auto k, auto a, std::size_t) __attribute__((always_inline)) {
+          r[k][a] = R + arm[k] - site_a(a);
+          r2[k][a] = norm2(r[k][a]);
         });
-        each_a([&](auto a)
-                   __attribute__((always_inline)) { inverse_r[a] = InversePowers<Real>(r2[a]); });
-        each_a([&](auto a) __attribute__((always_inline)) {
+        each_pair([&](auto k, auto a, std::size_t) __attribute__((always_inline)) {
+          inverse_r[k][a] = InversePowers<Real>(r2[k][a]);
+        });
+        each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
+          const InversePowers<Real>& inverse = inverse_r[k][a];
+          const Real square = r2[k][a];
           const std::size_t pair = b * shape.sites_a + a;
           typename Switch<T>::template Value<Real> site_end{};
           if constexpr (ending == Ending::site_switch)
-            site_end = laws.switching(r2[a] * inverse_r[a].first());
+            site_end = laws.switching(square * inverse.first());
           const auto ended = [&](PairValue<Real> at_r, const auto& at_cutoff)
               __attribute__((always_inline)) {
-            if constexpr (by_molecule) {
-              at_r.s = end.w * at_r.s;
-            } else if constexpr (ending == Ending::site_switch) {  // −(w u)'/r = w s − w' u/r
-              at_r.s = site_end.w * at_r.s - site_end.slope * inverse_r[a].first() * at_r.u;
+            if constexpr (ending == Ending::site_switch) {  // −(w u)'/r = w s − w' u/r
+              at_r.s = site_end.w * at_r.s - site_end.slope * inverse.first() * at_r.u;
               at_r.u = site_end.w * at_r.u;
             } else if constexpr (ending == Ending::site_shift) {
-              const Real inverse = inverse_r[a].first();
-              at_r = shifted(at_r, at_cutoff(), r2[a] * inverse, inverse, Real(laws.cutoff));
+              const Real one_over_r = inverse.first();
+              at_r = shifted(at_r, at_cutoff(), square * one_over_r, one_over_r, Real(laws.cutoff));
             }
             return at_r;
           };
+          const Real cutoff2(laws.cutoff * laws.cutoff);
           const auto coulomb = [&]() __attribute__((always_inline)) {
             const Real charge(strengths.charge[pair]);
-            const auto law = [&](const InversePowers<Real>& inverse, Real square)
+            const auto law = [&](const InversePowers<Real>& powers, Real r_squared)
                 __attribute__((always_inline)) {
-              const PairValue<Real> unit = laws.reaction_field(inverse, square);
+              const PairValue<Real> unit = laws.reaction_field(powers, r_squared);
               return PairValue<Real>{charge * unit.u, charge * unit.s};
             };
-            const PairValue<Real> value = ended(law(inverse_r[a], r2[a]), [&] {
-              const Real square(laws.cutoff * laws.cutoff);
-              return law(InversePowers<Real>(square), square);
-            });
+            const PairValue<Real> value = ended(
+                law(inverse, square), [&] { return law(InversePowers<Real>(cutoff2), cutoff2); });
             if constexpr (need_u) load.coulomb += value.u;
             return value.s;
           };
           const auto lennard_jones = [&]() __attribute__((always_inline)) {
             const Real c6(strengths.c6[pair]), c12(strengths.c12[pair]);
-            const PairValue<Real> value = ended(
-                LennardJones::of(c6, c12, inverse_r[a].second()),
-                [&] { return LennardJones::of(c6, c12, Real(1 / (laws.cutoff * laws.cutoff))); });
+            const PairValue<Real> value = ended(LennardJones::of(c6, c12, inverse.second()), [&] {
+              return LennardJones::of(c6, c12, Real(1 / (laws.cutoff * laws.cutoff)));
+            });
             if constexpr (need_u) load.lennard_jones += value.u;
             return value.s;
           };
-          s[a] = !shape.lennard_jones(a, b) ? coulomb()
-                 : !shape.coulomb(a, b)     ? lennard_jones()
-                                            : coulomb() + lennard_jones();
+          s[k][a] = !shape.lennard_jones(a, b) ? coulomb()
+                    : !shape.coulomb(a, b)     ? lennard_jones()
+                                               : coulomb() + lennard_jones();
         });
-        Vec3<Real> f_b{};
-        each_a([&](auto a) __attribute__((always_inline)) {
-          const Vec3<Real> f = s[a] * r[a];
-          f_b += f;
-          f_a[a] += f;
+        each_pair([&](auto k, auto a, std::size_t)
+                      __attribute__((always_inline)) { f_b[k] += s[k][a] * r[k][a]; });
+        each_b([&](auto k, std::size_t) __attribute__((always_inline)) {
+          load.f += f_b[k];
+          add_cross(load.tau_b, arm[k], f_b[k]);
         });
-        load.f += f_b;
-        load.tau_b += cross(arm_b, f_b);
       });
 
   if constexpr (by_molecule) {  // U = w(R) u: beside w s on all sites, −w'(R) u between the centres
-    load.f -= (end.slope * (load.lennard_jones + load.coulomb) * inverse_R) * R;
+    load.f = end.w * load.f - (end.slope * (load.lennard_jones + load.coulomb) * inverse_R) * R;
+    load.tau_b = end.w * load.tau_b;
     load.lennard_jones = end.w * load.lennard_jones;
     load.coulomb = end.w * load.coulomb;
   }

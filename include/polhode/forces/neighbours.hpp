@@ -21,30 +21,36 @@
 
 namespace polhode {
 
-/// A partner in the list: slot and image in one word.
+/// A partner in the list: its slot, and the image meant, in one word. An image is some edges of the
+/// box along each direction: −1, 0 or 1, in two bits each.
 class Neighbour {
  public:
-  static constexpr std::uint32_t slot_bits = 27;
+  using Image = Vec3<int>;
+  static constexpr std::uint32_t slot_bits = 26;
   static constexpr std::uint32_t slot_mask = (1u << slot_bits) - 1;
-  /// 0 to 26 are the images around the box, 13 the box itself; `nowhere` fills up a pack: so far
-  /// away that nothing acts.
-  static constexpr std::uint32_t images = 27, nowhere = 27;
 
-  Neighbour(std::uint32_t slot, std::uint32_t image) : word_(slot | image << slot_bits) {}
+  Neighbour(std::uint32_t slot, const Image& image) : word_(slot | bits(image)) {}
   explicit Neighbour(std::uint32_t word) : word_(word) {}
   std::uint32_t word() const { return word_; }
   std::uint32_t slot() const { return word_ & slot_mask; }
-  std::uint32_t image() const { return word_ >> slot_bits; }
+  Image image() const { return {edges(0), edges(1), edges(2)}; }
+
+  /// An image for what fills up a pack, so far away that nothing acts: two bodies in the box are
+  /// less than an edge and a skin apart along x. Two edges on, they are farther apart than an edge
+  /// less the skin, in fixed point, too, where four edges are none; no pair reaches that far.
+  static constexpr Image nowhere{-2, 0, 0};
+
+  /// The image's part of a word; that of direction d fills the two highest bits of word << 2 d.
+  static constexpr std::uint32_t bits(const Image& image) {
+    const auto two = [](int edges) { return static_cast<std::uint32_t>(edges) & 3u; };
+    return two(image.x) << 30 | two(image.y) << 28 | two(image.z) << 26;
+  }
+  static constexpr std::uint32_t highest_bits = 3u << 30;
 
  private:
+  int edges(std::size_t d) const { return static_cast<std::int32_t>(word_ << 2 * d) >> 30; }
   std::uint32_t word_;
 };
-
-/// The edges by which an image is displaced: −1, 0 or 1 in each direction.
-constexpr Vec3<int> image_edges(std::uint32_t image) {
-  return {static_cast<int>(image % 3) - 1, static_cast<int>(image / 3 % 3) - 1,
-          static_cast<int>(image / 9) - 1};
-}
 
 /// The slots of one molecule type from `first` on, cyclically.
 struct SlotWindow {

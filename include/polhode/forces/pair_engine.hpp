@@ -39,8 +39,8 @@ class PairEngine {
   NeighbourList list_;
   std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
   SiteRecords<T> records_;
-  std::vector<ChunkSums> sums_;  // of each chunk
-  std::vector<double> moved2_;   // of each task of place()
+  std::vector<ChunkSums<T>> sums_;  // of each chunk
+  std::vector<double> moved2_;      // of each task of place()
 };
 
 }  // namespace polhode

@@ -50,7 +50,6 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
     while (x < Real(k - 0.5)) k -= 1;
     return Real(k);
   };
-  std::array<Vec3<Real>, most_sites> f_a;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
       const PairTable& table = tables(bodies.part[i], bodies.part[j]);
@@ -64,13 +63,12 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
         const Vec3<Real> shift{Real(image % 3 - 1), Real(image / 3 % 3 - 1), Real(image / 9 - 1)};
         const Vec3<Real> R = R0 + scaled(shift, edge);
         if (norm2(R) > Real(reach * reach)) continue;
-        for (std::size_t a = 0; a < table.sites_a; ++a) f_a[a] = {};
         const PairLoad<Real> pair = molecule_pair<ending, true>(
             shape, table.strengths<double>(), laws, R, [&](std::size_t k) { return arms[i][k]; },
-            [&](std::size_t k) { return arms[j][k]; }, f_a.data());
+            [&](std::size_t k) { return arms[j][k]; });
         load.f[i] -= pair.f;
         load.f[j] += pair.f;
-        for (std::size_t a = 0; a < table.sites_a; ++a) load.tau[i] -= cross(arms[i][a], f_a[a]);
+        if (topology.parts[bodies.part[i]].molecule.reach() > 0) load.tau[i] += pair.tau_a(R);
         load.tau[j] += pair.tau_b;
         for (std::size_t k = 0; k < 3; ++k) load.virial[k] += R[k] * pair.f;
         load.lennard_jones += pair.lennard_jones;

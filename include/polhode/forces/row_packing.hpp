@@ -75,7 +75,7 @@ inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t w
       ++k;
       continue;
     }
-    later.give(row[k].slot(), {slot, Neighbour::images - 1 - row[k].image()});
+    later.give(row[k].slot(), {slot, -row[k].image()});
     row.remove(k);
     --left;
   }

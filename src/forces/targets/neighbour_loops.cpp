@@ -27,7 +27,8 @@ struct Run {
   std::uint32_t begin, end;
 };
 
-// Tests the slots of a run; `at` is the place of the body in fixed point, less the image's shift.
+// Tests the slots of a run; `at` is the place of the body in fixed point, less the image's shift,
+// and `image` the image's bits.
 void scan(const ListJob& job, Run run, const Vec3<std::int32_t>& at, std::uint32_t image,
           const Vec3<float>& unit, float whole2, float listed2, Partners& found) {
   std::uint32_t* const whole_begin = found.whole.end_with_room(run.end - run.begin);
@@ -41,7 +42,7 @@ void scan(const ListJob& job, Run run, const Vec3<std::int32_t>& at, std::uint32
     const Real r2 = x * x + y * y + z * z;
     const auto lanes = first_lanes<float>(std::min<std::size_t>(run.end - s, Real::width));
     const auto listed = lanes && r2 < Real(listed2), whole = r2 < Real(whole2);
-    const std::uint32_t word = s | image << Neighbour::slot_bits;
+    const std::uint32_t word = s | image;
     n_whole += store_counted<float>(word, listed && whole, whole_begin + n_whole);
     n_ending += store_counted<float>(word, listed && !whole, ending_begin + n_ending);
   }
@@ -95,7 +96,7 @@ class Search {
  private:
   struct ImageRun {
     Run slots;
-    std::uint32_t image;
+    std::uint32_t image;       // its bits in a word
     Vec3<std::int32_t> shift;  // in fixed point
   };
 
@@ -140,20 +141,18 @@ class Search {
     for (const Row& row : rows_) {
       over_images(at(2) + row.z, at(2) + row.z, 2, [&](std::size_t z, std::size_t, int image_z) {
         over_images(at(1) + row.y, at(1) + row.y, 1, [&](std::size_t y, std::size_t, int image_y) {
-          over_images(at(0) - row.reach, at(0) + row.reach, 0,
-                      [&](std::size_t from, std::size_t to, int image_x) {
-                        const int image = (image_z * 3 + image_y) * 3 + image_x + 13;
-                        grid_.over_strips(from, to, [&](std::size_t x0, std::size_t x1) {
-                          const std::size_t last = partner_ * grid_.size() + grid_.index(x1, y, z);
-                          const Run run{
-                              job_.slots.cell_begin(grid_, partner_, grid_.index(x0, y, z)),
-                              job_.slots.cell_end[last]};
-                          if (run.begin != run.end)
-                            runs_.push_back({run,
-                                             static_cast<std::uint32_t>(image),
-                                             {image_x * one, image_y * one, image_z * one}});
-                        });
-                      });
+          over_images(
+              at(0) - row.reach, at(0) + row.reach, 0,
+              [&](std::size_t from, std::size_t to, int image_x) {
+                const std::uint32_t image = Neighbour::bits({image_x, image_y, image_z});
+                grid_.over_strips(from, to, [&](std::size_t x0, std::size_t x1) {
+                  const std::size_t last = partner_ * grid_.size() + grid_.index(x1, y, z);
+                  const Run run{job_.slots.cell_begin(grid_, partner_, grid_.index(x0, y, z)),
+                                job_.slots.cell_end[last]};
+                  if (run.begin != run.end)
+                    runs_.push_back({run, image, {image_x * one, image_y * one, image_z * one}});
+                });
+              });
         });
       });
     }

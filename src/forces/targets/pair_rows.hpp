@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <utility>
 
 #include "polhode/base/pack_places.hpp"
@@ -23,12 +24,19 @@ inline Pack<float> coordinate_difference(Pack<float> partner, float own, float u
   std::memcpy(&bits, &own, sizeof bits);
   return fixed_point_difference(partner, bits) * Pack<float>(unit);
 }
-inline Pack<double> coordinate_sum(Pack<double> a, Pack<double> b) { return a + b; }
-inline Pack<float> coordinate_sum(Pack<float> a, Pack<float> b) { return fixed_point_sum(a, b); }
 
-// The rows of a chunk, one after the other: fetch the partners, compute the pairs, add up what they
-// did. A row is added up only after the next one's partners were fetched, so that the processor
-// need not wait for the last results of a row: fetching does not depend on them.
+// Coordinate d of centres in the images that words of the list mean.
+inline Pack<double> in_image(Pack<double> c, PackIndex<double> words, std::size_t d, double edge) {
+  return c + as_doubles((words << 2 * d) >> 30) * Pack<double>(edge);
+}
+inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d, double) {
+  static_assert(fixed_point_edge == 1 << 30);  // the two highest bits count edges
+  return fixed_point_sum(c, (words << 2 * d) & Neighbour::highest_bits);
+}
+
+// The rows of a chunk, pack by pack. While the pairs of a pack are computed, the processor turns
+// the records of the next pack's partners, which depends on nothing, and adds up what the pack
+// before did, whose results are there: these two steps mostly shuffle and move, and pairs multiply.
 template <class T, class Shape>
 class PairRows {
  public:
@@ -41,34 +49,41 @@ class PairRows {
         own_(window(job.chunk.part)),
         partner_(window(job.partner_part)),
         numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width),
+        edge_(job.list.box().edge),
         far_apart_(job.list.slots().size() > 8192 && job.list.slots().parts.size() == 1) {
     for (std::size_t d = 0; d < 3; ++d)
-      unit_[d] = static_cast<T>(job.list.box().edge[d] / static_cast<double>(fixed_point_edge));
-    const std::size_t packs = job.chunk.longest_row / Real::width * (numbers_ + 6) +
-                              3 * (shape_.sites_a + 1);  // of a row
-    Column<T>& space = job.sums.template scratch<T>();
-    if (space.size() < 2 * packs * Real::width) space = Column<T>(2 * packs * Real::width);
-    now_.scratch = space.data();
-    before_.scratch = space.data() + packs * Real::width;
+      unit_[d] = static_cast<T>(edge_[d] / static_cast<double>(fixed_point_edge));
   }
 
   template <Ending ending, bool energies>
   void run() {
-    const auto parts = job_.list.slots().parts.size();
-    for (std::uint32_t slot = job_.chunk.first; slot < job_.chunk.end; ++slot) {
-      const ListChunk::Row row = job_.chunk.row(slot, job_.partner_part, parts);
-      if (row.begin == row.end) continue;
-      now_.slot = slot;
-      now_.entries = &job_.chunk.entries[row.begin];
-      now_.whole = (row.ending - row.begin) / Real::width;
-      now_.packs = (row.end - row.begin) / Real::width;
-      if (far_apart_) prefetch(row.end, row.end - row.begin);
-      fetch(now_);
-      add_up(before_);
-      compute<ending, energies>(now_);
-      std::swap(now_, before_);
+    std::uint32_t slot = with_partners(job_.chunk.first);
+    if (slot == job_.chunk.end) return;
+    const std::uint32_t* const entries = job_.chunk.entries.data();
+    std::size_t pack = 0;  // of the chunk
+    fetch(entries + row(slot).begin, pack);
+    while (slot < job_.chunk.end) {
+      const ListChunk::Row here = row(slot);
+      const std::uint32_t following = with_partners(slot + 1);
+      const std::uint32_t* const end = entries + here.end;
+      const std::uint32_t* const after =  // at the end of the chunk any partners do
+          entries + (following < job_.chunk.end ? row(following).begin : here.begin);
+      RowSums sums;
+      const auto each_pack = [&]<Ending how>(std::uint32_t from, std::uint32_t to)
+          __attribute__((always_inline)) {
+        for (const std::uint32_t* entry = entries + from; entry != entries + to; ++pack) {
+          entry += Real::width;
+          fetch(entry == end ? after : entry, pack + 1);
+          compute<how, energies>(slot, pack, sums);
+          add_up(pack - 1);
+        }
+      };
+      each_pack.template operator()<Ending::none>(here.begin, here.ending);
+      each_pack.template operator()<ending>(here.ending, here.end);
+      add_row<energies>(slot, sums);
+      slot = following;
     }
-    add_up(before_);
+    add_up(pack - 1);
     if constexpr (energies) {
       job_.sums.lennard_jones += sum(lennard_jones_);
       job_.sums.coulomb += sum(coulomb_);
@@ -78,168 +93,142 @@ class PairRows {
   }
 
  private:
-  // A row of the list with its numbers: for each pack the records of the partners, turned, and
-  // forces and torques on them; then the force on the row's body, less its sign, and what each of
-  // its sites does.
-  struct Row {
-    std::uint32_t slot = 0;
-    const std::uint32_t* entries = nullptr;
-    std::size_t whole = 0, packs = 0;
-    T* scratch = nullptr;
+  ListChunk::Row row(std::uint32_t slot) const {
+    return job_.chunk.row(slot, job_.partner_part, job_.list.slots().parts.size());
+  }
+  // The first slot from one on that has partners, or the end.
+  std::uint32_t with_partners(std::uint32_t slot) const {
+    while (slot < job_.chunk.end && row(slot).begin == row(slot).end) ++slot;
+    return slot;
+  }
+
+  // What a pack's way through the steps leaves in memory; two packs are on their way at a time.
+  struct Stage {
+    alignas(pack_bytes) T partners[(3 + 3 * Shape::most_b + Real::width) * Real::width];
+    alignas(pack_bytes) T loads[6 * Real::width] = {};  // forces and torques on the partners
+    std::int32_t places[Real::width] = {};              // of their sums in the window
   };
-  T* partners(const Row& row, std::size_t pack) const {
-    return row.scratch + pack * (numbers_ + 6) * Real::width;
-  }
-  T* loads(const Row& row, std::size_t pack) const {
-    return partners(row, pack) + numbers_ * Real::width;
-  }
+  Stage& stage(std::size_t pack) { return stages_[pack % 4]; }
+
+  // What the partners in a row do to its body.
+  struct RowSums {
+    Vec3<Real> f, tau;
+    Real lennard_jones, coulomb;
+    Mat3<Real> virial;
+  };
 
   // Where the sums of a molecule type's slots are.
   struct Window {
-    double* sums;
-    std::uint32_t first;  // the window's first slot
-    std::int32_t count;   // slots of the type
-    double* of(std::uint32_t slot) const {
-      const auto k = static_cast<std::int32_t>(slot - first);
-      const std::int32_t wrapped = k + (k >> 31 & count);  // no branch: it would be mispredicted
-      return sums + static_cast<std::size_t>(wrapped) * ChunkSums::stride;
+    T* sums;
+    std::int32_t first;  // the window's first slot
+    std::int32_t count;  // slots of the type
+    T* at(std::int32_t place) const { return sums + place * std::ptrdiff_t{ChunkSums<T>::stride}; }
+    T* of(std::uint32_t slot) const {
+      const std::int32_t k = static_cast<std::int32_t>(slot) - first;
+      return at(k < 0 ? k + count : k);
     }
   };
   Window window(std::size_t part) const {
-    return {&job_.sums.values[job_.sums.first[part] * ChunkSums::stride],
-            job_.chunk.windows[part].first,
+    return {&job_.sums.values[job_.sums.first[part] * ChunkSums<T>::stride],
+            static_cast<std::int32_t>(job_.chunk.windows[part].first),
             static_cast<std::int32_t>(job_.list.slots().parts[part].count)};
   }
 
-  // Asks the caches for what the next row will most likely need: the entries after this one's.
-  void prefetch(std::size_t begin, std::size_t count) const {
-    const std::size_t end = std::min(begin + count, job_.chunk.entries.size());
-    for (std::size_t k = begin; k < end; ++k) {
-      const std::uint32_t slot = Neighbour(job_.chunk.entries[k]).slot();
+  // Asks the caches for what packs to come will most likely need.
+  void prefetch(const std::uint32_t* entry) const {
+    constexpr std::size_t packs_ahead = 4;
+    const std::uint32_t* const later = entry + packs_ahead * Real::width;
+    if (later + Real::width > job_.chunk.entries.data() + job_.chunk.entries.size()) return;
+    for (std::size_t lane = 0; lane < Real::width; ++lane) {
+      const std::uint32_t slot = Neighbour(later[lane]).slot();
       __builtin_prefetch(job_.records.of(slot));
       __builtin_prefetch(partner_.of(slot), 1);
     }
   }
 
-  auto own_site(const Row& row) const {
-    const T* const sites = job_.records.of(row.slot) + 3;
-    return [sites](std::size_t a) {
-      return Vec3<Real>{Real(sites[3 * a]), Real(sites[3 * a + 1]), Real(sites[3 * a + 2])};
-    };
-  }
-
-  void fetch(const Row& row) const {
-    const std::uint32_t* entry = row.entries;
-    for (std::size_t pack = 0; pack < row.packs; ++pack, entry += Real::width) {
-      T* to = partners(row, pack);
-      const T *record[Real::width], *shift[Real::width];
-      for (std::size_t lane = 0; lane < Real::width; ++lane) {
-        const Neighbour partner(entry[lane]);
-        record[lane] = job_.records.of(partner.slot());
-        shift[lane] = job_.records.shift(partner.image());
-      }
-      for (std::size_t k = 0; k < numbers_; k += Real::width) {
-        Real column[Real::width];
-        transpose<T>(
-            [&](std::size_t lane) __attribute__((always_inline)) {
-              const Real numbers = Real::load(record[lane] + k);
-              return k < 3 ? coordinate_sum(numbers, Real::load(shift[lane] + k)) : numbers;
-            },
-            column);
-        for (const Real& c : column) c.store(to), to += Real::width;
-      }
+  [[gnu::noinline]] void fetch(const std::uint32_t* entry, std::size_t pack) {
+    if (far_apart_) prefetch(entry);
+    Stage& to = stage(pack);
+    const auto words = PackIndex<T>::load(entry);
+    ((words & Neighbour::slot_mask) - partner_.first).wrapped(partner_.count).store(to.places);
+    const T* record[Real::width];
+    for (std::size_t lane = 0; lane < Real::width; ++lane)
+      record[lane] = job_.records.of(Neighbour(entry[lane]).slot());
+    for (std::size_t k = 0; k < numbers_; k += Real::width) {
+      Real column[Real::width];
+      transpose<T>(
+          [&](std::size_t lane)
+              __attribute__((always_inline)) { return Real::load(record[lane] + k); },
+          column);
+      for (std::size_t i = 0; i < Real::width; ++i)
+        (k + i < 3 ? in_image(column[i], words, k + i, edge_[k + i]) : column[i])
+            .store(to.partners + (k + i) * Real::width);
     }
   }
 
   template <Ending ending, bool energies>
-  void compute(const Row& row) {
-    const T* const own = job_.records.of(row.slot);
-    std::array<Vec3<Real>, Shape::most_a> f_a;  // what each site does to the partners
-    each(
-        shape_.sites_a, [&](auto a) __attribute__((always_inline)) { f_a[a] = {}; });
-    Vec3<Real> f;
-    Real lennard_jones, coulomb;
-    Mat3<Real> virial;
-
-    const auto pairs_of = [&]<Ending how>(std::size_t pack) __attribute__((always_inline)) {
-      const T* const number = partners(row, pack);
-      const auto column = [&](std::size_t k) { return Real::load(number + k * Real::width); };
-      Vec3<Real> R;
-      for (std::size_t d = 0; d < 3; ++d) R[d] = coordinate_difference(column(d), own[d], unit_[d]);
-      const PairLoad<Real> pair = molecule_pair<how, energies>(
-          shape_, strengths_, job_.laws, R, own_site(row),
-          [&](std::size_t b) {
-            return Vec3<Real>{column(3 + 3 * b), column(4 + 3 * b), column(5 + 3 * b)};
-          },
-          f_a.data());
-      f += pair.f;
-      if constexpr (energies) {
-        lennard_jones += pair.lennard_jones;
-        coulomb += pair.coulomb;
-        for (std::size_t d = 0; d < 3; ++d) virial[d] += R[d] * pair.f;
-      }
-      store(pair.f, loads(row, pack));
-      store(pair.tau_b, loads(row, pack) + 3 * Real::width);
-    };
-    for (std::size_t pack = 0; pack < row.whole; ++pack)
-      pairs_of.template operator()<Ending::none>(pack);
-    for (std::size_t pack = row.whole; pack < row.packs; ++pack)
-      pairs_of.template operator()<ending>(pack);
-
-    T* to = partners(row, row.packs);
-    store(f, to);
-    each(
-        shape_.sites_a, [&](auto a) __attribute__((always_inline)) {
-          store(f_a[a], to += 3 * Real::width);
+  [[gnu::always_inline]] void compute(std::uint32_t slot, std::size_t pack, RowSums& sums) {
+    Stage& at = stage(pack);
+    const T* const own = job_.records.of(slot);
+    const auto column = [&](std::size_t k) { return Real::load(at.partners + k * Real::width); };
+    Vec3<Real> R;
+    for (std::size_t d = 0; d < 3; ++d) R[d] = coordinate_difference(column(d), own[d], unit_[d]);
+    const PairLoad<Real> pair = molecule_pair<ending, energies>(
+        shape_, strengths_, job_.laws, R,
+        [&](std::size_t a) {
+          const T* const site = own + 3 + 3 * a;
+          return Vec3<Real>{Real(site[0]), Real(site[1]), Real(site[2])};
+        },
+        [&](std::size_t b) {
+          return Vec3<Real>{column(3 + 3 * b), column(4 + 3 * b), column(5 + 3 * b)};
         });
+    sums.f -= pair.f;
+    sums.tau += pair.tau_a(R);
+    if constexpr (energies) {
+      sums.lennard_jones += pair.lennard_jones;
+      sums.coulomb += pair.coulomb;
+      for (std::size_t d = 0; d < 3; ++d) sums.virial[d] += R[d] * pair.f;
+    }
+    store(pair.f, at.loads);
+    store(pair.tau_b, at.loads + 3 * Real::width);
+  }
+
+  // Forces and torques on the partners in a pack, to their sums. Before the first pack there are
+  // none, on whichever partner.
+  [[gnu::noinline]] void add_up(std::size_t pack) {
+    const Stage& from = stage(pack);
+    std::array<Real, 6> load;
+    for (std::size_t k = 0; k < 6; ++k) load[k] = Real::load(from.loads + k * Real::width);
+    add_to_records(load, [&](std::size_t lane) { return partner_.at(from.places[lane]); });
+  }
+
+  template <bool energies>
+  [[gnu::always_inline]] void add_row(std::uint32_t slot, const RowSums& row) {
+    add_sums_to_record(std::array{row.f.x, row.f.y, row.f.z, row.tau.x, row.tau.y, row.tau.z},
+                       own_.of(slot));
     if constexpr (energies) {
       const auto add = [](Pack<double>& total, Real what) {
         for (const Pack<double>& part : widened(what)) total += part;
       };
-      add(lennard_jones_, lennard_jones);
-      add(coulomb_, coulomb);
+      add(lennard_jones_, row.lennard_jones);
+      add(coulomb_, row.coulomb);
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k) add(virial_[i][k], virial[i][k]);
+        for (std::size_t k = 0; k < 3; ++k) add(virial_[i][k], row.virial[i][k]);
     }
-  }
-
-  // Forces and torques on the partners and on the row's body, to their sums.
-  void add_up(const Row& row) const {
-    const std::uint32_t* entry = row.entries;
-    for (std::size_t pack = 0; pack < row.packs; ++pack, entry += Real::width) {
-      const T* const load = loads(row, pack);
-      std::array<Real, 6> column;
-      for (std::size_t k = 0; k < 6; ++k) column[k] = Real::load(load + k * Real::width);
-      add_to_records(column,
-                     [&](std::size_t lane) { return partner_.of(Neighbour(entry[lane]).slot()); });
-    }
-    if (row.packs == 0) return;
-    const T* from = partners(row, row.packs);
-    const Vec3<Real> f = loaded(from);
-    Vec3<Real> tau;
-    const auto site = own_site(row);
-    each(
-        shape_.sites_a, [&](auto a) __attribute__((always_inline)) {
-          tau -= cross(site(a), loaded(from += 3 * Real::width));
-        });
-    add_sums_to_record(std::array{-f.x, -f.y, -f.z, tau.x, tau.y, tau.z}, own_.of(row.slot));
   }
 
   static void store(const Vec3<Real>& v, T* to) {
     v.x.store(to), v.y.store(to + Real::width), v.z.store(to + 2 * Real::width);
   }
-  static Vec3<Real> loaded(const T* from) {
-    return {Real::load(from), Real::load(from + Real::width), Real::load(from + 2 * Real::width)};
-  }
-
   const PairJob<T>& job_;
   const Shape shape_;
   const PairStrengths<T>& strengths_;
   const Window own_, partner_;
   const std::size_t numbers_;  // of a partner's record, in whole packs
+  const Vec3<double> edge_;    // of the box [nm]
   const bool far_apart_;       // records and sums exceed the second-level cache
   Vec3<T> unit_;
-  Row now_, before_;
+  Stage stages_[4];
   Pack<double> lennard_jones_, coulomb_;
   Mat3<Pack<double>> virial_;
 };

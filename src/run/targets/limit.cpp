@@ -44,29 +44,27 @@ void water_pairs(const PairTable& table, const PairLaws<T>& laws, const T* own, 
   using Real = Pack<T>;
   using Water = FixedShape<4, 3, 1>;
   const Water shape(table);
-  std::array<Vec3<Real>, 4> f_a;
+  Vec3<Real> tau_a;
   Real u;
   for (std::size_t p = 0; p < packs; ++p) {
     const T* const number = partners + p * 16 * Real::width;
     const auto column = [&](std::size_t k) { return Real::load(number + k * Real::width); };
+    const Vec3<Real> R{column(0), column(1), column(2)};
     const auto load = molecule_pair<ending, energies>(
-        shape, table.template strengths<T>(), laws, Vec3<Real>{column(0), column(1), column(2)},
+        shape, table.template strengths<T>(), laws, R,
         [&](std::size_t a) {
           return Vec3<Real>{Real(own[3 * a]), Real(own[3 * a + 1]), Real(own[3 * a + 2])};
         },
         [&](std::size_t b) {
           return Vec3<Real>{column(3 + 3 * b), column(4 + 3 * b), column(5 + 3 * b)};
-        },
-        f_a.data());
+        });
+    tau_a += load.tau_a(R);
     T* const to = out + p * 6 * Real::width;
     store(load.f, to);
     store(load.tau_b, to + 3 * Real::width);
     if constexpr (energies) u += load.lennard_jones + load.coulomb;
   }
-  each(  // all that was computed is used
-      Count<4>{}, [&](auto a) __attribute__((always_inline)) {
-        store(f_a[a] + Vec3<Real>{u, u, u}, out + 3 * a * Real::width);
-      });
+  store(tau_a + Vec3<Real>{u, u, u}, out);  // all that was computed is used
 }
 
 template <class T>

@@ -50,12 +50,12 @@ void transposed(const float* row, float* column) { transposed_of(row, column); }
 void added_to_records(const double* value, const std::uint32_t* index, double* records) {
   add_to_records(six(value), [&](std::size_t lane) { return records + 8 * index[lane]; });
 }
-void added_to_records(const float* value, const std::uint32_t* index, double* records) {
+void added_to_records(const float* value, const std::uint32_t* index, float* records) {
   add_to_records(six(value), [&](std::size_t lane) { return records + 8 * index[lane]; });
 }
 
 void added_sums(const double* value, double* record) { add_sums_to_record(six(value), record); }
-void added_sums(const float* value, double* record) { add_sums_to_record(six(value), record); }
+void added_sums(const float* value, float* record) { add_sums_to_record(six(value), record); }
 
 void inverse_powers(const double* r2, double* first, double* second, double* third) {
   inverse_powers_of(r2, first, second, third);
@@ -73,7 +73,8 @@ void fixed_differences(const std::int32_t* p, std::int32_t from, float* read, fl
   fixed_point_difference(bits_of(p), from).store(in_pack);
 }
 void fixed_sums(const std::int32_t* p, const std::int32_t* q, std::int32_t* sum) {
-  fixed_point_sum(bits_of(p), bits_of(q)).store(reinterpret_cast<float*>(sum));
+  fixed_point_sum(bits_of(p), PackIndex<float>{hn::Load(FixedTag(), q)})
+      .store(reinterpret_cast<float*>(sum));
 }
 
 void all_narrowed(const double* x, float* rounded, std::int32_t* fixed) {
