@@ -170,12 +170,19 @@ molecule("ch4",
          [site("C", C, (0, 0, 0), -0.24, 0.350, **kcal(0.066))] +
          [site(f"H{i + 1}", H, r, 0.06, 0.250, **kcal(0.030)) for i, r in enumerate(tetrahedron(0.109))])
 
+# GROMOS gives square roots of C6 [(kJ/mol nm⁶)^1/2] and C12 [(kJ/mol nm¹²)^1/2]; sigma = (C12/C6)^1/6, epsilon =
+# C6²/(4 C12). Geometric means of both are those of sigma and epsilon.
+def gromos(root6, root12):
+    return {"sigma": (root12 / root6)**(1 / 3), "epsilon": root6**4 / (4 * root12**2),
+            "note": f"C6 = ({root6:g})², C12 = ({root12:g})²: C6²/(4 C12)"}
+
+
 molecule("ccl4",
-         "OPLS carbon tetrachloride: C-Cl 0.1769 nm, tetrahedral; carbon at the origin.\n"
+         "GROMOS carbon tetrachloride: C-Cl 0.176 nm, tetrahedral, without charges; carbon at the origin.\n"
          "# " + GEOMETRIC,
-         "five-site rigid carbon tetrachloride", "duffy1992",
-         [site("C", C, (0, 0, 0), 0.248, 0.380, **kcal(0.05))] +
-         [site(f"Cl{i + 1}", CL, r, -0.062, 0.347, **kcal(0.266)) for i, r in enumerate(tetrahedron(0.1769))])
+         "five-site rigid carbon tetrachloride", "oostenbrink2004",
+         [site("C", C, (0, 0, 0), **gromos(0.051292, 2.7568e-3))] +
+         [site(f"Cl{i + 1}", CL, r, **gromos(0.087201, 3.5732e-3)) for i, r in enumerate(tetrahedron(0.1760))])
 
 # From the axis and along it, as published; N-H is 0.10136 nm, H-N-H 105.99 degrees.
 out, up, down = 0.0934689, 0.0075705, 0.0316392

@@ -79,7 +79,7 @@ TEST_CASE("masses, tops and moments of the models are those of their geometry") 
   CHECK(read_molecule("o2").J.z == doctest::Approx(31.9988 / 4 * 0.121 * 0.121).epsilon(1e-12));
   // A tetrahedron: 8/3 m r², of which the centre has no part.
   CHECK(read_molecule("ccl4").J.x ==
-        doctest::Approx(8.0 / 3 * 35.453 * 0.1769 * 0.1769).epsilon(1e-12));
+        doctest::Approx(8.0 / 3 * 35.453 * 0.176 * 0.176).epsilon(1e-12));
   // About the axis 3 m_H ρ², with ρ of three hydrogens.
   CHECK(read_molecule("nh3").J.z ==
         doctest::Approx(3 * 1.008 * 0.0934689 * 0.0934689).epsilon(1e-12));

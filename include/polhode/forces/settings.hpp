@@ -38,7 +38,7 @@ struct ForceSettings {
   double dielectric = 78.5;  ///< beyond the cutoff, for the reaction field; may be infinite
   double skin = 0.05;        ///< of the neighbour list [nm]
   Precision precision = Precision::full;
-  Mixing mixing{};
+  Mixing mixing{};  ///< of Lennard-Jones terms of unlike sites
 };
 
 }  // namespace polhode
