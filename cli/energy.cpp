@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "mixing_note.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/run/system.hpp"
 #include "verbs.hpp"
@@ -51,6 +52,7 @@ void print_csv(const System& system, const Load& load, const Load* slope) {
 int energy(const Options& o) {
   const Config config = o.file.empty() ? default_config() : read_config(o.file);
   const System system = assembled(config);
+  note_mixing(system.forces);
   ForceField forces(system.topology, system.forces, system.state.box);
   Load load;
   forces(system.state, load);

@@ -2,10 +2,12 @@
 // polhode molecules [NAME]: the models within the program, or what one of them is.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/quantity.hpp"
@@ -48,20 +50,24 @@ void print_one(const Molecule& m) {
       m.name, m.description.empty() ? "-" : m.description, m.mass, m.J.x, m.J.y, m.J.z, name(m.top),
       rounded(m.charge()), in_debye(m.dipole()), m.source);
   fmt::print(
-      "  sites, in the principal frame\n    {:<6}{:>11}{:>11}{:>11}{:>10}{:>10}{:>11}{:>17}\n",
+      "  sites, in the principal frame\n    {:<6}{:>11}{:>11}{:>11}{:>10}{:>11}{:>11}{:>17}\n",
       "name", "x [nm]", "y [nm]", "z [nm]", "mass [u]", "q [e]", "sigma [nm]", "epsilon [kJ/mol]");
   for (const Site& s : m.sites)
-    fmt::print("    {:<6}{:11.6f}{:11.6f}{:11.6f}{:10.4f}{:10.5f}{:11.6f}{:17.6f}\n", s.name, s.r.x,
+    fmt::print("    {:<6}{:11.6f}{:11.6f}{:11.6f}{:10.4f}{:11.6f}{:11.6f}{:17.6f}\n", s.name, s.r.x,
                s.r.y, s.r.z, s.mass, s.charge, s.sigma, s.epsilon);
 }
 
 void print_all() {
-  fmt::print("{:<12}{:>6}{:>11}{:>11}  {:<11} {:<17}{}\n", "name", "sites", "mass [u]",
-             "dipole [D]", "top", "source", "description");
-  for (const std::string& model : molecule_names()) {
+  const std::vector<std::string> models = molecule_names();
+  std::size_t width = 0;
+  for (const std::string& model : models) width = std::max(width, model.size());
+  fmt::print("{:<{}}{:>7}{:>10}{:>7}{:>12}  {:<11} {:<15}{}\n", "name", width, "sites", "mass [u]",
+             "q [e]", "dipole [D]", "top", "source", "description");
+  for (const std::string& model : models) {
     const Molecule m = read_molecule(model);
-    fmt::print("{:<12}{:>6}{:11.4f}{:11.3f}  {:<11} {:<17}{}\n", m.name, m.sites.size(), m.mass,
-               in_debye(m.dipole()), name(m.top), m.source, m.description);
+    fmt::print("{:<{}}{:>7}{:10.4f}{:7g}{:12.3f}  {:<11} {:<15}{}\n", m.name, width, m.sites.size(),
+               m.mass, rounded(m.charge()), in_debye(m.dipole()), name(m.top), m.source,
+               m.description);
   }
 }
 

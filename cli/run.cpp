@@ -10,6 +10,7 @@
 #include <string>
 
 #include "interrupt.hpp"
+#include "mixing_note.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
@@ -230,6 +231,7 @@ int run(const Options& o) {
   fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n",
              POLHODE_VERSION, system.topology.size(), config.source, scheme.name(),
              settings.step * 1000, means.target, means.threads);
+  note_mixing(config.forces);
   if (system.fit_deviation > 1e-4)
     fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
                system.fit_deviation);

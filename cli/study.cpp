@@ -8,6 +8,7 @@
 #include <string>
 
 #include "interrupt.hpp"
+#include "mixing_note.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
@@ -85,6 +86,7 @@ int study(const Options& o) {
              "threads {}\n",
              POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
              config.study.length, provenance.target, workers.threads());
+  note_mixing(config.forces);
   if (!runs.empty()) fmt::print(stderr, "{} runs are known from {}\n", runs.size(), files.runs);
 
   catch_interrupts();

@@ -44,15 +44,16 @@ Table point_table(const StudyReport& report) {
 
 std::string conditions(const Config& config) {
   const ForceSettings& f = config.forces;
+  const std::string mixing = described(f.mixing);
   return fmt::format(
-      "{}, switched from {:g} to {:g} nm (class C{}), start {}; {} or more runs of {:g} ps from "
+      "{}, switched from {:g} to {:g} nm (class C{}){}, start {}; {} or more runs of {:g} ps from "
       "starts "
       "prepared "
       "for {:g} ps at {:g} K, the same for every scheme; energies at least every 2.5 fs or every "
       "step; "
       "drift significant below a chance of {:g}",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
-      f.switch_from, f.cutoff, f.smoothness,
+      f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.start.empty() ? "lattice" : config.system.start, config.study.runs,
       config.study.length, config.study.decorrelate, config.system.temperature, significance);
 }

@@ -25,7 +25,7 @@ PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& setting
                           Workers& workers)
     : workers_(workers),
       truncation_(settings.truncation),
-      tables_(topology),
+      tables_(topology, settings.mixing),
       laws_(settings),
       list_(topology, settings, box),
       records_(list_.slots().size(), most_sites_of(topology)),

@@ -28,14 +28,31 @@ InteractionSites::InteractionSites(const Molecule& molecule) {
                     molecule.name, sites.size(), most_sites));
 }
 
-PairTable::PairTable(const Molecule& first, const Molecule& second) {
+namespace {
+
+LennardJones mixed(const Site& a, const Site& b, MixingRule rule) {
+  const double sigma =
+      rule == MixingRule::geometric ? std::sqrt(a.sigma * b.sigma) : (a.sigma + b.sigma) / 2;
+  return LennardJones::of(sigma, std::sqrt(a.epsilon * b.epsilon));
+}
+
+bool names(const std::string& word, const Molecule& molecule, const Site& site) {
+  return word == molecule.name + '.' + site.name;
+}
+
+}  // namespace
+
+PairTable::PairTable(const Molecule& first, const Molecule& second, const Mixing& mixing) {
   const InteractionSites a(first), b(second);
   sites_a = a.size(), charged_a = a.charged, dispersive_a = a.dispersive;
   sites_b = b.size(), charged_b = b.charged, dispersive_b = b.dispersive;
   for (const Site& at_b : b.sites)
     for (const Site& at_a : a.sites) {
-      const LennardJones lj =
-          LennardJones::of((at_a.sigma + at_b.sigma) / 2, std::sqrt(at_a.epsilon * at_b.epsilon));
+      LennardJones lj = mixed(at_a, at_b, mixing.rule);
+      for (const PairOverride& pair : mixing.pairs)
+        if ((names(pair.first, first, at_a) && names(pair.second, second, at_b)) ||
+            (names(pair.second, first, at_a) && names(pair.first, second, at_b)))
+          lj = LennardJones::of(pair.sigma, pair.epsilon);
       exact_.charge.push_back(units::coulomb * at_a.charge * at_b.charge);
       exact_.c6.push_back(lj.c6);
       exact_.c12.push_back(lj.c12);
@@ -45,9 +62,11 @@ PairTable::PairTable(const Molecule& first, const Molecule& second) {
   rounded_.c12.assign(exact_.c12.begin(), exact_.c12.end());
 }
 
-PairTables::PairTables(const Topology& topology) : parts_(topology.parts.size()) {
+PairTables::PairTables(const Topology& topology, const Mixing& mixing)
+    : parts_(topology.parts.size()) {
+  check(mixing, topology);
   for (const auto& a : topology.parts)
-    for (const auto& b : topology.parts) tables_.emplace_back(a.molecule, b.molecule);
+    for (const auto& b : topology.parts) tables_.emplace_back(a.molecule, b.molecule, mixing);
 }
 
 }  // namespace polhode

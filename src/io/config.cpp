@@ -12,6 +12,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
+#include "polhode/model/topology.hpp"
 #include "text_file.hpp"
 #include "toml_table.hpp"
 
@@ -168,6 +169,10 @@ void read_forces(TomlTable table, ForceSettings& forces) {
       electrostatics == "coulomb" ? Electrostatics::coulomb : Electrostatics::reaction_field;
   const std::string precision = one_of(table, "precision", "double", {"double", "mixed"});
   forces.precision = precision == "mixed" ? Precision::mixed : Precision::full;
+  const std::string mixing =
+      one_of(table, "mixing", "lorentz-berthelot", {"lorentz-berthelot", "geometric"});
+  forces.mixing.rule =
+      mixing == "geometric" ? MixingRule::geometric : MixingRule::lorentz_berthelot;
   const auto cutoff = table.quantity("cutoff", Dimension::length);
   take(forces.cutoff, cutoff);
   table.require(forces.cutoff > 0, "cutoff", "must be longer than 0 nm");
@@ -191,6 +196,44 @@ void read_forces(TomlTable table, ForceSettings& forces) {
   table.require(forces.skin > 0, "skin",
                 "must be longer than 0 nm, so that a list of neighbours lasts; 0.1 nm is usual");
   table.refuse_unknown();
+}
+
+double pair_quantity(TomlTable& table, std::string_view key, Dimension dimension,
+                     std::string_view example) {
+  const auto value = table.quantity(key, dimension, example);
+  if (!value)
+    table.refuse(key,
+                 fmt::format("a pair has no {0}; write for example {0} = \"{1}\"", key, example));
+  table.require(*value >= 0, key, "must be 0 or more; epsilon 0 means no Lennard-Jones term");
+  return *value;
+}
+
+PairOverride read_pair(TomlTable& table) {
+  const auto sites = table.texts("sites");
+  if (!sites)
+    table.refuse("sites",
+                 "a pair has no sites; write for example sites = [\"tip4p.OW\", \"argon.Ar\"]");
+  table.require(sites->size() == 2, "sites",
+                "must be two, each a molecule and a site: [\"tip4p.OW\", \"argon.Ar\"]");
+  const double sigma = pair_quantity(table, "sigma", Dimension::length, "0.33 nm");
+  const double epsilon = pair_quantity(table, "epsilon", Dimension::energy, "0.8 kJ/mol");
+  table.refuse_unknown();
+  return {(*sites)[0], (*sites)[1], sigma, epsilon};
+}
+
+void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,
+                Mixing& mixing) {
+  Topology topology;
+  for (const auto& component : system.molecules)
+    topology.parts.push_back({read_molecule(component.model), component.count});
+  for (TomlTable table : tables) {
+    mixing.pairs.push_back(read_pair(table));
+    try {
+      check(mixing, topology);
+    } catch (const Error& e) {
+      throw e.at(table.where("sites"));
+    }
+  }
 }
 
 // Throws, with the place of the key, unless the name or text is a scheme.
@@ -275,6 +318,7 @@ Config parse_config(std::string_view text, const std::string& file) {
   config.text = text;
   auto system = table.table("system");
   auto forces = table.table("forces");
+  auto pairs = table.tables("pair");
   auto integrator = table.table("integrator");
   auto run = table.table("run");
   auto output = table.table("output");
@@ -291,6 +335,7 @@ Config parse_config(std::string_view text, const std::string& file) {
     read_forces(*forces, config.forces);
     config.cutoff_place = forces->where("cutoff");
   }
+  if (pairs) read_pairs(*pairs, config.system, config.forces.mixing);
   if (integrator) read_integrator(*integrator, config.integrator);
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);

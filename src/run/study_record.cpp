@@ -73,6 +73,7 @@ std::string study_identity(const Config& config, const System& system) {
      << static_cast<int>(f.precision) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
      << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
      << config.study.length << ' ' << config.study.decorrelate;
+  if (const std::string mixing = described(f.mixing); !mixing.empty()) id << ' ' << mixing;
   return id.str();
 }
 

@@ -28,6 +28,8 @@ epsilon = "1 kJ/mol"
 """
 WITH_BALL = edited(SMALL, ('"argon"', '"ball.toml"'))
 
+PAIR = '[[pair]]\nsites = ["argon.Ar", "argon.Ar"]\nsigma = "0.33 nm"\nepsilon = "0.8 kJ/mol"\n'
+
 # Name of the case, changes of the run file, what the message must contain.
 RUN_FILE = [
     ("unknown key", [("cutoff =", "cutof =")], ["'cutof'", "'cutoff'", "run.toml:7"]),
@@ -63,6 +65,15 @@ RUN_FILE = [
     ("small lambda in mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixed"\n'), ('"2 fs"\n\n', '"2 fs"\nlambda = 0.01\n\n')],
      ["lambda = 0.01", "0.1", "mixed", "double", "run.toml:13", "integrator.lambda"]),
     ("unknown electrostatics", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "coulom"\n')], ["'coulomb'", "reaction-field", "run.toml:8"]),
+    ("unknown mixing", [('"1.0 nm"\n', '"1.0 nm"\nmixing = "geometrc"\n')],
+     ["'geometric'", "lorentz-berthelot", "run.toml:8", "forces.mixing"]),
+    ("pair of an unknown molecule", [("[integrator]", PAIR.replace("argon.Ar", "argn.Ar") + "[integrator]")],
+     ["'argn.Ar'", "did you mean 'argon.Ar'", "run.toml:10", "pair[0].sites"]),
+    ("pair of an unknown site", [("[integrator]", PAIR.replace("argon.Ar", "argon.OW") + "[integrator]")],
+     ["'argon.OW'", "argon.Ar", "run.toml:10", "pair[0].sites"]),
+    ("pair of negative epsilon", [("[integrator]", PAIR.replace("0.8 kJ", "-0.8 kJ") + "[integrator]")],
+     ["-0.8 kJ/mol", "0 or more", "run.toml:12", "pair[0].epsilon"]),
+    ("pair given twice", [("[integrator]", PAIR + PAIR + "[integrator]")], ["twice", "delete one", "run.toml:14", "pair[1].sites"]),
     ("zero skin", [('"1.0 nm"\n', '"1.0 nm"\nskin = "0 nm"\n')], ["skin", "0.1 nm", "run.toml:8"]),
     ("not TOML", [("[system]", "[system")], ["not TOML", "run.toml:1"]),
     ("no molecules", [('molecules = [{ model = "argon", count = 27 }]\n', "")], ["no molecules", "tip4p", "run.toml"]),
@@ -103,6 +114,9 @@ MOLECULE_FILE = [
     ("Lennard-Jones without diameter", [('sigma = "0.34 nm"\n', "")], ["epsilon", "sigma", "ball.toml"]),
     ("unknown key", [("sigma", "sgima")], ["'sgima'", "'sigma'", "ball.toml:9"]),
     ("no site", [("[[site]]", "[[sites]]")], ["'sites'", "'site'", "ball.toml:4"]),
+    ("source missing", [('source = "user"\n', "")], ["no source", "ball.toml"]),
+    ("negative epsilon", [('"1 kJ/mol"', '"-1 kJ/mol"')], ["-1 kJ/mol", "0 or more", "ball.toml:10"]),
+    ("moments given", [('source = "user"\n', 'source = "user"\nmoments = "1 2 9"\n')], ["'moments'", "site", "ball.toml:3"]),
     ("element missing", [('element = "Ar"\n', "")], ["element", "'X'", "ball.toml"]),
 ]
 

@@ -47,6 +47,7 @@ truncation = "site-switch"
 cutoff = "1.2 nm"
 switch = "1.1 nm"
 smoothness = 3
+mixing = "geometric"
 dielectric = "infinite"
 skin = "0.2 nm"
 [integrator]
@@ -68,6 +69,10 @@ steps = ["1 fs", "2 fs"]
 runs = 3
 length = "4 ps"
 decorrelate = "5 ps"
+[[pair]]
+sites = ["tip4p.OW", "tip4p.OW"]
+sigma = "0.3 nm"
+epsilon = "100 K"
 )",
                                      "x.toml");
   CHECK(config.system.box->z == 4);
@@ -77,6 +82,8 @@ decorrelate = "5 ps"
   CHECK(config.forces.cutoff == 1.2);
   CHECK(config.forces.switch_from == 1.1);
   CHECK(config.forces.smoothness == 3);
+  CHECK(config.forces.mixing.rule == MixingRule::geometric);
+  CHECK(config.forces.mixing.pairs.front().sigma == 0.3);
   CHECK(std::isinf(config.forces.dielectric));
   CHECK(config.forces.skin == 0.2);
   CHECK(config.integrator.scheme == "gier4");
@@ -194,6 +201,43 @@ TEST_CASE("electrostatics is a choice, whose default goes with the truncation") 
   check_text(
       "[forces]\nelectrostatics = \"coulomb\"\ntruncation = \"site-switch\"\ndielectric = 80",
       {"no meaning without electrostatics", "water.toml:7, forces.dielectric"});
+}
+
+TEST_CASE("unlike sites mix as the run file says, and pairs are given by molecule and site") {
+  const auto mixing = [](const std::string& more) {
+    return parse_config(system_table + more, "x").forces.mixing;
+  };
+  const std::string pair = "[[pair]]\nsites = [\"tip4p.OW\", \"tip4p.OW\"]\n";
+  const std::string numbers = "sigma = \"3.2 A\"\nepsilon = \"0.5 kJ/mol\"\n";
+  CHECK(mixing("").rule == MixingRule::lorentz_berthelot);
+  CHECK(mixing("[forces]\nmixing = \"lorentz-berthelot\"").rule == MixingRule::lorentz_berthelot);
+  CHECK(mixing("[forces]\nmixing = \"geometric\"").rule == MixingRule::geometric);
+  CHECK(mixing("").pairs.empty());
+  const Mixing given = mixing(pair + numbers);
+  REQUIRE(given.pairs.size() == 1);
+  CHECK(given.pairs[0].first == "tip4p.OW");
+  CHECK(given.pairs[0].second == "tip4p.OW");
+  CHECK(given.pairs[0].sigma == doctest::Approx(0.32).epsilon(1e-15));
+  CHECK(given.pairs[0].epsilon == 0.5);
+
+  check_text("[forces]\nmixing = \"geometrical\"",
+             {"must be one of: lorentz-berthelot, geometric; did you mean 'geometric'?"});
+  check_text("[[pair]]\n" + numbers, {"a pair has no sites", "water.toml:4, pair[0].sites"});
+  check_text("[[pair]]\nsites = [\"tip4p.OW\"]\n" + numbers, {"must be two", "water.toml:5"});
+  check_text("[[pair]]\nsites = \"tip4p.OW\"\n" + numbers, {"must be a list of texts"});
+  check_text(pair + "sigma = \"3 A\"", {"a pair has no epsilon", "\"0.8 kJ/mol\""});
+  check_text(pair + "epsilon = \"0 K\"", {"a pair has no sigma", "\"0.33 nm\""});
+  check_text(pair + "sigma = 0.5", {"sigma = 0.5 has no unit", "water.toml:6, pair[0].sigma"});
+  check_text(pair + "sigma = \"-3 A\"\nepsilon = \"0 K\"", {"sigma = \"-3 A\" must be 0 or more"});
+  check_text(pair + "sigma = \"3 A\"\nepsilon = \"-1 K\"",
+             {"epsilon = \"-1 K\" must be 0 or more"});
+  check_text(pair + "sigma = \"0 A\"\nepsilon = \"1 K\"", {"needs both", "water.toml:5, pair[0]"});
+  check_text(pair + numbers + "charge = \"1 e\"", {"there is no key 'charge' in pair[0]"});
+  check_text("[[pair]]\nsites = [\"tip4.OW\", \"tip4p.OW\"]\n" + numbers,
+             {"no site 'tip4.OW' here; did you mean 'tip4p.OW'?", "water.toml:5, pair[0].sites"});
+  check_text("[[pair]]\nsites = [\"tip4p.OW\", \"tip4p.HW1\"]\n" + numbers,
+             {"'tip4p.HW1' has no Lennard-Jones terms of its own"});
+  check_text(pair + numbers + pair + numbers, {"stands twice", "water.toml:9, pair[1].sites"});
 }
 
 TEST_CASE("mixed precision has a lambda that its rounding bears") {

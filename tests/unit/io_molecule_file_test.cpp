@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "errors.hpp"
+#include "polhode/io/quantity.hpp"
 
 using namespace polhode;
 
-TEST_CASE("every model within the program reads, under its own name, neutral") {
+TEST_CASE("every model within the program reads, under its own name, of whole charge") {
   const auto names = molecule_names();
   CHECK(std::find(names.begin(), names.end(), "tip4p") != names.end());
   for (const std::string& name : names) {
@@ -17,7 +18,9 @@ TEST_CASE("every model within the program reads, under its own name, neutral") {
     CHECK(molecule.name == name);
     CHECK(!molecule.source.empty());
     // Charges of a few significant digits sum with a rounding of 1e-16 each.
-    CHECK(std::abs(molecule.charge()) < 1e-15 * static_cast<double>(molecule.sites.size()));
+    const double whole = std::round(molecule.charge());
+    CHECK(std::abs(molecule.charge() - whole) < 1e-15 * static_cast<double>(molecule.sites.size()));
+    CHECK((whole == 0 || molecule.top == Top::atom));  // the ions
   }
 }
 
@@ -34,6 +37,85 @@ TEST_CASE("the moments of TIP4P follow from its geometry") {
   CHECK(water.J.z == doctest::Approx(across + bisector).epsilon(2e-15));
   CHECK(water.top == Top::asymmetric);
   CHECK(water.mass == doctest::Approx(18.0154).epsilon(1e-15));
+}
+
+// From the papers of the models, with as many digits as they give; for TIP5P and the OPC models,
+// too.
+TEST_CASE("dipole moments of the models of water are the published ones") {
+  const struct {
+    const char* name;
+    double dipole, half_digit;  // [D]
+  } published[] = {{"spc", 2.27, 0.005},        {"spce", 2.35, 0.005},  {"tip3p", 2.35, 0.005},
+                   {"tip4p", 2.18, 0.005},      {"tip5p", 2.29, 0.005}, {"tip4p-2005", 2.305, 5e-4},
+                   {"tip4p-ew", 2.32, 0.005},   {"opc", 2.48, 0.005},   {"opc3", 2.43, 0.005},
+                   {"tip4p-ice", 2.426, 0.0005}};
+  for (const auto& water : published) {
+    CAPTURE(water.name);
+    const double dipole = read_molecule(water.name).dipole() / unit("D", Dimension::dipole);
+    CHECK(std::abs(dipole - water.dipole) <= water.half_digit);
+  }
+}
+
+// Atomic weights; what symmetry makes of the moments; moments by hand from bond lengths and angles.
+TEST_CASE("masses, tops and moments of the models are those of their geometry") {
+  const struct {
+    const char* name;
+    double mass;
+    Top top;
+  } models[] = {{"neon", 20.1797, Top::atom},        {"krypton", 83.798, Top::atom},
+                {"xenon", 131.293, Top::atom},       {"na-spce", 22.98977, Top::atom},
+                {"k-tip3p", 39.0983, Top::atom},     {"cl-tip4p-ew", 35.453, Top::atom},
+                {"o2", 31.9988, Top::linear},        {"n2", 28.0134, Top::linear},
+                {"co2", 44.0098, Top::linear},       {"co2-epm2", 44.0098, Top::linear},
+                {"ch4", 16.043, Top::spherical},     {"ccl4", 153.823, Top::spherical},
+                {"nh3", 17.0307, Top::symmetric},    {"benzene", 78.114, Top::symmetric},
+                {"tip5p", 18.0154, Top::asymmetric}, {"methylhydrazine", 46.0724, Top::asymmetric}};
+  for (const auto& model : models) {
+    CAPTURE(model.name);
+    const Molecule m = read_molecule(model.name);
+    CHECK(m.mass == doctest::Approx(model.mass).epsilon(1e-12));
+    CHECK(m.top == model.top);
+  }
+  CHECK(read_molecule("o2").J.z == doctest::Approx(31.9988 / 4 * 0.121 * 0.121).epsilon(1e-12));
+  // A tetrahedron: 8/3 m r², of which the centre has no part.
+  CHECK(read_molecule("ccl4").J.x ==
+        doctest::Approx(8.0 / 3 * 35.453 * 0.176 * 0.176).epsilon(1e-12));
+  // About the axis 3 m_H ρ², with ρ of three hydrogens.
+  CHECK(read_molecule("nh3").J.z ==
+        doctest::Approx(3 * 1.008 * 0.0934689 * 0.0934689).epsilon(1e-12));
+}
+
+// Lone pairs and hydrogens of TIP5P: an orthogonal cross of two V, 0.07 nm and 0.09572 nm long.
+TEST_CASE("the sites of TIP5P stand as published") {
+  const Molecule water = read_molecule("tip5p");
+  REQUIRE(water.sites.size() == 5);
+  const auto from_oxygen = [&](std::size_t k) { return water.sites[k].r - water.sites[0].r; };
+  const auto angle = [&](std::size_t i, std::size_t k) {
+    const Vec3<double> a = from_oxygen(i), b = from_oxygen(k);
+    return std::acos(dot(a, b) / (norm(a) * norm(b))) * 180 / std::acos(-1.0);
+  };
+  CHECK(norm(from_oxygen(3)) == doctest::Approx(0.07).epsilon(1e-12));
+  CHECK(norm(from_oxygen(4)) == doctest::Approx(0.07).epsilon(1e-12));
+  CHECK(angle(1, 2) == doctest::Approx(104.52).epsilon(1e-12));
+  CHECK(angle(3, 4) == doctest::Approx(109.47).epsilon(1e-12));
+  // Both V lie across each other, so that all four angles between them have one cosine,
+  // −cos(104.52°/2) cos(109.47°/2).
+  for (const std::size_t h : {1, 2})
+    for (const std::size_t l : {3, 4})
+      CHECK(std::cos(angle(h, l) * std::acos(-1.0) / 180) ==
+            doctest::Approx(-std::cos(52.26 * std::acos(-1.0) / 180) *
+                            std::cos(54.735 * std::acos(-1.0) / 180))
+                .epsilon(1e-12));
+}
+
+// No two moments are equal, and the charges and masses lie in no plane: the product of the three
+// edges from one site to three others has the volume of a true tetrahedron.
+TEST_CASE("methylhydrazine has no symmetry") {
+  const Molecule m = read_molecule("methylhydrazine");
+  CHECK(m.J.y - m.J.x > 0.1 * m.J.z);
+  CHECK(m.J.z - m.J.y > 0.01 * m.J.z);
+  const Vec3<double> o = m.sites[2].r;
+  CHECK(std::abs(dot(m.sites[0].r - o, cross(m.sites[3].r - o, m.sites[4].r - o))) > 1e-4);
 }
 
 namespace {
@@ -68,6 +150,9 @@ TEST_CASE("errors in molecule files name file, line and key") {
   check_text(file(head, site + "charge = \"0.5 nm\""), {"is a length; it must be a charge"});
   check_text(file(head, site + "sigma = \"-3 A\""), {"sigma = \"-3 A\" must be 0 or more"});
   check_text(file(head, site + "epsilon = \"3 K\""), {"sigma is 0", "x.toml"});
+  check_text(file(head, site + "epsilon = \"-3 K\""), {"epsilon = \"-3 K\" must be 0 or more"});
+  check_text(file(head + "\nmoments = \"1 1 3 nm\"", site),  // they follow from the sites
+             {"there is no key 'moments'", "there are: name, description, source, site"});
   check_text(file("name = \"x\"", site), {"no source", "write for example source", "x.toml"});
   check_text(file("source = \"x\"", site), {"no name"});
   check_text(file(head, "name = \"A\"\nmass = \"1 u\"\nelement = \"H\""),

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polhode/forces/laws.hpp"
+#include "polhode/forces/mixing.hpp"
 #include "polhode/model/topology.hpp"
 
 namespace polhode {
@@ -34,10 +35,10 @@ struct PairStrengths {
   std::vector<T> c12;     ///< [kJ/mol nm¹²]
 };
 
-/// Two molecule types. Lorentz-Berthelot: σ arithmetic, ε geometric mean.
+/// Two molecule types.
 class PairTable {
  public:
-  PairTable(const Molecule& first, const Molecule& second);
+  PairTable(const Molecule& first, const Molecule& second, const Mixing& mixing = {});
 
   std::size_t sites_a, sites_b, charged_a, charged_b, dispersive_a, dispersive_b;
 
@@ -57,7 +58,8 @@ class PairTable {
 /// The tables of all pairs of molecule types of a topology.
 class PairTables {
  public:
-  explicit PairTables(const Topology& topology);
+  /// @throws Error  if an override of the mixing does not fit the topology
+  explicit PairTables(const Topology& topology, const Mixing& mixing = {});
   const PairTable& operator()(std::size_t part_a, std::size_t part_b) const {
     return tables_[part_a * parts_ + part_b];
   }

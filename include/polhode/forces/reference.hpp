@@ -31,7 +31,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
                                    const Box& box, const std::vector<Pose<Real>>& poses) {
   const std::size_t n = poses.size();
   const PairLaws<> laws(settings);
-  const PairTables tables(topology);
+  const PairTables tables(topology, settings.mixing);
   const Bodies bodies(topology);
   std::vector<std::vector<Site>> sites;
   for (const auto& part : topology.parts) sites.push_back(InteractionSites(part.molecule).sites);

@@ -4,6 +4,8 @@
 // are computed.
 #pragma once
 
+#include "polhode/forces/mixing.hpp"
+
 namespace polhode {
 
 /// How interactions end. The switches are smooth: fourth-order schemes need the third derivative
@@ -36,6 +38,7 @@ struct ForceSettings {
   double dielectric = 78.5;  ///< beyond the cutoff, for the reaction field; may be infinite
   double skin = 0.05;        ///< of the neighbour list [nm]
   Precision precision = Precision::full;
+  Mixing mixing{};  ///< of Lennard-Jones terms of unlike sites
 };
 
 }  // namespace polhode

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""Mixing and pairs of a run file act in every verb, and the log and the record of a study tell of them."""
+
+import json
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+MIXTURE = edited(SMALL, ('[{ model = "argon", count = 27 }]', '[{ model = "argon", count = 20 }, { model = "neon", count = 20 }]'))
+GEOMETRIC = edited(MIXTURE, ('cutoff = "1.0 nm"\n', 'cutoff = "1.0 nm"\nmixing = "geometric"\n'))
+PAIR = '[[pair]]\nsites = ["argon.Ar", "neon.Ne"]\nsigma = "0.35 nm"\nepsilon = "0.5 kJ/mol"\n'
+# What argon has of its own, as data/molecules/argon.toml says.
+ITSELF = '[[pair]]\nsites = ["argon.Ar", "argon.Ar"]\nsigma = "0.3405 nm"\nepsilon = "0.996072621655 kJ/mol"\n'
+
+
+class Mixing(Sandbox):
+    def done(self, verb, text, *options):
+        self.write("run.toml", text)
+        process = self.polhode(verb, "run.toml", *options)
+        self.assertEqual(process.returncode, 0, process.err)
+        return process
+
+    def energy(self, text):
+        return json.loads(self.done("energy", text, "--json").out)["lennard_jones_kJ_per_mol"]
+
+    def test_energies(self):
+        usual = self.energy(MIXTURE)
+        energies = [usual, self.energy(GEOMETRIC), self.energy(MIXTURE + PAIR)]
+        self.assertEqual(len(set(energies)), 3, energies)
+        self.assertEqual(self.energy(MIXTURE + ITSELF), usual)  # to the bit
+
+    def test_no_term_at_all(self):
+        atoms = edited(SMALL, ("count = 27", "count = 64"))
+        self.assertNotEqual(self.energy(atoms), 0)
+        self.assertEqual(self.energy(atoms + edited(ITSELF, ("0.996072621655 kJ", "0 kJ"))), 0)
+
+    def test_logs(self):
+        for verb, options in (("run", ["--force"]), ("energy", []), ("study", ["--force"])):
+            self.assertNotIn("Lennard-Jones:", self.done(verb, MIXTURE, *options).err, verb)
+            log = self.done(verb, GEOMETRIC + PAIR, *options).err
+            self.assertIn("Lennard-Jones: geometric mixing; argon.Ar with neon.Ne: sigma 0.35 nm, epsilon 0.5 kJ/mol\n", log, verb)
+        self.assertIn("geometric mixing; argon.Ar with neon.Ne", (self.folder / "study.json").read_text())
+
+    def test_a_study_with_other_mixing_is_another_study(self):
+        self.done("study", MIXTURE)
+        self.write("run.toml", GEOMETRIC)
+        process = self.polhode("study", "run.toml")
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("another study", process.err)
+
+
+if __name__ == "__main__":
+    sandbox.main()
