@@ -100,7 +100,7 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
   check(settings);
   for (const auto& part : topology.parts) {
     const InteractionSites sites(part.molecule);
-    parts_.push_back({{}, part.molecule.reach()});
+    parts_.push_back({{}, part.molecule.reach(), {}});
     for (std::size_t k = 0; k < sites.charged; ++k)
       parts_.back().charges.push_back(sites.sites[k].charge);
   }
@@ -109,10 +109,22 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
   make_influence();
 
   // Work is cut by the number of threads: what a grid point gets, it gets in the order of slots.
+  // Charges that reach two slabs are prepared twice, so slabs are not thin.
   const auto [nx, ny, nz] = settings.points;
   const auto threads = static_cast<std::size_t>(workers.threads());
   const std::size_t groups = std::min<std::size_t>(nz, 64);
-  const std::size_t slabs = threads == 1 ? 1 : std::min(groups, 4 * threads);
+  const std::size_t thick = nz / (2 * static_cast<std::size_t>(settings.order));
+  const std::size_t slabs =
+      threads == 1 ? 1 : std::min(groups, std::clamp(thick, threads, 4 * threads));
+  for (Part& part : parts_) {
+    const double spacing = box.edge.z / static_cast<double>(nz);
+    const auto before = static_cast<std::size_t>(std::ceil(part.reach / spacing)) + 1;
+    const std::size_t span = 2 * before + static_cast<std::size_t>(settings.order);
+    part.reached.resize(nz + 1);  // of rounding at the end
+    for (std::size_t z = 0; z <= nz; ++z)
+      for (std::size_t k = 0; k < std::min(span, nz); ++k)
+        part.reached[z] |= std::uint64_t{1} << (z + k + before * (nz - 1)) % nz * groups / nz;
+  }
   for (std::size_t s = 0; s < slabs; ++s) {
     Slab slab{0, std::vector<std::ptrdiff_t>(nz + MeshGrid<T>::overhang, -1), nz, 0};
     for (std::size_t z = 0; z < nz; ++z) {
@@ -184,31 +196,25 @@ void ParticleMesh<T>::spread(const Slots& slots, const SiteRecords<T>& records) 
 /// Finds which planes the charges of each block of slots may reach.
 template <class T>
 void ParticleMesh<T>::find_extents(const Slots& slots, const SiteRecords<T>& records) {
-  const std::size_t nz = settings_.points[2], groups = std::min<std::size_t>(nz, 64);
-  const double spacing = box_.edge.z / static_cast<double>(nz);
+  const double planes = static_cast<double>(settings_.points[2]);
+  const double scale = planes / (std::is_same_v<T, float> ? fixed_point_edge : box_.edge.z);
   extents_.resize(slots.size() / slot_block);
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const Slots::Part& part = slots.parts[p];
-    const auto before = static_cast<std::int64_t>(std::ceil(parts_[p].reach / spacing)) + 1;
-    const std::int64_t span = 2 * before + settings_.order;
+    const std::vector<std::uint64_t>& reached = parts_[p].reached;
     each_block(part.count, slot_block, workers_, [&](std::size_t first, std::size_t end) {
-      std::uint64_t reached = 0;
+      std::uint64_t groups = 0;
       for (std::size_t slot = part.first + first; slot < part.first + end; ++slot) {
         double z;
         if constexpr (std::is_same_v<T, float>)
-          z = std::bit_cast<std::int32_t>(records.of(slot)[2]) /
-              static_cast<double>(fixed_point_edge);
+          z = std::bit_cast<std::int32_t>(records.of(slot)[2]);
         else
-          z = records.of(slot)[2] / box_.edge.z;
-        const auto n = static_cast<std::int64_t>(nz);
-        const auto from =
-            static_cast<std::int64_t>(std::floor(z * static_cast<double>(nz))) - before;
-        for (std::int64_t k = 0; k < std::min(span, n); ++k) {
-          const auto plane = static_cast<std::size_t>(((from + k) % n + n) % n);
-          reached |= std::uint64_t{1} << plane * groups / nz;
-        }
+          z = records.of(slot)[2];
+        z *= scale;
+        z -= planes * std::floor(z / planes);
+        groups |= reached[static_cast<std::size_t>(z)];
       }
-      extents_[(part.first + first) / slot_block] = reached;
+      extents_[(part.first + first) / slot_block] = groups;
     });
   }
 }

@@ -64,7 +64,8 @@ class ParticleMesh {
  private:
   struct Part {
     std::vector<double> charges;
-    double reach;  // of a charge from its centre [nm]
+    double reach;                        // of a charge from its centre [nm]
+    std::vector<std::uint64_t> reached;  // groups of planes, for the plane of the centre
   };
   struct Axis {
     std::vector<double> k, odd;  // wave number, and 0 in its place where k and −k are the same wave
