@@ -46,6 +46,60 @@ struct Run {
   }
 };
 
+/// Two runs, in one vector where it is wide enough.
+template <class T>
+struct RunPair {
+  static constexpr bool joined = HWY_LANES(T) == 2 * Run<T>::length;
+  using Tag = hn::ScalableTag<T>;
+  struct Apart {
+    Run<T> first, second;
+  };
+
+  std::conditional_t<joined, hn::Vec<Tag>, Apart> v;
+
+  /// Each of them of one number.
+  static RunPair all(T first, T second) { return joining(Run<T>::all(first), Run<T>::all(second)); }
+  /// Both the same eight numbers.
+  static RunPair twice(const T* p) {
+    const Run<T> run = Run<T>::load(p);
+    return joining(run, run);
+  }
+  Run<T> first() const {
+    if constexpr (joined)
+      return {{hn::LowerHalf(typename Run<T>::Tag(), v)}};
+    else
+      return v.first;
+  }
+  /// The first, then the second.
+  void store(T* p) const {
+    if constexpr (joined)
+      hn::StoreU(v, Tag(), p);
+    else
+      v.first.store(p), v.second.store(p + Run<T>::length);
+  }
+  friend RunPair operator*(const RunPair& a, const RunPair& b) {
+    if constexpr (joined)
+      return {hn::Mul(a.v, b.v)};
+    else
+      return {{a.v.first * b.v.first, a.v.second * b.v.second}};
+  }
+  /// a b + c
+  friend RunPair fma(const RunPair& a, const RunPair& b, const RunPair& c) {
+    if constexpr (joined)
+      return {hn::MulAdd(a.v, b.v, c.v)};
+    else
+      return {{fma(a.v.first, b.v.first, c.v.first), fma(a.v.second, b.v.second, c.v.second)}};
+  }
+
+ private:
+  static RunPair joining(const Run<T>& first, const Run<T>& second) {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (joined) return {hn::Combine(Tag(), second.v[0], first.v[0])};
+#endif
+    if constexpr (!joined) return {{first, second}};
+  }
+};
+
 /// Where points are on a grid of so many points to an edge: the index of the grid point before each
 /// and, as the result, the distance beyond it, from 0 to 1 up to rounding. A point is a centre [nm]
 /// and an arm [nm], on any image.

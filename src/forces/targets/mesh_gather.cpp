@@ -34,26 +34,26 @@ void gather(const GatherJob<T>& job) {
         const std::ptrdiff_t* const row_at = job.grid.row_at.data() + index[1][lane];
         const std::ptrdiff_t* const plane_at = job.grid.plane_at.data() + index[2][lane];
         const auto weight = [&](std::size_t which, std::size_t k) {
-          return Run<T>::all(along[which][k * width + lane]);
+          return along[which][k * width + lane];
         };
-        Run<T> y[order], y_slope[order];
-        for (std::size_t j = 0; j < order; ++j) y[j] = weight(0, j), y_slope[j] = weight(1, j);
-        Run<T> potential = Run<T>::zero(), by_y = potential, by_z = potential;
+        RunPair<T> y[order];  // weight and slope
+        const T* rows[order];
+        for (std::size_t j = 0; j < order; ++j) {
+          y[j] = RunPair<T>::all(weight(0, j), weight(1, j));
+          rows[j] = origin + row_at[j];
+        }
+        RunPair<T> by_z_weight = RunPair<T>::all(0, 0);
+        Run<T> by_z_slope = Run<T>::zero();
         for (std::size_t k = 0; k < order; ++k) {
-          const T* const plane = origin + plane_at[k];
-          Run<T> sum = Run<T>::load(plane + row_at[0]), sum_slope = sum * y_slope[0];
-          sum = sum * y[0];
-          for (std::size_t j = 1; j < order; ++j) {
-            const Run<T> row = Run<T>::load(plane + row_at[j]);
-            sum = fma(row, y[j], sum);
-            sum_slope = fma(row, y_slope[j], sum_slope);
-          }
-          potential = fma(sum, weight(2, k), potential);
-          by_y = fma(sum_slope, weight(2, k), by_y);
-          by_z = fma(sum, weight(3, k), by_z);
+          RunPair<T> sum = RunPair<T>::twice(rows[0] + plane_at[k]) * y[0];
+          for (std::size_t j = 1; j < order; ++j)
+            sum = fma(RunPair<T>::twice(rows[j] + plane_at[k]), y[j], sum);
+          const T z = weight(2, k);
+          by_z_weight = fma(sum, RunPair<T>::all(z, z), by_z_weight);
+          by_z_slope = fma(sum.first(), Run<T>::all(weight(3, k)), by_z_slope);
         }
         T* const to = sums + lane * columns;
-        potential.store(to), by_y.store(to + length), by_z.store(to + 2 * length);
+        by_z_weight.store(to), by_z_slope.store(to + 2 * length);
       }
       Real column[columns];
       for (std::size_t c = 0; c < columns; c += width)

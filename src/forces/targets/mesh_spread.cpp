@@ -13,6 +13,7 @@ void spread(const SpreadJob<T>& job) {
   Places<T> places(job.box, job.grid.points, job.bodies.charges.size());
   alignas(pack_bytes) T along_x[width * stride], along_y[order * width], along_z[order * width];
   std::int32_t index[3][width];
+  T* const grid = job.grid.values.data();
   for (std::size_t slot = job.bodies.first; slot < job.bodies.end; slot += width) {
     places.load(job.records, slot);
     const std::size_t lanes = std::min(width, job.bodies.end - slot);
@@ -33,19 +34,21 @@ void spread(const SpreadJob<T>& job) {
       }
       for (std::size_t lane = 0; lane < lanes; ++lane) {
         const Run<T> x = Run<T>::load(along_x + lane * stride);
-        Run<T> y[order];
-        for (std::size_t j = 0; j < order; ++j) y[j] = Run<T>::all(along_y[j * width + lane]);
-        T* const origin = job.grid.values.data() + index[0][lane];
+        T* const origin = grid + index[0][lane];
         const std::ptrdiff_t* const row_at = job.grid.row_at.data() + index[1][lane];
+        Run<T> y[order];
+        T* rows[order];
+        for (std::size_t j = 0; j < order; ++j) {
+          y[j] = Run<T>::all(along_y[j * width + lane]);
+          rows[j] = origin + row_at[j];
+        }
         const std::ptrdiff_t* const plane_at = job.plane_at + index[2][lane];
         for (std::size_t k = 0; k < order; ++k) {
-          if (plane_at[k] < 0) continue;
+          const std::ptrdiff_t plane = plane_at[k];
+          if (plane < 0) continue;
           const Run<T> xz = x * Run<T>::all(along_z[k * width + lane]);
-          T* const plane = origin + plane_at[k];
-          for (std::size_t j = 0; j < order; ++j) {
-            T* const row = plane + row_at[j];
-            fma(xz, y[j], Run<T>::load(row)).store(row);
-          }
+          for (std::size_t j = 0; j < order; ++j)
+            fma(xz, y[j], Run<T>::load(rows[j] + plane)).store(rows[j] + plane);
         }
       }
     }
