@@ -120,7 +120,6 @@ void add_all(const std::string& precision) {
     add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,
            mesh_for(error, cutoff, water.state.box, water.topology));
   for (const std::size_t copies : {2, 4, 6}) {
-    for (auto [nm,w]:{std::pair{"S",What::spread},{"C",What::convolve},{"G",What::gather}}) add<T>(std::string("part_")+nm+std::to_string(copies)+precision,best,w,copies,{{20*copies,20*copies,20*copies},5,5,cutoff});
     const std::size_t n = 20 * copies;
     add<T>("waters=" + std::to_string(512 * copies * copies * copies) + precision, best,
            What::forces, copies, {{n, n, n}, 5, 5, cutoff});

@@ -5,6 +5,8 @@
 
 #include <mutex>
 
+#include "cache_lines.hpp"
+
 namespace polhode {
 namespace {
 
@@ -56,10 +58,11 @@ struct GridTransform<T>::Plans {
   Plan along_y, along_y_back;  // from the grid's plane to that of the waves
   Plan along_z, along_z_back;  // from the waves to a task's own
 
-  Plans(const MeshGrid<T>& grid, T* at, std::size_t row, T* waves) {
+  Plans(const MeshGrid<T>& grid, T* at, std::size_t row, std::size_t plane, T* waves) {
     const auto whole = [](std::size_t n) { return static_cast<int>(n); };
     const int nx = whole(grid.points[0]), ny = whole(grid.points[1]), nz = whole(grid.points[2]);
     const int grid_row = whole(grid.row), half = grid_row / 2, wave_row = whole(row / 2);
+    const int wave_plane = whole(plane / 2);
     Column<T> own(row * grid.points[2]);
     auto *const g = waves_at(at), *const w = waves_at(waves), *const o = waves_at(own.data());
     const std::lock_guard lock(planning());
@@ -72,9 +75,9 @@ struct GridTransform<T>::Plans {
     along_y = L::plan(1, &ny, waves_x, g, nullptr, half, 1, w, nullptr, wave_row, 1, forward, how);
     along_y_back =
         L::plan(1, &ny, waves_x, w, nullptr, wave_row, 1, g, nullptr, half, 1, backward, how);
-    along_z = L::plan(1, &nz, wave_row, w, nullptr, wave_row * ny, 1, o, nullptr, wave_row, 1,
-                      forward, how);
-    along_z_back = L::plan(1, &nz, wave_row, o, nullptr, wave_row, 1, w, nullptr, wave_row * ny, 1,
+    along_z =
+        L::plan(1, &nz, wave_row, w, nullptr, wave_plane, 1, o, nullptr, wave_row, 1, forward, how);
+    along_z_back = L::plan(1, &nz, wave_row, o, nullptr, wave_row, 1, w, nullptr, wave_plane, 1,
                            backward, how);
   }
   ~Plans() {
@@ -87,9 +90,10 @@ struct GridTransform<T>::Plans {
 template <class T>
 GridTransform<T>::GridTransform(MeshGrid<T>& grid)
     : grid_(grid),
-      row_(Column<T>::padded(2 * (grid.points[0] / 2 + 1))),
-      waves_(row_ * grid.points[1] * grid.points[2]),
-      plans_(std::make_unique<Plans>(grid, grid.values.data(), row_, waves_.data())) {}
+      row_(spread_lines<T>(2 * (grid.points[0] / 2 + 1))),
+      plane_(odd_lines<T>(row_ * grid.points[1])),
+      waves_(plane_ * grid.points[2]),
+      plans_(std::make_unique<Plans>(grid, grid.values.data(), row_, plane_, waves_.data())) {}
 
 template <class T>
 GridTransform<T>::~GridTransform() = default;
@@ -98,7 +102,7 @@ template <class T>
 void GridTransform<T>::plane(std::size_t z) {
   T* const at = &grid_.values[z * grid_.plane];
   Library<T>::run_of_reals(plans_->rows, at, waves_at(at));
-  Library<T>::run(plans_->along_y, waves_at(at), waves_at(&waves_[z * grid_.points[1] * row_]));
+  Library<T>::run(plans_->along_y, waves_at(at), waves_at(&waves_[z * plane_]));
 }
 
 template <class T>
@@ -114,8 +118,7 @@ void GridTransform<T>::columns_back(std::size_t y, T* waves) {
 template <class T>
 void GridTransform<T>::plane_back(std::size_t z) {
   T* const at = &grid_.values[z * grid_.plane];
-  Library<T>::run(plans_->along_y_back, waves_at(&waves_[z * grid_.points[1] * row_]),
-                  waves_at(at));
+  Library<T>::run(plans_->along_y_back, waves_at(&waves_[z * plane_]), waves_at(at));
   Library<T>::run_to_reals(plans_->rows_back, waves_at(at), at);
 }
 

@@ -33,7 +33,7 @@ class GridTransform {
  private:
   struct Plans;
   MeshGrid<T>& grid_;
-  std::size_t row_;
+  std::size_t row_, plane_;  // numbers from one to the next
   Column<T> waves_;
   std::unique_ptr<Plans> plans_;
 };

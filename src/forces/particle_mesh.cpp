@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "cache_lines.hpp"
 #include "grid_transform.hpp"
 #include "mesh_influence.hpp"
 #include "polhode/base/blocks.hpp"
@@ -32,14 +33,6 @@ void check(const MeshSettings& settings) {
           fmt::format("the mesh has {} points along an edge; it must have at least {}, so "
                       "that a spline does not meet itself",
                       points, MeshGrid<double>::overhang + 1));
-}
-
-// Whole cache lines, and not a multiple of four of them: columns would share few sets of a cache.
-template <class T>
-std::size_t lines(std::size_t numbers) {
-  constexpr std::size_t line = pack_bytes / sizeof(T);
-  const std::size_t count = blocks(numbers, line);
-  return (count % 4 == 0 ? count + 1 : count) * line;
 }
 
 /// Numbers that stand beyond the end of a row and mean its beginning.
@@ -67,8 +60,8 @@ void add_scaled(Mat3<double>& to, const Mat3<double>& what, double factor) {
 template <class T>
 MeshGrid<T>::MeshGrid(const std::array<std::size_t, 3>& grid_points)
     : points(grid_points),
-      row(lines<T>(points[0] + overhang)),
-      plane(lines<T>(row * points[1])),
+      row(spread_lines<T>(points[0] + overhang)),
+      plane(odd_lines<T>(row * points[1])),
       values(plane * points[2]) {
   for (std::size_t y = 0; y < points[1] + overhang; ++y)
     row_at.push_back(static_cast<std::ptrdiff_t>(y % points[1] * row));
