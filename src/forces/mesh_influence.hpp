@@ -20,9 +20,8 @@ struct InfluenceValue {
 /// least [ballenegger2012] is
 ///   G = Σ U² k² γ / (Σ U² · Σ U² k²),
 /// where the sums are over k and its aliases, U(k) is the transform of a charge's share and γ the
-/// energy wanted, 4 π K ρ(k)/(k² V). Of γ the aliases are left out: they are smaller than the error
-/// that remains. What multiplies γ then depends on the shape of the box alone, so the derivative by
-/// volume is that of γ and as exact as forces are.
+/// energy wanted, 4 π K ρ(k)/(k² V). U depends on the grid alone, so G's derivative by volume is
+/// that of ρ and k², and the trace of the virial as exact as forces are.
 class Influence {
  public:
   Influence(const MeshSettings& settings, const Box& box);
@@ -32,10 +31,14 @@ class Influence {
   InfluenceValue operator()(const std::array<std::size_t, 3>& n) const;
 
  private:
+  struct Alias {
+    double k;
+    double share;  // U²
+  };
   struct Wave {
     double k;
-    double share;        // U² [1]
-    double all, all_k2;  // Σ U² and Σ U² k² over aliases
+    std::array<Alias, 2> near;  // itself and the alias that has the next largest share
+    double all, all_k2;         // Σ U² and Σ U² k² over aliases
   };
   CompactSplit split_;
   double volume_;
