@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// The particle mesh of 512 TIP4P waters, on every instruction set, in both precisions: its parts,
+// charges to the grid, transforms and product, forces from it, and the whole, forces alone and with
+// energies; then a mesh that is chosen for an accuracy, and boxes of more waters, whose time per
+// charge is to stay the same.
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "polhode/base/target.hpp"
+#include "polhode/forces/mesh_choice.hpp"
+#include "polhode/forces/particle_mesh.hpp"
+#include "polhode/run/system.hpp"
+
+namespace {
+
+using namespace polhode;
+
+constexpr double cutoff = 0.9;
+
+/// `copies` of the box of water along each edge.
+System waters(std::size_t copies) {
+  const System one = assembled(default_config());
+  System all = one;
+  const std::size_t n = one.state.size(), boxes = copies * copies * copies;
+  all.topology.parts[0].count = n * boxes;
+  all.state = State(n * boxes, Box{static_cast<double>(copies) * one.state.box.edge});
+  for (std::size_t box = 0; box < boxes; ++box)
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3<double> cell{static_cast<double>(box % copies),
+                              static_cast<double>(box / copies % copies),
+                              static_cast<double>(box / (copies * copies))};
+      all.state.q.set(box * n + i, one.state.q[i] + scaled(cell, one.state.box.edge));
+      all.state.attitude.set(box * n + i, one.state.attitude[i]);
+    }
+  return all;
+}
+
+/// A state as the mesh sees it.
+template <class T>
+struct Placed {
+  NeighbourList list;
+  SiteRecords<T> records;
+  Column<double> sums;
+
+  explicit Placed(const System& system)
+      : list(system.topology, {.cutoff = cutoff, .switch_from = 0.85 * cutoff, .skin = 0.05},
+             system.state.box) {
+    list.build(system.state, 16);
+    const InteractionSites sites(system.topology.parts[0].molecule);
+    records = SiteRecords<T>(list.slots().size(), sites.size(), system.state.box);
+    std::vector<Vec3<double>> places;
+    for (const Site& site : sites.sites) places.push_back(site.r);
+    POLHODE_CURRENT_OVERLOAD(place_sites, double (*)(const PlaceJob<T>&))
+    ({system.state, list.slots(), places, 0, list.slots().size(), records});
+    sums = Column<double>(list.slots().size() * ChunkSums::stride);
+  }
+};
+
+enum class What { spread, convolve, gather, forces, energies };
+
+template <class T>
+void mesh(benchmark::State& loop, Target target, What what, std::size_t copies,
+          const MeshSettings& settings, int threads) {
+  force_target(target);
+  const System system = waters(copies);
+  Placed<T> placed(system);
+  Workers workers(threads);
+  ParticleMesh<T> mesh(system.topology, settings, system.state.box, workers);
+  const Slots& slots = placed.list.slots();
+  for (auto _ : loop) switch (what) {
+      case What::spread:
+        mesh.spread(slots, placed.records);
+        break;
+      case What::convolve:  // of what the last one left; so that it neither grows nor vanishes
+        loop.PauseTiming();
+        mesh.spread(slots, placed.records);
+        loop.ResumeTiming();
+        benchmark::DoNotOptimize(mesh.convolve(false));
+        break;
+      case What::gather:
+        benchmark::DoNotOptimize(mesh.gather(slots, placed.records, placed.sums.data(), false));
+        break;
+      default:
+        benchmark::DoNotOptimize(
+            mesh(slots, placed.records, placed.sums.data(), what == What::energies));
+    }
+  loop.counters["points"] = static_cast<double>(settings.points[0]);
+  loop.counters["order"] = settings.order;
+  loop.counters["per_charge"] = benchmark::Counter(
+      static_cast<double>(loop.iterations()) * 3 * static_cast<double>(system.state.size()),
+      benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+}
+
+template <class T>
+void add(const std::string& name, Target target, What what, std::size_t copies,
+         const MeshSettings& settings, int threads = 1) {
+  benchmark::RegisterBenchmark(name.c_str(), mesh<T>, target, what, copies, settings, threads)
+      ->Unit(benchmark::kMicrosecond)
+      ->UseRealTime();
+}
+
+template <class T>
+void add_all(const std::string& precision) {
+  // Relative errors of 0.9e-4 in this water.
+  const MeshSettings usual{{20, 20, 20}, 5, 5, cutoff};
+  for (const Target target : available_targets()) {
+    const std::string on = precision + "/" + name(target);
+    add<T>("spread" + on, target, What::spread, 1, usual);
+    add<T>("convolve" + on, target, What::convolve, 1, usual);
+    add<T>("gather" + on, target, What::gather, 1, usual);
+    add<T>("forces" + on, target, What::forces, 1, usual);
+    add<T>("energies" + on, target, What::energies, 1, usual);
+  }
+  const Target best = available_targets().back();
+  const System water = waters(1);
+  for (const double error : {1e-3, 1e-4, 1e-5, 1e-6})
+    add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,
+           mesh_for(error, cutoff, water.state.box, water.topology));
+  for (const std::size_t copies : {2, 4, 6}) {
+    const std::size_t n = 20 * copies;
+    add<T>("waters=" + std::to_string(512 * copies * copies * copies) + precision, best,
+           What::forces, copies, {{n, n, n}, 5, 5, cutoff});
+  }
+  add<T>("threads=2" + precision, best, What::forces, 4, {{80, 80, 80}, 5, 5, cutoff}, 2);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  add_all<double>("/double");
+  add_all<float>("/mixed");
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

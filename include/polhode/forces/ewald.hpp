@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// Electrostatics of a periodic box by direct Ewald summation: every pair and every wave vector, in
+// double, for any split of 1/r. The mesh is tested against it. Surroundings conduct ("tin foil"),
+// so the term of the box's dipole is absent [ewald1921].
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "polhode/forces/ewald_split.hpp"
+#include "polhode/model/box.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// Point charges, those of a body consecutive and beside each other, not on different images.
+struct PointCharges {
+  std::vector<Vec3<double>> r;    ///< [nm]
+  std::vector<double> q;          ///< [e]
+  std::vector<std::size_t> body;  ///< charges of the same one do not interact
+
+  std::size_t size() const { return q.size(); }
+};
+
+/// The charged sites of all bodies of a state, body by body, in the order of InteractionSites.
+PointCharges point_charges(const Topology& topology, const State& state);
+
+/// The energies of an Ewald sum by term [kJ/mol].
+struct EwaldEnergies {
+  double pairs = 0;           ///< short-range part, between different bodies and with their images
+  double reciprocal = 0;      ///< smooth part, over wave vectors
+  double self = 0;            ///< less the smooth part of each charge with itself
+  double intramolecular = 0;  ///< less the smooth part between charges of the same body
+  double background = 0;      ///< of a net charge with the even density that makes up for it
+  double total() const { return pairs + reciprocal + self + intramolecular + background; }
+};
+
+struct EwaldSum {
+  EwaldEnergies energy;
+  std::vector<Vec3<double>> f;  ///< on each charge [kJ/mol/nm]
+  /// −dE/dε for a strain ε that moves charges with the box [kJ/mol].
+  Mat3<double> virial{};
+};
+
+/// What an Ewald sum takes along: pairs closer than `cutoff` [nm], wave vectors shorter than
+/// `longest` [1/nm].
+struct EwaldRange {
+  double cutoff;
+  double longest;
+};
+
+/// The part of the sum over wave vectors alone, with its forces and virial.
+template <class Split>
+EwaldSum reciprocal_sum(const PointCharges& charges, const Box& box, const Split& split,
+                        double longest);
+
+/// The whole sum.
+template <class Split>
+EwaldSum ewald_sum(const PointCharges& charges, const Box& box, const Split& split,
+                   const EwaldRange& range);
+
+}  // namespace polhode

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// Ways to split 1/r into a short-range part, summed over pairs, and a smooth part, summed over wave
+// vectors: 1/r = u(r) + smooth(r). The smooth part is the potential of a unit charge spread over a
+// density of that name; transform(k) is the density's Fourier transform, 1 at k = 0.
+#pragma once
+
+#include <cmath>
+
+#include "polhode/base/units.hpp"
+
+namespace polhode {
+
+/// The value of a radial function and its −d/dr over r.
+struct RadialValue {
+  double u;  ///< [1/nm]
+  double s;  ///< −u'/r [1/nm³]
+};
+
+/// A transform with its slope.
+struct TransformValue {
+  double value;  ///< 1 at k = 0
+  double slope;  ///< k d/dk of it
+};
+
+/// Ewald's split: a Gaussian density of width 1/(√2 α), whose u(r) = erfc(α r)/r never ends.
+struct GaussianSplit {
+  double alpha;  ///< [1/nm]
+
+  RadialValue smooth(double r) const {
+    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
+    if (alpha * r < 1e-4) return {smooth_at_zero(), 2 * alpha * alpha / 3 * smooth_at_zero()};
+    const double u = std::erf(alpha * r) / r;
+    return {u, (u - gaussian) / (r * r)};
+  }
+  RadialValue pair(double r) const {
+    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
+    const double u = std::erfc(alpha * r) / r;
+    return {u, (u + gaussian) / (r * r)};
+  }
+  double smooth_at_zero() const { return 2 * alpha / std::sqrt(units::pi); }
+  TransformValue transform(double k) const {
+    const double x = k * k / (4 * alpha * alpha), value = std::exp(-x);
+    return {value, -2 * x * value};
+  }
+  /// ∫ u dV over all space [nm²].
+  double integral() const { return units::pi / (alpha * alpha); }
+};
+
+/// A density C (1 − r²/a²)^m that ends at a, and with it u(r): the smooth part is the Taylor
+/// polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. u is of class C^(m+1)
+/// at a, and nothing is cut off.
+class CompactSplit {
+ public:
+  static constexpr int most = 24;  ///< the largest m
+
+  /// @param cutoff    a [nm]
+  /// @param exponent  m, from 0 to `most`
+  CompactSplit(double cutoff, int exponent) : a_(cutoff), m_(exponent) {
+    u_[0] = s_[0] = 1;
+    for (int k = 1; k <= m_ + 1; ++k) u_[k] = u_[k - 1] * (k - 0.5) / k;
+    for (int k = 1; k <= m_; ++k) s_[k] = s_[k - 1] * (k + 0.5) / k;
+  }
+
+  double cutoff() const { return a_; }
+  int exponent() const { return m_; }
+  /// Coefficient of y^k in a times the smooth part, k ≤ m + 1: (1/2)_k/k!.
+  double coefficient(int k) const { return u_[k]; }
+  /// Coefficient of y^k in a³ times −smooth'/r, k ≤ m: (3/2)_k/k!.
+  double slope_coefficient(int k) const { return s_[k]; }
+
+  RadialValue smooth(double r) const {
+    if (r >= a_) return {1 / r, 1 / (r * r * r)};
+    const double y = 1 - r * r / (a_ * a_);
+    double u = 0, s = 0;
+    for (int k = m_ + 1; k >= 0; --k) u = u * y + u_[k];
+    for (int k = m_; k >= 0; --k) s = s * y + s_[k];
+    return {u / a_, s / (a_ * a_ * a_)};
+  }
+  RadialValue pair(double r) const {
+    if (r >= a_) return {0, 0};
+    const RadialValue far = smooth(r);
+    return {1 / r - far.u, 1 / (r * r * r) - far.s};
+  }
+  double smooth_at_zero() const { return smooth(0).u; }
+
+  /// (2n+1)!! j_n(x)/xⁿ with n = m + 1, x = k a, and j_n a spherical Bessel function; its
+  /// derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
+  TransformValue transform(double k) const {
+    const double x = k * a_;
+    const int n = m_ + 1;
+    return {reduced_bessel(n, x), -x * x / (2 * n + 3) * reduced_bessel(n + 1, x)};
+  }
+  /// ∫ u dV over all space [nm²].
+  double integral() const { return 2 * units::pi * a_ * a_ / (2 * m_ + 5); }
+
+ private:
+  // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, else upwards in n.
+  static double reduced_bessel(int n, double x) {
+    if (x < n + 1) {
+      double term = 1, sum = 1;
+      for (int k = 1; std::abs(term) > 1e-17 * std::abs(sum); ++k)
+        sum += term *= -x * x / (2.0 * k * (2 * n + 2 * k + 1));
+      return sum;
+    }
+    double before = std::cos(x), now = std::sin(x) / x;  // of n = −1 and 0
+    for (int k = 0; k < n; ++k) {
+      const double next = (2 * k + 3) * (2 * k + 1) * (now - before) / (x * x);
+      before = now, now = next;
+    }
+    return now;
+  }
+
+  double a_;
+  int m_;
+  double u_[most + 2], s_[most + 2];
+};
+
+}  // namespace polhode

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The loops of a particle mesh, compiled once per instruction set.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "polhode/base/column.hpp"
+#include "polhode/base/target.hpp"
+#include "polhode/forces/pair_loops.hpp"
+
+namespace polhode {
+
+/// Numbers on the points of a grid over the box, x fastest. A row has room for those that stand
+/// beyond its end and mean its beginning, so that eight numbers can be read and written from any
+/// point on.
+template <class T>
+struct MeshGrid {
+  static constexpr std::size_t overhang = 7;
+
+  std::array<std::size_t, 3> points{};
+  std::size_t row = 0, plane = 0;  ///< numbers from one to the next
+  Column<T> values;
+  /// Where row y and plane z begin, for y and z up to `overhang` beyond the end, too.
+  std::vector<std::ptrdiff_t> row_at, plane_at;
+
+  MeshGrid() = default;
+  explicit MeshGrid(const std::array<std::size_t, 3>& grid_points);
+};
+
+/// The charged sites of one molecule type, and some of its slots.
+struct MeshBodies {
+  const std::vector<double>& charges;  ///< of the sites [e]
+  std::size_t first, end;              ///< slots; `first` is a multiple of slot_block
+};
+
+/// Bodies whose charges are shared among grid points. Each point gets its shares in the order of
+/// slots, whichever planes the job is about.
+template <class T>
+struct SpreadJob {
+  const Box& box;
+  const SiteRecords<T>& records;
+  MeshBodies bodies;
+  int order;
+  MeshGrid<T>& grid;
+  const std::ptrdiff_t* plane_at;  ///< as that of the grid; negative where a plane is left out
+};
+
+/// Bodies that feel the potential on the grid.
+template <class T>
+struct GatherJob {
+  const Box& box;
+  const SiteRecords<T>& records;
+  MeshBodies bodies;
+  int order;
+  const MeshGrid<T>& grid;  ///< K times the potential of the charges [kJ/mol/e]
+  double* sums;             ///< of each slot, as in ChunkSums: force and torque, to be added to
+  Mat3<double>* arms;       ///< Σ arm ⊗ force over sites, to be added to; null if not wanted
+};
+
+/// Waves of one k_y: rows along k_x, one for each k_z, real and imaginary parts in turn.
+template <class T>
+struct ConvolveJob {
+  T* waves;
+  std::size_t row, rows;              ///< numbers a row, in whole packs
+  const T* const* influence;          ///< of each row: by which to multiply, each factor twice
+  const T* const* slope;              ///< of each row: H in virial = ½ Σ |S|² (G + H k ⊗ k)
+  const T *weight, *kx, *kx_squared;  ///< of a row: 1 or 2 as waves stand for one or for two
+};
+
+/// ½ Σ G |S|² and ½ Σ H |S|² k_x^a of each row, times its weight.
+struct WaveSums {
+  double energy = 0, slope = 0, slope_x = 0, slope_xx = 0;
+};
+
+POLHODE_DECLARE_LOOPS(
+    /// Adds the charges of some bodies to the grid.
+    void spread_charges(const SpreadJob<double>& job);
+    void spread_charges(const SpreadJob<float>& job);
+    /// Adds forces and torques on some bodies to their sums.
+    void gather_forces(const GatherJob<double>& job);
+    void gather_forces(const GatherJob<float>& job);
+    /// Multiplies waves by the influence function; with `sums`, of each row, the energies too.
+    void convolve(const ConvolveJob<double>& job, WaveSums* sums);
+    void convolve(const ConvolveJob<float>& job, WaveSums* sums);)
+
+}  // namespace polhode

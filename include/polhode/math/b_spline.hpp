@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Cardinal B-splines: how a point charge is shared among the grid points around it.
+#pragma once
+
+#include "polhode/base/real.hpp"
+
+namespace polhode {
+
+/// The B-spline M of an order p at u + p − 1 − j for 0 ≤ j < p, and its derivatives: what a charge
+/// at a distance u, from 0 to 1, beyond a grid point gives to p points in a row. By the recursion
+/// M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k − 1) and M_k'(x) = M_(k−1)(x) − M_(k−1)(x −
+/// 1) [essmann1995, Eqs. 4.1 and 4.2].
+template <int order, class Real>
+inline void b_spline(Real u, Real* w, Real* slope) {
+  static_assert(order >= 3);
+  w[0] = Real(1) - u;
+  w[1] = u;
+  for (int k = 3; k <= order; ++k) {
+    if (k == order) {
+      slope[0] = -w[0];
+      for (int j = 1; j < k - 1; ++j) slope[j] = w[j - 1] - w[j];
+      slope[k - 1] = w[k - 2];
+    }
+    const Real share = constant<Real>(1.0 / (k - 1));
+    const auto rising = [&](int j) { return (u + constant<Real>(k - 1 - j)) * share; };
+    w[k - 1] = rising(k - 1) * w[k - 2];
+    for (int j = k - 2; j > 0; --j) w[j] = rising(j) * w[j - 1] + (Real(1) - rising(j + 1)) * w[j];
+    w[0] = (Real(1) - u) * share * w[0];
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/forces/mesh_choice.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "polhode/forces/ewald_split.hpp"
+#include "polhode/forces/pair_table.hpp"
+
+namespace polhode {
+namespace {
+
+/// What charges there are, and ⟨|S(k)|²⟩/V of bodies at random [e²/nm³].
+class Crowd {
+ public:
+  Crowd(const Topology& topology, const Box& box) : volume_(box.volume()) {
+    for (const auto& part : topology.parts) {
+      const InteractionSites sites(part.molecule);
+      const auto count = static_cast<double>(part.count);
+      charges_ += count * static_cast<double>(sites.charged);
+      for (std::size_t a = 0; a < sites.charged; ++a)
+        for (std::size_t b = a; b < sites.charged; ++b) {
+          const Site &first = sites.sites[a], &second = sites.sites[b];
+          const double strength = count * first.charge * second.charge;
+          if (a == b)
+            squares_ += strength;
+          else
+            pairs_.push_back({2 * strength, norm(second.r - first.r)});
+        }
+    }
+  }
+  double charges() const { return charges_; }
+  double mean_square() const { return squares_ / charges_; }
+  double density() const { return charges_ / volume_; }
+  double form(double k) const {
+    double sum = squares_;
+    for (const Pair& pair : pairs_) {
+      const double x = k * pair.r;
+      sum += pair.strength * (x < 1e-3 ? 1 - x * x / 6 : std::sin(x) / x);
+    }
+    return sum / volume_;
+  }
+
+ private:
+  struct Pair {
+    double strength, r;
+  };
+  double volume_, charges_ = 0, squares_ = 0;
+  std::vector<Pair> pairs_;
+};
+
+/// The mean square of the error, for spacings of the grid instead of the box: a sum over waves is
+/// an integral but for its coarseness, so a small grid will do.
+double mean_square_error(const Crowd& crowd, const Vec3<double>& spacing, int order,
+                         const CompactSplit& split) {
+  constexpr int points = 12, half = points / 2, aliases = 3;
+  constexpr double pi = units::pi;
+  struct Alias {
+    double k, share;
+  };
+  std::array<std::array<std::array<Alias, aliases>, half + 1>, 3> axis{};
+  for (std::size_t d = 0; d < 3; ++d)
+    for (int n = 0; n <= half; ++n)
+      for (int l = 0; l < aliases; ++l) {
+        const double turn = pi * (static_cast<double>(n) / points + l - 1);
+        axis[d][n][l] = {2 * turn / spacing[d],
+                         turn == 0 ? 1 : std::pow(std::sin(turn) / turn, 2 * order)};
+      }
+  double total = 0;
+  for (int x = 0; x <= half; ++x)
+    for (int y = 0; y <= half; ++y)
+      for (int z = 0; z <= half; ++z) {
+        if (x + y + z == 0) continue;
+        // Sums over aliases of U², U² k², U² k² γ, and of the first and the last two with the form.
+        double u = 0, uk = 0, ukg = 0, u_form = 0, ukg_form = 0, kgg_form = 0;
+        for (const Alias& a : axis[0][x])
+          for (const Alias& b : axis[1][y])
+            for (const Alias& c : axis[2][z]) {
+              const double k2 = a.k * a.k + b.k * b.k + c.k * c.k, k = std::sqrt(k2);
+              const double share = a.share * b.share * c.share, form = crowd.form(k);
+              const double wanted = 4 * pi / k2 * split.transform(k).value;
+              u += share, uk += share * k2, ukg += share * k2 * wanted;
+              u_form += share * form, ukg_form += share * k2 * wanted * form;
+              kgg_form += k2 * wanted * wanted * form;
+            }
+        const double G = ukg / (u * uk);
+        const auto weight = [](int n) { return n == 0 || n == half ? 1 : 2; };
+        total +=
+            weight(x) * weight(y) * weight(z) * (kgg_form - 2 * G * ukg_form + G * G * uk * u_form);
+      }
+  const double volume = points * points * points * spacing.x * spacing.y * spacing.z;
+  return units::coulomb * units::coulomb * crowd.mean_square() * std::max(total, 0.0) / volume;
+}
+
+/// Sizes that the transform likes, even and of small prime factors.
+bool liked(std::size_t n) {
+  if (n % 2 != 0) return false;
+  for (const std::size_t factor : {2, 3, 5, 7})
+    while (n % factor == 0) n /= factor;
+  return n == 1;
+}
+
+/// Seconds, from timings of bench_mesh on one core: a charge and a grid point, there and back. For
+/// some sizes the library has a piece of code that does them at once.
+double expected_seconds(double charges, const MeshSettings& settings) {
+  double points = 1, each = 0;
+  for (const std::size_t n : settings.points) {
+    points *= static_cast<double>(n);
+    each += (n <= 16 || n == 20 || n == 32 || n == 64 || n == 128 ? 3.2e-9 : 6.2e-9) / 3;
+  }
+  return charges * (4e-9 + 1.25e-9 * settings.order * settings.order) + points * each;
+}
+
+}  // namespace
+
+double expected_mesh_error(const Topology& topology, const Box& box, const MeshSettings& settings) {
+  Vec3<double> spacing;
+  for (std::size_t d = 0; d < 3; ++d)
+    spacing[d] = box.edge[d] / static_cast<double>(settings.points[d]);
+  return std::sqrt(mean_square_error(Crowd(topology, box), spacing, settings.order,
+                                     CompactSplit(settings.cutoff, settings.exponent)));
+}
+
+double typical_force(const Topology& topology, const Box& box) {
+  const Crowd crowd(topology, box);
+  return 0.75 * units::coulomb * crowd.mean_square() * std::pow(crowd.density(), 2.0 / 3);
+}
+
+MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
+                      const Topology& topology) {
+  if (!(relative_error >= 1e-7 && relative_error <= 0.1))
+    throw Error(
+        fmt::format("a relative error of the mesh's forces of {} is asked for; it must be "
+                    "from 1e-7 to 0.1",
+                    relative_error));
+  const Crowd crowd(topology, box);
+  if (crowd.charges() == 0)
+    throw Error("no molecule has a charge, so there is nothing for a mesh; take none");
+  // What is reached in water is 0.3 to 1.5 of what is expected: where molecules screen each other
+  // it is less, and the coarse sum over waves adds its own. The wrong side is left out.
+  constexpr double margin = 1.5;
+  const double wanted = relative_error * typical_force(topology, box) / margin;
+  const auto error = [&](const Vec3<double>& spacing, int order, int exponent) {
+    return std::sqrt(mean_square_error(crowd, spacing, order, CompactSplit(cutoff, exponent)));
+  };
+  const auto points_of = [&](double spacing) {
+    std::array<std::size_t, 3> points{};
+    for (std::size_t d = 0; d < 3; ++d) {
+      points[d] = std::max<std::size_t>(8, static_cast<std::size_t>(box.edge[d] / spacing));
+      while (!liked(points[d]) || box.edge[d] > spacing * static_cast<double>(points[d]))
+        ++points[d];
+    }
+    return points;
+  };
+
+  MeshSettings best{{}, 0, 0, cutoff};
+  double least = std::numeric_limits<double>::infinity();
+  for (int order = MeshSettings::lowest_order; order <= MeshSettings::highest_order; ++order) {
+    // For each exponent the coarsest spacing that will do; it has one maximum over exponents.
+    double coarsest = 0;
+    int exponent = 0;
+    for (int m = 3; m <= CompactSplit::most; ++m) {
+      double low = cutoff / 40, high = cutoff / 2;
+      while (high / low > 1.03) {
+        const double h = std::sqrt(low * high);
+        (error({h, h, h}, order, m) < wanted ? low : high) = h;
+      }
+      if (low < coarsest) break;
+      coarsest = low, exponent = m;
+    }
+    const MeshSettings found{points_of(coarsest), order, exponent, cutoff};
+    const double seconds = expected_seconds(crowd.charges(), found);
+    if (seconds < least) least = seconds, best = found;
+  }
+  return best;
+}
+
+}  // namespace polhode

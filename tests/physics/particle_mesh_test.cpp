@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// The particle mesh against direct sums, and against itself: energy, forces, torques and virial
+// belong together whatever the accuracy.
+#include "polhode/forces/particle_mesh.hpp"
+
+#include <doctest/doctest.h>
+
+#include "physics/mesh_scene.hpp"
+#include "targets.hpp"
+
+using namespace polhode;
+
+namespace {
+
+constexpr MeshSettings fine{{40, 45, 42}, 8, 9, 0.7};
+constexpr MeshSettings coarse{{14, 18, 15}, 5, 6, 0.7};
+
+double largest_distance(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b) {
+  double m = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) m = std::max(m, norm(a[i] - b[i]));
+  return m;
+}
+
+// A body displaced, or turned about a lab axis.
+State moved(State state, std::size_t body, const Vec3<double>& by) {
+  state.q.add(body, by);
+  return state;
+}
+State turned(State state, std::size_t body, const Vec3<double>& axis, double angle) {
+  const double s = std::sin(angle / 2);
+  state.attitude.set(body,
+                     Quaternion<double>{std::cos(angle / 2), s * axis.x, s * axis.y, s * axis.z} *
+                         state.attitude[body]);
+  return state;
+}
+
+double slope(const auto& energy, double h) {
+  return (8 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12 * h);
+}
+
+}  // namespace
+
+// A spacing of 0.042 nm and a split of C¹⁰ over 0.7 nm: the error estimate is 1e-7 of the forces.
+TEST_CASE("on a fine grid the mesh is the smooth part of the Ewald sum") {
+  const scenes::Scene scene = charged_mixture();
+  const CompactSplit split(fine.cutoff, fine.exponent);
+  const ExactMesh exact(scene.topology, scene.state, split);
+  const MeshConstant constant(scene.topology, split, scene.state.box);
+  CHECK(std::abs(constant.background) > 0.1);
+  for_each_target([&] {
+    BodyLoads loads;
+    const MeshLoad load = mesh_load<double>(scene.topology, scene.state, fine, loads);
+    CHECK(std::abs(load.energy - exact.energy) < 1e-6 * std::abs(exact.energy));
+    CHECK(largest_distance(loads.f, exact.bodies.f) < 3e-6 * exact.rms);
+    CHECK(largest_distance(loads.tau, exact.bodies.tau) < 3e-7 * exact.rms);
+    BodyLoads mixed;
+    const MeshLoad rounded = mesh_load<float>(scene.topology, scene.state, fine, mixed);
+    CHECK(std::abs(rounded.energy - exact.energy) < 1e-5 * std::abs(exact.energy));
+    CHECK(largest_distance(mixed.f, exact.bodies.f) < 1e-5 * exact.rms);
+    CHECK(largest_distance(mixed.tau, exact.bodies.tau) < 1e-6 * exact.rms);
+    CHECK(largest_distance(mixed.f, exact.bodies.f) > 1e-8 * exact.rms);
+  });
+}
+
+// What an Ewald sum calls self, intramolecular and background.
+TEST_CASE("the constant terms of a mesh are those of the Ewald sum") {
+  const scenes::Scene scene = charged_mixture();
+  const CompactSplit split(0.7, 6);
+  const MeshConstant constant(scene.topology, split, scene.state.box);
+  const EwaldEnergies e =
+      ewald_sum(point_charges(scene.topology, scene.state), scene.state.box, split, {0.7, 0})
+          .energy;
+  CHECK(constant.self == doctest::Approx(e.self).epsilon(1e-13));
+  CHECK(constant.intramolecular == doctest::Approx(e.intramolecular).epsilon(1e-13));
+  CHECK(constant.background == doctest::Approx(e.background).epsilon(1e-13));
+}
+
+// The grid is so coarse that the energy errs by 1e-3, and yet forces are its gradient. A step of h
+// = 1e-4 nm leaves h² of a third derivative that jumps at grid points, for the lowest order, and
+// roundings of 10³ kJ/mol over h: 1e-8 kJ/mol/nm each, of forces of a hundred.
+TEST_CASE("forces and torques of a mesh are the gradient of its energy") {
+  const scenes::Scene scene = charged_mixture();
+  for (int order = 4; order <= 8; ++order) {
+    CAPTURE(order);
+    MeshSettings settings = coarse;
+    settings.order = order;
+    BodyLoads loads;
+    mesh_load<double>(scene.topology, scene.state, settings, loads);
+    const auto energy = [&](const State& state) {
+      BodyLoads ignored;
+      return mesh_load<double>(scene.topology, state, settings, ignored).energy;
+    };
+    for (const std::size_t body : {3, 31, 40})  // water, ion, linear
+      for (std::size_t d = 0; d < 3; ++d) {
+        Vec3<double> axis;
+        axis[d] = 1;
+        const auto along = [&](double h) { return energy(moved(scene.state, body, h * axis)); };
+        CHECK(std::abs(slope(along, 1e-4) + loads.f[body][d]) < 1e-5);
+        const auto about = [&](double h) { return energy(turned(scene.state, body, axis, h)); };
+        CHECK(std::abs(slope(about, 1e-3) + loads.tau[body][d]) < 1e-5);
+      }
+    CHECK(norm(loads.f[3]) > 10);
+    CHECK(norm(loads.tau[3]) > 0.1);
+  }
+}
+
+// Centres and box are scaled alike, attitudes kept. Along one edge alone the shape of the box
+// changes, which the influence function's correction follows only to the accuracy of the mesh.
+TEST_CASE("the virial of a mesh is the derivative of its energy by volume") {
+  const scenes::Scene scene = charged_mixture();
+  const auto energy = [&](const MeshSettings& settings, const Vec3<double>& strain) {
+    State state = scene.state;
+    const Vec3<double> scale = Vec3<double>{1, 1, 1} + strain;
+    state.box = Box{scaled(scale, state.box.edge)};
+    for (std::size_t i = 0; i < state.size(); ++i) state.q.set(i, scaled(scale, scene.state.q[i]));
+    BodyLoads ignored;
+    return mesh_load<double>(scene.topology, state, settings, ignored).energy;
+  };
+  for (const MeshSettings& settings : {coarse, fine}) {
+    BodyLoads loads;
+    const Mat3<double> virial =
+        mesh_load<double>(scene.topology, scene.state, settings, loads).virial;
+    const double trace = virial[0].x + virial[1].y + virial[2].z;
+    CHECK(std::abs(trace) > 10);
+    const auto even = [&](double h) { return energy(settings, {h, h, h}); };
+    CHECK(std::abs(slope(even, 2e-4) + trace) < 1e-7 * std::abs(trace));
+    for (std::size_t d = 0; d < 3; ++d) {
+      const auto along = [&](double h) {
+        Vec3<double> strain;
+        strain[d] = h;
+        return energy(settings, strain);
+      };
+      const double accuracy = settings.order == fine.order ? 1e-6 : 1e-3;
+      CHECK(std::abs(slope(along, 2e-4) + virial[d][d]) < accuracy * std::abs(trace));
+    }
+  }
+  // Outside the diagonal: the direct sum's, less what arms carry.
+  const ExactMesh exact(scene.topology, scene.state, CompactSplit(fine.cutoff, fine.exponent));
+  const PointCharges charges = point_charges(scene.topology, scene.state);
+  Mat3<double> expected = exact.virial;
+  for (std::size_t i = 0; i < charges.size(); ++i)
+    for (std::size_t d = 0; d < 3; ++d)
+      expected[d] -= (charges.r[i] - scene.state.q[charges.body[i]])[d] * exact.f[i];
+  BodyLoads loads;
+  const MeshLoad load = mesh_load<double>(scene.topology, scene.state, fine, loads);
+  CHECK(largest_difference(load.virial, expected) < 1e-6 * largest(expected));
+}
+
+TEST_CASE("the mesh gives the same bits for any number of threads") {
+  const scenes::Scene scene = charged_mixture();
+  const auto check = [&]<class T>(T) {
+    for (const MeshSettings& settings : {coarse, fine}) {
+      BodyLoads one;
+      const MeshLoad load = mesh_load<T>(scene.topology, scene.state, settings, one);
+      for (const int threads : {2, 3, 7}) {
+        CAPTURE(threads);
+        Workers workers(threads);
+        BodyLoads many;
+        const MeshLoad other = mesh_load<T>(scene.topology, scene.state, settings, many, workers);
+        CHECK(other.energy == load.energy);
+        CHECK(largest_difference(other.virial, load.virial) == 0);
+        CHECK(many.f == one.f);
+        CHECK(many.tau == one.tau);
+      }
+    }
+  };
+  check(double());
+  check(float());
+}
+
+// A body just outside of the box, on either side, as they are until the list is built anew.
+TEST_CASE("a mesh does not mind where in the periodic box bodies are") {
+  const scenes::Scene scene = charged_mixture();
+  for (const MeshSettings& settings : {coarse, fine}) {
+    BodyLoads here;
+    const double energy = mesh_load<double>(scene.topology, scene.state, settings, here).energy;
+    // By whole spacings of the grid nothing changes but roundings.
+    State there = scene.state;
+    for (std::size_t i = 0; i < there.size(); ++i)
+      for (std::size_t d = 0; d < 3; ++d) {
+        const double spacing = there.box.edge[d] / double(settings.points[d]);
+        Vec3<double> by;
+        by[d] = spacing * (d == 0 ? 3 : d == 1 ? -4 : 7);
+        there.q.add(i, by);
+      }
+    for_each_target([&] {
+      BodyLoads loads;
+      const MeshLoad load = mesh_load<double>(scene.topology, there, settings, loads);
+      CHECK(std::abs(load.energy - energy) < 1e-12 * std::abs(energy));
+      CHECK(largest_distance(loads.f, here.f) < 1e-10);
+      BodyLoads rounded;
+      const MeshLoad mixed = mesh_load<float>(scene.topology, there, settings, rounded);
+      CHECK(std::abs(mixed.energy - energy) < 1e-5 * std::abs(energy));
+      CHECK(largest_distance(rounded.f, here.f) < 1e-2);
+    });
+  }
+}
