@@ -55,7 +55,7 @@ struct Placed {
     for (const Site& site : sites.sites) places.push_back(site.r);
     POLHODE_CURRENT_OVERLOAD(place_sites, double (*)(const PlaceJob<T>&))
     ({system.state, list.slots(), places, 0, list.slots().size(), records});
-    sums = Column<double>(list.slots().size() * ChunkSums::stride);
+    sums = Column<double>(list.slots().size() * ChunkSums<double>::stride);
   }
 };
 

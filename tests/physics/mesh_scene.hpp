@@ -60,13 +60,13 @@ struct MeshScene {
 
   MeshLoad operator()(ParticleMesh<T>& mesh, BodyLoads& loads) const {
     const Slots& slots = list.slots();
-    Column<double> sums(slots.size() * ChunkSums::stride);
+    Column<double> sums(slots.size() * ChunkSums<double>::stride);
     const MeshLoad load = mesh(slots, records, sums.data(), true);
     for (const Slots::Part& part : slots.parts) {
       loads.f.resize(loads.f.size() + part.count);
       loads.tau.resize(loads.tau.size() + part.count);
       for (std::size_t slot = part.first; slot < part.end(); ++slot) {
-        const double* const s = &sums[slot * ChunkSums::stride];
+        const double* const s = &sums[slot * ChunkSums<double>::stride];
         loads.f[slots.body[slot]] = {s[0], s[1], s[2]};
         loads.tau[slots.body[slot]] = {s[3], s[4], s[5]};
       }

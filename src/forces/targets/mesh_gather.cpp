@@ -76,8 +76,9 @@ void gather(const GatherJob<T>& job) {
       tau += cross(arm, force);
       for (std::size_t d = 0; d < 3; ++d) arms[d] += arm[d] * force;
     }
-    add_to_records(std::array{f.x, f.y, f.z, tau.x, tau.y, tau.z},
-                   [&](std::size_t lane) { return job.sums + (slot + lane) * ChunkSums::stride; });
+    add_to_records(std::array{f.x, f.y, f.z, tau.x, tau.y, tau.z}, [&](std::size_t lane) {
+      return job.sums + (slot + lane) * ChunkSums<double>::stride;
+    });
     if (job.arms)
       for (std::size_t d = 0; d < 3; ++d)
         for (std::size_t e = 0; e < 3; ++e)
