@@ -43,19 +43,19 @@ template <class T>
 struct Placed {
   NeighbourList list;
   SiteRecords<T> records;
-  Column<double> sums;
+  Column<T> sums;
 
   explicit Placed(const System& system)
       : list(system.topology, {.cutoff = cutoff, .switch_from = 0.85 * cutoff, .skin = 0.05},
              system.state.box) {
     list.build(system.state, 16);
     const InteractionSites sites(system.topology.parts[0].molecule);
-    records = SiteRecords<T>(list.slots().size(), sites.size(), system.state.box);
+    records = SiteRecords<T>(list.slots().size(), sites.size());
     std::vector<Vec3<double>> places;
     for (const Site& site : sites.sites) places.push_back(site.r);
     POLHODE_CURRENT_OVERLOAD(place_sites, double (*)(const PlaceJob<T>&))
     ({system.state, list.slots(), places, 0, list.slots().size(), records});
-    sums = Column<double>(list.slots().size() * ChunkSums<double>::stride);
+    sums = Column<T>(list.slots().size() * ChunkSums<T>::stride);
   }
 };
 

@@ -15,16 +15,6 @@
 namespace polhode {
 namespace {
 
-void check_size(const Topology& topology) {
-  std::size_t bodies = 0;
-  for (const auto& part : topology.parts) bodies += part.count;
-  if (bodies + topology.parts.size() * slot_block > Neighbour::slot_mask)
-    throw Error(
-        fmt::format("{} molecules are more than the neighbour list numbers ({}): take a smaller "
-                    "system",
-                    bodies, Neighbour::slot_mask));
-}
-
 void check_box(const Topology& topology, const ForceSettings& settings, const Box& box) {
   const double shortest = box.shortest_edge();
   const auto floored = [](double x) { return std::floor(x * 1000) / 1000; };
@@ -74,7 +64,6 @@ std::vector<ListChunk> chunks_of(const Slots& slots) {
 NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& settings,
                              const Box& box)
     : box_(box), slots_(topology), chunks_(chunks_of(slots_)) {
-  check_size(topology);
   check_box(topology, settings, box);
   if (slots_.size() > Neighbour::slot_mask)
     throw Error(

@@ -173,8 +173,8 @@ void ParticleMesh<T>::make_influence() {
 }
 
 template <class T>
-MeshLoad ParticleMesh<T>::operator()(const Slots& slots, const SiteRecords<T>& records,
-                                     double* sums, bool energies) {
+MeshLoad ParticleMesh<T>::operator()(const Slots& slots, const SiteRecords<T>& records, T* sums,
+                                     bool energies) {
   spread(slots, records);
   MeshLoad load = convolve(energies);
   add_scaled(load.virial, gather(slots, records, sums, energies), -1);
@@ -299,8 +299,8 @@ void ParticleMesh<T>::convolve_row(std::size_t y, T* waves, const T** rows, Wave
 }
 
 template <class T>
-Mat3<double> ParticleMesh<T>::gather(const Slots& slots, const SiteRecords<T>& records,
-                                     double* sums, bool arms) {
+Mat3<double> ParticleMesh<T>::gather(const Slots& slots, const SiteRecords<T>& records, T* sums,
+                                     bool arms) {
   const auto gather_forces = POLHODE_CURRENT_OVERLOAD(gather_forces, void (*)(const GatherJob<T>&));
   Mat3<double> total{};
   for (std::size_t p = 0; p < parts_.size(); ++p) {

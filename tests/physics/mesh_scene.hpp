@@ -46,7 +46,7 @@ struct MeshScene {
     std::size_t most = 0;
     for (const auto& part : topology.parts)
       most = std::max(most, InteractionSites(part.molecule).size());
-    records = SiteRecords<T>(list.slots().size(), most, state.box);
+    records = SiteRecords<T>(list.slots().size(), most);
     const auto place = POLHODE_CURRENT_OVERLOAD(place_sites, double (*)(const PlaceJob<T>&));
     for (std::size_t p = 0; p < topology.parts.size(); ++p) {
       std::vector<Vec3<double>> sites;
@@ -60,13 +60,13 @@ struct MeshScene {
 
   MeshLoad operator()(ParticleMesh<T>& mesh, BodyLoads& loads) const {
     const Slots& slots = list.slots();
-    Column<double> sums(slots.size() * ChunkSums<double>::stride);
+    Column<T> sums(slots.size() * ChunkSums<T>::stride);
     const MeshLoad load = mesh(slots, records, sums.data(), true);
     for (const Slots::Part& part : slots.parts) {
       loads.f.resize(loads.f.size() + part.count);
       loads.tau.resize(loads.tau.size() + part.count);
       for (std::size_t slot = part.first; slot < part.end(); ++slot) {
-        const double* const s = &sums[slot * ChunkSums<double>::stride];
+        const T* const s = &sums[slot * ChunkSums<T>::stride];
         loads.f[slots.body[slot]] = {s[0], s[1], s[2]};
         loads.tau[slots.body[slot]] = {s[3], s[4], s[5]};
       }

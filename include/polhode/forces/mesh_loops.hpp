@@ -55,7 +55,7 @@ struct GatherJob {
   MeshBodies bodies;
   int order;
   const MeshGrid<T>& grid;  ///< K times the potential of the charges [kJ/mol/e]
-  double* sums;             ///< of each slot, as in ChunkSums: force and torque, to be added to
+  T* sums;                  ///< of each slot, as in ChunkSums: force and torque, to be added to
   Mat3<double>* arms;       ///< Σ arm ⊗ force over sites, to be added to; null if not wanted
 };
 

@@ -47,8 +47,7 @@ class ParticleMesh {
 
   /// Adds forces and torques to `sums`, a record for each slot as in ChunkSums; the energy and the
   /// virial if wanted. The same bits for any number of threads. Does not allocate.
-  MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, double* sums,
-                      bool energies);
+  MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
 
   // Its three parts, in this order:
   /// Charges to the grid.
@@ -57,7 +56,7 @@ class ParticleMesh {
   /// charges with the box.
   MeshLoad convolve(bool energies);
   /// Forces and torques to `sums`; Σ arm ⊗ force over all sites if wanted.
-  Mat3<double> gather(const Slots& slots, const SiteRecords<T>& records, double* sums, bool arms);
+  Mat3<double> gather(const Slots& slots, const SiteRecords<T>& records, T* sums, bool arms);
 
   const MeshSettings& settings() const { return settings_; }
 

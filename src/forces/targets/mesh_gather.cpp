@@ -77,7 +77,7 @@ void gather(const GatherJob<T>& job) {
       for (std::size_t d = 0; d < 3; ++d) arms[d] += arm[d] * force;
     }
     add_to_records(std::array{f.x, f.y, f.z, tau.x, tau.y, tau.z}, [&](std::size_t lane) {
-      return job.sums + (slot + lane) * ChunkSums<double>::stride;
+      return job.sums + (slot + lane) * ChunkSums<T>::stride;
     });
     if (job.arms)
       for (std::size_t d = 0; d < 3; ++d)
