@@ -5,9 +5,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "mixing_note.hpp"
+#include "force_notes.hpp"
 #include "polhode/base/target.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/measure/energy.hpp"
 #include "polhode/run/system.hpp"
 #include "verbs.hpp"
 
@@ -31,6 +35,21 @@ void gradient_direction(const System& system, const Load& load, Vec3Column& dq,
   }
 }
 
+/// What the energies of a law consist of beside sums over pairs within the cutoff [kJ/mol].
+std::vector<std::pair<std::string, double>> terms_of(const ForceField& forces, const Load& load) {
+  const ConstantTerms& constant = forces.constant_terms();
+  std::vector<std::pair<std::string, double>> terms;
+  if (forces.settings().dispersion_correction) terms.emplace_back("LJ tail", constant.dispersion);
+  if (forces.settings().mesh) {
+    terms.emplace_back("real space", load.coulomb - load.mesh - constant.coulomb());
+    terms.emplace_back("mesh", load.mesh);
+    terms.emplace_back("self", constant.self);
+    terms.emplace_back("intramolecular", constant.intramolecular);
+    terms.emplace_back("background", constant.background);
+  }
+  return terms;
+}
+
 void print_csv(const System& system, const Load& load, const Load* slope) {
   fmt::print("body,molecule,fx,fy,fz,taux,tauy,tauz{}\n",
              slope ? ",dfx,dfy,dfz,dtaux,dtauy,dtauz" : "");
@@ -52,25 +71,42 @@ void print_csv(const System& system, const Load& load, const Load* slope) {
 int energy(const Options& o) {
   const Config config = o.file.empty() ? default_config() : read_config(o.file);
   const System system = assembled(config);
-  note_mixing(system.forces);
+  note_forces(system);
   ForceField forces(system.topology, system.forces, system.state.box);
   Load load;
   forces(system.state, load);
 
+  const Mat3<double> pressure = pressure_tensor(system.state, system.bodies, load);
+  const double bar = unit("bar", Dimension::pressure);
+  const auto tensor = [&](std::size_t i, std::size_t k) { return pressure[i][k] / bar; };
+  nlohmann::json terms, tensor_json;
+  for (const auto& [name, value] : terms_of(forces, load)) terms[name] = value;
+  for (std::size_t i = 0; i < 3; ++i)
+    tensor_json.push_back({tensor(i, 0), tensor(i, 1), tensor(i, 2)});
   std::FILE* const out = o.forces || o.gradient ? stderr : stdout;
   if (o.json) {
     fmt::print(out, "{}\n",
                nlohmann::json{{"molecules", system.topology.size()},
                               {"lennard_jones_kJ_per_mol", load.lennard_jones},
                               {"coulomb_kJ_per_mol", load.coulomb},
+                              {"terms_kJ_per_mol", terms},
                               {"potential_kJ_per_mol", load.potential()},
+                              {"pressure_tensor_bar", tensor_json},
+                              {"pressure_bar", (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3},
                               {"target", name(current_target())}}
                    .dump(2));
   } else {
     fmt::print(out, "molecules       {}\n", system.topology.size());
     fmt::print(out, "Lennard-Jones   {:.17g} kJ/mol\n", load.lennard_jones);
     fmt::print(out, "Coulomb         {:.17g} kJ/mol\n", load.coulomb);
+    for (const auto& [name, value] : terms_of(forces, load))
+      fmt::print(out, "  {:<14}{:.17g} kJ/mol\n", name, value);
     fmt::print(out, "potential       {:.17g} kJ/mol\n", load.potential());
+    fmt::print(out, "pressure        {:.10g} bar\n",
+               (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3);
+    for (std::size_t i = 0; i < 3; ++i)
+      fmt::print(out, "  {}             {:14.6f} {:14.6f} {:14.6f} bar\n", "xyz"[i], tensor(i, 0),
+                 tensor(i, 1), tensor(i, 2));
   }
   if (!o.forces && !o.gradient) return 0;
   if (!o.gradient) {

@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
+#include "force_notes.hpp"
 #include "interrupt.hpp"
-#include "mixing_note.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
@@ -18,6 +18,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/plot.hpp"
+#include "polhode/io/quantity.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/io/xyz.hpp"
 #include "polhode/run/summary.hpp"
@@ -106,6 +107,8 @@ class TrajectoryFiles {
   std::vector<std::pair<std::string, std::ofstream>> streams_;
 };
 
+double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+
 Table energy_table(const std::vector<Energies>& samples, const Freedoms& freedoms) {
   Table table;
   table.columns = {{"time", "ps"},
@@ -115,11 +118,12 @@ Table energy_table(const std::vector<Energies>& samples, const Freedoms& freedom
                    {"coulomb", "kJ/mol"},
                    {"kinetic_translation", "kJ/mol"},
                    {"kinetic_rotation", "kJ/mol"},
-                   {"temperature", "K"}};
+                   {"temperature", "K"},
+                   {"pressure", "bar"}};
   for (const Energies& e : samples)
     table.rows.push_back({e.time, e.total(), e.potential(), e.lennard_jones, e.coulomb,
                           e.translation, e.kinetic() - e.translation,
-                          temperature(e.kinetic(), freedoms.all())});
+                          temperature(e.kinetic(), freedoms.all()), in_bar(e.pressure)});
   return table;
 }
 
@@ -155,7 +159,9 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
              s.translation);
   for (std::size_t k = 0; k < 3; ++k)
     fmt::print(" {}", s.freedoms.rotation[k] > 0 ? fmt::format("{:.2f}", s.rotation[k]) : "-");
-  fmt::print(" K\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
+  fmt::print(" K\npressure              {:.0f} ± {:.0f} bar", in_bar(s.pressure.value),
+             in_bar(s.pressure.error));
+  fmt::print("\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
   fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
              static_cast<double>(s.force_evaluations) / s.length);
   if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
@@ -193,6 +199,8 @@ nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const M
           {"temperature_K", s.temperature},
           {"temperature_translation_K", s.translation},
           {"temperature_rotation_K", s.rotation},
+          {"pressure_bar", in_bar(s.pressure.value)},
+          {"pressure_error_bar", in_bar(s.pressure.error)},
           {"momentum", s.momentum},
           {"force_evaluations", s.force_evaluations},
           {"force_evaluations_for_energies", s.measurements},
@@ -231,7 +239,7 @@ int run(const Options& o) {
   fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n",
              POLHODE_VERSION, system.topology.size(), config.source, scheme.name(),
              settings.step * 1000, means.target, means.threads);
-  note_mixing(config.forces);
+  note_forces(system);
   if (system.fit_deviation > 1e-4)
     fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
                system.fit_deviation);

@@ -7,8 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "force_notes.hpp"
 #include "interrupt.hpp"
-#include "mixing_note.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
@@ -86,7 +86,7 @@ int study(const Options& o) {
              "threads {}\n",
              POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
              config.study.length, provenance.target, workers.threads());
-  note_mixing(config.forces);
+  note_forces(system);
   if (!runs.empty()) fmt::print(stderr, "{} runs are known from {}\n", runs.size(), files.runs);
 
   catch_interrupts();

@@ -7,11 +7,15 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "polhode/forces/mesh_choice.hpp"
 #include "polhode/forces/reference.hpp"
+#include "polhode/forces/tail.hpp"
 #include "polhode/math/dual.hpp"
 
 namespace polhode {
 namespace {
+
+constexpr double least_error_in_mixed = 1e-5;
 
 const ForceSettings& checked(const ForceSettings& s) {
   if (!(s.cutoff > 0) || !std::isfinite(s.cutoff))
@@ -30,7 +34,37 @@ const ForceSettings& checked(const ForceSettings& s) {
     throw Error(fmt::format("dielectric {} must be 1 or more, or infinite", s.dielectric));
   if (!(s.skin > 0) || !std::isfinite(s.skin))
     throw Error(fmt::format("skin {} nm must be a positive length; 0.1 nm is usual", s.skin));
+  if (s.electrostatics == Electrostatics::ewald && s.precision == Precision::mixed &&
+      s.accuracy < least_error_in_mixed)
+    throw Error(fmt::format(
+        "accuracy {:g} is below {:g}, about what rounding to float leaves of forces on a "
+        "mesh; take precision \"double\", or ask for {:g}",
+        s.accuracy, least_error_in_mixed, least_error_in_mixed));
+  if (s.electrostatics == Electrostatics::ewald && s.truncation != Truncation::site_switch)
+    throw Error(
+        "Ewald's sum goes with truncation \"site-switch\", which then ends Lennard-Jones alone: "
+        "charges are summed over all images");
   return s;
+}
+
+ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box) {
+  if (s.electrostatics == Electrostatics::ewald && !s.mesh)
+    s.mesh = mesh_for(s.accuracy, s.cutoff, box, topology);
+  return s;
+}
+
+ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s, const Box& box) {
+  ConstantTerms terms;
+  if (s.dispersion_correction) terms.dispersion = dispersion_tail(topology, s, box);
+  for (std::size_t d = 0; d < 3; ++d) terms.virial[d][d] = terms.dispersion;
+  if (s.electrostatics == Electrostatics::ewald) {
+    const MeshConstant mesh(topology, {s.cutoff, s.mesh->exponent}, box);
+    terms.self = mesh.self;
+    terms.intramolecular = mesh.intramolecular;
+    terms.background = mesh.background;
+    for (std::size_t d = 0; d < 3; ++d) terms.virial[d] += mesh.virial[d];
+  }
+  return terms;
 }
 
 using Engine = std::variant<PairEngine<double>, PairEngine<float>>;
@@ -46,16 +80,25 @@ Engine engine(const Topology& topology, const ForceSettings& settings, const Box
 ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
                        Workers& workers)
     : topology_(topology),
-      settings_(checked(settings)),
-      engine_(engine(topology, settings, box, workers)) {}
+      settings_(with_mesh(checked(settings), topology, box)),
+      constant_(constant_terms_of(topology, settings_, box)),
+      engine_(engine(topology, settings_, box, workers)) {}
 
 void ForceField::evaluate(const State& state, Load& load, bool energies) {
   ++evaluations_;
   std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
+  if (!energies) return;
+  load.lennard_jones += constant_.dispersion;
+  load.coulomb += constant_.coulomb();
+  for (std::size_t d = 0; d < 3; ++d) load.virial[d] += constant_.virial[d];
 }
 
 Load ForceField::directional_derivative(const State& state, const Vec3Column& dq,
                                         const Vec3Column& dtheta) const {
+  if (settings_.electrostatics == Electrostatics::ewald)
+    throw Error(
+        "the exact directional derivative is not there for Ewald's sum; use the finite difference "
+        "of two evaluations, or electrostatics \"reaction-field\"");
   std::vector<Pose<Dual>> poses(state.size());
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Quaternion<double> a = state.attitude[i];

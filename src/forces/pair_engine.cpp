@@ -24,7 +24,7 @@ template <class T>
 PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
                           Workers& workers)
     : workers_(workers),
-      truncation_(settings.truncation),
+      ending_(ending_of(settings)),
       tables_(topology, settings.mixing),
       laws_(settings),
       list_(topology, settings, box),
@@ -33,6 +33,10 @@ PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& setting
   for (const auto& part : topology.parts) {
     sites_.emplace_back();
     for (const Site& site : InteractionSites(part.molecule).sites) sites_.back().push_back(site.r);
+  }
+  if (ending_ == Ending::ewald) {
+    mesh_ = std::make_unique<ParticleMesh<T>>(topology, *settings.mesh, box, workers);
+    mesh_sums_ = Column<T>(list_.slots().size() * ChunkSums<T>::stride);
   }
 }
 
@@ -46,10 +50,16 @@ void PairEngine<T>::operator()(const State& state, Load& load, bool energies) {
     prepare_sums();
   }
   if (load.f.size() != state.size()) load = Load(state.size());
+  load.lennard_jones = load.coulomb = load.mesh = 0;
+  load.virial = {};
+  if (mesh_) {
+    std::fill_n(mesh_sums_.data(), mesh_sums_.size(), T{});
+    const MeshLoad mesh = (*mesh_)(list_.slots(), records_, mesh_sums_.data(), energies);
+    load.coulomb = load.mesh = mesh.energy;
+    load.virial = mesh.virial;
+  }
   workers_.each(sums_.size(), [&](std::size_t c) { sum_chunk(c, energies); });
   workers_.each(sums_.size(), [&](std::size_t c) { collect(c, load); });
-  load.lennard_jones = load.coulomb = 0;
-  load.virial = {};
   for (const ChunkSums<T>& sums : sums_) {
     load.lennard_jones += sums.lennard_jones;
     load.coulomb += sums.coulomb;
@@ -99,7 +109,7 @@ void PairEngine<T>::sum_chunk(std::size_t c, bool energies) {
   sums.virial = {};
   const auto pair_forces = POLHODE_CURRENT_OVERLOAD(pair_forces, void (*)(const PairJob<T>&));
   for (std::size_t partner = chunk.part; partner < sites_.size(); ++partner)
-    pair_forces({tables_(chunk.part, partner), laws_, truncation_, energies, list_, chunk, partner,
+    pair_forces({tables_(chunk.part, partner), laws_, ending_, energies, list_, chunk, partner,
                  records_, sums});
 }
 
@@ -116,6 +126,7 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
   for (std::uint32_t first = own.first; first < own.end; first += block) {
     const std::uint32_t n = std::min(block, own.end - first);
     std::array<double, block * stride> total{};
+    if (mesh_) std::copy_n(&mesh_sums_[first * stride], n * stride, total.begin());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
       // Windows begin at blocks, so that a block lies in one piece in a window or not at all.
       const SlotWindow& window = list_.chunks()[k].windows[own.part];

@@ -155,8 +155,14 @@ double read_dielectric(TomlTable& table, const ForceSettings& forces) {
 }
 
 void read_forces(TomlTable table, ForceSettings& forces) {
-  const std::string truncation = one_of(table, "truncation", "molecule-switch",
-                                        {"molecule-switch", "site-switch", "site-shift"});
+  const bool ewald = table.holds_text("electrostatics") && table.text("electrostatics") == "pme";
+  const std::string truncation =
+      one_of(table, "truncation", ewald ? "site-switch" : "molecule-switch",
+             {"molecule-switch", "site-switch", "site-shift"});
+  table.require(
+      !ewald || truncation == "site-switch", "truncation",
+      "does not go with electrostatics = \"pme\": charges are summed over all images, and "
+      "what ends at the cutoff is Lennard-Jones alone, with \"site-switch\"; leave it out");
   const bool by_molecule = truncation == "molecule-switch";
   forces.truncation = by_molecule                   ? Truncation::molecule_switch
                       : truncation == "site-switch" ? Truncation::site_switch
@@ -164,9 +170,18 @@ void read_forces(TomlTable table, ForceSettings& forces) {
   // Bare Coulomb forces of single sites would end where they are strong.
   const std::string electrostatics =
       one_of(table, "electrostatics", by_molecule ? "coulomb" : "reaction-field",
-             {"coulomb", "reaction-field"});
-  forces.electrostatics =
-      electrostatics == "coulomb" ? Electrostatics::coulomb : Electrostatics::reaction_field;
+             {"coulomb", "reaction-field", "pme"});
+  forces.electrostatics = ewald                         ? Electrostatics::ewald
+                          : electrostatics == "coulomb" ? Electrostatics::coulomb
+                                                        : Electrostatics::reaction_field;
+  if (table.has("accuracy")) {
+    table.require(ewald, "accuracy",
+                  "has no meaning without electrostatics = \"pme\"; leave it out");
+    take(forces.accuracy, table.number("accuracy"));
+    table.require(forces.accuracy >= 1e-7 && forces.accuracy <= 0.1, "accuracy",
+                  "must lie from 1e-7 to 0.1: the error of electrostatic forces over the forces, "
+                  "both rms; 1e-4 is usual");
+  }
   const std::string precision = one_of(table, "precision", "double", {"double", "mixed"});
   forces.precision = precision == "mixed" ? Precision::mixed : Precision::full;
   const std::string mixing =
@@ -192,6 +207,11 @@ void read_forces(TomlTable table, ForceSettings& forces) {
                   "has no meaning without electrostatics = \"reaction-field\"; leave it out");
     forces.dielectric = read_dielectric(table, forces);
   }
+  take(forces.dispersion_correction, table.boolean("dispersion_correction"));
+  table.require(!forces.dispersion_correction || truncation != "site-shift",
+                "dispersion_correction",
+                "does not go with truncation = \"site-shift\", which differs from Lennard-Jones at "
+                "all distances; leave it out, or take \"site-switch\"");
   take(forces.skin, table.quantity("skin", Dimension::length, "0.1 nm"));
   table.require(forces.skin > 0, "skin",
                 "must be longer than 0 nm, so that a list of neighbours lasts; 0.1 nm is usual");

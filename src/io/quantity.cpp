@@ -23,6 +23,7 @@ struct Unit {
 };
 
 constexpr double electronvolt = units::elementary_charge * units::avogadro * 1e-3;  // [kJ/mol]
+constexpr double bar = 1e5 * 1e-27 * units::avogadro * 1e-3;                        // [kJ/mol/nm³]
 // 1 D = 10⁻²¹ C m²/s over the speed of light.
 constexpr double debye = 1e-21 / 299792458.0 / (units::elementary_charge * 1e-9);  // [e nm]
 
@@ -48,6 +49,9 @@ constexpr std::array all_units = {
     Unit{"kg/m³", Dimension::density, units::gram_per_cm3 * 1e-3},
     Unit{"u/nm3", Dimension::density, 1},
     Unit{"D", Dimension::dipole, debye},     Unit{"e nm", Dimension::dipole, 1},
+    Unit{"bar", Dimension::pressure, bar},   Unit{"MPa", Dimension::pressure, 10 * bar},
+    Unit{"atm", Dimension::pressure, 1.01325 * bar},
+    Unit{"kJ/mol/nm3", Dimension::pressure, 1},
     Unit{"%", Dimension::fraction, 0.01},
 };
 // clang-format on
@@ -76,6 +80,8 @@ Words words(Dimension dimension) {
       return {"a", "density", "1 g/cm3"};
     case Dimension::dipole:
       return {"a", "dipole moment", "1.85 D"};
+    case Dimension::pressure:
+      return {"a", "pressure", "1 bar"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
   }

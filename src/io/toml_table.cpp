@@ -107,6 +107,13 @@ std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
   return node->value<std::int64_t>();
 }
 
+std::optional<bool> TomlTable::boolean(std::string_view key) {
+  const toml::node* node = find(key);
+  if (node == nullptr) return std::nullopt;
+  if (!node->is_boolean()) refuse_kind(key, "true or false, not in quotes");
+  return node->value<bool>();
+}
+
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;

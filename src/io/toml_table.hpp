@@ -32,6 +32,7 @@ class TomlTable {
   std::optional<Vec3<double>> vector(std::string_view key, Dimension dimension);
   std::optional<double> number(std::string_view key);
   std::optional<std::int64_t> integer(std::string_view key);
+  std::optional<bool> boolean(std::string_view key);
   std::optional<std::vector<std::string>> texts(std::string_view key);
   std::optional<TomlTable> table(std::string_view key);
   std::optional<std::vector<TomlTable>> tables(std::string_view key);

@@ -30,7 +30,20 @@ Energies energies(const State& state, const Bodies& bodies, const Load& load, Wo
     e.translation += sum.translation;
     for (std::size_t k = 0; k < 3; ++k) e.rotation[k] += sum.rotation[k];
   }
+  const Mat3<double>& w = load.virial;
+  if (const double V = state.box.volume(); V > 0)
+    e.pressure = (2 * e.translation + w[0][0] + w[1][1] + w[2][2]) / (3 * V);
   return e;
+}
+
+Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load) {
+  Mat3<double> sum = load.virial;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Vec3<double> p = state.p[i];
+    for (std::size_t k = 0; k < 3; ++k) sum[k] += p[k] * bodies.inverse_m[i] * p;
+  }
+  for (std::size_t k = 0; k < 3; ++k) sum[k] = sum[k] / state.box.volume();
+  return sum;
 }
 
 Vec3<double> total_momentum(const State& state) {

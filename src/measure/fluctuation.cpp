@@ -26,6 +26,15 @@ std::vector<double> times(std::span<const Energies> samples) {
 
 }  // namespace
 
+Estimate block_mean(std::span<const double> values) {
+  const std::size_t length = values.size() / blocks;
+  if (length == 0) return mean(values);
+  std::vector<double> means;
+  for (std::size_t k = 0; k < blocks; ++k)
+    means.push_back(mean(values.subspan(k * length, length)).value);
+  return {mean(values).value, mean(means).error};
+}
+
 double fluctuation(std::span<const double> values) {
   const double average = mean(values).value;
   double squares = 0;

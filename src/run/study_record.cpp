@@ -73,6 +73,8 @@ std::string study_identity(const Config& config, const System& system) {
      << static_cast<int>(f.precision) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
      << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
      << config.study.length << ' ' << config.study.decorrelate;
+  if (f.electrostatics == Electrostatics::ewald) id << " pme " << f.accuracy;
+  if (f.dispersion_correction) id << " dispersion";
   if (const std::string mixing = described(f.mixing); !mixing.empty()) id << ' ' << mixing;
   return id.str();
 }

@@ -30,6 +30,9 @@ RunSummary summary(const System& system, const ForceField& forces,
   for (std::size_t k = 0; k < 3; ++k)
     s.rotation[k] = temperature(sum.rotation[k], s.freedoms.rotation[k]);
   s.temperature = temperature(sum.kinetic(), s.freedoms.all());
+  std::vector<double> pressures;
+  for (const Energies& e : trajectory.samples) pressures.push_back(e.pressure);
+  s.pressure = block_mean(pressures);
   s.momentum = norm(total_momentum(system.state));
 
   if (trajectory.samples.size() > 2) {

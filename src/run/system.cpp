@@ -50,7 +50,7 @@ System assembled(const Config& config) {
     throw e.at(config.source);
   }
   try {
-    const ForceField fits(system.topology, system.forces, system.state.box);
+    system.forces = ForceField(system.topology, system.forces, system.state.box).settings();
   } catch (const Error& e) {
     throw e.at(config.cutoff_place);
   }

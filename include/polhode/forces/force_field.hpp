@@ -11,6 +11,14 @@
 
 namespace polhode {
 
+/// Energies that do not depend on where bodies are [kJ/mol], and their virial.
+struct ConstantTerms {
+  double dispersion = 0;                                ///< Lennard-Jones beyond the truncation
+  double self = 0, intramolecular = 0, background = 0;  ///< of Ewald's sum, see MeshConstant
+  Mat3<double> virial{};
+  double coulomb() const { return self + intramolecular + background; }
+};
+
 /// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box.
 class ForceField {
  public:
@@ -29,6 +37,7 @@ class ForceField {
   /// dq [nm], attitudes turn by the body-frame vectors dtheta [rad]. The result is a Load whose f
   /// and tau are per unit of the displacement, and whose energies are their derivatives.
   /// Computed over all pairs with dual numbers: for checks and single points.
+  /// @throws Error  with Ewald's sum, whose mesh has no derivative yet
   Load directional_derivative(const State& state, const Vec3Column& dq,
                               const Vec3Column& dtheta) const;
 
@@ -37,7 +46,10 @@ class ForceField {
     return std::visit([](const auto& e) -> const NeighbourList& { return e.neighbours(); },
                       engine_);
   }
+  /// With the mesh that is used, if Ewald's sum was asked for.
   const ForceSettings& settings() const { return settings_; }
+  /// What belongs to the energies whatever the places of bodies.
+  const ConstantTerms& constant_terms() const { return constant_; }
   const Topology& topology() const { return topology_; }
 
  private:
@@ -45,6 +57,7 @@ class ForceField {
 
   Topology topology_;
   ForceSettings settings_;
+  ConstantTerms constant_;
   std::variant<PairEngine<double>, PairEngine<float>> engine_;
   std::uint64_t evaluations_ = 0;
 };

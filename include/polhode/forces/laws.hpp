@@ -4,7 +4,10 @@
 // first on the second is s (r₂ − r₁).
 #pragma once
 
+#include <array>
+
 #include "polhode/base/real.hpp"
+#include "polhode/forces/ewald_split.hpp"
 #include "polhode/forces/settings.hpp"
 
 namespace polhode {
@@ -105,10 +108,31 @@ class Switch {
   int smoothness_;
 };
 
+/// The smooth part of Ewald's split, which is taken off Coulomb's law within the cutoff a: a
+/// polynomial in y = 1 − r²/a² [skeel2002; hardy2009]. u = 1/r less the polynomial ends smoothly at
+/// a. The strength K q₁ q₂ multiplies outside.
+template <class T = double>
+struct SmoothPart {
+  int degree = 0;    ///< m of the split: that of −u'/r; u has one more
+  T inverse_a2 = 0;  ///< 1/a² [1/nm²]
+  std::array<T, CompactSplit::most + 2> u{}, s{};  ///< coefficients [1/nm], [1/nm³]
+
+  SmoothPart() = default;
+  explicit SmoothPart(const CompactSplit& split)
+      : degree(split.exponent()),
+        inverse_a2(static_cast<T>(1 / (split.cutoff() * split.cutoff()))) {
+    const double a = split.cutoff();
+    for (int k = 0; k <= degree + 1; ++k) u[k] = static_cast<T>(split.coefficient(k) / a);
+    for (int k = 0; k <= degree; ++k)
+      s[k] = static_cast<T>(split.slope_coefficient(k) / (a * a * a));
+  }
+};
+
 /// All that two sites need to know of the force field beside their own parameters.
 template <class T = double>
 struct PairLaws {
   ReactionField<T> reaction_field;
+  SmoothPart<T> smooth;
   Switch<T> switching;
   T cutoff;  ///< [nm]
 
@@ -116,6 +140,8 @@ struct PairLaws {
       : reaction_field(settings.electrostatics == Electrostatics::reaction_field
                            ? ReactionField<T>::of(settings.dielectric, settings.cutoff)
                            : ReactionField<T>{}),
+        smooth(settings.mesh ? SmoothPart<T>(CompactSplit(settings.cutoff, settings.mesh->exponent))
+                             : SmoothPart<T>()),
         switching(settings.switch_from, settings.cutoff, settings.smoothness),
         cutoff(static_cast<T>(settings.cutoff)) {}
 };

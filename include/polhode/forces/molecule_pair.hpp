@@ -13,13 +13,22 @@
 namespace polhode {
 
 /// How the pairs at hand end: as the force field's truncation says, or not at all, for molecules
-/// that are known to be closer than where any switch begins.
-enum class Ending { none, molecule_switch, site_switch, site_shift };
+/// that are known to be closer than where any switch begins. With Ewald's sum charges have a law of
+/// their own, and Lennard-Jones a switch of sites, or none.
+enum class Ending { none, molecule_switch, site_switch, site_shift, ewald_none, ewald };
 
-constexpr Ending ending_of(Truncation truncation) {
-  return truncation == Truncation::molecule_switch ? Ending::molecule_switch
-         : truncation == Truncation::site_switch   ? Ending::site_switch
-                                                   : Ending::site_shift;
+constexpr bool is_ewald(Ending ending) {
+  return ending == Ending::ewald || ending == Ending::ewald_none;
+}
+/// What pairs that do not end have in place of an ending.
+constexpr Ending without_end(Ending ending) {
+  return is_ewald(ending) ? Ending::ewald_none : Ending::none;
+}
+constexpr Ending ending_of(const ForceSettings& settings) {
+  return settings.electrostatics == Electrostatics::ewald     ? Ending::ewald
+         : settings.truncation == Truncation::molecule_switch ? Ending::molecule_switch
+         : settings.truncation == Truncation::site_switch     ? Ending::site_switch
+                                                              : Ending::site_shift;
 }
 
 /// What molecule a does to molecule b; b does the opposite force to a.
@@ -99,6 +108,8 @@ PairValue<Real> shifted(const PairValue<Real>& at_r, const PairValue<Real>& at_c
 ///
 /// with u = u_LJ + K q q (1/r + k r² − c).
 ///
+/// `ewald`:            U = Σ w(r) u_LJ(r) + K q q (1/r − smooth part) for r < r_c
+///
 /// @tparam energies  whether the energies are wanted; forces never depend on that
 /// @param R       centre of b relative to that of a [nm], the image meant
 /// @param site_a  a callable: the k-th site of a relative to a's centre, lab frame [nm]
@@ -109,7 +120,8 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
     const Shape& shape, const PairStrengths<T>& strengths, const PairLaws<T>& laws,
     const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b) {
   constexpr bool by_molecule = ending == Ending::molecule_switch;
-  constexpr bool need_u = energies || ending != Ending::none;
+  constexpr bool by_site = ending == Ending::site_switch || ending == Ending::ewald;
+  constexpr bool need_u = energies || ending == Ending::molecule_switch;
   PairLoad<Real> load;
   typename Switch<T>::template Value<Real> end{};  // of the whole pair
   Real inverse_R{};
@@ -152,16 +164,38 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
         each_pair([&](auto k, auto a, std::size_t) __attribute__((always_inline)) {
           inverse_r[k][a] = InversePowers<Real>(r2[k][a]);
         });
+        std::array<std::array<PairValue<Real>, Shape::most_a>, at_once> smooth;
+        if constexpr (is_ewald(ending)) {
+          std::array<std::array<Real, Shape::most_a>, at_once> y;
+          const SmoothPart<T>& law = laws.smooth;
+          const auto each_charged = [&](const auto& body) __attribute__((always_inline)) {
+            each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
+              if (shape.coulomb(a, b)) body(k, a);
+            });
+          };
+          each_charged([&](auto k, auto a) __attribute__((always_inline)) {
+            y[k][a] = Real(1) - r2[k][a] * Real(law.inverse_a2);
+            smooth[k][a] = {Real(law.u[law.degree + 1]), Real(law.s[law.degree])};
+          });
+          for (int n = law.degree; n-- > 0;)
+            each_charged([&](auto k, auto a) __attribute__((always_inline)) {
+              smooth[k][a].s = smooth[k][a].s * y[k][a] + Real(law.s[n]);
+            });
+          if constexpr (need_u)
+            for (int n = law.degree + 1; n-- > 0;)
+              each_charged([&](auto k, auto a) __attribute__((always_inline)) {
+                smooth[k][a].u = smooth[k][a].u * y[k][a] + Real(law.u[n]);
+              });
+        }
         each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
           const InversePowers<Real>& inverse = inverse_r[k][a];
           const Real square = r2[k][a];
           const std::size_t pair = b * shape.sites_a + a;
           typename Switch<T>::template Value<Real> site_end{};
-          if constexpr (ending == Ending::site_switch)
-            site_end = laws.switching(square * inverse.first());
+          if constexpr (by_site) site_end = laws.switching(square * inverse.first());
           const auto ended = [&](PairValue<Real> at_r, const auto& at_cutoff)
               __attribute__((always_inline)) {
-            if constexpr (ending == Ending::site_switch) {  // −(w u)'/r = w s − w' u/r
+            if constexpr (by_site) {  // −(w u)'/r = w s − w' u/r
               at_r.s = site_end.w * at_r.s - site_end.slope * inverse.first() * at_r.u;
               at_r.u = site_end.w * at_r.u;
             } else if constexpr (ending == Ending::site_shift) {
@@ -173,15 +207,26 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
           const Real cutoff2(laws.cutoff * laws.cutoff);
           const auto coulomb = [&]() __attribute__((always_inline)) {
             const Real charge(strengths.charge[pair]);
-            const auto law = [&](const InversePowers<Real>& powers, Real r_squared)
-                __attribute__((always_inline)) {
-              const PairValue<Real> unit = laws.reaction_field(powers, r_squared);
-              return PairValue<Real>{charge * unit.u, charge * unit.s};
-            };
-            const PairValue<Real> value = ended(
-                law(inverse, square), [&] { return law(InversePowers<Real>(cutoff2), cutoff2); });
-            if constexpr (need_u) load.coulomb += value.u;
-            return value.s;
+            if constexpr (is_ewald(ending)) {
+              PairValue<Real> value{inverse.first() - smooth[k][a].u,
+                                    inverse.third() - smooth[k][a].s};
+              if constexpr (ending == Ending::ewald) {
+                const auto within = square < Real(laws.cutoff * laws.cutoff);
+                value = {select(within, value.u, Real(0)), select(within, value.s, Real(0))};
+              }
+              if constexpr (need_u) load.coulomb += charge * value.u;
+              return charge * value.s;
+            } else {
+              const auto law = [&](const InversePowers<Real>& powers, Real r_squared)
+                  __attribute__((always_inline)) {
+                const PairValue<Real> unit = laws.reaction_field(powers, r_squared);
+                return PairValue<Real>{charge * unit.u, charge * unit.s};
+              };
+              const PairValue<Real> value = ended(
+                  law(inverse, square), [&] { return law(InversePowers<Real>(cutoff2), cutoff2); });
+              if constexpr (need_u) load.coulomb += value.u;
+              return value.s;
+            }
           };
           const auto lennard_jones = [&]() __attribute__((always_inline)) {
             const Real c6(strengths.c6[pair]), c12(strengths.c12[pair]);

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 // A force evaluation over the neighbour list in one precision: place the sites, sum the pairs chunk
-// by chunk, bring the sums together.
+// by chunk, and what a mesh does, bring the sums together.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
 #include "polhode/forces/neighbours.hpp"
 #include "polhode/forces/pair_loops.hpp"
 #include "polhode/forces/pair_table.hpp"
+#include "polhode/forces/particle_mesh.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
 
@@ -21,7 +23,8 @@ class PairEngine {
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers);
 
-  /// Forces and torques of a state, and the energies and the virial if wanted, else 0.
+  /// Forces and torques of a state, and the energies and the virial if wanted, else 0. With Ewald's
+  /// sum the settings hold a mesh; what does not depend on places is left out.
   void operator()(const State& state, Load& load, bool energies);
 
   const NeighbourList& neighbours() const { return list_; }
@@ -33,14 +36,16 @@ class PairEngine {
   void collect(std::size_t chunk, Load& load) const;
 
   Workers& workers_;
-  Truncation truncation_;
+  Ending ending_;
   PairTables tables_;
   PairLaws<T> laws_;
   NeighbourList list_;
   std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
   SiteRecords<T> records_;
-  std::vector<ChunkSums<T>> sums_;  // of each chunk
-  std::vector<double> moved2_;      // of each task of place()
+  std::unique_ptr<ParticleMesh<T>> mesh_;  // if there is one
+  Column<T> mesh_sums_;                    // as in ChunkSums, of all slots
+  std::vector<ChunkSums<T>> sums_;         // of each chunk
+  std::vector<double> moved2_;             // of each task of place()
 };
 
 }  // namespace polhode

@@ -4,7 +4,7 @@
 
 #include "polhode/base/column.hpp"
 #include "polhode/base/target.hpp"
-#include "polhode/forces/laws.hpp"
+#include "polhode/forces/molecule_pair.hpp"
 #include "polhode/forces/neighbours.hpp"
 #include "polhode/forces/pair_table.hpp"
 #include "polhode/model/load.hpp"
@@ -44,7 +44,7 @@ template <class T>
 struct PairJob {
   const PairTable& table;
   const PairLaws<T>& laws;
-  Truncation truncation;
+  Ending ending;
   bool energies;  ///< and the virial
   const NeighbourList& list;
   const ListChunk& chunk;

@@ -78,16 +78,18 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   return load;
 }
 
-/// Forces, torques, energies and virial of all pairs. Time grows with the square of the number of
-/// bodies.
+/// Forces, torques, energies and virial of all pairs; of Ewald's sum, the pairs within the cutoff.
+/// Time grows with the square of the number of bodies.
 template <class Real>
 ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings& settings,
                                    const Box& box, const std::vector<Pose<Real>>& poses) {
-  switch (settings.truncation) {
-    case Truncation::molecule_switch:
+  switch (ending_of(settings)) {
+    case Ending::molecule_switch:
       return all_pairs_load<Ending::molecule_switch>(topology, settings, box, poses);
-    case Truncation::site_switch:
+    case Ending::site_switch:
       return all_pairs_load<Ending::site_switch>(topology, settings, box, poses);
+    case Ending::ewald:
+      return all_pairs_load<Ending::ewald>(topology, settings, box, poses);
     default:
       return all_pairs_load<Ending::site_shift>(topology, settings, box, poses);
   }

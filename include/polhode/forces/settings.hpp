@@ -4,6 +4,9 @@
 // are computed.
 #pragma once
 
+#include <optional>
+
+#include "polhode/forces/mesh_settings.hpp"
 #include "polhode/forces/mixing.hpp"
 
 namespace polhode {
@@ -20,6 +23,7 @@ enum class Truncation {
 enum class Electrostatics {
   coulomb,         ///< Coulomb's law
   reaction_field,  ///< with a dielectric continuum beyond the cutoff
+  ewald,           ///< of all images: within the cutoff by pairs, the smooth rest on a mesh
 };
 
 /// In which numbers the pairs are computed. Positions, attitudes, momenta and all sums of forces,
@@ -39,6 +43,13 @@ struct ForceSettings {
   double skin = 0.05;        ///< of the neighbour list [nm]
   Precision precision = Precision::full;
   Mixing mixing{};  ///< of Lennard-Jones terms of unlike sites
+  /// For Ewald's sum: the rms error of electrostatic forces over their rms.
+  double accuracy = 1e-4;
+  /// For Ewald's sum: the mesh; without it, the cheapest of that accuracy.
+  std::optional<MeshSettings> mesh{};
+  /// Whether Lennard-Jones energy and pressure count what the truncation leaves out, for a uniform
+  /// density of sites.
+  bool dispersion_correction = false;
 };
 
 }  // namespace polhode

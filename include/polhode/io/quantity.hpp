@@ -19,6 +19,7 @@ enum class Dimension {
   energy,       ///< [kJ/mol]; "K" means energy over Boltzmann's constant
   density,      ///< [u/nm³]
   dipole,       ///< [e nm]
+  pressure,     ///< [kJ/mol/nm³]
   fraction,     ///< [1], written in %
 };
 

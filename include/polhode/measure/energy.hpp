@@ -17,6 +17,7 @@ struct Energies {
   double coulomb = 0;              ///< [kJ/mol]
   double translation = 0;          ///< Σ p²/2m [kJ/mol]
   std::array<double, 3> rotation;  ///< Σ L_k²/2J_k for each principal axis [kJ/mol]
+  double pressure = 0;             ///< a third of the pressure tensor's trace [kJ/mol/nm³]
 
   double potential() const { return lennard_jones + coulomb; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
@@ -27,6 +28,10 @@ struct Energies {
 /// order: the same bits for any number of threads.
 Energies energies(const State& state, const Bodies& bodies, const Load& load,
                   Workers& workers = Workers::serial());
+
+/// (Σ p ⊗ p/m + virial)/V [kJ/mol/nm³], of bodies as wholes: the molecular pressure tensor
+/// [allen2017, section 2.7]. The Load holds the virial only if it was made with energies.
+Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load);
 
 /// Σ p [u nm/ps].
 Vec3<double> total_momentum(const State& state);

@@ -13,6 +13,9 @@ namespace polhode {
 /// rms deviation from the mean.
 double fluctuation(std::span<const double> values);
 
+/// The mean of a correlated series with the standard error of the means of blocks of it.
+Estimate block_mean(std::span<const double> values);
+
 /// R: rms fluctuation of the total energy over that of the potential energy.
 double fluctuation_ratio(std::span<const Energies> samples);
 

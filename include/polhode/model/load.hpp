@@ -12,8 +12,11 @@ struct Load {
   Vec3Column tau;            ///< torque about the centre of mass [kJ/mol], lab
   double lennard_jones = 0;  ///< [kJ/mol]
   double coulomb = 0;        ///< [kJ/mol]
-  /// Σ R ⊗ f over pairs of bodies, R between their centres, f on the second [kJ/mol]: the pressure
-  /// tensor is (Σ p ⊗ p/m + virial)/V.
+  double mesh = 0;           ///< of coulomb, what Ewald's sum does on the mesh [kJ/mol]
+  /// Σ R ⊗ f over pairs of bodies, R between their centres, f on the second [kJ/mol], in general
+  /// −dU/dε for a strain ε that moves centres and keeps attitudes: the pressure tensor is (Σ p ⊗
+  /// p/m
+  /// + virial)/V.
   Mat3<double> virial{};
 
   Load() = default;

@@ -22,6 +22,7 @@ struct RunSummary {
   Drift drift;                       ///< [kJ/mol/ps]
   double potential = 0;              ///< mean per molecule [kJ/mol]
   double total = 0;                  ///< mean per molecule [kJ/mol]
+  Estimate pressure;                 ///< mean, with the error of block averages [kJ/mol/nm³]
   double momentum = 0;               ///< |Σ p| at the end [u nm/ps]
   double temperature = 0;            ///< mean over the run, all freedoms [K]
   double translation = 0;            ///< [K]

@@ -78,7 +78,7 @@ class PairRows {
           add_up(pack - 1);
         }
       };
-      each_pack.template operator()<Ending::none>(here.begin, here.ending);
+      each_pack.template operator()<without_end(ending)>(here.begin, here.ending);
       each_pack.template operator()<ending>(here.ending, here.end);
       add_row<energies>(slot, sums);
       slot = following;
@@ -242,13 +242,15 @@ void run(const PairJob<T>& job) {
     else
       rows.template run<ending, false>();
   };
-  switch (job.truncation) {
-    case Truncation::molecule_switch:
+  switch (job.ending) {
+    case Ending::molecule_switch:
       return with.template operator()<Ending::molecule_switch>();
-    case Truncation::site_switch:
+    case Ending::site_switch:
       return with.template operator()<Ending::site_switch>();
-    case Truncation::site_shift:
+    case Ending::site_shift:
       return with.template operator()<Ending::site_shift>();
+    default:
+      return with.template operator()<Ending::ewald>();
   }
 }
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Lines in the log about forces that are not what everybody expects: how Lennard-Jones parameters
+// are mixed, and the mesh of Ewald's sum.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string>
+
+#include "polhode/run/system.hpp"
+
+namespace polhode::cli {
+
+/// On standard error: the mixing rule and the pairs that are given, unless the usual rule holds for
+/// all; grid, order and split of a mesh; a net charge.
+inline void note_forces(const System& system) {
+  const ForceSettings& forces = system.forces;
+  if (const std::string mixing = described(forces.mixing); !mixing.empty())
+    fmt::print(stderr, "Lennard-Jones: {}\n", mixing);
+  if (forces.mesh)
+    fmt::print(stderr,
+               "PME: grid {} x {} x {}, order {}, split exponent {}, for a relative force error of "
+               "{:g}\n",
+               forces.mesh->points[0], forces.mesh->points[1], forces.mesh->points[2],
+               forces.mesh->order, forces.mesh->exponent, forces.accuracy);
+  double net = 0;
+  for (const auto& part : system.topology.parts)
+    net += static_cast<double>(part.count) * part.molecule.charge();
+  if (std::abs(net) > 1e-6)
+    fmt::print(stderr, "net charge {:+.6g} e{}\n", net,
+               forces.mesh ? ", neutralised by a uniform background" : "");
+}
+
+}  // namespace polhode::cli

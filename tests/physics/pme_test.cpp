@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Ewald's sum within the force field: pairs, mesh and constants together.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "physics/mesh_scene.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/forces/tail.hpp"
+#include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/schemes.hpp"
+#include "targets.hpp"
+
+using namespace polhode;
+
+namespace {
+
+ForceSettings ewald(double cutoff, const MeshSettings& mesh) {
+  ForceSettings settings{Truncation::site_switch, cutoff, 0.8 * cutoff, 2, Electrostatics::ewald};
+  settings.mesh = mesh;
+  settings.mesh->cutoff = cutoff;
+  return settings;
+}
+
+Topology without_charges(Topology topology) {
+  for (auto& part : topology.parts)
+    for (Site& site : part.molecule.sites) site.charge = 0;
+  return topology;
+}
+
+// Lennard-Jones over all pairs and the classical sum, far beyond the digits that are compared: both
+// of its parts fall below e⁻³⁶ of their largest terms.
+struct Direct {
+  std::vector<Vec3<double>> f, tau;
+  double lennard_jones, coulomb;
+  double f_rms = 0;  // of electrostatic forces on sites
+
+  Direct(const scenes::Scene& scene, const ForceSettings& settings) {
+    const Box& box = scene.state.box;
+    const auto lj =
+        reference_load(without_charges(scene.topology), settings, box, scenes::poses(scene.state));
+    f = lj.f, tau = lj.tau, lennard_jones = lj.lennard_jones;
+    const PointCharges charges = point_charges(scene.topology, scene.state);
+    const double alpha = 4;
+    const EwaldSum sum = ewald_sum(charges, box, GaussianSplit{alpha}, {6 / alpha, 12 * alpha});
+    coulomb = sum.energy.total();
+    for (std::size_t k = 0; k < charges.size(); ++k) {
+      const std::size_t i = charges.body[k];
+      f[i] += sum.f[k];
+      tau[i] += cross(charges.r[k] - scene.state.q[i], sum.f[k]);
+      f_rms += norm2(sum.f[k]) / double(charges.size());
+    }
+    f_rms = std::sqrt(f_rms);
+  }
+};
+
+double rms_error(const Vec3Column& of, const std::vector<Vec3<double>>& exact) {
+  double sum = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) sum += norm2(of[i] - exact[i]);
+  return std::sqrt(sum / double(exact.size()));
+}
+
+}  // namespace
+
+// The error that was asked for is that of sites; a body's is of as many sites as it has charges, 3
+// here, and root 3 times that if they are independent. Mixed precision has float's own error in
+// Lennard-Jones contacts, some 1e-6 of the forces, below the least accuracy it takes.
+TEST_CASE("forces and energies are those of Ewald's sum, as accurate as asked for") {
+  for_each_target([] {
+    const scenes::Scene scene = charged_mixture();
+    for (const Precision precision : {Precision::full, Precision::mixed})
+      for (const double accuracy : {1e-3, 3e-5}) {
+        CAPTURE(accuracy);
+        ForceSettings settings{Truncation::site_switch, 0.7, 0.56, 2, Electrostatics::ewald};
+        settings.precision = precision;
+        settings.accuracy = accuracy;
+        const Direct direct(scene, settings);
+        ForceField forces(scene.topology, settings, scene.state.box);
+        Load load, alone;
+        forces(scene.state, load);
+        forces.forces_alone(scene.state, alone);
+        for (const Load* l : {&load, &alone}) {
+          CHECK(rms_error(l->f, direct.f) < 1.8 * accuracy * direct.f_rms);
+          CHECK(rms_error(l->f, direct.f) > 0.01 * accuracy * direct.f_rms);
+          // Arms of charges are below 0.12 nm.
+          CHECK(rms_error(l->tau, direct.tau) < 1.8 * 0.12 * accuracy * direct.f_rms);
+        }
+        // An error of energy is at most a few arms of force errors, with signs at random.
+        const double bound = accuracy * direct.f_rms * std::sqrt(3.0 * double(scene.state.size()));
+        CHECK(std::abs(load.coulomb - direct.coulomb) < bound);
+        CHECK(load.lennard_jones == doctest::Approx(direct.lennard_jones)
+                                        .epsilon(precision == Precision::full ? 1e-12 : 1e-5));
+      }
+  });
+}
+
+// Whatever the accuracy, forces are the gradient of the energy: along the displacement f/m, J⁻¹ S τ
+// the energy falls by Σ f²/m + τ·J⁻¹τ. A difference of fourth order leaves rounding of the energy.
+TEST_CASE("forces with a coarse mesh are the gradient of the energy with that mesh") {
+  const scenes::Scene scene = charged_mixture();
+  ForceField forces(scene.topology, ewald(0.7, {{15, 18, 16}, 4, 3}), scene.state.box);
+  Load load, there;
+  forces(scene.state, load);
+  double slope = 0;
+  for (std::size_t i = 0; i < scene.state.size(); ++i) {
+    const Vec3<double> tau = to_body(scene.state.attitude[i], load.tau[i]);
+    slope -= norm2(load.f[i]) * scene.bodies.inverse_m[i] +
+             dot(tau, scaled(scene.bodies.inverse_J[i], tau));
+  }
+  const auto energy = [&](double c) {
+    State moved = scene.state;
+    displace(moved, scene.bodies, load, c);
+    forces(moved, there);
+    return there.potential();
+  };
+  const double h = 1e-7;
+  const double numeric =
+      (8 * (energy(h) - energy(-h)) - (energy(2 * h) - energy(-2 * h))) / (12 * h);
+  const double rounding = 100 * 0x1p-53 * std::abs(load.potential()) / h;
+  CHECK(std::abs(numeric - slope) < rounding + 1e-7 * std::abs(slope));
+}
+
+// The virial is what the energy does when centres move with the box and attitudes stay. Its trace
+// is that of the energy with this very mesh; single terms are as accurate as the mesh.
+TEST_CASE("the virial is the change of the energy when the box is strained") {
+  const scenes::Scene scene = charged_mixture();
+  ForceSettings settings = ewald(0.7, {{32, 32, 32}, 7, 6});
+  settings.dispersion_correction = true;
+  Load load;
+  ForceField(scene.topology, settings, scene.state.box)(scene.state, load);
+  const auto energy = [&](const Vec3<double>& strain) {
+    State moved = scene.state;
+    const Vec3<double> factor = Vec3<double>{1, 1, 1} + strain;
+    moved.box.edge = scaled(factor, moved.box.edge);
+    for (std::size_t i = 0; i < moved.size(); ++i) moved.q.set(i, scaled(factor, moved.q[i]));
+    Load there;
+    ForceField(scene.topology, settings, moved.box)(moved, there);
+    return there.potential();
+  };
+  const auto derivative = [&](const Vec3<double>& way) {
+    const double h = 1e-5;
+    return (8 * (energy(h * way) - energy(-h * way)) -
+            (energy(2 * h * way) - energy(-2 * h * way))) /
+           (12 * h);
+  };
+  const double trace = load.virial[0][0] + load.virial[1][1] + load.virial[2][2];
+  const double scale = largest(load.f);
+  CHECK(std::abs(derivative({1, 1, 1}) + trace) < 1e-6 * scale);
+  for (std::size_t d = 0; d < 3; ++d) {
+    Vec3<double> way{};
+    way[d] = 1;
+    CHECK(std::abs(derivative(way) + load.virial[d][d]) < 1e-3 * scale);
+  }
+}
+
+TEST_CASE("Ewald's sum has the same bits for any number of threads") {
+  const scenes::Scene scene = charged_mixture();
+  for (const Precision precision : {Precision::full, Precision::mixed}) {
+    ForceSettings settings = ewald(0.7, {{20, 24, 20}, 5, 5});
+    settings.precision = precision;
+    Load one, many;
+    ForceField(scene.topology, settings, scene.state.box)(scene.state, one);
+    for (const int threads : {2, 3}) {
+      Workers workers(threads);
+      ForceField(scene.topology, settings, scene.state.box, workers)(scene.state, many);
+      for (std::size_t i = 0; i < scene.state.size(); ++i) {
+        CHECK(one.f[i] == many.f[i]);
+        CHECK(one.tau[i] == many.tau[i]);
+      }
+      CHECK(one.potential() == many.potential());
+      CHECK(one.virial[0][1] == many.virial[0][1]);
+    }
+  }
+}
+
+// Bodies leave the box between two builds of the list, and the mesh meets them outside.
+TEST_CASE("a mesh over a long hot run is that of a state as new") {
+  scenes::Scene scene = charged_mixture();
+  for (std::size_t i = 0; i < scene.state.size(); ++i) scene.state.p.set(i, 3.0 * scene.state.p[i]);
+  const ForceSettings settings = ewald(0.7, {{20, 24, 20}, 5, 5});
+  ForceField forces(scene.topology, settings, scene.state.box);
+  Integrator integrator(schemes[1], scene.bodies, forces);
+  for (int k = 0; k < 20; ++k) {
+    integrator.advance(scene.state, 0.0002, 20);
+    const Load& load = integrator.load(scene.state);
+    Load anew;
+    ForceField(scene.topology, settings, scene.state.box)(scene.state, anew);
+    for (std::size_t i = 0; i < scene.state.size(); ++i)
+      CHECK(norm(load.f[i] - anew.f[i]) < 1e-10 * largest(load.f));
+  }
+  CHECK(forces.neighbours().rebuilds() > 2);
+}
+
+// With a switch of no width the tail is a textbook integral: 2π N²/V (c12/(9 r⁹) − c6/(3 r³)).
+TEST_CASE("the dispersion tail is the integral beyond the cutoff, and falls as the volume grows") {
+  const Topology argon{{{read_molecule("argon"), 50}}};
+  const Site& site = argon.parts[0].molecule.sites[0];
+  const auto [c6, c12] = LennardJones::of(site.sigma, site.epsilon);
+  ForceSettings settings{Truncation::site_switch, 1.0, 1.0 - 1e-7};
+  const double expected = 2 * units::pi * 2500 / (3.0 * 3.1 * 3.2) * (c12 / 9 - c6 / 3);
+  CHECK(dispersion_tail(argon, settings, {{3.0, 3.1, 3.2}}) ==
+        doctest::Approx(expected).epsilon(1e-6));
+  // And it makes up for what a nearer switch leaves out, in a uniform fluid: between 0.8 and 1 nm.
+  settings.switch_from = 0.8;
+  const double more = dispersion_tail(argon, settings, {{3.0, 3.1, 3.2}});
+  CHECK(more < expected);
+  CHECK(more > 2 * expected);
+}
+
+TEST_CASE("what Ewald's sum cannot do is refused") {
+  const scenes::Scene scene = charged_mixture();
+  ForceSettings settings{Truncation::molecule_switch, 0.7, 0.56, 2, Electrostatics::ewald};
+  CHECK_THROWS_AS(ForceField(scene.topology, settings, scene.state.box), Error);
+  settings.truncation = Truncation::site_switch;
+  settings.precision = Precision::mixed;
+  settings.accuracy = 1e-6;
+  CHECK_THROWS_AS(ForceField(scene.topology, settings, scene.state.box), Error);
+}
