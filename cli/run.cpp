@@ -159,7 +159,10 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
              s.translation);
   for (std::size_t k = 0; k < 3; ++k)
     fmt::print(" {}", s.freedoms.rotation[k] > 0 ? fmt::format("{:.2f}", s.rotation[k]) : "-");
-  fmt::print(" K\npressure              {:.0f} ± {:.0f} bar", in_bar(s.pressure.value),
+  const Freedoms& n = s.freedoms;
+  fmt::print(" K\nfreedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
+             n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
+  fmt::print("\npressure              {:.0f} ± {:.0f} bar", in_bar(s.pressure.value),
              in_bar(s.pressure.error));
   fmt::print("\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
   fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
@@ -199,6 +202,8 @@ nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const M
           {"temperature_K", s.temperature},
           {"temperature_translation_K", s.translation},
           {"temperature_rotation_K", s.rotation},
+          {"freedoms_translation", s.freedoms.translation},
+          {"freedoms_rotation", s.freedoms.rotation},
           {"pressure_bar", in_bar(s.pressure.value)},
           {"pressure_error_bar", in_bar(s.pressure.error)},
           {"momentum", s.momentum},

@@ -14,12 +14,6 @@ ITSELF = '[[pair]]\nsites = ["argon.Ar", "argon.Ar"]\nsigma = "0.3405 nm"\nepsil
 
 
 class Mixing(Sandbox):
-    def done(self, verb, text, *options):
-        self.write("run.toml", text)
-        process = self.polhode(verb, "run.toml", *options)
-        self.assertEqual(process.returncode, 0, process.err)
-        return process
-
     def energy(self, text):
         return json.loads(self.done("energy", text, "--json").out)["lennard_jones_kJ_per_mol"]
 

@@ -67,6 +67,13 @@ class Sandbox(unittest.TestCase):
                 raise
         return process
 
+    def done(self, verb, text, *options):
+        """`polhode VERB run.toml OPTIONS` with that text as run file, which must succeed."""
+        self.write("run.toml", text)
+        process = self.polhode(verb, "run.toml", *options)
+        self.assertEqual(process.returncode, 0, process.err)
+        return process
+
     def contents(self):
         """Every file of the folder with what it holds."""
         return {str(p.relative_to(self.folder)): p.read_bytes()

@@ -197,10 +197,32 @@ TEST_CASE("electrostatics is a choice, whose default goes with the truncation") 
   CHECK(electrostatics("truncation = \"site-shift\"\nelectrostatics = \"coulomb\"") == coulomb);
   CHECK(electrostatics("electrostatics = \"reaction-field\"\ndielectric = 80") == reaction_field);
   check_text("[forces]\nelectrostatics = \"reaction field\"",
-             {"must be one of: coulomb, reaction-field; did you mean 'reaction-field'?"});
+             {"must be one of: coulomb, reaction-field, pme; did you mean 'reaction-field'?"});
   check_text(
       "[forces]\nelectrostatics = \"coulomb\"\ntruncation = \"site-switch\"\ndielectric = 80",
       {"no meaning without electrostatics", "water.toml:7, forces.dielectric"});
+}
+
+TEST_CASE("Ewald's sum has an accuracy, and ends Lennard-Jones by a switch of sites") {
+  const ForceSettings pme =
+      parse_config(system_table + "[forces]\nelectrostatics = \"pme\"\naccuracy = 1e-5\n", "x")
+          .forces;
+  CHECK(pme.electrostatics == Electrostatics::ewald);
+  CHECK(pme.truncation == Truncation::site_switch);
+  CHECK(pme.accuracy == 1e-5);
+  CHECK(!pme.dispersion_correction);
+  CHECK(parse_config(system_table + "[forces]\ndispersion_correction = true", "x")
+            .forces.dispersion_correction);
+  const std::string with_pme = "[forces]\nelectrostatics = \"pme\"\n";
+  check_text(with_pme + "accuracy = 1e-8", {"accuracy = 1e-08 must lie from 1e-7 to 0.1"});
+  check_text(with_pme + "accuracy = \"high\"", {"forces.accuracy", "number"});
+  check_text("[forces]\naccuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
+  check_text(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
+  check_text(with_pme + "truncation = \"molecule-switch\"",
+             {"does not go with electrostatics = \"pme\"", "leave it out", "forces.truncation"});
+  check_text("[forces]\ndispersion_correction = 1", {"must be true or false"});
+  check_text("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",
+             {"differs from Lennard-Jones at all distances"});
 }
 
 TEST_CASE("unlike sites mix as the run file says, and pairs are given by molecule and site") {

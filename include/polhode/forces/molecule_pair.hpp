@@ -140,19 +140,15 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
         std::array<std::array<Real, Shape::most_a>, at_once> r2, s;
         std::array<std::array<InversePowers<Real>, Shape::most_a>, at_once> inverse_r;
         const auto each_b = [&](const auto& body) __attribute__((always_inline)) {
-          each(
-              Count<at_once>{}, [&](auto k) __attribute__((always_inline)) {
-                const std::size_t b = group * at_once + k;
-                if (b < shape.sites_b) body(k, b);
-              });
+          for (std::size_t k = 0; k < at_once; ++k)
+            if (group * at_once + k < shape.sites_b) body(k, group * at_once + k);
         };
         const auto each_pair = [&](const auto& body) __attribute__((always_inline)) {
-          each_b([&](auto k, std::size_t b) __attribute__((always_inline)) {
-            each(
-                shape.sites_a, [&](auto a) __attribute__((always_inline)) {
-                  if (shape.coulomb(a, b) || shape.lennard_jones(a, b)) body(k, a, b);
-                });
-          });
+          for (std::size_t k = 0; k < at_once; ++k)
+            for (std::size_t a = 0; a < shape.sites_a; ++a)
+              if (const std::size_t b = group * at_once + k;
+                  b < shape.sites_b && (shape.coulomb(a, b) || shape.lennard_jones(a, b)))
+                body(k, a, b);
         };
 
         each_b([&](auto k, std::size_t b)

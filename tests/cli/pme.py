@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: MIT
+"""Ewald's sum from outside: terms of the energy, the log, what accuracy does, a run, a study's identity."""
+
+import json
+
+import sandbox
+from sandbox import Sandbox
+
+WATER = """
+[system]
+molecules = [{ model = "spce", count = 64 }]
+density = "0.9 g/cm3"
+temperature = "250 K"
+
+[forces]
+cutoff = "0.6 nm"
+electrostatics = "pme"
+accuracy = ACCURACY
+"""
+RUN = """
+[integrator]
+scheme = "gier4"
+step = "2 fs"
+
+[run]
+length = "0.2 ps"
+"""
+
+
+def water(accuracy="1e-4", more=""):
+    return WATER.replace("ACCURACY", accuracy) + more
+
+
+class Pme(Sandbox):
+    def energy(self, text):
+        return json.loads(self.done("energy", text, "--json").out)
+
+    def test_terms_add_up_and_do_not_depend_on_the_accuracy(self):
+        coarse, fine = self.energy(water("1e-5")), self.energy(water("1e-7"))
+        for result in (coarse, fine):
+            terms = result["terms_kJ_per_mol"]
+            self.assertEqual(set(terms), {"real space", "mesh", "self", "intramolecular", "background"})
+            self.assertAlmostEqual(sum(terms.values()), result["coulomb_kJ_per_mol"], delta=1e-8)
+        self.assertNotEqual(coarse["terms_kJ_per_mol"]["mesh"], fine["terms_kJ_per_mol"]["mesh"])
+        # Forces on a charge of water are some 3000 kJ/mol/nm: errors of 1e-5 of that at 192 charges, over 0.1 nm and
+        # with signs at random, are 0.04 kJ/mol; in the pressure, over the 0.6 nm of a pair, three times that a volume.
+        self.assertAlmostEqual(coarse["coulomb_kJ_per_mol"], fine["coulomb_kJ_per_mol"], delta=0.05)
+        self.assertAlmostEqual(coarse["pressure_bar"], fine["pressure_bar"], delta=0.75)
+
+    def test_dispersion_lowers_energy_and_pressure(self):
+        plain = self.energy(water())
+        tail = self.energy(water(more="dispersion_correction = true\n"))
+        energy = tail["terms_kJ_per_mol"]["LJ tail"]
+        self.assertLess(energy, 0)
+        self.assertAlmostEqual(tail["lennard_jones_kJ_per_mol"] - plain["lennard_jones_kJ_per_mol"], energy, delta=1e-9)
+        volume = 64 * 18.0154 / (0.9 * 602.214076)  # nm3
+        self.assertAlmostEqual(tail["pressure_bar"] - plain["pressure_bar"], energy / volume * 16.6053907,
+                               delta=1e-3 * abs(energy))
+
+    def test_the_log_names_the_mesh_and_a_run_keeps_its_energy(self):
+        done = self.done("run", water(more=RUN), "--json", "--force")
+        self.assertRegex(done.err, r"PME: grid \d+ x \d+ x \d+, order \d, split exponent \d+, .* 0.0001")
+        summary = json.loads(done.out)
+        self.assertLess(summary["R"], 0.002)
+        self.assertIn("pressure_bar", summary)
+
+
+if __name__ == "__main__":
+    sandbox.main()
