@@ -68,7 +68,8 @@ inline Quaternion<double> quaternion(const Mat3<double>& A) {
 }
 
 /// The attitude that carries the body-frame arms to the lab-frame ones.
-inline Quaternion<double> attitude(const std::vector<Site>& sites, const std::vector<Vec3<double>>& arms) {
+inline Quaternion<double> attitude(const std::vector<Site>& sites,
+                                   const std::vector<Vec3<double>>& arms) {
   std::size_t a = 0, b = 0;  // the farthest site, and the one farthest from its axis
   for (std::size_t k = 0; k < sites.size(); ++k)
     if (norm(sites[k].r) > norm(sites[a].r)) a = k;

