@@ -71,7 +71,7 @@ struct Peer {
 
 // With a mesh whose error `expected_mesh_error` puts at 1e-8 to 1e-9 of the forces, ours and the
 // peers' sums differ by no more than that and what the file says of the peer.
-//  - Forces err by it on each charge independently; they are rounded to 1e-8 in the file.
+//  - Forces err by it on each charge independently; the file rounds them to 1e-8, torques to 1e-9.
 //  - A wave k that errs by a force has k⁻¹ times that in the potential, where aliases are from π/h,
 //    h the spacing: the energy of n charges at random is off by less than h √n of it.
 //  - When a box is strained, the split's transform at k changes by up to k a times itself: its
@@ -114,52 +114,54 @@ void equal(const std::string& name) {
     }
 
     // LAMMPS's erfc has seven digits. Beside the diagonal it is off by as much as on it, where
-    // OpenMM tells.
+    // OpenMM tells. Its virial leaves out the background of a charged system, alike on all axes.
     const json& lammps = r["lammps"];
     const double off = lammps["from_openmm"]["virial"];
     CHECK(off < 1e-6 * peer.scale());
+    Mat3<double> beside{};
     for (std::size_t a = 0; a < 3; ++a)
-      for (std::size_t b = 0; b < 3; ++b)
-        CHECK(std::abs(load.virial[a][b] - lj.virial[a][b] - lammps["virial"][a][b].get<double>()) <
-              3 * off);
+      beside[a] = load.virial[a] - lj.virial[a] - vec3(lammps["virial"][a]);
+    if (std::abs(forces.constant_terms().background) > 1e-6) {
+      const double background = (beside[0][0] + beside[1][1] + beside[2][2]) / 3;
+      for (std::size_t a = 0; a < 3; ++a) beside[a][a] -= background;
+    }
+    for (std::size_t a = 0; a < 3; ++a) CHECK(largest(beside[a]) < 3 * off);
   });
 }
 
-// The accuracy that is asked for is of forces on charges over their rms. `mesh_for` leaves 1.5 for
-// what theory does not know, and takes a typical force for the rms, which is 0.7 to 2.8 times it in
-// these liquids (water to carbon dioxide): with that the error may be up to 1.9 times what was
-// asked, and a mesh of liked sizes is finer by up to 4. Bounds of energy and virial as above.
+// The accuracy that is asked for is of forces on charges over their rms. `mesh_for` takes a typical
+// force for the rms, 0.7 to 2.8 times it in these liquids, and aims at 1.5 times less than asked:
+// the error may be 1.9 times what was asked. Below, a mesh of liked sizes is finer than need be by
+// up to 1.3, which is 6 in the error at order 7. Energies and virials are bound as above.
 void as_accurate_as_asked(const std::string& name) {
-  for_each_target([&] {
-    const Peer peer(name);
-    const Scene& scene = peer.scene;
-    const json& r = peer.result;
-    for (const auto& [precision, accuracy] :
-         {std::pair{Precision::full, 1e-3}, std::pair{Precision::full, 1e-4},
-          std::pair{Precision::full, 1e-6}, std::pair{Precision::mixed, 1e-4}}) {
-      CAPTURE(accuracy);
-      CAPTURE(precision == Precision::mixed);
-      ForceSettings s = peer.settings;
-      s.precision = precision;
-      s.accuracy = accuracy;
-      ForceField forces(scene.topology, s, scene.state.box);
-      Load load;
-      forces(scene.state, load);
+  const Peer peer(name);
+  const Scene& scene = peer.scene;
+  const json& r = peer.result;
+  for (const auto& [precision, accuracy] :
+       {std::pair{Precision::full, 1e-3}, std::pair{Precision::full, 1e-4},
+        std::pair{Precision::full, 1e-6}, std::pair{Precision::mixed, 1e-4}}) {
+    CAPTURE(accuracy);
+    CAPTURE(precision == Precision::mixed);
+    ForceSettings s = peer.settings;
+    s.precision = precision;
+    s.accuracy = accuracy;
+    ForceField forces(scene.topology, s, scene.state.box);
+    Load load;
+    forces(scene.state, load);
 
-      const double error = 1.9 * accuracy * r["rms_electric_force"].get<double>();
-      const double of_all = error * std::sqrt(peer.charges);
-      CHECK(rms_error(load.f, r["force"]) < error * peer.on_body);
-      CHECK(rms_error(load.f, r["force"]) > 0.05 * error * peer.on_body);
-      CHECK(rms_error(load.tau, r["torque"]) < error * peer.on_arms);
-      CHECK(std::abs(load.coulomb - peer.energy("coulomb")) < of_all * peer.spacing(forces));
-      // Float has 6e-8 of every term, and contacts and attraction nearly cancel.
-      CHECK(std::abs(load.lennard_jones - peer.energy("lennard_jones")) <
-            (precision == Precision::mixed ? 1e-6 : 2e-13) * peer.scale());
-      for (std::size_t d = 0; d < 3; ++d)
-        CHECK(std::abs(load.virial[d][d] - r["virial"]["coulomb"][d].get<double>() -
-                       r["virial"]["lennard_jones"][d].get<double>()) < of_all * s.cutoff);
-    }
-  });
+    const double error = 1.9 * accuracy * r["rms_electric_force"].get<double>();
+    const double of_all = error * std::sqrt(peer.charges);
+    CHECK(rms_error(load.f, r["force"]) < error * peer.on_body);
+    CHECK(rms_error(load.f, r["force"]) > 0.05 * error * peer.on_body);
+    CHECK(rms_error(load.tau, r["torque"]) < error * peer.on_arms);
+    CHECK(std::abs(load.coulomb - peer.energy("coulomb")) < of_all * peer.spacing(forces));
+    // Float has 6e-8 of every term, and contacts and attraction nearly cancel.
+    CHECK(std::abs(load.lennard_jones - peer.energy("lennard_jones")) <
+          (precision == Precision::mixed ? 1e-6 : 2e-13) * peer.scale());
+    for (std::size_t d = 0; d < 3; ++d)
+      CHECK(std::abs(load.virial[d][d] - r["virial"]["coulomb"][d].get<double>() -
+                     r["virial"]["lennard_jones"][d].get<double>()) < of_all * s.cutoff);
+  }
 }
 
 // OpenMM's integral and ours of the same switch, both numeric. It goes with 1/V, so that its part

@@ -210,12 +210,15 @@ def run(name):
         "force": rounded(force, 8), "torque": rounded(torque, 9)}
     version, energy, loads, tensor = lammps_ewald(scene, law)
     lj_force, lj_torque = scene.loads(f - electric_forces)
+    beside = tensor.diagonal() - virial[1]
+    if abs(scene.q.sum()) > 1e-6:  # the engine's virial leaves the background out, alike on all axes
+        beside -= beside.mean()
     result["lammps"] = {
         "engine": f"LAMMPS {version}, coul/long and Ewald", "coulomb": energy,
         "virial": rounded(tensor, 8),  # of charges
         "from_openmm": {"energy": energy - energies[1], "force": off(force, lj_force + loads[0]),
                         "torque": off(torque, lj_torque + loads[1]),
-                        "virial": off(virial[1], tensor.diagonal())}}
+                        "virial": float(np.abs(beside).max())}}
     if law["smoothness"] == 2:
         result["dispersion"] = openmm_tail(scene, law)
     print(f"| {name} | {energies[0]:.10g} | {energies[1]:.10g} | {electric:.4g} | "
