@@ -5,7 +5,6 @@ from itertools import combinations
 from math import sqrt
 from pathlib import Path
 
-import lammps
 import numpy as np
 import openmm as mm
 
@@ -151,6 +150,8 @@ def lammps_run(scene, law):
                              f'pair_coeff {t1} {t2} lepton/coul '
                              f'"w*{COULOMB!r}*qi*qj*(1/r+{k!r}*r^2-{c!r});{w}"']
         styles = ("lepton", "lepton/coul")
+    import lammps
+
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "data").write_text(data)
         lmp = lammps.lammps(cmdargs=["-screen", "none", "-log", "none"])
