@@ -42,7 +42,8 @@ const ForceSettings& checked(const ForceSettings& s) {
         s.accuracy, least_error_in_mixed, least_error_in_mixed));
   if (s.electrostatics == Electrostatics::ewald && s.truncation != Truncation::site_switch)
     throw Error(
-        "Ewald's sum goes with truncation \"site-switch\", which then ends Lennard-Jones alone: "
+        "electrostatics \"pme\" goes with truncation \"site-switch\", which then ends "
+        "Lennard-Jones alone: "
         "charges are summed over all images");
   return s;
 }
