@@ -38,7 +38,7 @@ set yrange [0:3.5]
 plot ${plots}, 1 with lines linewidth 0.8 dashtype 3 linecolor "#404040" notitle
 
 set lmargin at screen 0.655
-set rmargin at screen 0.985
+set rmargin at screen 0.97
 set title "first peak"
 set xrange [0.26:0.30]
 set yrange [2:3.5]

@@ -82,8 +82,8 @@ def report(result):
     for w in result["waters"]:
         for k, r in enumerate(w["runs"], 1):
             axes = " ".join(f"{t:.2f}" for t in r["temperature_rotation_K"])
-            text.append(f"| {w['name']} | {k} | {r['temperature_K']:.2f} | {r['temperature_translation_K']:.2f} | {axes} "
-                        f"| {r['potential_kJ_per_mol']:.4f} | {r['pressure_bar']:.0f} | {100 * r['R']:.4f} "
+            text.append(f"| {w['name']} | {k} | {r['temperature_K']:.2f} | {r['temperature_translation_K']:.2f} "
+                        f"| {axes} | {r['potential_kJ_per_mol']:.4f} | {r['pressure_bar']:.0f} | {100 * r['R']:.4f} "
                         f"| {r['drift_kJ_per_mol_ps']:.1e} |")
     counts = [c for c, _ in result["waters"][0]["pressure_block_errors_bar"]]
     text += ["", "Error of the mean over all runs, by the number of blocks a run is cut into:", "",
@@ -98,7 +98,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--polhode", default="polhode", help="the program")
     parser.add_argument("--quick", action="store_true", help="2 runs of 3 ps of 216 waters: some seconds, no result")
-    parser.add_argument("--runs", type=int, default=6, help="of each water, from starts of their own; 2 at least")
+    parser.add_argument("--runs", type=int, default=8, help="of each water, from starts of their own; 2 at least")
+    parser.add_argument("--spread", type=float, default=8, help="two of the runs are colder and warmer by this [K]")
     parser.add_argument("--count", type=int, default=360, help="waters in a run")
     parser.add_argument("--length", type=float, default=100, help="of a run at constant energy [ps]")
     parser.add_argument("--equilibrate", type=float, default=20, help="before it, with velocities rescaled [ps]")
@@ -114,17 +115,19 @@ def main():
         parser.error("a line through the temperatures needs --runs 2 at least")
     o.halvings = [2, 4] if o.quick else [2, 4, 5, 8, 10, 20, 40, 100]
     o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    # Two runs colder and warmer than the rest: without them the slope with T would hang on chance.
+    temperatures = [waters.TEMPERATURE] * (o.runs - 2) + [waters.TEMPERATURE + d for d in (-o.spread, o.spread)]
     result = {"conditions": [f"{date.today()}", f"{processor()}, one thread",
                              "bench/liquids/liquids.py " + ("--quick" if o.quick else
-                             f"--runs {o.runs} --count {o.count} --length {o.length:g} --equilibrate {o.equilibrate:g} "
-                             f"--every {o.every:g} --blocks {o.blocks}")],
+                             f"--runs {o.runs} --spread {o.spread:g} --count {o.count} --length {o.length:g} "
+                             f"--equilibrate {o.equilibrate:g} --every {o.every:g} --blocks {o.blocks}")],
               "temperature_K": waters.TEMPERATURE, "waters": []}
     with tempfile.TemporaryDirectory() as scratch:
         folder = o.folder or Path(scratch)
         folder.mkdir(parents=True, exist_ok=True)
         for water in waters.WATERS:
-            runs = [waters.run(o.polhode, folder, water, o.count, seed, o.equilibrate, o.length, o.every)
-                    for seed in range(1, o.runs + 1)]
+            runs = [waters.run(o.polhode, folder, water, o.count, seed, temperature, o.equilibrate, o.length, o.every)
+                    for seed, temperature in enumerate(temperatures, 1)]
             result["waters"].append(analysed(water, runs, o))
             print(f"{water.name} done", file=sys.stderr, flush=True)
     Path(f"{o.output}.json").write_text(json.dumps(result) + "\n", encoding="utf-8")

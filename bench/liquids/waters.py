@@ -9,7 +9,7 @@ TEMPERATURE = 298.15  # [K]
 RUN_FILE = """[system]
 molecules = [{{ model = "{model}", count = {count} }}]
 density = "{density} g/cm3"
-temperature = "{temperature} K"
+temperature = "{temperature:g} K"
 seed = {seed}
 [forces]
 electrostatics = "pme"
@@ -67,10 +67,10 @@ def frames(text):
     return found
 
 
-def run(program, folder, water, count, seed, equilibrate, length, every):
+def run(program, folder, water, count, seed, temperature, equilibrate, length, every):
     """One run from a lattice; a finished one of the same run file is read from the folder."""
     prefix = f"{water.model}-{seed}"
-    text = RUN_FILE.format(model=water.model, count=count, density=water.density, temperature=TEMPERATURE,
+    text = RUN_FILE.format(model=water.model, count=count, density=water.density, temperature=temperature,
                            seed=seed, equilibrate=equilibrate, length=length, every=every, prefix=prefix)
     run_file, said = folder / f"{prefix}.toml", folder / f"{prefix}.json"
     if not (said.exists() and run_file.exists() and run_file.read_text(encoding="utf-8") == text):
