@@ -31,11 +31,14 @@ def analysed(water, runs, o):
     """The numbers of one water, from its runs."""
     samples = [r.energies for r in runs]
     found = analysis.blocks(samples, o.blocks)
-    value, error = analysis.jackknife(found, lambda own: analysis.at_temperature(own, waters.TEMPERATURE))
+    at = lambda own: analysis.at_temperature(own, waters.TEMPERATURE)
+    value, error = analysis.jackknife(found, at)
+    by_run = analysis.jackknife(analysis.blocks(samples, 1), at)[1] if len(runs) > 2 else {}
     edge = runs[0].frames[0][0]
     histograms = [analysis.distances(*frame) for r in runs for frame in r.frames[1:]]
     peak, peak_error = analysis.peak(histograms, edge, o.count, len(found))
-    of = lambda name, scale: {"value": value[name] * scale, "error": error[name] * scale}
+    of = lambda name, scale: {"value": value[name] * scale, "error": error[name] * scale,
+                              "error_by_run": by_run.get(name, error[name]) * scale}
     mean = lambda k, name: fmean(getattr(b, name) for b in found if b.run == k)
     means = [{"temperature_K": mean(k, "temperature"), "potential_kJ_per_mol": mean(k, "potential") / o.count,
               "total_kJ_per_mol": mean(k, "total") / o.count, "pressure_bar": mean(k, "pressure"),
@@ -86,6 +89,11 @@ def report(result):
                         f"| {axes} | {r['potential_kJ_per_mol']:.4f} | {r['pressure_bar']:.0f} | {100 * r['R']:.4f} "
                         f"| {r['drift_kJ_per_mol_ps']:.1e} |")
     counts = [c for c, _ in result["waters"][0]["pressure_block_errors_bar"]]
+    text += ["", "Errors by the jackknife over whole runs in place of blocks:", "",
+             "| | potential energy [kJ/mol] | pressure [bar] | heat capacity [J/mol/K] |", "| --- | --- | --- | --- |"]
+    text += [f"| {w['name']} | {w['potential_kJ_per_mol']['error_by_run']:.3f} "
+             f"| {w['pressure_bar']['error_by_run']:.0f} | {w['heat_capacity_J_per_mol_K']['error_by_run']:.1f} |"
+             for w in result["waters"]]
     text += ["", "Error of the mean over all runs, by the number of blocks a run is cut into:", "",
              "| | " + " | ".join(map(str, counts)) + " |", "| --- |" + " --- |" * len(counts)]
     for w in result["waters"]:
