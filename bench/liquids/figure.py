@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""The picture: g(r) of the oxygens of each water, and their first peaks larger, drawn by gnuplot."""
+
+import json
+import sys
+from pathlib import Path
+from string import Template
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import drawing  # noqa: E402
+
+# Okabe and Ito's colours, as in all figures here.
+COLOURS = {"tip4p": "#0072B2", "spce": "#D55E00", "tip4p-2005": "#009E73"}
+
+SCRIPT = Template("""# Restyle this and run it again: gnuplot draws ${image}.
+set encoding utf8
+set terminal ${terminal} background "white"
+set output "${image}"
+set border 3 linewidth 1 linecolor "#404040"
+set tics nomirror out scale 0.6 textcolor "#404040"
+set grid linewidth 0.5 linecolor "#e4e4e4"
+set title offset 0,-0.4 textcolor "#404040"
+set key top right textcolor "#404040" samplen 2 spacing 1.1 noenhanced Left reverse
+
+${data}
+
+set multiplot
+set bmargin at screen 0.145
+set tmargin at screen 0.905
+set ylabel "g_{OO}" offset 0.8
+set xlabel "r  (nm)" offset 0,0.3
+
+set lmargin at screen 0.075
+set rmargin at screen 0.555
+set title "oxygen-oxygen radial distribution, 298 K"
+set xrange [0.2:0.9]
+set yrange [0:3.5]
+plot ${plots}, 1 with lines linewidth 0.8 dashtype 3 linecolor "#404040" notitle
+
+set lmargin at screen 0.655
+set rmargin at screen 0.97
+set title "first peak"
+set xrange [0.26:0.30]
+set yrange [2:3.5]
+set xtics 0.01
+unset key
+plot ${plots}
+unset multiplot
+""")
+
+
+def script(result, image):
+    data, plots = [], []
+    for w in result["waters"]:
+        name = "$" + w["model"].replace("-", "_")
+        points = "\n".join(f"{r:g} {g:.4g}" for r, g in w["g"])
+        data.append(f"{name} << EOD\n{points}\nEOD")
+        plots.append(f'{name} using 1:2 with lines linewidth 1.6 linecolor "{COLOURS[w["model"]]}" '
+                     f'title "{w["name"]}"')
+    terminal = ('pngcairo size 2000,880 fontscale 2 linewidth 2 enhanced font "Helvetica,11"'
+                if image.suffix == ".png" else 'svg size 1000,440 dynamic enhanced font "Helvetica,14"')
+    return SCRIPT.substitute(image=image.name, terminal=terminal, data="\n".join(data), plots=", \\\n  ".join(plots))
+
+
+def draw(result, image):
+    """Writes the script beside the image and runs gnuplot on it."""
+    drawing.draw(script(result, image), image)
+
+
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+    draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

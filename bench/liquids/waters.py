@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""The three waters, and runs of them at constant energy: run files, energies and frames read back."""
+
+import json
+import subprocess
+from typing import NamedTuple
+
+TEMPERATURE = 298.15  # [K]
+RUN_FILE = """[system]
+molecules = [{{ model = "{model}", count = {count} }}]
+density = "{density} g/cm3"
+temperature = "{temperature:g} K"
+seed = {seed}
+[forces]
+electrostatics = "pme"
+accuracy = 1e-4
+cutoff = "0.9 nm"
+dispersion_correction = true
+precision = "mixed"
+[integrator]
+scheme = "gier4"
+step = "4 fs"
+[run]
+equilibrate = "{equilibrate:g} ps"
+length = "{length:g} ps"
+sample = "20 fs"
+[output]
+prefix = "{prefix}"
+trajectory_every = "{every:g} ps"
+formats = ["xyz"]
+plot = "none"
+"""
+
+
+class Water(NamedTuple):
+    model: str
+    name: str
+    density: float  # at which others have published its energy or pressure [g/cm3]
+
+
+# jorgensen1983 at 298 K and 1 atm; hummer1998 at 298 K; abascal2005 at 298 K and 1 bar.
+WATERS = (Water("tip4p", "TIP4P", 0.999), Water("spce", "SPC/E", 0.997), Water("tip4p-2005", "TIP4P/2005", 0.9979))
+
+
+class Run(NamedTuple):
+    summary: dict  # of polhode run --json
+    energies: list  # {column: value} of each sample
+    frames: list  # (edge [nm], oxygens [nm]) of each frame
+
+
+def energies(text):
+    """Samples of an energies table, columns named without their units."""
+    lines = [line for line in text.splitlines() if not line.startswith("#")]
+    names = [column.split(" [")[0] for column in lines[0].split(",")]
+    return [dict(zip(names, map(float, line.split(",")))) for line in lines[1:]]
+
+
+def frames(text):
+    """(edge [nm], oxygens [nm]) of each frame of an extended XYZ file of waters in a cube."""
+    lines, found, at = text.splitlines(), [], 0
+    while at < len(lines):
+        count = int(lines[at])
+        edge = float(lines[at + 1].split('"')[1].split()[0]) / 10
+        atoms = (line.split() for line in lines[at + 2 : at + 2 + count])
+        found.append((edge, [tuple(float(x) / 10 for x in a[1:4]) for a in atoms if a[0] == "O"]))
+        at += 2 + count
+    return found
+
+
+def run(program, folder, water, count, seed, temperature, equilibrate, length, every):
+    """One run from a lattice; a finished one of the same run file is read from the folder."""
+    prefix = f"{water.model}-{seed}"
+    text = RUN_FILE.format(model=water.model, count=count, density=water.density, temperature=temperature,
+                           seed=seed, equilibrate=equilibrate, length=length, every=every, prefix=prefix)
+    run_file, said = folder / f"{prefix}.toml", folder / f"{prefix}.json"
+    if not (said.exists() and run_file.exists() and run_file.read_text(encoding="utf-8") == text):
+        said.unlink(missing_ok=True)
+        run_file.write_text(text, encoding="utf-8")
+        done = subprocess.run([program, "run", run_file.name, "--threads", "1", "--force", "--json"], cwd=folder,
+                              check=True, stdout=subprocess.PIPE, text=True)
+        said.write_text(done.stdout, encoding="utf-8")
+    return Run(json.loads(said.read_text(encoding="utf-8")),
+               energies((folder / f"{prefix}-energies.csv").read_text(encoding="utf-8")),
+               frames((folder / f"{prefix}-trajectory.xyz").read_text(encoding="utf-8")))
