@@ -96,13 +96,13 @@ int energy(const Options& o) {
                               {"target", name(current_target())}}
                    .dump(2));
   } else {
-    fmt::print(out, "molecules       {}\n", system.topology.size());
-    fmt::print(out, "Lennard-Jones   {:.17g} kJ/mol\n", load.lennard_jones);
-    fmt::print(out, "Coulomb         {:.17g} kJ/mol\n", load.coulomb);
+    fmt::print(out, "molecules         {}\n", system.topology.size());
+    fmt::print(out, "Lennard-Jones     {:.17g} kJ/mol\n", load.lennard_jones);
+    fmt::print(out, "Coulomb           {:.17g} kJ/mol\n", load.coulomb);
     for (const auto& [name, value] : terms_of(forces, load))
-      fmt::print(out, "  {:<14}{:.17g} kJ/mol\n", name, value);
-    fmt::print(out, "potential       {:.17g} kJ/mol\n", load.potential());
-    fmt::print(out, "pressure        {:.10g} bar\n",
+      fmt::print(out, "  {:<16}{:.17g} kJ/mol\n", name, value + 0.0);
+    fmt::print(out, "potential         {:.17g} kJ/mol\n", load.potential());
+    fmt::print(out, "pressure          {:.10g} bar\n",
                (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3);
     for (std::size_t i = 0; i < 3; ++i)
       fmt::print(out, "  {}             {:14.6f} {:14.6f} {:14.6f} bar\n", "xyz"[i], tensor(i, 0),
