@@ -4,7 +4,6 @@
 
 import argparse
 import json
-import platform
 import sys
 import tempfile
 from datetime import date
@@ -13,18 +12,9 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import analysis
-import figure
+import figure  # which finds what benchmarks share
+import machine
 import waters
-
-
-def processor():
-    try:
-        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                return line.split(":", 1)[1].strip()
-    except OSError:
-        pass
-    return platform.processor() or platform.machine()
 
 
 def analysed(water, runs, o):
@@ -125,7 +115,7 @@ def main():
     o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
     # Two runs colder and warmer than the rest: without them the slope with T would hang on chance.
     temperatures = [waters.TEMPERATURE] * (o.runs - 2) + [waters.TEMPERATURE + d for d in (-o.spread, o.spread)]
-    result = {"conditions": [f"{date.today()}", f"{processor()}, one thread",
+    result = {"conditions": [f"{date.today()}", f"{machine.processor()}, one thread",
                              "bench/liquids/liquids.py " + ("--quick" if o.quick else
                              f"--runs {o.runs} --spread {o.spread:g} --count {o.count} --length {o.length:g} "
                              f"--equilibrate {o.equilibrate:g} --every {o.every:g} --blocks {o.blocks}")],

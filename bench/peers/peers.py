@@ -7,7 +7,6 @@ import argparse
 import datetime
 import json
 import os
-import re
 import shlex
 import shutil
 import subprocess
@@ -18,8 +17,9 @@ from pathlib import Path
 
 import curves
 import engines
-import figure
+import figure  # which finds what benchmarks share
 import gro
+import machine
 
 ROOT = Path(__file__).resolve().parents[2]
 TARGETS = (1.5, 0.4, 0.1)  # R [%]
@@ -173,12 +173,6 @@ def costs(programs, reached, measured, molecules, threads):
     return rows
 
 
-def processor():
-    text = Path("/proc/cpuinfo").read_text() if Path("/proc/cpuinfo").exists() else ""
-    found = re.search(r"model name\s*: (.*)", text)
-    return found[1] if found else "unknown"
-
-
 def available(options):
     ours, peers = engines.engines(options)
     here = []
@@ -199,7 +193,7 @@ def main():
         print(f"warning: the load average is {load:.1f}; other work makes these times too long, unevenly")
     versions = {e.name: e.version() for e in programs}
     result = {"date": str(datetime.date.today()), "command": shlex.join(["peers.py", *sys.argv[1:]]),
-              "processor": processor(), "cores": os.cpu_count(), "load_average": load, "versions": versions,
+              "processor": machine.processor(), "cores": os.cpu_count(), "load_average": load, "versions": versions,
               "options": {k: v for k, v in vars(options).items() if isinstance(v, (int, float, str, list))},
               "R": {}, "times": [], "costs": []}
     with tempfile.TemporaryDirectory() as scratch:

@@ -4,7 +4,6 @@
 import argparse
 import csv
 import json
-import platform
 import subprocess
 import sys
 import tempfile
@@ -14,7 +13,8 @@ from pathlib import Path
 from statistics import fmean, pvariance
 from typing import NamedTuple
 
-import figure
+import figure  # which finds what benchmarks share
+import machine
 
 RUN_FILE = """[system]
 molecules = [{{ model = "tip4p" }}]
@@ -164,16 +164,6 @@ def measured(o, folder):
     return rows, growth, kept
 
 
-def processor():
-    try:
-        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                return line.split(":", 1)[1].strip()
-    except OSError:
-        pass
-    return platform.processor() or platform.machine()
-
-
 def write_csv(path, rows, head):
     with open(path, "w", encoding="utf-8", newline="") as out:
         out.write("".join(f"# {line}\n" for line in head))
@@ -205,7 +195,7 @@ def main():
           f"a {reading:.3g} kJ/mol; the long runs are too short to see the walk")
     told = "bench/precision/precision.py " + (
         "--quick" if o.quick else f"--starts {o.starts} --length {o.length:g} --long {o.long:g}")
-    head = [f"{date.today()}, {processor()}, one thread", told]
+    head = [f"{date.today()}, {machine.processor()}, one thread", told]
     write_csv(f"{o.output}.csv", rows, head)
     write_csv(f"{o.output}-growth.csv", growth, head)
     result = {"conditions": head, "runs": rows, "growth": growth, "weights": WEIGHTS,

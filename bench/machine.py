@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+"""The machine that a benchmark ran on, for the results that are kept."""
+
+import platform
+from pathlib import Path
+
+
+def processor():
+    try:
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.split(":", 1)[1].strip()
+    except OSError:
+        pass
+    return platform.processor() or platform.machine()
