@@ -37,6 +37,8 @@ inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d
 // The rows of a chunk, pack by pack. While the pairs of a pack are computed, the processor turns
 // the records of the next pack's partners, which depends on nothing, and adds up what the pack
 // before did, whose results are there: these two steps mostly shuffle and move, and pairs multiply.
+// These steps are functions of their own: within the loops over pairs they would be compiled anew
+// for each law and kind of result, which takes long and gains nothing that lasts.
 template <class T, class Shape>
 class PairRows {
  public:
