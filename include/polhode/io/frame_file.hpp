@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Files of frames, read and written one frame at a time: a coordinate file holds one, a trajectory
+// any number, and none is ever held whole.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/io/frame.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// Frames of a file in their order.
+class FrameReader {
+ public:
+  virtual ~FrameReader() = default;
+  /// Reads the next frame; what `frame` held is replaced and its memory used again.
+  /// @return  false where the file ends
+  /// @throws Error  with the file and line or offset: what was found, and what was expected
+  virtual bool next(Frame& frame) = 0;
+};
+
+/// Opens a file of the format that its ending names.
+/// @param names  kinds and residues of the atoms for formats that have none (XTC, TRR, DCD), in the
+///               file's order; without it such atoms are of one kind without a name
+/// @throws Error  if the file cannot be read or its ending is none of `readable_formats()`
+std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
+
+/// Where a file stands after whole frames.
+struct FileMark {
+  std::uint64_t frames = 0;
+  std::uint64_t bytes = 0;  ///< length of the file; 0 where the format does not count in bytes
+};
+
+/// Appends frames to a file.
+class FrameWriter {
+ public:
+  virtual ~FrameWriter() = default;
+  /// Appends the frame of a state; formats that know of bodies write these as well.
+  /// @throws RunError  if the file cannot be written to its end
+  virtual void write(const State& state) = 0;
+  /// Appends a frame as another file gave it.
+  virtual void write(const Frame& frame) = 0;
+  /// Hands all frames to the operating system and to the disk, and tells where the file stands.
+  virtual FileMark mark() = 0;
+};
+
+/// What is written of a state.
+struct FrameChoice {
+  MasslessSites massless = MasslessSites::kept;
+  bool velocities = true;  ///< where the format has them
+};
+
+/// Begins a file; what was there is lost.
+/// @throws Error  if the file cannot be written or its ending is none of `writable_formats()`
+std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
+                                           const FrameChoice& choice = {});
+
+/// Goes on with a file after the frames of a mark; what was written later is cut off.
+/// @throws Error  if the file is shorter than the mark
+std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
+                                             const FileMark& mark, const FrameChoice& choice = {});
+
+/// Endings without their dot: "gro", "pdb", "xyz", "xtc", "trr", "dcd", "h5md".
+std::vector<std::string_view> readable_formats();
+std::vector<std::string_view> writable_formats();
+
+}  // namespace polhode
