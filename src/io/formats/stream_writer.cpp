@@ -46,7 +46,7 @@ class StreamWriter : public FrameWriter {
       frames_ = mark->frames;
     }
     stream_.open(path_,
-                 ios::binary | ios::out | (mark != nullptr ? ios::in | ios::ate : ios::trunc));
+                 ios::binary | ios::in | ios::out | (mark != nullptr ? ios::ate : ios::trunc));
     if (!stream_)
       throw Error(
           fmt::format("'{}' cannot be written; check the folder and its permissions", path_));
@@ -73,7 +73,7 @@ class StreamWriter : public FrameWriter {
   std::string path_;
   Topology topology_;
   FrameChoice choice_;
-  std::ofstream stream_;
+  std::fstream stream_;
   std::uint64_t frames_ = 0;
 };
 

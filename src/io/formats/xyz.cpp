@@ -253,7 +253,7 @@ std::unique_ptr<FrameReader> xyz_reader(std::istream& in, const std::string& fil
   return std::make_unique<XyzReader>(in, file);
 }
 
-void append_xyz(std::ostream& out, const FrameView& frame, std::uint64_t) { write(out, frame); }
+void append_xyz(std::iostream& out, const FrameView& frame, std::uint64_t) { write(out, frame); }
 
 void write_xyz(std::ostream& out, const Frame& frame) { write(out, view_of(frame)); }
 
