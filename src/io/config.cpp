@@ -296,11 +296,14 @@ void read_output(TomlTable table, OutputSettings& output) {
   table.require(output.trajectory_every >= 0, "trajectory_every",
                 "must be 0 ps or longer; 0 ps writes no trajectory");
   take(output.formats, table.texts("formats"));
-  const std::vector<std::string> known = {"xyz", "gro"};
+  std::vector<std::string> known;
+  for (const std::string_view format : writable_formats()) known.emplace_back(format);
   for (const std::string& format : output.formats)
     table.require(std::find(known.begin(), known.end(), format) != known.end(), "formats",
                   fmt::format("has the unknown format '{}'{}; there are: {}", format,
                               did_you_mean(format, known), listed(known)));
+  take(output.massless_sites, table.boolean("massless_sites"));
+  take(output.velocities, table.boolean("velocities"));
   output.plot = one_of(table, "plot", output.plot, {"svg", "png", "none"});
   table.refuse_unknown();
 }

@@ -83,10 +83,12 @@ class BinaryOutput {
   void put(T number) {
     auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(number);
     if (order_ != std::endian::native) std::ranges::reverse(bytes);
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    put(std::span<const std::uint8_t>(bytes));
   }
   void put(std::span<const std::uint8_t> bytes) {
-    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+    const std::size_t before = bytes_.size();
+    bytes_.resize(before + bytes.size());
+    std::ranges::copy(bytes, bytes_.begin() + static_cast<std::ptrdiff_t>(before));
   }
   void text(std::string_view text, std::size_t width) {
     for (std::size_t k = 0; k < width; ++k)

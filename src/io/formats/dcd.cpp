@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "format.hpp"
+#include "lines.hpp"
 #include "polhode/io/quantity.hpp"
 #include "unnamed.hpp"
 
@@ -13,8 +14,11 @@ namespace {
 
 constexpr std::int32_t head_length = 84;
 constexpr std::int32_t head_length_swapped = head_length << 24;
-constexpr std::size_t delta_at = 44;  // in the file: the word of the interval
-constexpr std::size_t count_at = 8;   // and that of the number of frames
+// Places in the file.
+constexpr std::size_t count_at = 8;     // the word of the number of frames
+constexpr std::size_t delta_at = 44;    // that of the interval
+constexpr std::size_t title_at = 100;   // the title, which begins with the first frame's time
+constexpr std::size_t time_width = 24;  // in characters
 
 // CHARMM's unit of time: that of u, Å and kcal/mol, 48.888 fs.
 double time_unit() {
@@ -150,7 +154,9 @@ void put_head(BinaryOutput& out, const FrameView& frame) {
   out.put(head_length);
   out.put(std::int32_t{84});
   out.put(std::int32_t{1});
-  out.text("written by polhode", 80);
+  out.text(fmt::format("{:<{}.17g} ps, time of the first frame, written by polhode", frame.time,
+                       time_width),
+           80);
   out.put(std::int32_t{84});
   out.put(std::int32_t{4});
   out.put(static_cast<std::int32_t>(frame.atoms));
@@ -163,11 +169,10 @@ void mend_head(std::iostream& file, const FrameView& frame, std::uint64_t before
   BinaryOutput count(std::endian::little);
   count.put(static_cast<std::int32_t>(before + 1));
   if (before == 1) {
-    std::array<std::uint8_t, 4> word;
-    file.seekg(delta_at);
-    file.read(reinterpret_cast<char*>(word.data()), word.size());
-    const double first =
-        static_cast<double>(decoded<float>(word.data(), std::endian::little)) * time_unit();
+    std::array<char, time_width> title{};
+    file.seekg(title_at);
+    file.read(title.data(), title.size());
+    const double first = parsed<double>({title.data(), title.size()}).value_or(0);
     const double interval = frame.time - first;
     BinaryOutput delta(std::endian::little);
     delta.put(static_cast<float>(interval / time_unit()));
