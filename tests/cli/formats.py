@@ -34,7 +34,7 @@ class Formats(Sandbox):
     def truth(self):
         """Positions [nm], velocities [nm/ps] and times [ps] of the GRO file, which has ten decimals."""
         r, v, times = [], [], []
-        lines = open(self.trajectory("gro"), encoding="utf-8").read().splitlines()
+        lines = (self.folder / "out-trajectory.gro").read_text(encoding="utf-8").splitlines()
         while lines:
             times.append(float(lines[0].split("t=")[1]))
             count = int(lines[1])

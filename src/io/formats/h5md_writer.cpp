@@ -19,8 +19,7 @@ namespace {
 
 using hdf5::Handle;
 
-constexpr hsize_t small_row = 4096;  // bytes: shorter rows share a chunk, uncompressed
-constexpr hsize_t chunk_bytes = 16384;
+constexpr hsize_t small_row = 4096;  // bytes: shorter rows share a chunk of them, uncompressed
 
 // A value at each frame: the dataset that holds it, and the extents of one row.
 struct Series {
@@ -174,7 +173,8 @@ class H5mdWriter : public FrameWriter {
     hsize_t bytes = H5Tget_size(type);
     for (const hsize_t extent : row) bytes *= std::max<hsize_t>(extent, 1);
     std::vector<hsize_t> extents{0}, most{H5S_UNLIMITED};
-    std::vector<hsize_t> chunk{bytes < small_row ? std::max<hsize_t>(1, chunk_bytes / bytes) : 1};
+    std::vector<hsize_t> chunk{
+        bytes < small_row ? std::max<hsize_t>(1, small_row / std::max<hsize_t>(1, bytes)) : 1};
     for (const hsize_t extent : row) {
       extents.push_back(extent);
       most.push_back(extent);
