@@ -50,7 +50,7 @@ struct OutputSettings {
   std::vector<std::string> formats = {"xyz", "gro"};
   bool massless_sites = true;  ///< in trajectories
   bool velocities = true;      ///< in trajectories, where the format has them
-  std::string plot = "svg";  ///< "svg", "png" or "none"
+  std::string plot = "svg";    ///< "svg", "png" or "none"
 
   FrameChoice choice() const {
     return {massless_sites ? MasslessSites::kept : MasslessSites::left_out, velocities};

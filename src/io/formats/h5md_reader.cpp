@@ -94,7 +94,7 @@ class H5mdReader : public FrameReader {
                              name.size(), H5P_DEFAULT) < 0)
         break;
       const std::string root = std::string("particles/") + name.data();
-      if (hdf5::has(file_, root + "/position/value")) root_ = root + '/';
+      if (hdf5::has(file_, root + std::string("/") + "position/value")) root_ = root + '/';
     }
     if (root_.empty()) refuse("no group below 'particles' holds 'position/value'; one must");
     position_ = series("position", {Dimension::length});
