@@ -250,7 +250,7 @@ class H5mdWriter : public FrameWriter {
     const Handle box = new_group("particles/all/box");
     attribute(box, "dimension", std::vector<int>{3});
     periodic(box);
-    begin_series("particles/all/box/edges", H5T_IEEE_F64LE, {3}, "nm");
+    begin_series("particles/all/box/edges", H5T_IEEE_F64LE, {3, 3}, "nm");
     begin_series("particles/all/position", H5T_IEEE_F32LE, {frame.atoms, 3}, "nm");
     if (frame.has_velocities)
       begin_series("particles/all/velocity", H5T_IEEE_F32LE, {frame.atoms, 3}, "nm ps-1");
@@ -354,7 +354,9 @@ class H5mdWriter : public FrameWriter {
     const auto number = static_cast<std::int64_t>(frames_);  // the step, which no frame tells
     put(series_.at(step), H5T_NATIVE_INT64, &number);
     put(series_.at(time), H5T_NATIVE_DOUBLE, &frame.time);
-    put("particles/all/box/edges", {frame.box.edge.x, frame.box.edge.y, frame.box.edge.z});
+    // Whole vectors: some readers know no shorter form.
+    const Vec3<double> edge = frame.box.edge;
+    put("particles/all/box/edges", {edge.x, 0, 0, 0, edge.y, 0, 0, 0, edge.z});
     std::vector<double> r, v;
     frame.each_atom([&](const Atom& atom) {
       for (std::size_t k = 0; k < 3; ++k) {
