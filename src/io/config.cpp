@@ -302,6 +302,8 @@ void read_output(TomlTable table, OutputSettings& output) {
                   fmt::format("has the unknown format '{}'{}; there are: {}", format,
                               did_you_mean(format, known), listed(known)));
   output.plot = one_of(table, "plot", output.plot, {"svg", "png", "none"});
+  take(output.checkpoint_every, table.quantity("checkpoint_every", Dimension::wall_clock));
+  table.require(output.checkpoint_every > 0, "checkpoint_every", "must be longer than 0 s");
   table.refuse_unknown();
 }
 

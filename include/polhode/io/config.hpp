@@ -47,7 +47,8 @@ struct OutputSettings {
   std::string prefix = "polhode-run";  ///< of all output files
   double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  std::string plot = "svg";  ///< "svg", "png" or "none"
+  std::string plot = "svg";       ///< "svg", "png" or "none"
+  double checkpoint_every = 300;  ///< [s] of wall-clock time
 };
 
 struct StudySettings {
