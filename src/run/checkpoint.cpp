@@ -121,18 +121,14 @@ std::string run_identity(const Config& config, const System& system) {
 
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const Maker& maker) {
-  try {
-    write_file(
-        files.newest,
-        [&](std::ostream& out) {
-          CheckpointWriter writer(out, maker);
-          fields(writer, checkpoint);
-          writer.end();
-        },
-        files.previous);
-  } catch (const Error& e) {
-    throw RunError(e.what());
-  }
+  write_file(
+      files.newest,
+      [&](std::ostream& out) {
+        CheckpointWriter writer(out, maker);
+        fields(writer, checkpoint);
+        writer.end();
+      },
+      files.previous);
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader) {

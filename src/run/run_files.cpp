@@ -96,7 +96,12 @@ void RunFiles::checkpoint(RunState at) {
       std::filesystem::remove(file);
   checkpoint_.at = std::move(at);
   if (energies_) checkpoint_.outputs = marks();
-  write_checkpoint(names_.checkpoints, checkpoint_, {provenance_.version, provenance_.target});
+  try {
+    write_checkpoint(names_.checkpoints, checkpoint_, {provenance_.version, provenance_.target});
+  } catch (const Error& e) {
+    if (!kept_) throw;  // a place that takes no files is wrong input
+    throw RunError(e.what());
+  }
   kept_ = checkpoint_.at.steps;
   checkpoint_.at = {};
   last_ = std::chrono::steady_clock::now();

@@ -150,10 +150,16 @@ TEST_CASE("a checkpoint of another program, instruction set or run is refused wi
   CHECK(!last_checkpoint(files, "of this run", maker));
   write_checkpoint(files, example(), maker);
   CHECK(last_checkpoint(files, "of this run", maker)->note.empty());
-  check_error([&] { last_checkpoint(files, "of this run", {"1.2.4", "avx2"}); },
-              {"newest.bin", "polhode 1.2.3", "1.2.4", "bit for bit"});
-  check_error([&] { last_checkpoint(files, "of this run", {"1.2.3", "sse4"}); },
-              {"newest.bin", "avx2", "sse4", "POLHODE_TARGET=avx2"});
+  check_error(
+      [&] {
+        last_checkpoint(files, "of this run", {"1.2.4", "avx2"});
+      },
+      {"newest.bin", "polhode 1.2.3", "1.2.4", "bit for bit"});
+  check_error(
+      [&] {
+        last_checkpoint(files, "of this run", {"1.2.3", "sse4"});
+      },
+      {"newest.bin", "avx2", "sse4", "POLHODE_TARGET=avx2"});
   check_error([&] { last_checkpoint(files, "of that run", maker); },
               {"newest.bin", "another run", "polhode run a.toml", "--output", "--force"});
 }

@@ -38,7 +38,7 @@ struct CheckpointFiles {
 };
 
 /// Writes a checkpoint, whole or not at all; the newest one becomes the previous one.
-/// @throws RunError  if there is no room
+/// @throws Error  if that cannot be done
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const Maker& maker);
 

@@ -45,7 +45,7 @@ class RunFiles {
   /// Whether the time between two checkpoints has passed.
   bool due() const;
   /// Brings all files to the disk, then writes the checkpoint.
-  /// @throws RunError  if there is no room
+  /// @throws RunError  if there is no room; for the first checkpoint an Error
   void checkpoint(RunState at);
   /// Until which step the last checkpoint reaches; nothing before the first.
   std::optional<std::size_t> kept() const { return kept_; }
