@@ -100,6 +100,10 @@ std::optional<FoundCheckpoint> begun(const Options& o, const RunFileNames& names
 }
 
 int run(const Options& o) {
+  if (o.go_on && o.force)
+    throw Error(
+        "--continue and --force contradict each other: one goes on with what is there, the other "
+        "begins anew; give one of them");
   const Config config = configured(o);
   const TrajectorySettings settings = trajectory_settings(config);
   Workers workers(threads_wanted(o.threads));
@@ -206,9 +210,8 @@ Action run_verb(CLI::App& app) {
                  "of the pairs, instead of the run file's: double or mixed");
   app.add_option("--threads", o->threads,
                  "that share the work of a run; without it: one for each core allowed");
-  auto* const go_on = app.add_flag("--continue", o->go_on,
-                                   "go on from the last checkpoint; begin if there is none");
-  app.add_flag("--force", o->force, "overwrite output files that exist")->excludes(go_on);
+  app.add_flag("--continue", o->go_on, "go on from the last checkpoint; begin if there is none");
+  app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return run(*o); };
 }

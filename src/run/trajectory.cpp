@@ -122,7 +122,12 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   const auto sample = [&] {
     clocks.moved();
     const double forces_before = timed.seconds;
-    Energies now = energies(system.state, system.bodies, integrator.load(system.state), workers);
+    Energies now;
+    try {
+      now = energies(system.state, system.bodies, integrator.load(system.state), workers);
+    } catch (const RunError& e) {
+      blown_up(settings, result.steps, e.what());
+    }
     clocks.forces_of_sample(timed.seconds - forces_before);
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
