@@ -34,6 +34,8 @@ constexpr std::array all_units = {
     Unit{"um", Dimension::length, 1e3},
     Unit{"fs", Dimension::time, 1e-3},       Unit{"ps", Dimension::time, 1},
     Unit{"ns", Dimension::time, 1e3},        Unit{"us", Dimension::time, 1e6},
+    Unit{"s", Dimension::wall_clock, 1},     Unit{"min", Dimension::wall_clock, 60},
+    Unit{"h", Dimension::wall_clock, 3600},
     Unit{"u", Dimension::mass, 1},           Unit{"g/mol", Dimension::mass, 1},
     Unit{"Da", Dimension::mass, 1},
     Unit{"e", Dimension::charge, 1},
@@ -70,6 +72,8 @@ Words words(Dimension dimension) {
       return {"a", "length", "1 nm"};
     case Dimension::time:
       return {"a", "time", "2 fs"};
+    case Dimension::wall_clock:
+      return {"a", "wall-clock time", "5 min"};
     case Dimension::mass:
       return {"a", "mass", "15.9994 u"};
     case Dimension::charge:

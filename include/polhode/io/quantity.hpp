@@ -12,7 +12,8 @@ namespace polhode {
 
 enum class Dimension {
   length,          ///< [nm]
-  time,            ///< [ps]
+  time,            ///< [ps], simulated
+  wall_clock,      ///< [s], of the clock on the wall
   mass,            ///< [u]
   charge,          ///< [e]
   temperature,     ///< [K]
