@@ -20,6 +20,7 @@ enum class Dimension {
   density,      ///< [u/nm³]
   dipole,       ///< [e nm]
   pressure,     ///< [kJ/mol/nm³]
+  viscosity,    ///< [u/(nm ps)]
   fraction,     ///< [1], written in %
 };
 
