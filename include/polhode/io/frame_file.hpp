@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -31,6 +32,12 @@ class FrameReader {
 ///               file's order; without it such atoms are of one kind without a name
 /// @throws Error  if the file cannot be read or its ending is none of `readable_formats()`
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
+
+/// The same from a stream, which must outlive the reader.
+/// @param format  one of `readable_formats()`
+/// @param file    its name in errors
+std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
+                                         const std::string& file, const Frame* names = nullptr);
 
 /// Where a file stands after whole frames.
 struct FileMark {
