@@ -37,7 +37,7 @@ class Analyze(Sandbox):
         self.assertEqual(process.returncode, 2)
         self.assertIn("would be overwritten", process.err)
         self.assertEqual(self.contents(), before)
-        process = self.analyze("--run", "run.toml", "--window", "0.1 ps", "--plot", "none", "--force", "--threads", "3")
+        process = self.analyze("--run", "run.toml", "--window", "0.1 ps", "--plot", "none", "--force", "--threads", "1")
         self.assertEqual(process.returncode, 0, process.err)
         self.assertEqual(self.contents(), before)
 

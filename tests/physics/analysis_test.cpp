@@ -62,8 +62,8 @@ void make_poor(std::vector<Frame>& frames) {
 
 }  // namespace
 
-// Without forces MSD = ⟨v²⟩ t² and velocities stay: to the fit's rounding. All observables come, and
-// with the same bits for three threads.
+// Without forces MSD = ⟨v²⟩ t² and velocities stay: to the fit's rounding. All observables come,
+// and with the same bits for three threads.
 TEST_CASE("free molecules in memory") {
   const Topology topology = waters();
   AnalysisSettings settings;

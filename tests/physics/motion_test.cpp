@@ -63,8 +63,8 @@ TEST_CASE("displacements of free flight are ballistic, through the walls of the 
   const Vec3<double> v{0.24, -0.3, 0.1};
   for (int frame = 0; frame < 60; ++frame) {
     for (std::size_t i = 0; i < 5; ++i)
-      state.q.set(i, into(state.box, {0.1 * static_cast<double>(i) + v.x * frame, v.y * frame,
-                                      v.z * frame}));
+      state.q.set(i, into(state.box,
+                          {0.1 * static_cast<double>(i) + v.x * frame, v.y * frame, v.z * frame}));
     displacement.add(state);
   }
   const std::vector<double> squared = displacement.squared(0).mean();
@@ -74,8 +74,8 @@ TEST_CASE("displacements of free flight are ballistic, through the walls of the 
 }
 
 // Brownian steps of variance 2 D t along each axis. The slope through lags 1 to 10 of 400 frames of
-// 64 bodies: about 400/10 independent stretches of each in three directions, each of which knows D to
-// √2, so the error is about D √(2 · 10/(3 · 400 · 64)) = 1.6 %.
+// 64 bodies: about 400/10 independent stretches of each in three directions, each of which knows D
+// to √2, so the error is about D √(2 · 10/(3 · 400 · 64)) = 1.6 %.
 TEST_CASE("the diffusion coefficient of a random walk") {
   const Topology topology = of("argon", 64);
   const double D = 2.5e-3, interval = 0.5;
@@ -84,8 +84,7 @@ TEST_CASE("the diffusion coefficient of a random walk") {
   Random random(4);
   for (int frame = 0; frame < 400; ++frame) {
     for (std::size_t i = 0; i < 64; ++i)
-      state.q.set(i,
-                  into(state.box, state.q[i] + normal3(random, std::sqrt(2 * D * interval))));
+      state.q.set(i, into(state.box, state.q[i] + normal3(random, std::sqrt(2 * D * interval))));
     displacement.add(state);
   }
   check(diffusion(displacement.squared(0), interval, {0.5, 5}), D, 0.016 * D);
@@ -178,8 +177,8 @@ TEST_CASE("velocities that forget themselves exponentially") {
       const double width = std::sqrt(kT * (1 - keep * keep));
       state.p.set(i, keep * state.p[i] + normal3(random, width * std::sqrt(bodies.m[i])));
       const Vec3<double> J = bodies.J[i];
-      L[i] = keep * L[i] + scaled(normal3(random, width),
-                                  {std::sqrt(J.x), std::sqrt(J.y), std::sqrt(J.z)});
+      L[i] = keep * L[i] +
+             scaled(normal3(random, width), {std::sqrt(J.x), std::sqrt(J.y), std::sqrt(J.z)});
       state.attitude.set(i, random.attitude());
       state.ell.set(i, to_lab(state.attitude[i], L[i]));
     }
@@ -219,8 +218,8 @@ TEST_CASE("the dielectric constant of known fluctuations") {
   TotalDipole flips(topology);
   for (int frame = 0; frame < 40; ++frame) {
     // The dipole of a water lies along a principal axis: half a turn about another one flips it.
-    const Vec3<double> across = std::abs(body.x) > mu / 2 ? Vec3<double>{0, units::pi, 0}
-                                                          : Vec3<double>{units::pi, 0, 0};
+    const Vec3<double> across =
+        std::abs(body.x) > mu / 2 ? Vec3<double>{0, units::pi, 0} : Vec3<double>{units::pi, 0, 0};
     for (std::size_t i = 0; i < 50; ++i)
       state.attitude.set(i, frame % 2 == 0 ? Quaternion<double>{} : turn(across));
     flips.add(state);

@@ -34,9 +34,10 @@ Analysis analysed() {
 
 }  // namespace
 
-// Counts are whole numbers. Both programs hold places as floats, half of a bit of 0.96 nm being 3e-8
-// nm: of some 10⁴ pairs none may lie so near to the end of a bin of 0.02 nm, or it moves one count of
-// the bin. MDAnalysis counts ordered pairs and divides by those of all sites but a molecule's own.
+// Counts are whole numbers. Both programs hold places as floats, half of a bit of 0.96 nm being
+// 3e-8 nm: of some 10⁴ pairs none may lie so near to the end of a bin of 0.02 nm, or it moves one
+// count of the bin. MDAnalysis counts ordered pairs and divides by those of all sites but a
+// molecule's own.
 TEST_CASE("radial distributions of MDAnalysis and mdtraj") {
   const Analysis a = analysed();
   const nlohmann::json numbers = expected();

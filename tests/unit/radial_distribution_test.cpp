@@ -118,8 +118,8 @@ TEST_CASE("pairs of sites are counted as the plain sum counts them") {
       CAPTURE(pairs[p][1]);
       const bool like = pairs[p][0] == pairs[p][1];
       const double sites = pairs[p][0].starts_with("H") && pairs[p][0] != "HW1" ? 80
-                           : pairs[p][0] == "Na"                               ? 9
-                                                                               : 40;
+                           : pairs[p][0] == "Na"                                ? 9
+                                                                                : 40;
       const double expected =
           plain_count(state, topology, pairs[p][0], pairs[p][1], reach) * (like ? 2 : 1) / sites;
       CHECK(radial.coordination(p).back() == doctest::Approx(expected).epsilon(1e-12));

@@ -52,22 +52,21 @@ double direct(Product p, const Series& series, std::size_t lag) {
   return sum / count;
 }
 
-const std::vector<Product> all = {Product::displacement, Product::dot, Product::dot_squared,
-                                  Product::x,            Product::y,   Product::z};
+const std::vector<Product> all = {
+    Product::displacement, Product::dot, Product::dot_squared, Product::x, Product::y, Product::z};
 
 }  // namespace
 
-// Transforms give what the definition gives, to rounding of sums of numbers up to 60² (dots squared)
-// over some hundred terms. Windows that the frames fill exactly, in part, or not at all; more bodies
-// than groups, and fewer.
+// Transforms give what the definition gives, to rounding of sums of numbers up to 60² (dots
+// squared) over some hundred terms. Windows that the frames fill exactly, in part, or not at all;
+// more bodies than groups, and fewer.
 TEST_CASE("correlations over windows are the direct sums over all origins") {
   for (const std::size_t frames : {2U, 7U, 24U, 31U, 96U})
     for (const std::size_t lags : {1U, 8U, 20U})
       for (const std::size_t bodies : {1U, 3U, 37U}) {
         const Series series = walk(frames, bodies);
         TimeCorrelation correlation(bodies, lags, all);
-        for (const auto& frame : series)
-          correlation.add([&](std::size_t i) { return frame[i]; });
+        for (const auto& frame : series) correlation.add([&](std::size_t i) { return frame[i]; });
         for (std::size_t p = 0; p < all.size(); ++p) {
           const std::vector<double> means = correlation.means(p).mean();
           REQUIRE(means.size() == std::min(lags, frames / 2 + 1));
