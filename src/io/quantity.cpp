@@ -56,6 +56,8 @@ constexpr std::array all_units = {
     Unit{"Pa s", Dimension::viscosity, 1e7 * bar},
     Unit{"cP", Dimension::viscosity, 1e4 * bar},
     Unit{"%", Dimension::fraction, 0.01},
+    Unit{"1/nm", Dimension::inverse_length, 1},
+    Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
 };
 // clang-format on
 
@@ -89,6 +91,8 @@ Words words(Dimension dimension) {
       return {"a", "viscosity", "0.9 mPa s"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
+    case Dimension::inverse_length:
+      return {"an", "inverse length", "2 1/nm"};
   }
   return {"", "", ""};
 }
