@@ -54,6 +54,9 @@ constexpr std::array all_units = {
     Unit{"bar", Dimension::pressure, bar},   Unit{"MPa", Dimension::pressure, 10 * bar},
     Unit{"atm", Dimension::pressure, 1.01325 * bar},
     Unit{"kJ/mol/nm3", Dimension::pressure, 1},
+    Unit{"mPa s", Dimension::viscosity, 1e4 * bar},
+    Unit{"Pa s", Dimension::viscosity, 1e7 * bar},
+    Unit{"cP", Dimension::viscosity, 1e4 * bar},
     Unit{"%", Dimension::fraction, 0.01},
     Unit{"1/nm", Dimension::inverse_length, 1},
     Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
@@ -88,6 +91,8 @@ Words words(Dimension dimension) {
       return {"a", "dipole moment", "1.85 D"};
     case Dimension::pressure:
       return {"a", "pressure", "1 bar"};
+    case Dimension::viscosity:
+      return {"a", "viscosity", "0.9 mPa s"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
     case Dimension::inverse_length:

@@ -21,6 +21,7 @@ enum class Dimension {
   density,         ///< [u/nm³]
   dipole,          ///< [e nm]
   pressure,        ///< [kJ/mol/nm³]
+  viscosity,       ///< [u/(nm ps)]
   fraction,        ///< [1], written in %
   inverse_length,  ///< [1/nm]
 };
