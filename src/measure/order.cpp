@@ -76,8 +76,9 @@ OrderMeasurement measured_order(const Scheme& scheme, double lambda) {
   // at 20 fs already.
   constexpr double length = 0.64;
   const double longest = scheme.force_evaluations() < 8 ? 0.02 : 0.04;
-  // A finite difference divides rounding by λ; without one, rounding is a few units of 2⁻⁵³ a step.
-  const double rounding = scheme.has_gradient() ? 1e-15 / lambda : 1e-13;
+  // A finite difference divides rounding by λ; without one, a few units of 2⁻⁵³ a step add up as
+  // a random walk over some hundred to some ten thousand steps.
+  const double rounding = scheme.has_gradient() ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;
   auto steps = static_cast<std::size_t>(std::llround(length / longest));
