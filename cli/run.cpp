@@ -57,13 +57,18 @@ std::string typed(const Options& o) {
 }
 
 TrajectorySettings trajectory_settings(const Config& config) {
-  const TrajectorySettings settings{scheme_of(config.integrator.scheme), config.integrator.step,
-                                    config.run.length, config.run.sample, config.integrator.lambda};
+  const TrajectorySettings settings{scheme_of(config.integrator.scheme),
+                                    config.integrator.step,
+                                    config.run.length,
+                                    config.run.sample,
+                                    config.integrator.lambda,
+                                    config.run.shadow_sample};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
                     settings.length * 1000, settings.step * 1000),
         config.source);
+  settings.check_shadow();
   return settings;
 }
 

@@ -94,6 +94,26 @@ std::size_t TrajectorySettings::steps_per_sample() const {
   return std::max<std::size_t>(1, static_cast<std::size_t>(sample / step * (1 + 1e-12)));
 }
 
+std::size_t TrajectorySettings::samples_per_shadow() const {
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(shadow_sample / (static_cast<double>(steps_per_sample()) * step) *
+                                  (1 + 1e-12)));
+}
+
+void TrajectorySettings::check_shadow() const {
+  if (shadow_sample == 0) return;
+  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
+  const ErrorTerms terms = error_terms(scheme);
+  if (scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding) return;
+  throw Error(fmt::format(
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, as "
+      "hoa2",
+      shadow_sample * 1000, scheme.name(),
+      scheme.palindromic()
+          ? "no error of order h², so its shadow energy is the energy itself to that order"
+          : "an error of order h, since its stages are no palindrome"));
+}
+
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                       const Watch& watch, Workers& workers, const RunState* from,
                       std::vector<Energies> samples) {
@@ -132,6 +152,9 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     if (watch.sample) watch.sample(result.steps, system.state, now);
+    if (settings.shadow_sample > 0 && result.samples.size() % settings.samples_per_shadow() == 0)
+      result.brackets.push_back(
+          {now, error_brackets(system.state, system.bodies, integrator.last_load(), forces)});
     result.samples.push_back(now);
     const Energies& first = result.samples.front();
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)

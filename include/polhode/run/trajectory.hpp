@@ -11,19 +11,25 @@
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/measure/energy.hpp"
+#include "polhode/measure/shadow.hpp"
 #include "polhode/run/system.hpp"
 
 namespace polhode {
 
 struct TrajectorySettings {
   Scheme scheme;
-  double step = 0;       ///< [ps]
-  double length = 0;     ///< [ps]
-  double sample = 0;     ///< between energies [ps]; at least one step
-  double lambda = 1e-4;  ///< of finite-difference gradients
+  double step = 0;           ///< [ps]
+  double length = 0;         ///< [ps]
+  double sample = 0;         ///< between energies [ps]; at least one step
+  double lambda = 1e-4;      ///< of finite-difference gradients
+  double shadow_sample = 0;  ///< between error brackets [ps], at some of the samples; 0: none
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
+  std::size_t samples_per_shadow() const;
+
+  /// @throws Error  if a shadow energy is wanted of a scheme that has none of order h²
+  void check_shadow() const;
 };
 
 /// Seconds of wall-clock time by part.
@@ -59,7 +65,8 @@ struct Watch {
 };
 
 struct Trajectory {
-  std::vector<Energies> samples;  ///< the first at the start
+  std::vector<Energies> samples;        ///< the first at the start
+  std::vector<BracketSample> brackets;  ///< of some of them, if asked for
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
   std::uint64_t measurements = 0;       ///< force evaluations for energies alone
