@@ -18,23 +18,36 @@ nlohmann::json as_json(const Scheme& scheme) {
   for (const Stage& s : scheme.stages())
     stages.push_back({{"flow", s.flow == Flow::drift ? "drift" : "kick"},
                       {"fraction", s.fraction},
-                      {"xi", s.xi}});
-  return {{"name", scheme.name()},     {"order", scheme.order()},
-          {"stages", stages},          {"force_evaluations", scheme.force_evaluations()},
-          {"source", scheme.source()}, {"text", text_of(scheme)}};
+                      {"xi", s.xi},
+                      {"gradient", s.xi == 0                            ? ""
+                                   : s.has(Gradient::finite_difference) ? "finite difference"
+                                                                        : "exact"}});
+  return {{"name", scheme.name()},
+          {"order", scheme.order()},
+          {"stages", stages},
+          {"force_evaluations", scheme.force_evaluations()},
+          {"derivatives", scheme.derivatives()},
+          {"cost", scheme.cost()},
+          {"source", scheme.source()},
+          {"text", text_of(scheme)}};
 }
 
 void print_one(const Scheme& scheme) {
   fmt::print(
-      "{}\n  order              {}\n  force evaluations  {} per step\n  source             {}\n"
+      "{}\n  order              {}\n  force evaluations  {} per step{}\n  source             {}\n"
       "  stages\n",
       scheme.name(), scheme.order() ? fmt::format("{}", scheme.order()) : "unknown",
-      scheme.force_evaluations(), scheme.source().empty() ? "-" : scheme.source());
+      scheme.force_evaluations(),
+      scheme.derivatives() == 0 ? ""
+                                : fmt::format(", and {} of their derivative: the cost of {:.1f}",
+                                              scheme.derivatives(), scheme.cost()),
+      scheme.source().empty() ? "-" : scheme.source());
   for (const Stage& s : scheme.stages())
     fmt::print("    {}\n",
                s.flow == Flow::drift ? fmt::format("A({:<20})  drift", s.fraction)
                : s.xi == 0           ? fmt::format("B({:<20})  kick", s.fraction)
-                           : fmt::format("B({:<20}, xi = {})  gradient kick", s.fraction, s.xi));
+                           : fmt::format("B({:<20}, xi = {})  gradient kick, {}", s.fraction, s.xi,
+                                         s.has(Gradient::exact) ? "exact" : "finite difference"));
   fmt::print("  as text\n    \"{}\"\n", text_of(scheme));
 }
 
@@ -63,11 +76,11 @@ Action schemes_verb(CLI::App& app) {
       fmt::print("{}\n", all.dump(2));
       return 0;
     }
-    fmt::print("{:<16} {:>5}  {:>17}  {:<12} {}\n", "name", "order", "force evaluations", "source",
-               "stages");
+    fmt::print("{:<16} {:>5}  {:>17}  {:>11}  {:>4}  {:<12} {}\n", "name", "order",
+               "force evaluations", "derivatives", "cost", "source", "stages");
     for (const Scheme& s : schemes)
-      fmt::print("{:<16} {:>5}  {:>17}  {:<12} {}\n", s.name(), s.order(), s.force_evaluations(),
-                 s.source(), text_of(s));
+      fmt::print("{:<16} {:>5}  {:>17}  {:>11}  {:>4}  {:<12} {}\n", s.name(), s.order(),
+                 s.force_evaluations(), s.derivatives(), s.cost(), s.source(), text_of(s));
     return 0;
   };
 }

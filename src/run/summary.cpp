@@ -46,6 +46,7 @@ RunSummary summary(const System& system, const ForceField& forces,
           s.potential_fluctuation;
   }
   s.force_evaluations = trajectory.force_evaluations;
+  s.derivatives = trajectory.derivatives;
   s.measurements = trajectory.measurements;
   s.list_rebuilds = forces.neighbours().rebuilds();
   s.timings = trajectory.timings;

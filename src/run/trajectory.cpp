@@ -41,6 +41,12 @@ struct TimedForces {
     forces.forces_alone(state, load);
     seconds += watch.lap();
   }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& slope) {
+    Stopwatch watch;
+    forces.directional_derivative(state, dq, dtheta, slope);
+    seconds += watch.lap();
+  }
 };
 
 [[noreturn]] void blown_up(const TrajectorySettings& s, std::size_t step, const std::string& what) {
@@ -121,6 +127,7 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   motion += part.lap();
 
   result.force_evaluations = integrator.force_evaluations();
+  result.derivatives = integrator.derivatives();
   result.measurements = integrator.measurements();
   const double all = whole.lap(), list = forces.neighbours().seconds() - list_before;
   result.timings = {timed.seconds - list, list, motion - (timed.seconds - forces_of_samples), 0};

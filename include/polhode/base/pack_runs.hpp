@@ -71,10 +71,10 @@ struct RunPair {
       return v.first;
   }
   Run<T> second() const {
-    if constexpr (joined)
-      return {{hn::UpperHalf(typename Run<T>::Tag(), v)}};
-    else
-      return v.second;
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (joined) return {{hn::UpperHalf(typename Run<T>::Tag(), v)}};
+#endif
+    if constexpr (!joined) return v.second;
   }
   /// The first, then the second.
   void store(T* p) const {

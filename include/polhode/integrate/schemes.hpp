@@ -21,6 +21,7 @@ inline constexpr std::array schemes = {
     Scheme{"velocity-verlet", 2, {B(0.5),       A(1)},                                        "swope1982"},
     Scheme{"hoa2",            2, {B(eta),       A(0.5),   B(1 - 2 * eta)},                    "omelyan2003"},
     Scheme{"gier4",           4, {B(1.0 / 6),   A(0.5),   B(2.0 / 3, 1.0 / 48)},              "omelyan2007"},
+    Scheme{"gier4-fd",        4, {B(1.0 / 6),   A(0.5),   B(2.0 / 3, 1.0 / 48, Gradient::finite_difference)}, "vanzon2008"},
     Scheme{"forest-ruth",     4, {A(theta / 2), B(theta), A((1 - theta) / 2), B(1 - 2 * theta)}, "forest1990"},
 };
 // clang-format on
