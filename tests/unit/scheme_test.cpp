@@ -66,7 +66,7 @@ TEST_CASE("scheme texts that cannot be read say where and what is expected") {
   check_error([] { scheme_of("B(1/0) A(1)"); }, {"a denominator other than 0"});
   check_error([] { scheme_of("B(x) A(1)"); }, {"'x) A(1)' at character 3", "a finite number"});
   check_error([] { scheme_of("A(1, 1/48) B(1)"); }, {"a drift has one argument"});
-  check_error([] { scheme_of("B(1, 1/48, exact) A(1)"); }, {"'exact) A(1)", "'fd'"});
+  check_error([] { scheme_of("B(1, 1/48, exact) A(1)"); }, {"'exact) A(1'", "'fd'"});
   check_error([] { scheme_of("B(1e999) A(1)"); }, {"a finite number"});
   check_error([] { scheme_of("B(1/2) A(1)"); }, {"kicks B to 0.5", "must sum to 1"});
   std::string longer;
