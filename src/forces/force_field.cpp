@@ -108,4 +108,23 @@ void ForceField::directional_derivative(const State& state, const Vec3Column& dq
   std::visit([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); }, engine_);
 }
 
+ListMemory ForceField::list_memory() const {
+  ListMemory memory{{}, list_rebuilds()};
+  if (neighbours().width() == 0) return memory;
+  const Slots& slots = neighbours().slots();
+  memory.built_at = Vec3Column(topology_.size());
+  for (const Slots::Part& part : slots.parts)
+    for (std::uint32_t s = part.first; s < part.end(); ++s)
+      memory.built_at.set(slots.body[s], slots.built_at[s]);
+  return memory;
+}
+
+void ForceField::take_over(const ListMemory& memory) {
+  if (memory.built_at.size() == 0) return;
+  State state(memory.built_at.size(), neighbours().box());
+  state.q = memory.built_at;
+  std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
+  earlier_rebuilds_ = memory.rebuilds - neighbours().rebuilds();
+}
+
 }  // namespace polhode

@@ -20,6 +20,12 @@ std::size_t most_sites_of(const Topology& topology) {
   return most;
 }
 
+/// The width of packs of pairs.
+template <class T>
+std::size_t lanes() {
+  return POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
+}
+
 }  // namespace
 
 template <class T>
@@ -73,12 +79,9 @@ void PairEngine<T>::derivative(const State& state, const Vec3Column& dq, const V
 /// Brings the list and the records to a state.
 template <class T>
 void PairEngine<T>::update(const State& state) {
-  const std::size_t width =
-      POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
-  if (list_.width() == width && place(state) < list_.allowed2()) return;
-  list_.build(state, width, workers_);
+  if (list_.width() == lanes<T>() && place(state) < list_.allowed2()) return;
+  build_list(state);
   place(state);
-  prepare_sums();
 }
 
 /// Sets a Load to 0, and what the mesh does to bodies.
@@ -114,6 +117,12 @@ void PairEngine<T>::each_task_of_slots(const Body& body) {
       body(p, (part.first + first) / slot_block, part.first + first, part.first + end);
     });
   }
+}
+
+template <class T>
+void PairEngine<T>::build_list(const State& state) {
+  list_.build(state, lanes<T>(), workers_);
+  prepare_sums();
 }
 
 /// The square of the largest displacement since the list was built [nm²].

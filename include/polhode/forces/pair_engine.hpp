@@ -33,6 +33,8 @@ class PairEngine {
   void derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta, Load& slope);
 
   const NeighbourList& neighbours() const { return list_; }
+  /// Builds the list for the places of a state.
+  void build_list(const State& state);
 
  private:
   void update(const State& state);

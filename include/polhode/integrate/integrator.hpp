@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <utility>
 
 #include "polhode/base/error.hpp"
@@ -25,6 +26,15 @@ template <class F>
 concept OffersDerivative = requires(F& forces, const State& state, const Vec3Column& displacement,
                                     Load& slope) {
   {forces.directional_derivative(state, displacement, displacement, slope)};
+};
+
+/// What an integrator carries from step to step: another one that takes it over goes on with the
+/// same bits.
+struct IntegratorMemory {
+  Load load;              ///< the last one
+  bool current = false;   ///< it belongs to the positions
+  bool complete = false;  ///< it holds energies
+  std::uint64_t evaluations = 0, derivatives = 0, measurements = 0;
 };
 
 /// An integrator owns its scratch space and the last Load; a step does not allocate.
@@ -92,6 +102,16 @@ class Integrator {
 
   /// To be called when someone else has moved the bodies.
   void forget() { current_ = false; }
+
+  IntegratorMemory memory() const {
+    return {load_, current_, complete_, evaluations_, derivatives_, measurements_};
+  }
+  void take_over(const IntegratorMemory& memory) {
+    load_ = memory.load;
+    current_ = memory.current, complete_ = memory.complete;
+    evaluations_ = memory.evaluations, derivatives_ = memory.derivatives;
+    measurements_ = memory.measurements;
+  }
 
   const Scheme& scheme() const { return scheme_; }
   std::uint64_t force_evaluations() const { return evaluations_; }  ///< by steps
