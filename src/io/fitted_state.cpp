@@ -135,6 +135,12 @@ void check_size(const Molecule& molecule, const Frame& frame) {
 }  // namespace
 
 FittedState fitted_state(const Frame& frame, const Topology& topology) {
+  if (topology.size() > frame.atoms.size())
+    throw Error(
+        fmt::format("there are {} atoms, too few for {} molecules; give the count of molecules "
+                    "that the file holds",
+                    frame.atoms.size(), topology.size()),
+        frame.source);
   FittedState fitted;
   fitted.state = State(topology.size(), frame.box);
   fitted.has_velocities = frame.has_velocities;

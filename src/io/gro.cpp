@@ -13,6 +13,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/embedded.hpp"
+#include "polhode/io/lammps_data.hpp"
 #include "text_buffer.hpp"
 #include "text_file.hpp"
 
@@ -267,6 +268,7 @@ Frame read_gro(const std::string& path) { return parse_gro(file_text(path), path
 Frame read_start(const std::string& name_or_path) {
   const std::string path = "start/" + name_or_path + ".gro";
   if (const auto text = embedded_text(path)) return parse_gro(*text, path);
+  if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   return read_gro(name_or_path);
 }
 

@@ -75,7 +75,8 @@ std::string study_identity(const Config& config, const System& system) {
      << config.study.length << ' ' << config.study.decorrelate;
   if (f.electrostatics == Electrostatics::ewald) id << " pme " << f.accuracy;
   if (f.dispersion_correction) id << " dispersion";
-  if (const std::string mixing = described(f.mixing); !mixing.empty()) id << ' ' << mixing;
+  if (const std::string mixing = described(system.forces.mixing); !mixing.empty())
+    id << ' ' << mixing;
   return id.str();
 }
 

@@ -22,6 +22,27 @@ Topology described(const SystemSettings& settings) {
   return topology;
 }
 
+// Molecules and mixing as a topology file tells them; pairs of the run file come behind its own.
+void take_topology_file(const Config& config, const Frame& start, System& system) {
+  RigidTopology read = read_topology(config.system.topology, &start);
+  system.topology = std::move(read.topology);
+  system.origins = std::move(read.origins);
+  if (read.rule_matters && !config.mixing_given)
+    throw Error(
+        "the file leaves pairs of unlike sites to a rule that it does not tell; write for example "
+        "mixing = \"geometric\" in [forces], which is LAMMPS's default",
+        config.system.topology.file);
+  if (read.rule_is_open) read.mixing.rule = config.forces.mixing.rule;
+  std::vector<PairOverride>& pairs = read.mixing.pairs;
+  pairs.insert(pairs.end(), config.forces.mixing.pairs.begin(), config.forces.mixing.pairs.end());
+  system.forces.mixing = std::move(read.mixing);
+  try {
+    check(system.forces.mixing, system.topology);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+}
+
 void scale(Vec3Column& v, double factor) {
   for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
 }
@@ -29,21 +50,23 @@ void scale(Vec3Column& v, double factor) {
 }  // namespace
 
 System assembled(const Config& config) {
-  Topology topology = described(config.system);
-  System system{topology, Bodies(topology), {}, config.forces, config.system.temperature};
+  System system{described(config.system), Bodies({}), {}, config.forces, config.system.temperature};
   if (config.system.start.empty()) {
     const SystemSettings& s = config.system;
-    const Box box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
-    system.state = lattice(topology, box, s.seed);
+    const Box box = s.box ? Box{*s.box} : cubic_box(system.topology, s.density.value());
+    system.state = lattice(system.topology, box, s.seed);
   } else {
     const Frame frame = read_start(config.system.start);
-    system.topology = completed(topology, frame);
-    system.bodies = Bodies(system.topology);
+    if (config.system.topology.file.empty())
+      system.topology = completed(std::move(system.topology), frame);
+    else
+      take_topology_file(config, frame, system);
     FittedState fitted = fitted_state(frame, system.topology);
     system.state = std::move(fitted.state);
     system.fit_deviation = fitted.deviation;
     system.new_velocities = !fitted.has_velocities;
   }
+  system.bodies = Bodies(system.topology);
   try {
     check_overlap(system.topology, system.state);
   } catch (const Error& e) {
