@@ -7,11 +7,10 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "words.hpp"
 
 namespace polhode {
 namespace {
-
-constexpr std::string_view blanks = " \t\r\f\v";
 
 // A text of a message, short enough to be read.
 std::string shown(std::string_view text) {
@@ -25,21 +24,6 @@ std::string text_of(const TextPlace& place) {
   return fmt::format("{}:{}", place.file ? *place.file : "", place.line);
 }
 
-std::string_view trimmed_blanks(std::string_view text) {
-  const auto begin = text.find_first_not_of(blanks);
-  if (begin == text.npos) return {};
-  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
-}
-
-std::string_view take_word(std::string_view& text) {
-  const auto begin = text.find_first_not_of(blanks);
-  if (begin == text.npos) return text = {};
-  text.remove_prefix(begin);
-  const std::string_view word = text.substr(0, text.find_first_of(blanks));
-  text.remove_prefix(word.size());
-  return word;
-}
-
 FieldLine::FieldLine(std::string_view text, TextPlace place) : place_(std::move(place)) {
   for (std::string_view word = take_word(text); !word.empty(); word = take_word(text))
     fields_.push_back(word);
@@ -51,6 +35,14 @@ void FieldLine::require(std::size_t least, std::string_view what) const {
   if (size() < least)
     refuse(
         fmt::format("the line has {} fields; it must have {} at least: {}", size(), least, what));
+}
+
+std::string FieldLine::word(std::size_t k) const {
+  const std::string_view field = fields_[k];
+  if (field.size() > longest_name)
+    refuse(fmt::format("the name '{}' has {} characters; it must have {} at most", shown(field),
+                       field.size(), longest_name));
+  return std::string(field);
 }
 
 double FieldLine::number(std::size_t k, std::string_view what) const {

@@ -12,11 +12,7 @@
 
 namespace polhode {
 
-/// Without blanks at both ends.
-std::string_view trimmed_blanks(std::string_view text);
-
-/// Takes the first word, and the blanks before it, away from the front of `text`.
-std::string_view take_word(std::string_view& text);
+inline constexpr std::size_t longest_name = 63;
 
 class FieldLine {
  public:
@@ -25,7 +21,9 @@ class FieldLine {
 
   std::size_t size() const { return fields_.size(); }
   std::string_view operator[](std::size_t k) const { return fields_[k]; }
-  std::string word(std::size_t k) const { return std::string(fields_[k]); }
+  /// The name in field k, to be kept.
+  /// @throws Error  if it is longer than `longest_name`: macros can make a short file long
+  std::string word(std::size_t k) const;
   const TextPlace& place() const { return place_; }
 
   /// The number in field k; `what` says what it is, "charge".

@@ -12,6 +12,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
+#include "words.hpp"
 
 namespace polhode {
 namespace {
@@ -53,6 +54,8 @@ constexpr std::array all_units = {
     Unit{"atm", Dimension::pressure, 1.01325 * bar},
     Unit{"kJ/mol/nm3", Dimension::pressure, 1},
     Unit{"%", Dimension::fraction, 0.01},
+    Unit{"1/nm", Dimension::inverse_length, 1},
+    Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
 };
 // clang-format on
 
@@ -84,6 +87,8 @@ Words words(Dimension dimension) {
       return {"a", "pressure", "1 bar"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
+    case Dimension::inverse_length:
+      return {"an", "inverse length", "2 1/nm"};
   }
   return {"", "", ""};
 }
@@ -99,12 +104,6 @@ std::vector<std::string> symbols(Dimension dimension) {
   for (const Unit& u : all_units)
     if (u.dimension == dimension) names.emplace_back(u.symbol);
   return names;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
 }
 
 // The name, the text and what to write: everything that complaints about a quantity share.

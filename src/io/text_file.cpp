@@ -5,36 +5,60 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "polhode/base/error.hpp"
 
 namespace polhode {
+namespace {
 
-std::string file_text(const std::string& path) {
-  std::error_code unreadable;
-  if (std::filesystem::is_directory(path, unreadable))
+bool is_odd(unsigned char c) {
+  return (c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f') || c == 0x7f;
+}
+
+Error unreadable(const std::string& path) {
+  return Error(fmt::format("there is no readable file '{}'; check its path", path));
+}
+
+}  // namespace
+
+std::ifstream opened(const std::string& path) {
+  std::error_code unknown;
+  if (std::filesystem::is_directory(path, unknown))
     throw Error(fmt::format("'{}' is a folder; name a file in it", path));
   std::ifstream file(path, std::ios::binary);
+  if (!file) throw unreadable(path);
+  return file;
+}
+
+std::optional<std::string> odd_byte(std::string_view text, const std::string& file) {
+  const auto odd = std::find_if(text.begin(), text.end(), is_odd);
+  if (odd == text.end()) return std::nullopt;
+  return fmt::format("'{}' holds the byte 0x{:02x}, which no text does; name a text file", file,
+                     static_cast<unsigned char>(*odd));
+}
+
+std::string file_text(const std::string& path) {
+  std::ifstream file = opened(path);
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  return stream_text(file, path, unknown ? 0 : size);  // what has no size, a pipe, grows
+}
+
+std::string stream_text(std::istream& in, const std::string& file, std::size_t expected) {
   std::string read;
   constexpr std::size_t piece = 1 << 16;
-  if (const auto size = std::filesystem::file_size(path, unreadable); file && !unreadable)
-    read.reserve(size + piece);  // what has no size, a pipe, grows
-  while (file) {
+  read.reserve(expected + piece);
+  while (in) {
     const std::size_t before = read.size();
     read.resize(before + piece);
-    file.read(read.data() + before, piece);
-    read.resize(before + static_cast<std::size_t>(file.gcount()));
+    in.read(read.data() + before, piece);
+    read.resize(before + static_cast<std::size_t>(in.gcount()));
   }
-  if (!file.eof() || file.bad())
-    throw Error(fmt::format("there is no readable file '{}'; check its path", path));
-  const auto odd = std::find_if(read.begin(), read.end(), [](unsigned char c) {
-    return (c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f') || c == 0x7f;
-  });
-  if (odd != read.end())
-    throw Error(fmt::format("'{}' holds the byte 0x{:02x}, which no text does; name a text file",
-                            path, static_cast<unsigned char>(*odd)),
-                fmt::format("{}:{}", path, 1 + std::count(read.begin(), odd, '\n')));
+  if (!in.eof() || in.bad()) throw unreadable(file);
+  if (const auto what = odd_byte(read, file)) {
+    const auto odd = std::find_if(read.begin(), read.end(), is_odd);
+    throw Error(*what, fmt::format("{}:{}", file, 1 + std::count(read.begin(), odd, '\n')));
+  }
   return read;
 }
 

@@ -7,7 +7,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/overlap.hpp"
-#include "polhode/io/gro.hpp"
+#include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/start.hpp"

@@ -9,12 +9,6 @@ using namespace polhode;
 
 namespace {
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  REQUIRE(at != text.npos);
-  return text.replace(at, from.size(), to);
-}
-
 // Two waters, whose atoms stand in no order and cross the boundary, and a sodium ion.
 const std::string good =
     "LAMMPS data file via write_data, units = real\n"

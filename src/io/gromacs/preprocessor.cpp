@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "../field_line.hpp"
+#include "../words.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode::gromacs {
@@ -37,7 +38,7 @@ std::optional<Line> Preprocessor::next() {
       end_source();
       continue;
     }
-    const std::string_view text = trimmed_blanks(*line);
+    const std::string_view text = trimmed(*line);
     if (text.empty() || text.front() == '*') continue;  // '*': a whole line of comment
     if (text.front() == '#') {
       directive(text.substr(1));
@@ -66,7 +67,7 @@ std::optional<std::string> Preprocessor::logical_line() {
     std::string_view line = text.substr(source.at, end - source.at);
     source.at = end + 1;
     ++source.line;
-    line = trimmed_blanks(line);
+    line = trimmed(line);
     continued = line.ends_with('\\');
     if (continued) line.remove_suffix(1);
     joined += line.substr(0, line.find(';'));
@@ -111,14 +112,14 @@ void Preprocessor::directive(std::string_view line) {
   }
   if (skipped()) return;
   if (word == "include") {
-    include(trimmed_blanks(line));
+    include(trimmed(line));
   } else if (word == "define") {
     define(line);
   } else if (word == "undef") {
     const auto known = macros_.find(take_word(line));
     if (known != macros_.end()) macros_.erase(known);
   } else if (word == "error") {
-    refuse(fmt::format("#error is reached: {}", trimmed_blanks(line)));
+    refuse(fmt::format("#error is reached: {}", trimmed(line)));
   } else {
     refuse(
         fmt::format("there is no directive '#{}'; there are: include, define, undef, ifdef, "
@@ -161,7 +162,7 @@ void Preprocessor::include(std::string_view name) {
 void Preprocessor::define(std::string_view definition) {
   const std::string name(take_word(definition));
   if (name.empty()) refuse("#define names no macro; write its name behind it");
-  macros_[name] = trimmed_blanks(definition);
+  macros_[name] = trimmed(definition);
 }
 
 std::string Preprocessor::expanded(std::string_view text) const {

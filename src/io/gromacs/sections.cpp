@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "../field_line.hpp"
+#include "../words.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "preprocessor.hpp"
@@ -136,7 +137,7 @@ void Parser::begin_section(const FieldLine& line, std::string_view text) {
   const auto close = text.find(']');
   if (close == text.npos || close + 1 != text.size())
     line.refuse("the line begins a section with '[' and must end it with ']', as in [ atoms ]");
-  section_ = trimmed_blanks(text.substr(1, close - 1));
+  section_ = trimmed(text.substr(1, close - 1));
   const auto known = readers().find(section_);
   if (known == readers().end()) {
     std::vector<std::string> names;

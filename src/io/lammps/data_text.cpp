@@ -11,6 +11,7 @@
 
 #include "../field_line.hpp"
 #include "../text_file.hpp"
+#include "../words.hpp"
 #include "kinds.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
@@ -98,8 +99,8 @@ std::optional<std::pair<std::string_view, std::string_view>> Parser::next() {
   const std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(std::min(end + 1, rest_.size()));
   const auto hash = line.find('#');
-  return std::pair{trimmed_blanks(line.substr(0, hash)),
-                   hash == line.npos ? "" : trimmed_blanks(line.substr(hash + 1))};
+  return std::pair{trimmed(line.substr(0, hash)),
+                   hash == line.npos ? "" : trimmed(line.substr(hash + 1))};
 }
 
 void Parser::begin(std::string_view name, std::string_view comment) {
