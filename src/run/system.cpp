@@ -15,13 +15,6 @@
 namespace polhode {
 namespace {
 
-Topology described(const SystemSettings& settings) {
-  Topology topology;
-  for (const auto& component : settings.molecules)
-    topology.parts.push_back({read_molecule(component.model), component.count});
-  return topology;
-}
-
 // Molecules and mixing as a topology file tells them; pairs of the run file come behind its own.
 void take_topology_file(const Config& config, const Frame& start, System& system) {
   RigidTopology read = read_topology(config.system.topology, &start);
@@ -49,18 +42,34 @@ void scale(Vec3Column& v, double factor) {
 
 }  // namespace
 
+Topology described(const SystemSettings& settings) {
+  if (!settings.topology.file.empty()) {
+    const Frame start = read_start(settings.start);
+    return read_topology(settings.topology, &start).topology;
+  }
+  Topology topology;
+  for (const auto& component : settings.molecules)
+    topology.parts.push_back({read_molecule(component.model), component.count});
+  return topology;
+}
+
 System assembled(const Config& config) {
-  System system{described(config.system), Bodies({}), {}, config.forces, config.system.temperature};
+  const bool from_file = !config.system.topology.file.empty();
+  System system{from_file ? Topology{} : described(config.system),
+                Bodies({}),
+                {},
+                config.forces,
+                config.system.temperature};
   if (config.system.start.empty()) {
     const SystemSettings& s = config.system;
     const Box box = s.box ? Box{*s.box} : cubic_box(system.topology, s.density.value());
     system.state = lattice(system.topology, box, s.seed);
   } else {
     const Frame frame = read_start(config.system.start);
-    if (config.system.topology.file.empty())
-      system.topology = completed(std::move(system.topology), frame);
-    else
+    if (from_file)
       take_topology_file(config, frame, system);
+    else
+      system.topology = completed(std::move(system.topology), frame);
     FittedState fitted = fitted_state(frame, system.topology);
     system.state = std::move(fitted.state);
     system.fit_deviation = fitted.deviation;

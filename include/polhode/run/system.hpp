@@ -25,6 +25,10 @@ struct System {
   std::vector<std::string> origins{};
 };
 
+/// The molecules of a run file; a count that is left to the start configuration is 0.
+/// @throws Error  if there is no such model
+Topology described(const SystemSettings& settings);
+
 /// Molecules, start and momenta of a run file.
 /// @throws Error  with its place if anything does not fit: counts, box, cutoff, overlapping
 /// molecules

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "bonded_key.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/io/gromacs.hpp"
@@ -30,14 +31,11 @@ std::optional<double> first_number(const GromacsTopology& topology, const Gromac
                                    const GromacsRelation& r,
                                    const std::map<std::string, double>& table) {
   if (r.given > 0) return r.numbers[0];
-  std::string forth, back;
+  std::vector<std::string> types;
   const std::size_t count = r.kind == Kind::angle ? 3 : 2;
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::string& type = topology.types.at(molecule.atoms[r.atoms[k]].type).bonded;
-    forth += (forth.empty() ? "" : " ") + type;
-    back = type + (back.empty() ? "" : " ") + back;
-  }
-  const auto found = table.find(std::min(forth, back));
+  for (std::size_t k = 0; k < count; ++k)
+    types.push_back(topology.types.at(molecule.atoms[r.atoms[k]].type).bonded);
+  const auto found = table.find(gromacs::bonded_key(types));
   if (found == table.end()) return std::nullopt;
   return found->second;
 }

@@ -10,6 +10,7 @@
 
 #include "../field_line.hpp"
 #include "../words.hpp"
+#include "bonded_key.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "preprocessor.hpp"
@@ -224,21 +225,12 @@ void Parser::nonbond_pair(const FieldLine& line) {
   topology_.pairs.push_back({line.word(0), line.word(1), sigma, epsilon, line.place()});
 }
 
-std::string key_of(const std::vector<std::string>& types) {
-  std::string forth, back;
-  for (const std::string& type : types) {
-    forth += (forth.empty() ? "" : " ") + type;
-    back = type + (back.empty() ? "" : " ") + back;
-  }
-  return std::min(forth, back);
-}
-
 void Parser::equilibrium(const FieldLine& line, std::size_t atoms,
                          std::map<std::string, double>& values) {
   if (line.size() < atoms + 2) return;  // a function without parameters
   std::vector<std::string> types;
   for (std::size_t k = 0; k < atoms; ++k) types.push_back(line.word(k));
-  values[key_of(types)] = line.number(atoms + 1, atoms == 2 ? "length" : "angle");
+  values[gromacs::bonded_key(types)] = line.number(atoms + 1, atoms == 2 ? "length" : "angle");
 }
 
 void Parser::molecule_type(const FieldLine& line) {
