@@ -82,6 +82,7 @@ void set_surrounding(SummarySettings& settings, const ForceSettings& forces) {
       settings.surrounding = forces.dielectric;
       break;
     case Electrostatics::coulomb:
+    case Electrostatics::damped_shifted_force:
       settings.no_surrounding =
           "fluctuations of a dipole whose charges were cut off or switched off tell no dielectric "
           "constant; pme or a reaction field is needed";

@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include "formats/format.hpp"
@@ -25,8 +28,13 @@ std::unique_ptr<FrameWriter> appended(const std::string& path, const Topology& t
 // clang-format off
 constexpr std::array formats = {
     //     ending  names  velocities
-    Format{"gro",  true,  true,  gro_reader, appended<append_gro>},
-    Format{"xyz",  true,  true,  xyz_reader, appended<append_xyz>},
+    Format{"gro",  true,  true,  gro_reader,  appended<append_gro>},
+    Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>},
+    Format{"xyz",  true,  true,  xyz_reader,  appended<append_xyz>},
+    Format{"xtc",  false, false, xtc_reader,  appended<append_xtc>},
+    Format{"trr",  false, true,  trr_reader,  appended<append_trr>},
+    Format{"dcd",  false, false, dcd_reader,  appended<append_dcd>},
+    Format{"h5md", false, true,  h5md_reader, h5md_writer, open_h5md},
 };
 // clang-format on
 
@@ -62,34 +70,46 @@ class Names {
   std::string source_;
 };
 
-// Frames of a stream, named where the format does not.
+// Frames of a format that does not name atoms, with names.
 class NamedReader : public FrameReader {
  public:
-  NamedReader(std::istream& in, const Format& format, const std::string& file, const Frame* names)
-      : frames_(format.read(in, file)) {
-    if (names != nullptr && !format.has_names) names_.emplace(*names);
-  }
+  NamedReader(std::unique_ptr<FrameReader> frames, const Frame& names)
+      : frames_(std::move(frames)), names_(names) {}
   bool next(Frame& frame) override {
     if (!frames_->next(frame)) return false;
-    if (names_) names_->give(frame);
+    names_.give(frame);
     return true;
   }
+  double fraction_read() override { return frames_->fraction_read(); }
 
  private:
   std::unique_ptr<FrameReader> frames_;
-  std::optional<Names> names_;
+  Names names_;
 };
 
-// The same, with the file.
+std::unique_ptr<FrameReader> named(std::unique_ptr<FrameReader> frames, const Format& format,
+                                   const Frame* names) {
+  if (names == nullptr || format.has_names) return frames;
+  return std::make_unique<NamedReader>(std::move(frames), *names);
+}
+
+// Frames of a stream, with the stream.
 class FileReader : public FrameReader {
  public:
-  FileReader(const std::string& path, const Frame* names)
-      : stream_(opened(path)), frames_(stream_, format_of(path), path, names) {}
-  bool next(Frame& frame) override { return frames_.next(frame); }
+  FileReader(const Format& format, const std::string& path)
+      : stream_(opened(path)), frames_(format.read(stream_, path)) {
+    std::error_code unknown;
+    bytes_ = static_cast<double>(std::filesystem::file_size(path, unknown));
+  }
+  bool next(Frame& frame) override { return frames_->next(frame); }
+  double fraction_read() override {
+    return static_cast<double>(std::max<std::streamoff>(0, stream_.tellg())) / bytes_;
+  }
 
  private:
+  double bytes_;
   std::ifstream stream_;
-  NamedReader frames_;
+  std::unique_ptr<FrameReader> frames_;
 };
 
 }  // namespace
@@ -100,13 +120,16 @@ const Format& format_of(const std::string& path) {
 }
 
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names) {
-  format_of(path);  // refuses before the file is looked for
-  return std::make_unique<FileReader>(path, names);
+  const Format& format = format_of(path);
+  opened(path);  // or an error that tells what is there instead
+  if (format.open != nullptr) return named(format.open(path), format, names);
+  return named(std::make_unique<FileReader>(format, path), format, names);
 }
 
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
                                          const std::string& file, const Frame* names) {
-  return std::make_unique<NamedReader>(in, format_named(format, file), file, names);
+  const Format& f = format_named(format, file);
+  return named(f.read(in, file), f, names);
 }
 
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
@@ -117,6 +140,11 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice) {
   return format_of(path).write(path, topology, choice, &mark);
+}
+
+FormatTraits format_traits(const std::string& path) {
+  const Format& format = format_of(path);
+  return {format.has_names, format.has_velocities};
 }
 
 std::vector<std::string_view> readable_formats() {

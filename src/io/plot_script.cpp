@@ -240,7 +240,7 @@ data = {}
 set datafile separator ","
 set datafile columnheaders
 set title {} noenhanced textcolor "#404040"
-set key outside bottom center horizontal noenhanced samplen 1.6 textcolor "#404040"
+set key top right noenhanced Left reverse samplen 1.6 textcolor "#404040"
 set xlabel {} noenhanced
 set ylabel {} noenhanced
 set autoscale xfix

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "frame_view.hpp"
 
+#include <fmt/core.h>
+
 namespace polhode {
 
 FrameView view_of(const State& state, const Topology& topology, const FrameChoice& choice) {
@@ -16,7 +18,7 @@ FrameView view_of(const State& state, const Topology& topology, const FrameChoic
 }
 
 FrameView view_of(const Frame& frame, const FrameChoice& choice) {
-  return {.title = frame.title,
+  return {.title = frame.title.empty() ? fmt::format("t= {:.6f}", frame.time) : frame.title,
           .kinds = frame.kinds,
           .atoms = frame.atoms.size(),
           .has_velocities = frame.has_velocities && choice.velocities,

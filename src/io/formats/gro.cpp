@@ -107,15 +107,6 @@ Box read_box(std::string_view line, const Lines& lines) {
   return {{edges[0], edges[1], edges[2]}};
 }
 
-// GROMACS writes the time into the title: "... t= 20.000 step= 10000".
-double title_time(std::string_view title) {
-  const auto at = title.rfind("t=");
-  if (at == title.npos) return 0;
-  std::string_view rest = title.substr(at + 2);
-  const auto time = parsed<double>(take_word(rest));
-  return time && std::isfinite(*time) ? *time : 0;
-}
-
 // Writes a frame line by line.
 class GroLines {
  public:
@@ -230,11 +221,21 @@ void write(std::ostream& out, const FrameView& frame, int decimals) {
 
 }  // namespace
 
+double title_time(std::string_view title) {
+  const auto at = title.rfind("t=");
+  if (at == title.npos) return 0;
+  std::string_view rest = title.substr(at + 2);
+  const auto time = parsed<double>(take_word(rest));
+  return time && std::isfinite(*time) ? *time : 0;
+}
+
 std::unique_ptr<FrameReader> gro_reader(std::istream& in, const std::string& file) {
   return std::make_unique<GroReader>(in, file);
 }
 
-void append_gro(std::ostream& out, const FrameView& frame, std::uint64_t) { write(out, frame, 10); }
+void append_gro(std::iostream& file, const FrameView& frame, std::uint64_t) {
+  write(file, frame, 10);
+}
 
 Frame parse_gro(std::string_view text, const std::string& file) {
   std::istringstream in{std::string(text)};

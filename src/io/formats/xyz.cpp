@@ -136,7 +136,8 @@ class XyzReader : public FrameReader {
     for (const auto& [what, name] : {std::pair{Property::What::species, "species:S:1"},
                                      std::pair{Property::What::position, "pos:R:3"}})
       if (!has(what))
-        lines_.refuse(fmt::format("Properties do not hold {}; they must tell every atom's", name));
+        lines_.refuse(
+            fmt::format("the Properties do not hold {}; they must tell every atom's", name));
   }
 
   bool has(Property::What what) const {
@@ -147,7 +148,7 @@ class XyzReader : public FrameReader {
     std::array<double, 9> m;
     for (double& x : m) x = lines_.number(take_word(text), "Lattice");
     if (!trimmed(text).empty())
-      lines_.refuse("Lattice has more than nine numbers; it must have three vectors of three");
+      lines_.refuse("the Lattice has more than nine numbers; it must have three vectors of three");
     for (std::size_t k = 0; k < 9; ++k)
       if (k % 4 != 0 && m[k] != 0)
         lines_.refuse(
@@ -172,7 +173,7 @@ class XyzReader : public FrameReader {
       const auto words = parsed<std::size_t>(part[2]);
       if (!words || *words == 0)
         lines_.refuse(
-            fmt::format("Properties have '{}' where the number of columns of '{}' must "
+            fmt::format("the Properties have '{}' where the number of columns of '{}' must "
                         "be; they are triples as species:S:1",
                         part[2], part[0]));
       const auto any_of = [&](std::initializer_list<std::string_view> names) {
@@ -253,7 +254,7 @@ std::unique_ptr<FrameReader> xyz_reader(std::istream& in, const std::string& fil
   return std::make_unique<XyzReader>(in, file);
 }
 
-void append_xyz(std::ostream& out, const FrameView& frame, std::uint64_t) { write(out, frame); }
+void append_xyz(std::iostream& out, const FrameView& frame, std::uint64_t) { write(out, frame); }
 
 void write_xyz(std::ostream& out, const Frame& frame) { write(out, view_of(frame)); }
 
