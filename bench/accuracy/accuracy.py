@@ -82,7 +82,8 @@ def measured(o, scheme, step, seed):
                                 "--output", name))
         frames.unlink()
         kept.write_text(json.dumps({q: value(run, said) for q, (_, value) in QUANTITIES.items()}), encoding="utf-8")
-    return json.loads(kept.read_text(encoding="utf-8"))
+    run = json.loads(kept.read_text(encoding="utf-8"))
+    return {**run, "excess": run["T_rotation"] - run["T_translation"]}
 
 
 def mean(values):
@@ -91,7 +92,7 @@ def mean(values):
 
 def differences(runs, exact):
     """Of each quantity to the most accurate runs, from the same starts, whose scatter is shared."""
-    return {q: mean([run[q] - best[q] for run, best in zip(runs, exact)]) for q in QUANTITIES}
+    return {q: mean([run[q] - best[q] for run, best in zip(runs, exact)]) for q in runs[0]}
 
 
 def report(result):
@@ -138,7 +139,7 @@ def main():
     result = {"date": date.today().isoformat(), "processor": machine.processor(),
               "command": " ".join(["accuracy.py", *sys.argv[1:]]), "waters": o.count, "length_ps": o.length,
               "points": [{"scheme": scheme, "step_fs": step, "runs": o.runs,
-                          **{q: mean([r[q] for r in runs[scheme, step]]) for q in QUANTITIES},
+                          **{q: mean([r[q] for r in runs[scheme, step]]) for q in runs[scheme, step][0]},
                           "differences": differences(runs[scheme, step], runs[exact])}
                          for scheme, step in points]}
     print(report(result))

@@ -16,10 +16,10 @@ set offsets graph 0.05, graph 0.05, graph 0.1, graph 0.1
 ${data}
 
 set multiplot layout 1,3
-set title "diffusion in the box  (10^{-9} m²/s)"
+set title "diffusion, difference  (%)"
 plot ${diffusion}
 unset key
-set title "τ_2 of the dipole  (ps)"
+set title "τ_2 of the dipole, difference  (%)"
 plot ${relaxation}
 set title "T of rotation less T of translation  (K)"
 plot ${temperatures}

@@ -20,11 +20,14 @@ def draw(result, image):
         if point["scheme"] not in schemes:
             schemes.append(point["scheme"])
     for scheme in schemes:
-        rows = [" ".join(f"{x:.8g}" for x in (
-            100 * p["R"]["value"], p["D"]["value"], p["D"]["error"], p["tau"]["value"], p["tau"]["error"],
-            p["T_rotation"]["value"] - p["T_translation"]["value"],
-            (p["T_rotation"]["error"] ** 2 + p["T_translation"]["error"] ** 2) ** 0.5))
-            for p in result["points"] if p["scheme"] == scheme]
+        rows = []
+        for p in (p for p in result["points"] if p["scheme"] == scheme):
+            off = p["differences"]
+            numbers = [100 * p["R"]["value"]]
+            for q in ("D", "tau"):  # in per cent of the quantity itself
+                numbers += [100 * off[q][part] / p[q]["value"] for part in ("value", "error")]
+            numbers += [p["excess"]["value"], p["excess"]["error"]]
+            rows.append(" ".join(f"{x:.8g}" for x in numbers))
         data.append(f"${scheme.replace('-', '_')} << EOD\n" + "\n".join(rows) + "\nEOD")
 
     def plots(column):
