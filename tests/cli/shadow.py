@@ -33,6 +33,8 @@ class Shadow(Sandbox):
         self.assertLess(shadow["rms_kJ_per_mol"], plain["rms_total_kJ_per_mol"])
         self.assertGreater(shadow["drift_error"], 0)
         self.assertGreater(shadow["times_sooner"], 1)
+        sooner = (plain["drift_error"] / shadow["drift_error"]) ** (2 / 3)  # standard errors fall as t^(-3/2)
+        self.assertAlmostEqual(shadow["times_sooner"] / sooner, 1, places=9)
 
     def test_a_run_that_goes_on_keeps_its_values(self):
         self.write("run.toml", SHADOW)
