@@ -38,6 +38,14 @@ void optional(Archive& archive, Optional& value, const Fields& fields) {
   if (there) fields(*value);
 }
 
+template <class Archive, class List, class Fields>
+void list(Archive& archive, List& values, const Fields& fields) {
+  std::size_t count = values.size();
+  counter(archive, count);
+  if constexpr (!std::is_const_v<List>) values.resize(count);
+  for (auto& value : values) fields(value);
+}
+
 template <class Archive, class Of>
 void state(Archive& archive, Of& s) {
   vectors(archive, s.q);
@@ -67,6 +75,7 @@ void run_state(Archive& archive, Of& at) {
   memory(archive, at.integrator);
   vectors(archive, at.list.built_at);
   counter(archive, at.list.rebuilds);
+  list(archive, at.brackets, [&](auto& b) { archive(b.second_derivative), archive(b.W); });
   for (auto* part :
        {&at.timings.forces, &at.timings.list, &at.timings.motion, &at.timings.measurement})
     archive(*part);
@@ -80,10 +89,7 @@ void mark(Archive& archive, Of& m) {
 template <class Archive, class Of>
 void output_marks(Archive& archive, Of& marks) {
   mark(archive, marks.energies);
-  std::size_t files = marks.frames.size();
-  counter(archive, files);
-  if constexpr (!std::is_const_v<Of>) marks.frames.resize(files);
-  for (auto& file : marks.frames) mark(archive, file);
+  list(archive, marks.frames, [&](auto& file) { mark(archive, file); });
   counter(archive, marks.next_frame);
 }
 
@@ -110,9 +116,10 @@ Checkpoint of_this_run(const std::string& path, const std::string& identity, con
 }  // namespace
 
 std::string run_identity(const Config& config, const System& system) {
-  std::string all = identity(config, system,
-                             {config.integrator.step, config.run.equilibrate, config.run.sample,
-                              config.output.trajectory_every, config.forces.skin});
+  std::string all =
+      identity(config, system,
+               {config.integrator.step, config.run.equilibrate, config.run.sample,
+                config.run.shadow_sample, config.output.trajectory_every, config.forces.skin});
   all += ' ' + text_of(scheme_of(config.integrator.scheme));
   if (config.output.trajectory_every > 0)
     for (const std::string& format : config.output.formats) all += ' ' + format;

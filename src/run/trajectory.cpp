@@ -133,6 +133,9 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
     system.state = from->state;
     start = from->start;
     result.steps = from->steps;
+    for (const ErrorBrackets& brackets : from->brackets)
+      result.brackets.push_back(
+          {result.samples.at(result.brackets.size() * settings.samples_per_shadow()), brackets});
     integrator.take_over(from->integrator);
     forces.take_over(from->list);
   }
@@ -141,8 +144,10 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   const auto checkpoint = [&] {
     if (!watch.checkpoint) return;
     clocks.moved();
+    std::vector<ErrorBrackets> brackets;
+    for (const BracketSample& sample : result.brackets) brackets.push_back(sample.brackets);
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
-                      forces.list_memory(), clocks.timings()});
+                      forces.list_memory(), std::move(brackets), clocks.timings()});
     clocks.skip();
   };
   const auto sample = [&] {

@@ -66,6 +66,7 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.list.built_at = Vec3Column(bodies);
   fill(c.at.list.built_at, random);
   c.at.list.rebuilds = 8;
+  c.at.brackets = {{0.125, 0.25}, {-0.375, 0.5}, {0.625, 0.75}};
   c.at.timings = {1, 2, 3, 4};
   c.noise = {0.5, 0.25};
   c.outputs = OutputMarks{{9, 900}, {{1, 100}, {2, 200}}, 12};
@@ -78,7 +79,7 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
   const Folder folder;
   for (const std::size_t bodies : {0, 1, 2, 17}) {
     Checkpoint c = example(bodies);
-    if (bodies == 17) c.at.equilibrated.reset(), c.outputs.reset();
+    if (bodies == 17) c.at.equilibrated.reset(), c.at.brackets.clear(), c.outputs.reset();
     write_checkpoint(folder.files(), c, maker);
     const Checkpoint back = read_checkpoint(folder.files().newest, maker);
     const auto same = [](const Vec3Column& a, const Vec3Column& b) {
@@ -108,6 +109,11 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
     CHECK(m.measurements == 6);
     same(back.at.list.built_at, c.at.list.built_at);
     CHECK(back.at.list.rebuilds == 8);
+    REQUIRE(back.at.brackets.size() == c.at.brackets.size());
+    for (std::size_t k = 0; k < c.at.brackets.size(); ++k) {
+      CHECK(back.at.brackets[k].second_derivative == c.at.brackets[k].second_derivative);
+      CHECK(back.at.brackets[k].W == c.at.brackets[k].W);
+    }
     CHECK(back.at.timings.list == 2);
     CHECK(back.at.timings.all() == 10);
     CHECK(back.noise.power == 0.5);

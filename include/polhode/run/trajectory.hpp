@@ -49,6 +49,7 @@ struct RunState {
   double start = 0;             ///< time of the state at step 0 [ps]
   IntegratorMemory integrator;  ///< empty while equilibrating
   ListMemory list;
+  std::vector<ErrorBrackets> brackets;  ///< so far, of every samples_per_shadow()-th sample
   Timings timings;
 };
 
