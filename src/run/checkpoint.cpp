@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <type_traits>
+#include <utility>
 
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
@@ -82,8 +83,10 @@ void output_marks(Archive& archive, Of& marks) {
   mark(archive, marks.energies);
   std::size_t files = marks.frames.size();
   counter(archive, files);
-  if constexpr (!std::is_const_v<Of>) marks.frames.resize(files);
-  for (auto& file : marks.frames) mark(archive, file);
+  for (std::size_t k = 0; k < files; ++k) {
+    if constexpr (!std::is_const_v<Of>) marks.frames.resize(k + 1);  // no more than are there
+    mark(archive, marks.frames[k]);
+  }
   counter(archive, marks.next_frame);
 }
 
@@ -94,6 +97,13 @@ void fields(Archive& archive, Of& c) {
   run_state(archive, c.at);
   archive(c.noise.power), archive(c.noise.energy);
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
+}
+
+Checkpoint taken_from(CheckpointReader in) {
+  Checkpoint checkpoint;
+  fields(in, checkpoint);
+  in.end();
+  return checkpoint;
 }
 
 Checkpoint of_this_run(const std::string& path, const std::string& identity, const Maker& reader) {
@@ -132,11 +142,11 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader) {
-  CheckpointReader in(path, reader);
-  Checkpoint checkpoint;
-  fields(in, checkpoint);
-  in.end();
-  return checkpoint;
+  return taken_from(CheckpointReader(path, reader));
+}
+
+Checkpoint parse_checkpoint(std::string bytes, const std::string& path, const Maker& reader) {
+  return taken_from(CheckpointReader(std::move(bytes), path, reader));
 }
 
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
