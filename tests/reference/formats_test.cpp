@@ -26,8 +26,8 @@ double distance(const Vec3<double>& a, const Vec3<double>& b) {
   return most;
 }
 
-// A float below 2 (nm) is off by 2^-24 at most. Programs that keep nm as floats and write Å as floats,
-// or the reverse, round three times, numbers below 16 Å by 0.1 · 2^-21 nm.
+// A float below 2 (nm) is off by 2^-24 at most. Programs that keep nm as floats and write Å as
+// floats, or the reverse, round three times, numbers below 16 Å by 0.1 · 2^-21 nm.
 constexpr double once = 0x1p-24, converted = 3 * 0x1p-24 * 1.6;
 
 struct File {
