@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
 #include <cstring>
@@ -152,7 +153,7 @@ void CheckpointReader::operator()(Column<double>& column) {
   (*this)(n);
   const std::string_view values = take(n > rest_.size() ? n : n * sizeof(double));
   column = Column<double>(n);
-  std::memcpy(column.data(), values.data(), values.size());
+  std::copy_n(values.data(), values.size(), reinterpret_cast<char*>(column.data()));
 }
 
 void CheckpointReader::end() const {

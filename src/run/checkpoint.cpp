@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <type_traits>
+#include <utility>
 
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
@@ -42,8 +43,10 @@ template <class Archive, class List, class Fields>
 void list(Archive& archive, List& values, const Fields& fields) {
   std::size_t count = values.size();
   counter(archive, count);
-  if constexpr (!std::is_const_v<List>) values.resize(count);
-  for (auto& value : values) fields(value);
+  for (std::size_t k = 0; k < count; ++k) {
+    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // no more than are there
+    fields(values[k]);
+  }
 }
 
 template <class Archive, class Of>
@@ -102,6 +105,13 @@ void fields(Archive& archive, Of& c) {
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
 }
 
+Checkpoint taken_from(CheckpointReader in) {
+  Checkpoint checkpoint;
+  fields(in, checkpoint);
+  in.end();
+  return checkpoint;
+}
+
 Checkpoint of_this_run(const std::string& path, const std::string& identity, const Maker& reader) {
   Checkpoint checkpoint = read_checkpoint(path, reader);
   if (checkpoint.identity != identity)
@@ -139,11 +149,11 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader) {
-  CheckpointReader in(path, reader);
-  Checkpoint checkpoint;
-  fields(in, checkpoint);
-  in.end();
-  return checkpoint;
+  return taken_from(CheckpointReader(path, reader));
+}
+
+Checkpoint parse_checkpoint(std::string bytes, const std::string& path, const Maker& reader) {
+  return taken_from(CheckpointReader(std::move(bytes), path, reader));
 }
 
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
