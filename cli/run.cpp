@@ -23,6 +23,7 @@
 #include "polhode/io/xyz.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
+#include "promise.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -39,8 +40,12 @@ Config configured(const Options& o) {
   if (!o.scheme.empty()) {
     scheme_option(o.scheme, "--scheme");
     config.integrator.scheme = o.scheme;
+    config.integrator.scheme_given = true;
   }
-  if (!o.step.empty()) config.integrator.step = positive_time(o.step, "--step");
+  if (!o.step.empty()) {
+    config.integrator.step = positive_time(o.step, "--step");
+    config.integrator.accuracy.reset();
+  }
   if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
   if (!o.output.empty()) config.output.prefix = o.output;
   return config;
@@ -180,8 +185,9 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
 }
 
 nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
-                       const Files& files, bool stopped) {
-  return {{"molecules", s.molecules},
+                       const Files& files, const std::optional<Kept>& kept, bool stopped) {
+  return {{"promise", kept ? as_json(*kept) : nlohmann::json()},
+          {"molecules", s.molecules},
           {"scheme", text_of(t.scheme)},
           {"step_fs", t.step * 1000},
           {"steps", s.steps},
@@ -223,7 +229,10 @@ nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const M
 }
 
 int run(const Options& o) {
-  const Config config = configured(o);
+  Config config = configured(o);
+  Workers workers(threads_wanted(o.threads));
+  const auto promise = promised(config, workers);
+  if (interrupted()) return 130;
   const Scheme scheme = scheme_of(config.integrator.scheme);
   const TrajectorySettings settings{scheme, config.integrator.step, config.run.length,
                                     config.run.sample, config.integrator.lambda};
@@ -232,7 +241,6 @@ int run(const Options& o) {
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
                     settings.length * 1000, settings.step * 1000),
         config.source);
-  Workers workers(threads_wanted(o.threads));
   System system = assembled(config);
   ForceField forces(system.topology, system.forces, system.state.box, workers);
   const Files files(config.output);
@@ -302,10 +310,13 @@ int run(const Options& o) {
         fmt::format("{}, {} at {:g} fs", config.source, scheme.name(), settings.step * 1000),
         config.output.plot, std::cerr);
 
+  std::optional<Kept> kept;
+  if (promise && !t.stopped) kept = checked(*promise, t.samples);
   if (o.json) {
-    fmt::print("{}\n", as_json(s, settings, means, files, t.stopped).dump(2));
+    fmt::print("{}\n", as_json(s, settings, means, files, kept, t.stopped).dump(2));
   } else {
     print_summary(s, settings, scheme, means);
+    if (kept) print_kept(*kept);
     fmt::print("files                ");
     for (const std::string& file : files.all()) fmt::print(" {}", file);
     fmt::print("\n");

@@ -15,4 +15,7 @@ std::string energy_script(const std::string& csv, const std::string& image,
 std::string efficiency_script(const std::vector<EfficiencyCurve>& curves, const std::string& image,
                               const std::string& format, double highest);
 
+std::string advice_script(const AdviceFigure& figure, const std::string& image,
+                          const std::string& format);
+
 }  // namespace polhode

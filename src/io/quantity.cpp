@@ -52,6 +52,8 @@ constexpr std::array all_units = {
     Unit{"bar", Dimension::pressure, bar},   Unit{"MPa", Dimension::pressure, 10 * bar},
     Unit{"atm", Dimension::pressure, 1.01325 * bar},
     Unit{"kJ/mol/nm3", Dimension::pressure, 1},
+    Unit{"kJ/mol/ps", Dimension::heating, 1}, Unit{"kJ/mol/ns", Dimension::heating, 1e-3},
+    Unit{"K/ns", Dimension::heating, units::boltzmann * 1e-3},
     Unit{"%", Dimension::fraction, 0.01},
 };
 // clang-format on
@@ -82,6 +84,8 @@ Words words(Dimension dimension) {
       return {"a", "dipole moment", "1.85 D"};
     case Dimension::pressure:
       return {"a", "pressure", "1 bar"};
+    case Dimension::heating:
+      return {"a", "drift of energy", "0.1 kJ/mol/ns"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
   }

@@ -79,6 +79,15 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
   return points;
 }
 
+System decorrelated_start(const System& base, const Config& config, std::size_t index,
+                          double length, const std::function<bool()>& stop) {
+  System start = base;
+  draw_momenta(start, config.system.seed + 1 + index);
+  ForceField forces(start.topology, start.forces, start.state.box);
+  equilibrate(start, forces, length, {nullptr, stop});
+  return start;
+}
+
 void run_study(const Config& config, const std::vector<StudyRun>& known,
                const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
                Workers& workers) {
@@ -122,9 +131,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   const auto stopped = [&] { return progress.stop && progress.stop(); };
   workers.each(starts.size(), [&](std::size_t r) {
     if (!needed[r] || stopped()) return;
-    draw_momenta(starts[r], config.system.seed + 1 + r);
-    ForceField forces(base.topology, base.forces, base.state.box);
-    equilibrate(starts[r], forces, config.study.decorrelate, {nullptr, progress.stop});
+    starts[r] = decorrelated_start(base, config, r, config.study.decorrelate, progress.stop);
     advance(1000 * config.study.decorrelate, "preparing starts");
   });
   if (stopped()) return;

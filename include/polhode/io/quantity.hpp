@@ -20,6 +20,7 @@ enum class Dimension {
   density,      ///< [u/nm³]
   dipole,       ///< [e nm]
   pressure,     ///< [kJ/mol/nm³]
+  heating,      ///< [kJ/mol/ps]; "K" means energy over Boltzmann's constant
   fraction,     ///< [1], written in %
 };
 

@@ -12,6 +12,7 @@
 #include "polhode/io/config.hpp"
 #include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/rounding.hpp"
+#include "polhode/run/system.hpp"
 
 namespace polhode {
 
@@ -58,6 +59,11 @@ struct StudyProgress {
   std::function<void(double done, const std::string& what)> report;  ///< fraction of the work
   std::function<bool()> stop;
 };
+
+/// One of a series of starts: the system with momenta of its own, drawn from the run file's seed +
+/// 1 + index, equilibrated for `length` [ps]. Void where `stop` ended it.
+System decorrelated_start(const System& base, const Config& config, std::size_t index,
+                          double length, const std::function<bool()>& stop);
 
 /// Runs what is not in `known` yet, as many runs at once as there are workers, and reports each run
 /// as it ends. A run is one thread's.
