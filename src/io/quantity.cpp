@@ -55,6 +55,8 @@ constexpr std::array all_units = {
     Unit{"kJ/mol/ps", Dimension::heating, 1}, Unit{"kJ/mol/ns", Dimension::heating, 1e-3},
     Unit{"K/ns", Dimension::heating, units::boltzmann * 1e-3},
     Unit{"%", Dimension::fraction, 0.01},
+    Unit{"1/nm", Dimension::inverse_length, 1},
+    Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
 };
 // clang-format on
 
@@ -88,6 +90,8 @@ Words words(Dimension dimension) {
       return {"a", "drift of energy", "0.1 kJ/mol/ns"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
+    case Dimension::inverse_length:
+      return {"an", "inverse length", "2 1/nm"};
   }
   return {"", "", ""};
 }
