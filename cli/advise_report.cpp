@@ -271,11 +271,14 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
                          100 * promise_probability));
   fmt::print("  drift per molecule  {:.3g} ± {:.2g} kJ/mol/ns\n", in_kJ_per_ns(p.drift().value),
              in_kJ_per_ns(p.drift().error));
-  fmt::print("  temperature         {:.2f} K; off by",
+  fmt::print("  temperature         {:.2f} K",
              mean(each(p.runs, [](const Outcome& run) { return run.temperature; })).value);
+  const char* before = "; off by";
   for (std::size_t k = 0; k < 4; ++k)
-    if (bias(p, k).error > 0)
-      fmt::print(" {} {}{}", kinds[k], percent(bias(p, k)), k < 3 ? "," : "");
+    if (bias(p, k).error > 0) {
+      fmt::print("{} {} {}", before, kinds[k], percent(bias(p, k)));
+      before = ",";
+    }
   fmt::print("\n  speed               {:.3g} ns/day with {} {}\n", best.ns_per_day(), threads,
              threads == 1 ? "thread" : "threads");
   if (!advice.runner_up) return;
