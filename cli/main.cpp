@@ -26,10 +26,15 @@ const std::vector<Verb> verbs = {
     {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
     {"advise", "choose scheme and step for an accuracy wanted, and prove it", advise_verb},
     {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
+    {"convert", "frames of one format into another: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
+     convert_verb},
+    {"analyze", "structure and motion from a trajectory: g(r), diffusion, relaxation",
+     analyze_verb},
     {"molecules", "list the molecule models, or show one", molecules_verb},
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
     {"top", "one free top, exact against NO_SQUISH, or a table of tops", top_verb},
     {"verify", "measure the order of a scheme", verify_verb},
+    {"tune-scheme", "find the scheme parameters that suit a system and step", tune_scheme_verb},
     {"bench", "measure how fast this computer runs water, and why not faster", bench_verb},
 };
 

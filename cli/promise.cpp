@@ -3,18 +3,52 @@
 
 #include <fmt/core.h>
 
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "advise_report.hpp"
 #include "interrupt.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/table_file.hpp"
 #include "progress.hpp"
 
 namespace polhode::cli {
+namespace {
 
-std::optional<Promise> promised(Config& config, Workers& workers) {
+void keep(const std::string& file, const Promise& promise, const IntegratorSettings& integrator) {
+  const nlohmann::json json{
+      {"accuracy", promise.accuracy},         {"length_ps", promise.length},
+      {"R_expected", promise.expected.value}, {"R_expected_error", promise.expected.error},
+      {"scheme", integrator.scheme},          {"step_ps", integrator.step}};
+  write_file(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+}
+
+Promise kept_before(const std::string& file, IntegratorSettings& integrator) {
+  try {
+    const auto json = nlohmann::json::parse(std::ifstream(file));
+    integrator.scheme = json.at("scheme");
+    integrator.step = json.at("step_ps");
+    return {json.at("accuracy"),
+            json.at("length_ps"),
+            {json.at("R_expected"), json.at("R_expected_error")}};
+  } catch (const nlohmann::json::exception& e) {
+    throw Error(
+        fmt::format("'{}' does not hold the promise of the run that is to go on ({}); begin "
+                    "it anew with --force",
+                    file, e.what()));
+  }
+}
+
+}  // namespace
+
+std::optional<Promise> promised(Config& config, Beginning beginning, Workers& workers) {
   IntegratorSettings& integrator = config.integrator;
   if (!integrator.accuracy) return std::nullopt;
+  const std::string file = config.output.prefix + "-promise.json";
+  if (beginning.go_on && std::filesystem::exists(file)) return kept_before(file, integrator);
+  refuse_existing(file, beginning.force);
   AdviserSettings settings{{Quality::ratio, *integrator.accuracy}, config.study.schemes};
   if (integrator.scheme_given) settings.schemes = {integrator.scheme};
   catch_interrupts();
@@ -35,7 +69,9 @@ std::optional<Promise> promised(Config& config, Workers& workers) {
   integrator.scheme = advice.candidates[*advice.best].name;
   integrator.step = point.step;
   fmt::print(stderr, "for {}: {}\n", described(settings.criterion), answer(advice));
-  return Promise{*integrator.accuracy, point.length, point.ratio()};
+  const Promise promise{*integrator.accuracy, point.length, point.ratio()};
+  keep(file, promise, integrator);
+  return promise;
 }
 
 Kept checked(const Promise& promise, std::span<const Energies> samples) {

@@ -17,10 +17,17 @@ struct Promise {
   Estimate expected;    ///< R, mean of the runs that confirmed it
 };
 
+/// Whether a run goes on from where it was left, and whether files that exist may be overwritten.
+struct Beginning {
+  bool go_on = false, force = false;
+};
+
 /// Chooses the step, and the scheme if the run file has none, where the run file asks for an
-/// accuracy, and tells on standard error. Nothing where it does not, or after an interrupt.
+/// accuracy, and tells on standard error. Nothing where it does not, or after an interrupt. What
+/// was chosen is kept in PREFIX-promise.json, and taken from there by a run that goes on: only with
+/// the same scheme and step is it the same run.
 /// @throws RunError  if no scheme keeps it
-std::optional<Promise> promised(Config& config, Workers& workers);
+std::optional<Promise> promised(Config& config, Beginning beginning, Workers& workers);
 
 struct Kept {
   Promise promise;

@@ -11,13 +11,16 @@ namespace polhode::cli {
 using Action = std::function<int()>;
 
 Action advise_verb(CLI::App& app);
+Action analyze_verb(CLI::App& app);
 Action bench_verb(CLI::App& app);
+Action convert_verb(CLI::App& app);
 Action energy_verb(CLI::App& app);
 Action run_verb(CLI::App& app);
 Action molecules_verb(CLI::App& app);
 Action schemes_verb(CLI::App& app);
 Action study_verb(CLI::App& app);
 Action top_verb(CLI::App& app);
+Action tune_scheme_verb(CLI::App& app);
 Action verify_verb(CLI::App& app);
 
 }  // namespace polhode::cli

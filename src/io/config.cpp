@@ -310,6 +310,9 @@ void read_run(TomlTable table, RunSettings& run) {
   table.require(run.length > 0, "length", "must be longer than 0 ps");
   take_time(table, "sample", run.sample, "4 fs");
   table.require(run.sample > 0, "sample", "must be longer than 0 fs");
+  take_time(table, "shadow_sample", run.shadow_sample, "100 fs");
+  table.require(run.shadow_sample >= 0, "shadow_sample",
+                "must be 0 fs or longer; 0 fs measures no shadow energy");
   table.refuse_unknown();
 }
 
@@ -320,12 +323,17 @@ void read_output(TomlTable table, OutputSettings& output) {
   table.require(output.trajectory_every >= 0, "trajectory_every",
                 "must be 0 ps or longer; 0 ps writes no trajectory");
   take(output.formats, table.texts("formats"));
-  const std::vector<std::string> known = {"xyz", "gro"};
+  std::vector<std::string> known;
+  for (const std::string_view format : writable_formats()) known.emplace_back(format);
   for (const std::string& format : output.formats)
     table.require(std::find(known.begin(), known.end(), format) != known.end(), "formats",
                   fmt::format("has the unknown format '{}'{}; there are: {}", format,
                               did_you_mean(format, known), listed(known)));
+  take(output.massless_sites, table.boolean("massless_sites"));
+  take(output.velocities, table.boolean("velocities"));
   output.plot = one_of(table, "plot", output.plot, {"svg", "png", "none"});
+  take(output.checkpoint_every, table.quantity("checkpoint_every", Dimension::wall_clock));
+  table.require(output.checkpoint_every > 0, "checkpoint_every", "must be longer than 0 s");
   table.refuse_unknown();
 }
 

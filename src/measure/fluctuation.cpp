@@ -61,8 +61,7 @@ Estimate fluctuation_ratio_with_error(std::span<const Energies> samples) {
                 samples.end());
     without.push_back(fluctuation_ratio(rest));
   }
-  // Jackknife: the variance of R is (n − 1)/n Σ (R_b − mean)², (n − 1)² times that of the mean.
-  R.error = mean(without).error * static_cast<double>(n - 1);
+  R.error = jackknife_error(without);
   return R;
 }
 
@@ -70,15 +69,16 @@ double drift_rate(std::span<const Energies> samples) {
   return slope(times(samples), totals(samples)).value;
 }
 
-Drift drift(std::span<const Energies> samples) {
-  const std::size_t n = std::min(blocks, samples.size());
+Drift drift(std::span<const Energies> samples) { return drift(times(samples), totals(samples)); }
+
+Drift drift(std::span<const double> t, std::span<const double> e) {
+  const std::size_t n = std::min(blocks, e.size());
   if (n < 3) return {};
-  const std::vector<double> t = times(samples), e = totals(samples);
   std::vector<double> t_mean, e_mean;
   for (std::size_t b = 0; b < n; ++b) {
-    const std::size_t first = samples.size() * b / n, end = samples.size() * (b + 1) / n;
-    t_mean.push_back(mean(std::span(t).subspan(first, end - first)).value);
-    e_mean.push_back(mean(std::span(e).subspan(first, end - first)).value);
+    const std::size_t first = e.size() * b / n, end = e.size() * (b + 1) / n;
+    t_mean.push_back(mean(t.subspan(first, end - first)).value);
+    e_mean.push_back(mean(e.subspan(first, end - first)).value);
   }
   const Estimate rate = slope(t_mean, e_mean);
   return {rate, chance(rate, static_cast<double>(n - 2))};

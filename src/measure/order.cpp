@@ -72,12 +72,16 @@ double energy_error(const Scheme& scheme, double lambda, double h, std::size_t s
 }  // namespace
 
 OrderMeasurement measured_order(const Scheme& scheme, double lambda) {
-  constexpr double length = 0.64, longest = 0.02;  // [ps]: several periods, coarse for any scheme
-  // A finite difference divides rounding by λ; without one, rounding is a few units of 2⁻⁵³ a step.
-  const double rounding = scheme.has_gradient() ? 1e-15 / lambda : 1e-13;
+  // Several periods, with steps that are coarse for the scheme [ps]; those of many stages are good
+  // at 20 fs already.
+  constexpr double length = 0.64;
+  const double longest = scheme.force_evaluations() < 8 ? 0.02 : 0.04;
+  // A finite difference divides rounding by λ; without one, a few units of 2⁻⁵³ a step add up as
+  // a random walk over some hundred to some ten thousand steps.
+  const double rounding = scheme.has_gradient() ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;
-  std::size_t steps = 32;
+  auto steps = static_cast<std::size_t>(std::llround(length / longest));
   for (double h = longest; h > length / 20000; h /= 2, steps *= 2) {
     const double error = energy_error(scheme, lambda, h, steps);
     result.points.push_back({h, error});

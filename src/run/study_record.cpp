@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>
@@ -10,20 +11,36 @@
 #include <sstream>
 
 #include "polhode/base/error.hpp"
+#include "polhode/run/identity.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
-    "rms potential [kJ/mol];temperature [K];R of rounding";
-/// Of records that know nothing of rounding: their last field is missing.
-constexpr std::size_t old_fields = 9, fields = 10;
+    "rms potential [kJ/mol];temperature [K];R of rounding;"
+    "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K]";
+/// Columns of records: without rounding, without the temperatures of parts, and whole.
+constexpr std::size_t first_fields = 9, second_fields = 10, fields = 14;
 
 std::string record_line(const StudyRun& run) {
-  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
-                     run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
-                     run.potential, run.temperature, run.rounding);
+  std::string line =
+      fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
+                  run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
+                  run.potential, run.temperature, run.rounding);
+  if (!run.parts) return line + ";;;;";
+  const auto& [x, y, z] = run.parts->rotation;
+  return line + fmt::format(";{:.17g};{:.17g};{:.17g};{:.17g}", run.parts->translation, x, y, z);
+}
+
+/// How many columns a record has by its head.
+std::size_t columns(const std::string& head, const std::string& path) {
+  const auto count = static_cast<std::size_t>(std::count(head.begin(), head.end(), ';')) + 1;
+  if (count == first_fields || count == second_fields || count == fields) return count;
+  throw Error(
+      fmt::format("'{}' has {} columns, but records of runs have {}, {} or {}; it is of a later "
+                  "version, so give another --output, or --force to start anew",
+                  path, count, first_fields, second_fields, fields));
 }
 
 /// Nothing if the line is not whole: the last one of a record may have been cut short.
@@ -31,19 +48,24 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
   std::istringstream in(line);
   StudyRun run;
   std::array<std::string, fields> field;
-  for (std::size_t k = 0; k < count; ++k)
-    if (!std::getline(in, field[k], ';')) return std::nullopt;
+  if (static_cast<std::size_t>(std::count(line.begin(), line.end(), ';')) + 1 < count)
+    return std::nullopt;
+  for (std::size_t k = 0; k < count; ++k) std::getline(in, field[k], ';');
+  const auto number = [&](std::size_t k) { return std::stod(field[k]); };
   try {
-    run = {field[0],
-           std::stod(field[1]),
-           std::stoi(field[2]),
-           field[3] == "1",
-           std::stod(field[4]),
-           std::stod(field[5]),
-           std::stod(field[6]),
-           std::stod(field[7]),
-           std::stod(field[8]),
-           count == fields ? std::stod(field[9]) : 0};
+    run = {.scheme = field[0],
+           .step = number(1),
+           .start = std::stoi(field[2]),
+           .stable = field[3] == "1",
+           .ratio = number(4),
+           .drift = number(5),
+           .total = number(6),
+           .potential = number(7),
+           .temperature = number(8),
+           .rounding = count >= second_fields ? number(9) : 0,
+           .parts = {}};
+    if (count == fields && !field[10].empty())
+      run.parts = Temperatures{run.temperature, number(10), {number(11), number(12), number(13)}};
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -53,31 +75,7 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
 }  // namespace
 
 std::string study_identity(const Config& config, const System& system) {
-  std::ostringstream id;
-  id.precision(17);
-  for (const auto& [molecule, count] : system.topology.parts) {
-    id << molecule.name << ' ' << count << ' ';
-    for (const Site& s : molecule.sites)
-      id << s.r.x << ' ' << s.r.y << ' ' << s.r.z << ' ' << s.mass << ' ' << s.charge << ' '
-         << s.sigma << ' ' << s.epsilon << ' ';
-  }
-  for (std::size_t i = 0; i < system.state.size(); ++i) {
-    const Vec3<double> q = system.state.q[i];
-    id << fmt::format("{:.9f} {:.9f} {:.9f} ", q.x, q.y, q.z);
-  }
-  const Vec3<double> edge = system.state.box.edge;
-  id << edge.x << ' ' << edge.y << ' ' << edge.z << ' ';
-  id << config.system.temperature << ' ' << config.system.seed << ' ';
-  const ForceSettings& f = config.forces;
-  id << static_cast<int>(f.truncation) << ' ' << static_cast<int>(f.electrostatics) << ' '
-     << static_cast<int>(f.precision) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
-     << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
-     << config.study.length << ' ' << config.study.decorrelate;
-  if (f.electrostatics == Electrostatics::ewald) id << " pme " << f.accuracy;
-  if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
-  if (f.dispersion_correction) id << " dispersion";
-  if (const std::string mixing = described(f.mixing); !mixing.empty()) id << ' ' << mixing;
-  return id.str();
+  return identity(config, system, {config.study.length, config.study.decorrelate});
 }
 
 StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)
@@ -94,10 +92,10 @@ StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, 
           fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
                       "start anew",
                       path));
-    std::size_t count = old_fields;
+    std::size_t count = fields;
     while (std::getline(in, line))
-      if (line == record_head)
-        count = fields;
+      if (line.starts_with("scheme;"))
+        count = columns(line, path);
       else if (const auto run = record_run(line, count))
         known_.push_back(*run);
     for (const StudyRun& run : known_) head += record_line(run) + "\n";

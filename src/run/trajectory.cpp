@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/integrator.hpp"
@@ -43,14 +44,45 @@ struct TimedForces {
   }
 };
 
+/// It ends the trajectory, which keeps what was computed.
+struct BlowUp : RunError {
+  using RunError::RunError;
+};
+
 [[noreturn]] void blown_up(const TrajectorySettings& s, std::size_t step, const std::string& what) {
-  throw RunError(
+  throw BlowUp(
       fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
                   "{}, or the start "
                   "is too rough: try {:g} fs, or equilibrate first",
                   step, static_cast<double>(step) * s.step, what, s.step * 1000, s.scheme.name(),
                   s.step * 500));
 }
+
+/// Where the time goes, added to what an earlier part of the run took.
+class Clocks {
+ public:
+  Clocks(const TimedForces& forces, const Timings& earlier)
+      : forces_(forces), earlier_(earlier), list_before_(forces.forces.neighbours().seconds()) {}
+  /// What has passed since the last call of this or skip() was drifts, kicks and forces.
+  void moved() { motion_ += part_.lap(); }
+  void skip() { part_.lap(); }
+  void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
+  Timings timings() {
+    all_ += whole_.lap();
+    const double list = forces_.forces.neighbours().seconds() - list_before_;
+    const double motion = motion_ - (forces_.seconds - forces_of_samples_);
+    return {earlier_.forces + forces_.seconds - list, earlier_.list + list,
+            earlier_.motion + motion,
+            earlier_.measurement + std::max(0.0, all_ - forces_.seconds - motion)};
+  }
+
+ private:
+  const TimedForces& forces_;
+  Timings earlier_;
+  double list_before_, all_ = 0, motion_ = 0;
+  double forces_of_samples_ = 0;  // schemes that end with a drift need forces for the energy
+  Stopwatch whole_, part_;
+};
 
 }  // namespace
 
@@ -62,35 +94,76 @@ std::size_t TrajectorySettings::steps_per_sample() const {
   return std::max<std::size_t>(1, static_cast<std::size_t>(sample / step * (1 + 1e-12)));
 }
 
+std::size_t TrajectorySettings::samples_per_shadow() const {
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(shadow_sample / (static_cast<double>(steps_per_sample()) * step) *
+                                  (1 + 1e-12)));
+}
+
+void TrajectorySettings::check_shadow() const {
+  if (shadow_sample == 0) return;
+  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
+  const ErrorTerms terms = error_terms(scheme);
+  if (scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding) return;
+  throw Error(fmt::format(
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, as "
+      "hoa2",
+      shadow_sample * 1000, scheme.name(),
+      scheme.palindromic()
+          ? "no error of order h², so its shadow energy is the energy itself to that order"
+          : "an error of order h, since its stages are no palindrome"));
+}
+
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
-                      const Watch& watch, Workers& workers) {
+                      const Watch& watch, Workers& workers, const RunState* from,
+                      std::vector<Energies> samples) {
   TimedForces timed{forces};
   Integrator integrator(settings.scheme, system.bodies, timed, settings.lambda, workers);
   Trajectory result;
+  result.samples = std::move(samples);
   const std::size_t steps = settings.steps(), interval = settings.steps_per_sample();
-  const double list_before = forces.neighbours().seconds();
-  double motion = 0;
-  Stopwatch whole, part;
+  double start = system.state.time;
+  if (from) {
+    system.state = from->state;
+    start = from->start;
+    result.steps = from->steps;
+    integrator.take_over(from->integrator);
+    forces.take_over(from->list);
+  }
+  Clocks clocks(timed, from ? from->timings : Timings{});
 
-  double forces_of_samples = 0;  // schemes that end with a drift need forces for the energy
+  const auto checkpoint = [&] {
+    if (!watch.checkpoint) return;
+    clocks.moved();
+    watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
+                      forces.list_memory(), clocks.timings()});
+    clocks.skip();
+  };
   const auto sample = [&] {
-    motion += part.lap();
+    clocks.moved();
     const double forces_before = timed.seconds;
-    const Energies now =
-        energies(system.state, system.bodies, integrator.load(system.state), workers);
-    forces_of_samples += timed.seconds - forces_before;
+    Energies now;
+    try {
+      now = energies(system.state, system.bodies, integrator.load(system.state), workers);
+    } catch (const RunError& e) {
+      blown_up(settings, result.steps, e.what());
+    }
+    clocks.forces_of_sample(timed.seconds - forces_before);
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
+    if (watch.sample) watch.sample(result.steps, system.state, now);
+    if (settings.shadow_sample > 0 && result.samples.size() % settings.samples_per_shadow() == 0)
+      result.brackets.push_back(
+          {now, error_brackets(system.state, system.bodies, integrator.last_load(), forces)});
     result.samples.push_back(now);
-    const Energies& start = result.samples.front();
-    if (std::abs(now.total() - start.total()) > start.kinetic() && start.kinetic() > 0)
+    const Energies& first = result.samples.front();
+    if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
       blown_up(
           settings, result.steps,
           fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the kinetic "
                       "energy at the start",
-                      start.total(), now.total()));
-    if (watch.sample) watch.sample(result.steps, system.state, now);
-    part.lap();
+                      first.total(), now.total()));
+    clocks.skip();
   };
   const auto step = [&](bool energies) {
     try {
@@ -99,47 +172,59 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
       blown_up(settings, result.steps + 1, e.what());
     }
     ++result.steps;
+    system.state.time = start + static_cast<double>(result.steps) * settings.step;
     if (!std::isfinite(integrator.last_load().potential()))
       blown_up(settings, result.steps, "the potential energy is no longer a finite number");
   };
 
-  const double start_time = system.state.time;
   try {
-    sample();
-    while (result.steps < steps && !result.stopped) {
-      const std::size_t next = std::min(result.steps + interval, steps);
-      while (result.steps < next && !result.stopped) {  // one by one: a step that fails is known
-        step(result.steps + 1 == next);
-        result.stopped = watch.stop && watch.stop();
-      }
-      system.state.time = start_time + static_cast<double>(result.steps) * settings.step;
+    if (result.samples.empty()) {
+      checkpoint();
       sample();
     }
-  } catch (const RunError& e) {
+    while (result.steps < steps && !result.stopped) {  // one by one: a step that fails is known
+      const bool sampled = (result.steps + 1) % interval == 0;
+      step(sampled);
+      if (sampled) sample();
+      result.stopped = watch.stop && watch.stop();
+      if (result.stopped || result.steps == steps || (watch.due && watch.due())) checkpoint();
+    }
+    if (result.steps % interval != 0) sample();
+  } catch (const BlowUp& e) {
     result.failure = e.what();
   }
-  motion += part.lap();
+  clocks.moved();
 
   result.force_evaluations = integrator.force_evaluations();
   result.measurements = integrator.measurements();
-  const double all = whole.lap(), list = forces.neighbours().seconds() - list_before;
-  result.timings = {timed.seconds - list, list, motion - (timed.seconds - forces_of_samples), 0};
-  result.timings.measurement = std::max(0.0, all - timed.seconds - result.timings.motion);
+  result.list_rebuilds = forces.list_rebuilds();
+  result.timings = clocks.timings();
   return result;
 }
 
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch,
-                 Workers& workers) {
+                 Workers& workers, const RunState* from) {
   constexpr double step = 0.001, interval = 0.02;  // [ps]
   const Scheme scheme = scheme_of("velocity-verlet");
+  const Watch within{watch.sample, watch.stop};
   double done = 0;
+  if (from) {
+    system.state = from->state;
+    done = from->equilibrated.value();
+    forces.take_over(from->list);
+  }
   while (done < length) {
+    RunState here;  // a piece that is not finished is done again
+    if (watch.checkpoint)
+      here = {.state = system.state, .equilibrated = done, .list = forces.list_memory()};
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
-    const Trajectory part =
-        trajectory(system, forces, {scheme, step, std::max(piece, step), interval}, watch, workers);
+    const Trajectory part = trajectory(
+        system, forces, {scheme, step, std::max(piece, step), interval}, within, workers);
     done += piece;
     if (!part.failure.empty()) throw RunError("while equilibrating, " + part.failure);
+    if (watch.checkpoint && (part.stopped || (watch.due && watch.due())))
+      watch.checkpoint(std::move(here));
     if (part.stopped) return false;
   }
   rescale(system.state, system.topology, system.bodies, system.temperature);

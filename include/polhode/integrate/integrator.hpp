@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <utility>
 
 #include "polhode/base/workers.hpp"
@@ -16,6 +17,15 @@ namespace polhode {
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
+};
+
+/// What an integrator carries from step to step: another one that takes it over goes on with the
+/// same bits.
+struct IntegratorMemory {
+  Load load;              ///< the last one
+  bool current = false;   ///< it belongs to the positions
+  bool complete = false;  ///< it holds energies
+  std::uint64_t evaluations = 0, measurements = 0;
 };
 
 /// An integrator owns its scratch space and the last Load; a step does not allocate.
@@ -74,6 +84,15 @@ class Integrator {
 
   /// To be called when someone else has moved the bodies.
   void forget() { current_ = false; }
+
+  IntegratorMemory memory() const {
+    return {load_, current_, complete_, evaluations_, measurements_};
+  }
+  void take_over(const IntegratorMemory& memory) {
+    load_ = memory.load;
+    current_ = memory.current, complete_ = memory.complete;
+    evaluations_ = memory.evaluations, measurements_ = memory.measurements;
+  }
 
   const Scheme& scheme() const { return scheme_; }
   std::uint64_t force_evaluations() const { return evaluations_; }  ///< by steps

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -24,18 +25,23 @@ struct Stage {
 constexpr Stage A(double a) { return {Flow::drift, a, 0}; }
 constexpr Stage B(double b, double xi = 0) { return {Flow::kick, b, xi}; }
 
+/// The fraction of a stage that is whatever makes its flow advance by one step in all.
+inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
+
 /// A scheme. Anyone's line in a table is checked when it is compiled: the constructor runs at
 /// compile time and refuses one whose drifts or kicks do not sum to one step.
 class Scheme {
  public:
   static constexpr std::size_t most_stages = 64;
 
-  /// @param half    the stages up to and including the middle one; the rest is their mirror image
+  /// @param half    the stages up to and including the middle one; the others are their mirror
+  ///                image. One stage of each flow may have `rest` as its fraction
   /// @param source  key in docs/references.bib
   consteval Scheme(std::string_view name, int order, std::initializer_list<Stage> half,
                    std::string_view source)
       : name_(name), source_(source), order_(order) {
     for (const Stage& stage : half) stages_[count_++] = stage;
+    complete(Flow::drift), complete(Flow::kick);
     for (std::size_t i = count_ - 1; i-- > 0;) stages_[count_++] = stages_[i];
     if (!consistent()) throw "the drifts or the kicks of a scheme do not sum to one";
   }
@@ -71,11 +77,15 @@ class Scheme {
   /// The last stage of one step and the first of the next are one flow.
   constexpr bool mergeable() const { return count_ > 1 && palindromic(); }
 
-  constexpr bool has_gradient() const {
+  /// Gradient kicks per step.
+  constexpr int gradient_kicks() const {
+    int n = 0;
     for (const Stage& stage : stages())
-      if (stage.xi != 0) return true;
-    return false;
+      if (stage.xi != 0) ++n;
+    if (mergeable() && stages_[0].xi != 0) --n;  // the last one is the next step's first
+    return n;
   }
+  constexpr bool has_gradient() const { return gradient_kicks() > 0; }
 
   constexpr bool palindromic() const {
     for (std::size_t i = 0; i < count_; ++i)
@@ -98,6 +108,21 @@ class Scheme {
   }
 
  private:
+  /// Gives the `rest` of a flow its value, while stages_ holds the half up to the middle.
+  constexpr void complete(Flow flow) {
+    double left = 1, share = 0;
+    std::size_t open = count_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (stages_[i].flow != flow) continue;
+      const double copies = i + 1 == count_ ? 1 : 2;
+      if (stages_[i].fraction != stages_[i].fraction)
+        open = i, share = copies;
+      else
+        left -= copies * stages_[i].fraction;
+    }
+    if (open < count_) stages_[open].fraction = left / share;
+  }
+
   std::string_view name_, source_;
   int order_;
   std::array<Stage, most_stages> stages_{};

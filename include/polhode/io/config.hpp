@@ -10,6 +10,7 @@
 
 #include "polhode/base/vec3.hpp"
 #include "polhode/forces/settings.hpp"
+#include "polhode/io/frame_file.hpp"
 
 namespace polhode {
 
@@ -42,16 +43,24 @@ struct IntegratorSettings {
 };
 
 struct RunSettings {
-  double equilibrate = 0;  ///< [ps], with velocity rescaling
-  double length = 15;      ///< [ps]
-  double sample = 0.004;   ///< between samples of the energies [ps]
+  double equilibrate = 0;    ///< [ps], with velocity rescaling
+  double length = 15;        ///< [ps]
+  double sample = 0.004;     ///< between samples of the energies [ps]
+  double shadow_sample = 0;  ///< between those of the shadow energy [ps]; 0: none
 };
 
 struct OutputSettings {
   std::string prefix = "polhode-run";  ///< of all output files
   double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  std::string plot = "svg";  ///< "svg", "png" or "none"
+  bool massless_sites = true;     ///< in trajectories
+  bool velocities = true;         ///< in trajectories, where the format has them
+  std::string plot = "svg";       ///< "svg", "png" or "none"
+  double checkpoint_every = 300;  ///< [s] of wall-clock time
+
+  FrameChoice choice() const {
+    return {massless_sites ? MasslessSites::kept : MasslessSites::left_out, velocities};
+  }
 };
 
 struct StudySettings {

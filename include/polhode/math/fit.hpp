@@ -14,9 +14,22 @@ struct Estimate {
 /// The mean of independent values and its standard error.
 Estimate mean(std::span<const double> values);
 
+/// The standard error of a value by the jackknife: `without` are the values that leaving out each
+/// of the independent parts in turn gives.
+double jackknife_error(std::span<const double> without);
+
 /// The slope of the least-squares line through (x, y) and its standard error from the residuals,
 /// which are taken as independent.
 Estimate slope(std::span<const double> x, std::span<const double> y);
+
+/// A straight line a + b x.
+struct Line {
+  Estimate intercept, slope;
+};
+
+/// The line through points with known standard errors of y, all positive, by weighted least
+/// squares; the errors of its parameters follow from those of y.
+Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
 
 /// The probability that chance alone moves an estimate as far from zero as this one: two-sided
 /// Student t with as many degrees of freedom. 1 if value and error are 0.

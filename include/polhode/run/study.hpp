@@ -3,7 +3,9 @@
 // runs (vanzon2008, Fig. 1).
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +17,9 @@
 #include "polhode/run/system.hpp"
 
 namespace polhode {
+
+/// Between energies [ps]: several times per 10 fs, as the fast librations alias otherwise.
+inline constexpr double longest_sample = 0.0025;
 
 /// One run: a scheme with a step from one of the starts.
 struct StudyRun {
@@ -28,6 +33,8 @@ struct StudyRun {
   double potential = 0;    ///< rms fluctuation of the potential energy [kJ/mol]
   double temperature = 0;  ///< mean over the run [K]
   double rounding = 0;     ///< R of rounding alone, estimated; 0 in double precision
+  /// Means over the run of kinds of motion; nothing in records that do not know them.
+  std::optional<Temperatures> parts;
 };
 
 /// A point of the figure: all runs of a scheme with one step.
@@ -41,6 +48,9 @@ struct EfficiencyPoint {
   Drift drift;             ///< of the series, as the paper has it
   double temperature = 0;  ///< [K]
   double rounding = 0;     ///< R of rounding alone, mean; 0 in double precision
+  /// T of rotation about each principal axis less that of translation, over the runs that know
+  /// them [K]; nothing without such freedoms.
+  std::array<std::optional<Estimate>, 3> excess;
   /// No run blew up, and the drift is not significant.
   bool usable() const { return stable && drift.chance >= significance; }
   /// R is no longer that of the scheme.

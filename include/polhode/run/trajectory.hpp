@@ -3,33 +3,33 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/measure/energy.hpp"
+#include "polhode/measure/shadow.hpp"
 #include "polhode/run/system.hpp"
 
 namespace polhode {
 
 struct TrajectorySettings {
   Scheme scheme;
-  double step = 0;       ///< [ps]
-  double length = 0;     ///< [ps]
-  double sample = 0;     ///< between energies [ps]; at least one step
-  double lambda = 1e-4;  ///< of finite-difference gradients
+  double step = 0;           ///< [ps]
+  double length = 0;         ///< [ps]
+  double sample = 0;         ///< between energies [ps]; at least one step
+  double lambda = 1e-4;      ///< of finite-difference gradients
+  double shadow_sample = 0;  ///< between error brackets [ps], at some of the samples; 0: none
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
-};
+  std::size_t samples_per_shadow() const;
 
-/// What may be done along the way; both are optional.
-struct Watch {
-  /// Called at every sample with the number of steps done.
-  std::function<void(std::size_t steps, const State&, const Energies&)> sample;
-  /// Asked after every step; true ends the trajectory there, with a last sample.
-  std::function<bool()> stop;
+  /// @throws Error  if a shadow energy is wanted of a scheme that has none of order h²
+  void check_shadow() const;
 };
 
 /// Seconds of wall-clock time by part.
@@ -41,28 +41,58 @@ struct Timings {
   double all() const { return forces + list + motion + measurement; }
 };
 
+/// Where a run stands between two steps: all that its rest depends on, to the last bit.
+struct RunState {
+  State state;
+  std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has begun
+  std::size_t steps = 0;
+  double start = 0;             ///< time of the state at step 0 [ps]
+  IntegratorMemory integrator;  ///< empty while equilibrating
+  ListMemory list;
+  Timings timings;
+};
+
+/// What may be done along the way; all of it is optional.
+struct Watch {
+  /// Called at every sample with the number of steps done; the energies are kept as it leaves them.
+  std::function<void(std::size_t steps, const State&, Energies&)> sample;
+  /// Asked after every step; true ends the trajectory there, with a last sample.
+  std::function<bool()> stop;
+  /// Asked after every step: whether `checkpoint` is to be called. It is called in any case at the
+  /// start, where the watch stops the trajectory, and at the end.
+  std::function<bool()> due;
+  std::function<void(RunState)> checkpoint;
+};
+
 struct Trajectory {
-  std::vector<Energies> samples;  ///< the first at the start
+  std::vector<Energies> samples;        ///< the first at the start
+  std::vector<BracketSample> brackets;  ///< of some of them, if asked for
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
   std::uint64_t measurements = 0;       ///< force evaluations for energies alone
   bool stopped = false;                 ///< by the watch
-  std::string failure;                  ///< why it ended early by itself; empty if it did not
+  std::string failure;                  ///< why it blew up; empty if it did not
+  std::size_t list_rebuilds = 0;        ///< of the neighbour list, with those before the start
   Timings timings;
 };
 
 /// Moves the system's state along. Total energy is sampled at synchronised steps. A trajectory that
 /// blows up ends there and says so, with the step and what to try, in `failure`: an energy is not
 /// finite, or the total energy has changed by more than the kinetic energy at the start. The
-/// trajectory is the same for any number of threads.
+/// trajectory is the same for any number of threads. A last sample between two intervals, at the
+/// end or where it was stopped, is none of those that a longer trajectory has.
+/// @param from     goes on from there, bit for bit as if it had never been left
+/// @param samples  those until then; they stand before the ones to come
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
-                      const Watch& watch = {}, Workers& workers = Workers::serial());
+                      const Watch& watch = {}, Workers& workers = Workers::serial(),
+                      const RunState* from = nullptr, std::vector<Energies> samples = {});
 
 /// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
 /// the total momentum removed. The step is at most 1 fs, so that rough starts relax.
+/// Checkpoints are taken between two rescalings.
 /// @return  false if the watch stopped it
 /// @throws RunError  if it blows up
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {},
-                 Workers& workers = Workers::serial());
+                 Workers& workers = Workers::serial(), const RunState* from = nullptr);
 
 }  // namespace polhode
