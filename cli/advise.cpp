@@ -73,13 +73,13 @@ int advise(const Options& o) {
                                        {"--temperature-bias", o.temperature_bias}}),
       config.text, name(current_target()), config.system.seed};
   const System system = assembled(config);
+  catch_interrupts();
   fmt::print(stderr,
              "polhode {}: advice for {} molecules, {}, about {:g} s, target {}, threads {}\n",
              POLHODE_VERSION, system.topology.size(), config.source, o.seconds, provenance.target,
              workers.threads());
   note_forces(system);
 
-  catch_interrupts();
   Advice advice;
   {
     Progress progress("advising");

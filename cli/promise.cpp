@@ -52,6 +52,7 @@ std::optional<Promise> promised(Config& config, Beginning beginning, Workers& wo
   AdviserSettings settings{{Quality::ratio, *integrator.accuracy}, config.study.schemes};
   if (integrator.scheme_given) settings.schemes = {integrator.scheme};
   catch_interrupts();
+  fmt::print(stderr, "choosing a step for {}\n", described(settings.criterion));
   Advice advice;
   {
     Progress progress("choosing the step");
