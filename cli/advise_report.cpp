@@ -80,7 +80,7 @@ nlohmann::json as_json(const Candidate& candidate) {
                       {"ns_per_day", candidate.ns_per_day()},
                       {"points", nlohmann::json::array()}};
   if (candidate.step > 0)
-    json["force_evaluations_per_ps"] = candidate.scheme.force_evaluations() / candidate.step;
+    json["force_evaluations_per_ps"] = candidate.scheme.cost() / candidate.step;
   if (!candidate.obstacle.empty()) json["obstacle"] = candidate.obstacle;
   for (const AdviserPoint& point : candidate.points) json["points"].push_back(as_json(point));
   return json;
@@ -245,12 +245,11 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
       tried += p.usable ? fmt::format(" {:.3g} fs: {:.3g}", p.step * 1000, 100 * p.ratio().value)
                         : fmt::format(" {:.3g} fs: {}", p.step * 1000,
                                       blew_up(p.runs) ? "blew up" : "drifts");
-    fmt::print("{:<18} {:>8} {:>12} {:>10}  {}\n", candidate.name,
-               candidate.step > 0 ? fmt::format("{:.3g}", candidate.step * 1000) : "-",
-               candidate.step > 0
-                   ? fmt::format("{:.0f}", candidate.scheme.force_evaluations() / candidate.step)
-                   : "-",
-               candidate.seconds > 0 ? fmt::format("{:.3g}", candidate.ns_per_day()) : "-", tried);
+    fmt::print(
+        "{:<18} {:>8} {:>12} {:>10}  {}\n", candidate.name,
+        candidate.step > 0 ? fmt::format("{:.3g}", candidate.step * 1000) : "-",
+        candidate.step > 0 ? fmt::format("{:.0f}", candidate.scheme.cost() / candidate.step) : "-",
+        candidate.seconds > 0 ? fmt::format("{:.3g}", candidate.ns_per_day()) : "-", tried);
   }
   for (const auto& [c, point] : advice.refused)
     fmt::print("not confirmed: {} at {:.3g} fs, {}\n", advice.candidates[c].name, point.step * 1000,

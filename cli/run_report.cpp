@@ -55,6 +55,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
   fmt::print("\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
   fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
              static_cast<double>(s.force_evaluations) / s.length);
+  if (s.derivatives > 0) fmt::print(", and {} of their derivative", s.derivatives);
   if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
   const double all = s.timings.all();
@@ -96,6 +97,7 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
                            {"pressure_error_bar", in_bar(s.pressure.error)},
                            {"momentum", s.momentum},
                            {"force_evaluations", s.force_evaluations},
+                           {"derivative_evaluations", s.derivatives},
                            {"force_evaluations_for_energies", s.measurements},
                            {"list_rebuilds", s.list_rebuilds},
                            {"seconds",

@@ -20,12 +20,17 @@ nlohmann::json as_json(const Scheme& scheme) {
   for (const Stage& s : scheme.stages())
     stages.push_back({{"flow", s.flow == Flow::drift ? "drift" : "kick"},
                       {"fraction", s.fraction},
-                      {"xi", s.xi}});
+                      {"xi", s.xi},
+                      {"gradient", s.xi == 0                            ? ""
+                                   : s.has(Gradient::finite_difference) ? "finite difference"
+                                                                        : "exact"}});
   return {{"name", scheme.name()},
           {"order", scheme.order()},
           {"stages", stages},
           {"force_evaluations", scheme.force_evaluations()},
           {"gradient_kicks", scheme.gradient_kicks()},
+          {"derivatives", scheme.derivatives()},
+          {"cost", scheme.cost()},
           {"source", scheme.source()},
           {"text", text_of(scheme)}};
 }
@@ -41,9 +46,9 @@ std::string flows(const Scheme& scheme) {
 void print_one(const Scheme& scheme) {
   fmt::print(
       "{}\n  order              {}\n  force evaluations  {} per step\n  gradient kicks     {} per "
-      "step\n  source             {}\n",
+      "step\n  cost               {:g} force evaluations per step\n  source             {}\n",
       scheme.name(), scheme.order() ? fmt::format("{}", scheme.order()) : "unknown",
-      scheme.force_evaluations(), scheme.gradient_kicks(),
+      scheme.force_evaluations(), scheme.gradient_kicks(), scheme.cost(),
       scheme.source().empty() ? "-" : scheme.source());
   if (scheme.palindromic()) {
     const ErrorTerms error = error_terms(scheme);
@@ -58,7 +63,8 @@ void print_one(const Scheme& scheme) {
     fmt::print("    {}\n",
                s.flow == Flow::drift ? fmt::format("A({:<20})  drift", s.fraction)
                : s.xi == 0           ? fmt::format("B({:<20})  kick", s.fraction)
-                           : fmt::format("B({:<20}, xi = {})  gradient kick", s.fraction, s.xi));
+                           : fmt::format("B({:<20}, xi = {})  gradient kick, {}", s.fraction, s.xi,
+                                         s.has(Gradient::exact) ? "exact" : "finite difference"));
   fmt::print("  as text\n    \"{}\"\n", text_of(scheme));
 }
 
@@ -87,11 +93,11 @@ Action schemes_verb(CLI::App& app) {
       fmt::print("{}\n", all.dump(2));
       return 0;
     }
-    fmt::print("{:<16} {:>5}  {:>17}  {:>14}  {:<13}  {}\n", "name", "order", "force evaluations",
-               "gradient kicks", "source", "flows");
+    fmt::print("{:<16} {:>5}  {:>17}  {:>14}  {:>5}  {:<13}  {}\n", "name", "order",
+               "force evaluations", "gradient kicks", "cost", "source", "flows");
     for (const Scheme& s : schemes)
-      fmt::print("{:<16} {:>5}  {:>17}  {:>14}  {:<13}  {}\n", s.name(), s.order(),
-                 s.force_evaluations(), s.gradient_kicks(), s.source(), flows(s));
+      fmt::print("{:<16} {:>5}  {:>17}  {:>14}  {:>5}  {:<13}  {}\n", s.name(), s.order(),
+                 s.force_evaluations(), s.gradient_kicks(), s.cost(), s.source(), flows(s));
     return 0;
   };
 }

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "force_notes.hpp"
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
@@ -16,6 +15,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/tune.hpp"
 #include "progress.hpp"
+#include "system_notes.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -86,6 +86,7 @@ int tune_scheme(const Options& o) {
              "{} that confirm, target {}, threads {}\n",
              POLHODE_VERSION, system.topology.size(), settings.step * 1000, settings.runs,
              settings.length, settings.runs, name(current_target()), workers.threads());
+  note_molecules(system);
   note_forces(system);
 
   catch_interrupts();

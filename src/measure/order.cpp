@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "polhode/integrate/integrator.hpp"
+#include "polhode/math/dual.hpp"
 #include "polhode/measure/energy.hpp"
 
 namespace polhode {
@@ -23,25 +24,48 @@ class AnharmonicField {
   explicit AnharmonicField(const Molecule& molecule) : sites_(molecule.sites) {}
 
   void operator()(const State& state, Load& load) const {
-    Vec3<double> f{}, tau{};
-    load.lennard_jones = load.coulomb = 0;
-    for (std::size_t k = 0; k < sites_.size(); ++k) {
-      const double weight = 1 + 0.3 * static_cast<double>(k);
-      const Vec3<double> arm = to_lab(state.attitude[0], sites_[k].r);
-      const Vec3<double> x = state.q[0] + arm;
-      const double along = dot(x, skew_), x2 = norm2(x);
-      load.lennard_jones += weight * (dot(x, scaled(stiffness_, x)) / 2 +
-                                      cubic_ * along * along * along / 3 + quartic_ * x2 * x2 / 4);
-      const Vec3<double> force = -weight * (scaled(stiffness_, x) +
-                                            (cubic_ * along * along) * skew_ + (quartic_ * x2) * x);
-      f += force;
-      tau += cross(arm, force);
-    }
-    load.f.set(0, f);
-    load.tau.set(0, tau);
+    const Felt<double> felt = of(state.q[0], state.attitude[0]);
+    load.lennard_jones = felt.energy;
+    load.coulomb = 0;
+    load.f.set(0, felt.f);
+    load.tau.set(0, felt.tau);
+  }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& derivative) const {
+    const Quaternion<double> a = state.attitude[0];
+    const Vec3<double> v = dtheta[0];
+    const Quaternion<double> da = scaled(a * Quaternion<double>{0, v.x, v.y, v.z}, 0.5);
+    const Felt<Dual<double>> felt = of<Dual<double>>(
+        dual(state.q[0], dq[0]), {{a.w, da.w}, {a.x, da.x}, {a.y, da.y}, {a.z, da.z}});
+    derivative.f.set(0, slope(felt.f));
+    derivative.tau.set(0, slope(felt.tau));
   }
 
  private:
+  template <class Real>
+  struct Felt {
+    Vec3<Real> f{}, tau{};
+    Real energy{};
+  };
+  template <class Real>
+  Felt<Real> of(const Vec3<Real>& q, const Quaternion<Real>& attitude) const {
+    const auto as_real = [](const Vec3<double>& v) { return Vec3<Real>{v.x, v.y, v.z}; };
+    const Vec3<Real> stiffness = as_real(stiffness_), skew = as_real(skew_);
+    Felt<Real> felt;
+    for (std::size_t k = 0; k < sites_.size(); ++k) {
+      const Real weight = 1 + 0.3 * static_cast<double>(k);
+      const Vec3<Real> arm = to_lab(attitude, as_real(sites_[k].r));
+      const Vec3<Real> x = q + arm;
+      const Real along = dot(x, skew), x2 = norm2(x);
+      felt.energy += weight * (dot(x, scaled(stiffness, x)) / 2.0 +
+                               cubic_ * along * along * along / 3.0 + quartic_ * x2 * x2 / 4.0);
+      const Vec3<Real> force =
+          -weight * (scaled(stiffness, x) + (cubic_ * along * along) * skew + (quartic_ * x2) * x);
+      felt.f += force;
+      felt.tau += cross(arm, force);
+    }
+    return felt;
+  }
   std::vector<Site> sites_;
   Vec3<double> stiffness_{900, 1400, 600};  // [kJ/mol/nm²]
   Vec3<double> skew_{0.6, -0.5, 0.62};
@@ -78,7 +102,7 @@ OrderMeasurement measured_order(const Scheme& scheme, double lambda) {
   const double longest = scheme.force_evaluations() < 8 ? 0.02 : 0.04;
   // A finite difference divides rounding by λ; without one, a few units of 2⁻⁵³ a step add up as
   // a random walk over some hundred to some ten thousand steps.
-  const double rounding = scheme.has_gradient() ? 1e-15 / lambda : 4e-14;
+  const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;
   auto steps = static_cast<std::size_t>(std::llround(length / longest));

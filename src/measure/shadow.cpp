@@ -22,7 +22,8 @@ ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Loa
     v.set(i, bodies.inverse_m[i] * state.p[i]);
     omega.set(i, scaled(bodies.inverse_J[i], to_body(state.attitude[i], state.ell[i])));
   }
-  const Load slope = forces.directional_derivative(state, v, omega);
+  Load slope;
+  forces.directional_derivative(state, v, omega, slope);
   ErrorBrackets brackets{0, squared_force(state, bodies, load)};
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Quaternion<double> a = state.attitude[i];

@@ -172,7 +172,7 @@ class Adviser {
   StepSearch search_of(const Candidate& candidate) const {
     // A harmonic freedom of frequency ω is stable up to ω h = 2 for each force evaluation of a good
     // scheme, and the fastest bodies of a liquid move twice as fast as their mean.
-    const double first = 0.12 * std::min(3, candidate.scheme.force_evaluations()) / frequency_;
+    const double first = 0.12 * std::min(3.0, candidate.scheme.cost()) / frequency_;
     return {settings_.criterion, candidate.scheme.order(), three_digits(first)};
   }
 
@@ -266,7 +266,7 @@ class Adviser {
       const auto c = cheapest();
       if (!c) return;
       Candidate& candidate = advice_.candidates[*c];
-      const double cost = candidate.scheme.force_evaluations() / candidate.step;
+      const double cost = candidate.scheme.cost() / candidate.step;
       const double length =
           std::clamp(affordable(budget(0.4), confirming, cost),
                      std::min(config_.run.length, 60 / frequency_), config_.run.length);

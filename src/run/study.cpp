@@ -31,7 +31,7 @@ std::vector<double> default_steps(const Scheme& scheme, bool coarse) {
   return fs;
 }
 
-double cost(const Scheme& scheme, double step) { return scheme.force_evaluations() / step; }
+double cost(const Scheme& scheme, double step) { return scheme.cost() / step; }
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 

@@ -39,6 +39,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
           s.potential_fluctuation;
   }
   s.force_evaluations = trajectory.force_evaluations;
+  s.derivatives = trajectory.derivatives;
   s.measurements = trajectory.measurements;
   s.list_rebuilds = trajectory.list_rebuilds;
   s.timings = trajectory.timings;

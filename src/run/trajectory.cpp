@@ -42,6 +42,12 @@ struct TimedForces {
     forces.forces_alone(state, load);
     seconds += watch.lap();
   }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& slope) {
+    Stopwatch watch;
+    forces.directional_derivative(state, dq, dtheta, slope);
+    seconds += watch.lap();
+  }
 };
 
 /// It ends the trajectory, which keeps what was computed.
@@ -196,6 +202,7 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   clocks.moved();
 
   result.force_evaluations = integrator.force_evaluations();
+  result.derivatives = integrator.derivatives();
   result.measurements = integrator.measurements();
   result.list_rebuilds = forces.list_rebuilds();
   result.timings = clocks.timings();

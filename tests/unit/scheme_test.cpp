@@ -66,14 +66,16 @@ TEST_CASE("force evaluations per step follow from the stages") {
   static_assert(schemes[0].force_evaluations() == 1);
   static_assert(schemes[1].force_evaluations() == 1);
   static_assert(schemes[2].force_evaluations() == 2);
-  static_assert(schemes[3].force_evaluations() == 3);
+  static_assert(schemes[3].force_evaluations() == 2 && schemes[3].derivatives() == 1);
+  static_assert(schemes[3].cost() == 2 + derivative_cost);
+  static_assert(schemes[4].force_evaluations() == 3 && schemes[4].derivatives() == 0);
   static_assert(scheme_of_name("bcss3").force_evaluations() == 3);
   static_assert(scheme_of_name("forest-ruth").force_evaluations() == 3);
   static_assert(scheme_of_name("pefrl").force_evaluations() == 4);
   static_assert(scheme_of_name("4mn5fv").force_evaluations() == 5);
   static_assert(scheme_of_name("srkn14-6").force_evaluations() == 14);
-  static_assert(scheme_of_name("chin-4b").force_evaluations() == 4);
-  static_assert(scheme_of_name("4mn3f1gp").force_evaluations() == 4);
+  static_assert(scheme_of_name("chin-4b").force_evaluations() == 2);
+  static_assert(scheme_of_name("4mn3f1gp").force_evaluations() == 3);
   CHECK(scheme_of("A(1) B(1)").force_evaluations() == 1);
   CHECK(scheme_of("B(1/4) B(1/4) A(1) B(1/2)").force_evaluations() == 1);
 }
@@ -126,7 +128,11 @@ TEST_CASE("a scheme as text reads back to the same bits") {
   }
   const Scheme gier4 = scheme_of(" B( 1/6)A(0.5) B(2/3,xi = 1/48)\tA(1/2) B(1 / 6) ");
   CHECK(gier4.stages()[2] == B(2.0 / 3, 1.0 / 48));
-  CHECK(gier4.force_evaluations() == 3);
+  CHECK(gier4.stages()[2].has(Gradient::exact));
+  CHECK(gier4.derivatives() == 1);
+  const Scheme by_difference = scheme_of("B(1/6) A(1/2) B(2/3, 1/48 , fd) A(1/2) B(1/6)");
+  CHECK(by_difference.stages()[2] == B(2.0 / 3, 1.0 / 48, Gradient::finite_difference));
+  CHECK(by_difference.force_evaluations() == 3);
 }
 
 TEST_CASE("scheme texts that cannot be read say where and what is expected") {
@@ -136,6 +142,7 @@ TEST_CASE("scheme texts that cannot be read say where and what is expected") {
   check_error([] { scheme_of("B(1/0) A(1)"); }, {"a denominator other than 0"});
   check_error([] { scheme_of("B(x) A(1)"); }, {"'x) A(1)' at character 3", "a finite number"});
   check_error([] { scheme_of("A(1, 1/48) B(1)"); }, {"a drift has one argument"});
+  check_error([] { scheme_of("B(1, 1/48, exact) A(1)"); }, {"'exact) A(1'", "'fd'"});
   check_error([] { scheme_of("B(1e999) A(1)"); }, {"a finite number"});
   check_error([] { scheme_of("B(1/2) A(1)"); }, {"kicks B to 0.5", "must sum to 1"});
   std::string longer;

@@ -28,7 +28,7 @@ struct RunSummary {
   double momentum = 0;                  ///< |Σ p| at the end [u nm/ps]
   Temperatures temperatures;            ///< means over the run [K]
   Freedoms freedoms;
-  std::uint64_t force_evaluations = 0, measurements = 0;
+  std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
   std::size_t list_rebuilds = 0;
   Timings timings;
   double ns_per_day = 0;

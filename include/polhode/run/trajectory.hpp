@@ -69,6 +69,7 @@ struct Trajectory {
   std::vector<BracketSample> brackets;  ///< of some of them, if asked for
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
+  std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
   std::uint64_t measurements = 0;       ///< force evaluations for energies alone
   bool stopped = false;                 ///< by the watch
   std::string failure;                  ///< why it blew up; empty if it did not
