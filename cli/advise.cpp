@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "advise_report.hpp"
-#include "force_notes.hpp"
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
 #include "progress.hpp"
+#include "system_notes.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
