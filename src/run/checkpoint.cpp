@@ -54,6 +54,11 @@ void state(Archive& archive, Of& s) {
   vectors(archive, s.q);
   vectors(archive, s.p);
   archive(s.attitude.w), vectors(archive, s.attitude);
+  if constexpr (!std::is_const_v<Of>) {  // its padding holds attitudes as well
+    QuaternionColumn padded(s.attitude.size());
+    for (std::size_t i = 0; i < padded.size(); ++i) padded.set(i, s.attitude[i]);
+    s.attitude = std::move(padded);
+  }
   vectors(archive, s.ell);
   archive(s.box.edge);
   archive(s.time);
