@@ -15,12 +15,12 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
-#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/io/xyz.hpp"
+#include "polhode/run/near_forces.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
 #include "verbs.hpp"
@@ -137,11 +137,11 @@ struct Means {
   std::string target;
 };
 
-void print_summary(const RunSummary& s, const TrajectorySettings& t, const Scheme& scheme,
-                   const Means& means) {
+void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means& means) {
   const auto percent = [](double x) { return 100 * x; };
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
-             s.molecules, s.steps, t.step * 1000, scheme.name(), s.length, s.sample * 1000);
+             s.molecules, s.steps, t.step * 1000, name_of({t.scheme, t.inner}), s.length,
+             s.sample * 1000);
   fmt::print(
       "R                     {:.4g} ± {:.2g} %   (rms of total energy {:.4g} over that of the "
       "potential {:.4g} kJ/mol)\n",
@@ -167,14 +167,20 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
   fmt::print("\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
   fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
              static_cast<double>(s.force_evaluations) / s.length);
+  if (t.inner)
+    fmt::print(", of near forces {} ({:.4g} per ps)", s.near_evaluations,
+               static_cast<double>(s.near_evaluations) / s.length);
   if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
   const double all = s.timings.all();
   fmt::print(
-      "time                  {:.2f} s: forces {:.0f} %, list {:.0f} %, drifts and kicks {:.0f} %, "
+      "time                  {:.2f} s: forces {:.0f} %, {}list {:.0f} %, drifts and kicks {:.0f} "
+      "%, "
       "energies and output {:.0f} %\n",
-      all, percent(s.timings.forces / all), percent(s.timings.list / all),
-      percent(s.timings.motion / all), percent(s.timings.measurement / all));
+      all, percent(s.timings.forces / all),
+      t.inner ? fmt::format("near forces {:.0f} %, ", percent(s.timings.near / all)) : "",
+      percent(s.timings.list / all), percent(s.timings.motion / all),
+      percent(s.timings.measurement / all));
   fmt::print("speed                 {:.4g} ns/day with {} {}, instruction set {}\n", s.ns_per_day,
              means.threads, means.threads == 1 ? "thread" : "threads", means.target);
 }
@@ -182,7 +188,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Schem
 nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
                        const Files& files, bool stopped) {
   return {{"molecules", s.molecules},
-          {"scheme", text_of(t.scheme)},
+          {"scheme", text_of({t.scheme, t.inner})},
           {"step_fs", t.step * 1000},
           {"steps", s.steps},
           {"length_ps", s.length},
@@ -208,11 +214,13 @@ nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const M
           {"pressure_error_bar", in_bar(s.pressure.error)},
           {"momentum", s.momentum},
           {"force_evaluations", s.force_evaluations},
+          {"near_evaluations", s.near_evaluations},
           {"force_evaluations_for_energies", s.measurements},
           {"list_rebuilds", s.list_rebuilds},
           {"seconds",
            {{"all", s.timings.all()},
             {"forces", s.timings.forces},
+            {"near", s.timings.near},
             {"list", s.timings.list},
             {"motion", s.timings.motion},
             {"energies_and_output", s.timings.measurement}}},
@@ -224,9 +232,9 @@ nlohmann::json as_json(const RunSummary& s, const TrajectorySettings& t, const M
 
 int run(const Options& o) {
   const Config config = configured(o);
-  const Scheme scheme = scheme_of(config.integrator.scheme);
-  const TrajectorySettings settings{scheme, config.integrator.step, config.run.length,
-                                    config.run.sample, config.integrator.lambda};
+  const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
+  const TrajectorySettings settings{scheme.outer,      config.integrator.step,   config.run.length,
+                                    config.run.sample, config.integrator.lambda, scheme.inner};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
@@ -235,6 +243,7 @@ int run(const Options& o) {
   Workers workers(threads_wanted(o.threads));
   System system = assembled(config);
   ForceField forces(system.topology, system.forces, system.state.box, workers);
+  check_near(system.forces, scheme, config.source);
   const Files files(config.output);
   for (const std::string& file : files.all()) refuse_existing(file, o.force);
 
@@ -242,7 +251,7 @@ int run(const Options& o) {
                               config.system.seed};
   const Means means{workers.threads(), provenance.target};
   fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n",
-             POLHODE_VERSION, system.topology.size(), config.source, scheme.name(),
+             POLHODE_VERSION, system.topology.size(), config.source, name_of(scheme),
              settings.step * 1000, means.target, means.threads);
   note_forces(system);
   if (system.fit_deviation > 1e-4)
@@ -299,13 +308,13 @@ int run(const Options& o) {
   if (!files.plot.empty())
     energy_plot(
         files.energies,
-        fmt::format("{}, {} at {:g} fs", config.source, scheme.name(), settings.step * 1000),
+        fmt::format("{}, {} at {:g} fs", config.source, name_of(scheme), settings.step * 1000),
         config.output.plot, std::cerr);
 
   if (o.json) {
     fmt::print("{}\n", as_json(s, settings, means, files, t.stopped).dump(2));
   } else {
-    print_summary(s, settings, scheme, means);
+    print_summary(s, settings, means);
     fmt::print("files                ");
     for (const std::string& file : files.all()) fmt::print(" {}", file);
     fmt::print("\n");

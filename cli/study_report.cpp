@@ -30,14 +30,15 @@ Table point_table(const StudyReport& report) {
                    {"drift_chance", "1"},
                    {"temperature", "K"},
                    {"R_rounding", "1"},
-                   {"rounded", "1"}};
+                   {"rounded", "1"},
+                   {"near_weight", "1"}};
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
       table.rows.push_back({p.scheme, p.step * 1000, p.cost, static_cast<double>(p.runs),
                             p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
                             p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.chance,
-                            p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0});
+                            p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
     }
   return table;
 }
@@ -102,7 +103,8 @@ std::string study_json(const StudyReport& report) {
                                 {"drift_chance", p.drift.chance},
                                 {"temperature_K", p.temperature},
                                 {"R_rounding", p.rounding},
-                                {"rounded", p.at_rounding()}});
+                                {"rounded", p.at_rounding()},
+                                {"near_weight", p.near_weight}});
     }
   for (const Guideline& line : report.guidelines) {
     nlohmann::json row{{"R", line.ratio}};

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <filesystem>
@@ -14,16 +15,17 @@
 namespace polhode {
 namespace {
 
+constexpr const char* record_names = "scheme;step";
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
-    "rms potential [kJ/mol];temperature [K];R of rounding";
-/// Of records that know nothing of rounding: their last field is missing.
-constexpr std::size_t old_fields = 9, fields = 10;
+    "rms potential [kJ/mol];temperature [K];R of rounding;weight of near forces";
+/// Of records that know nothing of the last fields.
+constexpr std::size_t least_fields = 9, fields = 11;
 
 std::string record_line(const StudyRun& run) {
-  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
-                     run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
-                     run.potential, run.temperature, run.rounding);
+  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}",
+                     run.scheme, run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift,
+                     run.total, run.potential, run.temperature, run.rounding, run.near_weight);
 }
 
 /// Nothing if the line is not whole: the last one of a record may have been cut short.
@@ -43,7 +45,8 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
            std::stod(field[6]),
            std::stod(field[7]),
            std::stod(field[8]),
-           count == fields ? std::stod(field[9]) : 0};
+           count > 9 ? std::stod(field[9]) : 0,
+           count > 10 ? std::stod(field[10]) : 0};
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -93,10 +96,10 @@ StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, 
           fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
                       "start anew",
                       path));
-    std::size_t count = old_fields;
+    std::size_t count = least_fields;
     while (std::getline(in, line))
-      if (line == record_head)
-        count = fields;
+      if (line.starts_with(record_names))
+        count = 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ';'));
       else if (const auto run = record_run(line, count))
         known_.push_back(*run);
     for (const StudyRun& run : known_) head += record_line(run) + "\n";

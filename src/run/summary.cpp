@@ -41,11 +41,12 @@ RunSummary summary(const System& system, const ForceField& forces,
     s.ratio = fluctuation_ratio_with_error(trajectory.samples);
     s.drift = drift(trajectory.samples);
     if (s.potential_fluctuation > 0)
-      s.rounding =
-          rounding_fluctuation(noise, settings.scheme, settings.lambda, settings.step, s.length) /
-          s.potential_fluctuation;
+      s.rounding = rounding_fluctuation(noise, {settings.scheme, settings.inner}, settings.lambda,
+                                        settings.step, s.length) /
+                   s.potential_fluctuation;
   }
   s.force_evaluations = trajectory.force_evaluations;
+  s.near_evaluations = trajectory.near_evaluations;
   s.measurements = trajectory.measurements;
   s.list_rebuilds = forces.neighbours().rebuilds();
   s.timings = trajectory.timings;

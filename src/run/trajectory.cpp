@@ -8,8 +8,10 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
-#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/nested_forces.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/run/near_forces.hpp"
 
 namespace polhode {
 namespace {
@@ -27,10 +29,12 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The forces, with a clock.
+/// Forces, with a clock.
 struct TimedForces {
   ForceField& forces;
-  double seconds = 0;
+  double seconds = 0;  // with the list
+  double list_before = forces.neighbours().seconds();
+  double list() const { return forces.neighbours().seconds() - list_before; }
   void operator()(const State& state, Load& load) {
     Stopwatch watch;
     forces(state, load);
@@ -48,9 +52,16 @@ struct TimedForces {
       fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
                   "{}, or the start "
                   "is too rough: try {:g} fs, or equilibrate first",
-                  step, static_cast<double>(step) * s.step, what, s.step * 1000, s.scheme.name(),
-                  s.step * 500));
+                  step, static_cast<double>(step) * s.step, what, s.step * 1000,
+                  name_of({s.scheme, s.inner}), s.step * 500));
 }
+
+/// The trajectory of an integrator.
+/// @param whole, near  what it evaluates; near is empty without an inner scheme
+template <class Model>
+Trajectory followed(System& system, Integrator<Model>& integrator, const TimedForces& whole,
+                    const TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
+                    Workers& workers);
 
 }  // namespace
 
@@ -64,21 +75,41 @@ std::size_t TrajectorySettings::steps_per_sample() const {
 
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                       const Watch& watch, Workers& workers) {
-  TimedForces timed{forces};
-  Integrator integrator(settings.scheme, system.bodies, timed, settings.lambda, workers);
+  TimedForces whole{forces};
+  if (!settings.inner) {
+    Integrator integrator(settings.scheme, system.bodies, whole, settings.lambda, workers);
+    return followed(system, integrator, whole, nullptr, settings, watch, workers);
+  }
+  ForceField near_forces(system.topology, near_settings(forces.settings(), *settings.inner),
+                         system.state.box, workers);
+  TimedForces near{near_forces};
+  NestedForces nested(settings.inner->scheme, settings.inner->steps, system.bodies, whole, near,
+                      settings.lambda, workers);
+  Integrator integrator(settings.scheme, system.bodies, nested, settings.lambda, workers);
+  Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers);
+  result.near_evaluations = nested.near_evaluations();
+  return result;
+}
+
+namespace {
+
+template <class Model>
+Trajectory followed(System& system, Integrator<Model>& integrator, const TimedForces& whole,
+                    const TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
+                    Workers& workers) {
   Trajectory result;
   const std::size_t steps = settings.steps(), interval = settings.steps_per_sample();
-  const double list_before = forces.neighbours().seconds();
+  const auto in_forces = [&] { return whole.seconds + (near ? near->seconds : 0); };
   double motion = 0;
-  Stopwatch whole, part;
+  Stopwatch run, part;
 
   double forces_of_samples = 0;  // schemes that end with a drift need forces for the energy
   const auto sample = [&] {
     motion += part.lap();
-    const double forces_before = timed.seconds;
+    const double forces_before = in_forces();
     const Energies now =
         energies(system.state, system.bodies, integrator.load(system.state), workers);
-    forces_of_samples += timed.seconds - forces_before;
+    forces_of_samples += in_forces() - forces_before;
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     result.samples.push_back(now);
@@ -122,11 +153,15 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
 
   result.force_evaluations = integrator.force_evaluations();
   result.measurements = integrator.measurements();
-  const double all = whole.lap(), list = forces.neighbours().seconds() - list_before;
-  result.timings = {timed.seconds - list, list, motion - (timed.seconds - forces_of_samples), 0};
-  result.timings.measurement = std::max(0.0, all - timed.seconds - result.timings.motion);
+  result.timings = {.forces = whole.seconds - whole.list(),
+                    .near = near ? near->seconds - near->list() : 0,
+                    .list = whole.list() + (near ? near->list() : 0),
+                    .motion = motion - (in_forces() - forces_of_samples)};
+  result.timings.measurement = std::max(0.0, run.lap() - result.timings.all());
   return result;
 }
+
+}  // namespace
 
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch,
                  Workers& workers) {

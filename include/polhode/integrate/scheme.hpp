@@ -71,11 +71,15 @@ class Scheme {
   /// The last stage of one step and the first of the next are one flow.
   constexpr bool mergeable() const { return count_ > 1 && palindromic(); }
 
-  constexpr bool has_gradient() const {
+  /// Gradient kicks per step.
+  constexpr int gradient_kicks() const {
+    int n = 0;
     for (const Stage& stage : stages())
-      if (stage.xi != 0) return true;
-    return false;
+      if (stage.xi != 0) ++n;
+    if (mergeable() && stages_[0].xi != 0) --n;  // the last one is the next step's first
+    return n;
   }
+  constexpr bool has_gradient() const { return gradient_kicks() > 0; }
 
   constexpr bool palindromic() const {
     for (std::size_t i = 0; i < count_; ++i)

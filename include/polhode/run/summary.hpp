@@ -28,7 +28,7 @@ struct RunSummary {
   double translation = 0;            ///< [K]
   std::array<double, 3> rotation{};  ///< about each principal axis [K]; 0 without freedoms
   Freedoms freedoms;
-  std::uint64_t force_evaluations = 0, measurements = 0;
+  std::uint64_t force_evaluations = 0, near_evaluations = 0, measurements = 0;
   std::size_t list_rebuilds = 0;
   Timings timings;
   double ns_per_day = 0;

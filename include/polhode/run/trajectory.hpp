@@ -3,11 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/integrate/scheme.hpp"
+#include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/system.hpp"
 
@@ -15,10 +16,11 @@ namespace polhode {
 
 struct TrajectorySettings {
   Scheme scheme;
-  double step = 0;       ///< [ps]
-  double length = 0;     ///< [ps]
-  double sample = 0;     ///< between energies [ps]; at least one step
-  double lambda = 1e-4;  ///< of finite-difference gradients
+  double step = 0;                     ///< [ps]
+  double length = 0;                   ///< [ps]
+  double sample = 0;                   ///< between energies [ps]; at least one step
+  double lambda = 1e-4;                ///< of finite-difference gradients
+  std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
@@ -34,17 +36,19 @@ struct Watch {
 
 /// Seconds of wall-clock time by part.
 struct Timings {
-  double forces = 0;       ///< without the list
-  double list = 0;         ///< neighbour list: checks and rebuilds
+  double forces = 0;       ///< without the list; all of them
+  double near = 0;         ///< near forces of an inner scheme, without their list
+  double list = 0;         ///< neighbour lists: checks and rebuilds
   double motion = 0;       ///< drifts and kicks
   double measurement = 0;  ///< energies, output
-  double all() const { return forces + list + motion + measurement; }
+  double all() const { return forces + near + list + motion + measurement; }
 };
 
 struct Trajectory {
   std::vector<Energies> samples;  ///< the first at the start
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
+  std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme
   std::uint64_t measurements = 0;       ///< force evaluations for energies alone
   bool stopped = false;                 ///< by the watch
   std::string failure;                  ///< why it ended early by itself; empty if it did not

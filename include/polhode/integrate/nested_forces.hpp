@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Multiple time steps [tuckerman1992]: slow forces for an outer scheme, whose drifts are steps of
+// an inner scheme under the near forces.
+#pragma once
+
+#include "polhode/integrate/integrator.hpp"
+
+namespace polhode {
+
+/// A force model that is split, V = V_near + V_slow, for an outer Integrator: its forces are slow
+/// ones, all forces less the near ones, and its drift is e^{(A + B_near)t}, played by an inner
+/// Integrator. Where both meet at the same positions the near forces are evaluated once.
+/// @tparam Near  a part of the forces of Full, cheap and fast
+template <ForceModel Full, ForceModel Near>
+class NestedForces {
+ public:
+  /// @param inner   the scheme of near forces
+  /// @param steps   of the inner scheme in each drift
+  /// @param lambda  of finite differences in the inner scheme
+  NestedForces(const Scheme& inner, int steps, const Bodies& bodies, Full& full, Near& near,
+               double lambda = 1e-4, Workers& workers = Workers::serial())
+      : steps_(steps),
+        full_(full),
+        near_(near),
+        inner_(inner, bodies, near, lambda, workers),
+        near_elsewhere_(bodies.size()) {}
+
+  /// Slow forces and torques; the energies and the virial are those of all forces.
+  void operator()(const State& state, Load& load) {
+    full_(state, load);
+    take_near(state, load);
+  }
+  /// Slow forces and torques alone.
+  void forces_alone(const State& state, Load& load) {
+    polhode::forces_alone(full_, state, load);
+    take_near(state, load);
+  }
+
+  /// e^{(A + B_near)t}, to the order of the inner scheme.
+  void drift(State& state, double t) {
+    moved_ = &state;
+    inner_.advance(state, t / steps_, static_cast<std::size_t>(steps_), false);
+  }
+
+  void forget() { inner_.forget(); }
+
+  std::uint64_t near_evaluations() const { return inner_.force_evaluations() + elsewhere_; }
+
+ private:
+  void take_near(const State& state, Load& load) {
+    const Load& near = near_load(state);
+    const auto subtract = [](Column<double>& all, const Column<double>& part) {
+      for (std::size_t i = 0; i < all.size(); ++i) all[i] -= part[i];
+    };
+    for (const auto axis : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {
+      subtract(load.f.*axis, near.f.*axis);
+      subtract(load.tau.*axis, near.tau.*axis);
+    }
+  }
+
+  /// Of the state that is moved: those of the inner scheme. A gradient kick asks for displaced
+  /// positions too, which the inner scheme must not take for its own.
+  const Load& near_load(const State& state) {
+    if (&state == moved_) return inner_.forces(state);
+    polhode::forces_alone(near_, state, near_elsewhere_);
+    ++elsewhere_;
+    return near_elsewhere_;
+  }
+
+  int steps_;
+  Full& full_;
+  Near& near_;
+  Integrator<Near> inner_;
+  Load near_elsewhere_;
+  const State* moved_ = nullptr;
+  std::uint64_t elsewhere_ = 0;
+};
+
+}  // namespace polhode

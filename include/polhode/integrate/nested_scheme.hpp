@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Multiple time steps as data: a scheme whose drifts are steps of another scheme.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+/// What stands in each drift of an outer scheme: steps of a scheme of its own, under the near part
+/// of the forces.
+struct InnerScheme {
+  Scheme scheme;
+  int steps = 1;           ///< in each drift of the outer scheme
+  double switch_from = 0;  ///< distance of molecules where near forces begin to fade [nm]
+  double cutoff = 0;       ///< where they have ended [nm]
+};
+
+/// A scheme, and perhaps one within it. Where there is one the outer kicks are those of the slow
+/// part of the forces.
+struct NestedScheme {
+  Scheme outer;
+  std::optional<InnerScheme> inner;
+
+  NestedScheme(const Scheme& scheme, std::optional<InnerScheme> within = {})
+      : outer(scheme), inner(within) {}
+
+  /// That of the coarser of both; 0 if one of them is unknown.
+  int order() const {
+    return inner ? std::min(outer.order(), inner->scheme.order()) : outer.order();
+  }
+
+  /// Evaluations of the near forces in a step of the outer scheme, which has force_evaluations() of
+  /// the whole ones beside. Outer and inner kicks at the same positions share one; the displaced
+  /// positions of a gradient kick have one of their own.
+  int near_evaluations() const {
+    if (!inner) return 0;
+    const auto is_drift = [](const Stage& stage) { return stage.flow == Flow::drift; };
+    const auto stages = outer.stages(), within = inner->scheme.stages();
+    const auto drifts = static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));
+    const bool shared = !is_drift(within.front()) || !is_drift(within.back());
+    return drifts * inner->steps * inner->scheme.force_evaluations() +
+           (shared ? outer.gradient_kicks() : outer.force_evaluations());
+  }
+};
+
+}  // namespace polhode
