@@ -43,7 +43,7 @@ int steps_of(const std::string& text) {
 
 InnerScheme inner_scheme_of(const std::string& text) {
   static const std::regex form(
-      R"((.+?)\s+x\s+(\S+)\s+within\s+(?:(\S+)\s+to\s+)?([-+.\deE]+)\s*(\S+))");
+      R"((.+?)\s+x\s+(\S+)\s+within\s+(?:(\S+)\s+to\s+)?([-+.\deE]+)\s*([^-+.\d\s]\S*))");
   std::smatch part;
   if (!std::regex_match(text, part, form))
     throw Error(
@@ -66,9 +66,9 @@ InnerScheme inner_scheme_of(const std::string& text) {
   return inner;
 }
 
-std::string joined(const std::string& outer, const std::string& inner, const InnerScheme& of) {
-  return fmt::format("{} / {} x {} within {} to {} nm", outer, inner, of.steps, of.switch_from,
-                     of.cutoff);
+std::string joined(const std::string& outer, const std::string& inner, int steps,
+                   const std::string& from, const std::string& cutoff) {
+  return fmt::format("{} / {} x {} within {} to {} nm", outer, inner, steps, from, cutoff);
 }
 
 }  // namespace
@@ -84,12 +84,16 @@ std::string name_of(const NestedScheme& scheme) {
     return s.source().empty() ? text_of(s) : std::string(s.name());
   };
   if (!scheme.inner) return std::string(scheme.outer.name());
-  return joined(name(scheme.outer), name(scheme.inner->scheme), *scheme.inner);
+  const InnerScheme& inner = *scheme.inner;
+  return joined(name(scheme.outer), name(inner.scheme), inner.steps,
+                fmt::format("{:g}", inner.switch_from), fmt::format("{:g}", inner.cutoff));
 }
 
 std::string text_of(const NestedScheme& scheme) {
   if (!scheme.inner) return text_of(scheme.outer);
-  return joined(text_of(scheme.outer), text_of(scheme.inner->scheme), *scheme.inner);
+  const InnerScheme& inner = *scheme.inner;
+  return joined(text_of(scheme.outer), text_of(inner.scheme), inner.steps,
+                fmt::format("{}", inner.switch_from), fmt::format("{}", inner.cutoff));
 }
 
 }  // namespace polhode

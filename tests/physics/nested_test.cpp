@@ -224,7 +224,8 @@ TEST_CASE("near forces that are all or nothing leave a single scheme") {
   };
   {
     scenes::Scene scene = start;
-    ForceField whole(scene.topology, scenes::no_truncation(), scene.state.box), near = whole;
+    ForceField whole(scene.topology, scenes::no_truncation(), scene.state.box);
+    ForceField near(scene.topology, scenes::no_truncation(), scene.state.box);
     NestedForces nested(inner, 2, scene.bodies, whole, near);
     Integrator(outer, scene.bodies, nested).advance(scene.state, 0.004, 10);
     CHECK(difference(scene.state, alone(inner, 0.001, 40)) < 1e-11);

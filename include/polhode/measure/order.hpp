@@ -9,8 +9,8 @@
 namespace polhode {
 
 /// One asymmetric body without symmetry of its sites in a smooth anharmonic field: the smallest
-/// scene that couples translation, rotation and all terms of the gradient kick. The near forces of an
-/// inner scheme, whatever its cutoff, are the harmonic part of the field.
+/// scene that couples translation, rotation and all terms of the gradient kick. The near forces of
+/// an inner scheme, whatever its cutoff, are the harmonic part of the field.
 struct OrderMeasurement {
   struct Point {
     double step;   ///< [ps]
