@@ -40,13 +40,13 @@ std::vector<std::pair<std::string, double>> terms_of(const ForceField& forces, c
   const ConstantTerms& constant = forces.constant_terms();
   std::vector<std::pair<std::string, double>> terms;
   if (forces.settings().dispersion_correction) terms.emplace_back("LJ tail", constant.dispersion);
-  if (forces.settings().mesh) {
-    terms.emplace_back("real space", load.coulomb - load.mesh - constant.coulomb());
-    terms.emplace_back("mesh", load.mesh);
-    terms.emplace_back("self", constant.self);
-    terms.emplace_back("intramolecular", constant.intramolecular);
-    terms.emplace_back("background", constant.background);
-  }
+  const bool mesh = forces.settings().mesh.has_value();
+  if (!mesh && constant.self == 0) return terms;
+  terms.emplace_back(mesh ? "real space" : "pairs", load.coulomb - load.mesh - constant.coulomb());
+  if (mesh) terms.emplace_back("mesh", load.mesh);
+  terms.emplace_back("self", constant.self);
+  terms.emplace_back("intramolecular", constant.intramolecular);
+  if (mesh) terms.emplace_back("background", constant.background);
   return terms;
 }
 

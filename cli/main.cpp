@@ -25,6 +25,8 @@ const std::vector<Verb> verbs = {
     {"run", "simulate: a trajectory with its energies and summary", run_verb},
     {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
     {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
+    {"convert", "frames of one format into another: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
+     convert_verb},
     {"molecules", "list the molecule models, or show one", molecules_verb},
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
     {"top", "one free top, exact against NO_SQUISH, or a table of tops", top_verb},

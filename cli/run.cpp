@@ -2,7 +2,6 @@
 // polhode run [FILE]: a trajectory with its energies, pictures and summary.
 #include <fmt/core.h>
 
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -15,11 +14,12 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
+#include "polhode/io/frame_file.hpp"
 #include "polhode/io/gro.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/table_file.hpp"
-#include "polhode/io/xyz.hpp"
 #include "polhode/run/near_forces.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
@@ -79,33 +79,12 @@ struct Files {
   }
 };
 
-/// Frames appended as the run goes, so that an interrupt leaves what was done.
-class TrajectoryFiles {
- public:
-  TrajectoryFiles(const std::vector<std::string>& paths, const Topology& topology)
-      : topology_(topology) {
-    for (const std::string& path : paths) {
-      streams_.emplace_back(path, std::ofstream(path));
-      if (!streams_.back().second)
-        throw Error("'" + path + "' cannot be written; check the folder and its permissions");
-    }
-  }
-  void write(const State& state) {
-    for (auto& [path, stream] : streams_) {
-      if (path.ends_with(".gro"))
-        write_gro(stream, state, topology_);
-      else
-        write_xyz(stream, state, topology_);
-      stream.flush();
-      if (!stream)
-        throw RunError("'" + path + "' could not be written to the end; is the disk full?");
-    }
-  }
-
- private:
-  const Topology& topology_;
-  std::vector<std::pair<std::string, std::ofstream>> streams_;
-};
+/// What observers of a run see of its energies beside the atoms.
+std::vector<Observable> observables(const Energies& e) {
+  return {{"potential_energy", "kJ mol-1", e.potential()},
+          {"kinetic_energy", "kJ mol-1", e.kinetic()},
+          {"total_energy", "kJ mol-1", e.total()}};
+}
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
@@ -274,7 +253,10 @@ int run(const Options& o) {
   }
 
   const ForceNoise noise = force_noise(system, workers);
-  TrajectoryFiles frames(files.trajectories, system.topology);
+  // Frames are appended as the run goes, so that an interrupt leaves what was done.
+  std::vector<std::unique_ptr<FrameWriter>> frames;
+  for (const std::string& file : files.trajectories)
+    frames.push_back(create_frames(file, system.topology, config.output.choice()));
   const auto steps_per_frame = static_cast<std::size_t>(
       std::max(1.0, config.output.trajectory_every / settings.step + 1e-9));
   std::size_t next_frame = 0;
@@ -282,10 +264,10 @@ int run(const Options& o) {
   {
     Progress progress("running");
     const Watch watch{
-        [&](std::size_t step, const State& state, const Energies&) {
+        [&](std::size_t step, const State& state, const Energies& e) {
           progress.show(static_cast<double>(step) / static_cast<double>(settings.steps()));
-          if (files.trajectories.empty() || step < next_frame) return;
-          frames.write(state);
+          if (frames.empty() || step < next_frame) return;
+          for (const auto& file : frames) file->write(state, observables(e));
           next_frame = step + steps_per_frame;
         },
         interrupted};

@@ -11,6 +11,7 @@ namespace polhode::cli {
 using Action = std::function<int()>;
 
 Action bench_verb(CLI::App& app);
+Action convert_verb(CLI::App& app);
 Action energy_verb(CLI::App& app);
 Action run_verb(CLI::App& app);
 Action molecules_verb(CLI::App& app);

@@ -8,6 +8,8 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/mesh_choice.hpp"
+#include "polhode/forces/molecule_pair.hpp"
+#include "polhode/forces/own_charges.hpp"
 #include "polhode/forces/reference.hpp"
 #include "polhode/forces/tail.hpp"
 #include "polhode/math/dual.hpp"
@@ -40,11 +42,16 @@ const ForceSettings& checked(const ForceSettings& s) {
         "accuracy {:g} is below {:g}, about what rounding to float leaves of forces on a "
         "mesh; take precision \"double\", or ask for {:g}",
         s.accuracy, least_error_in_mixed, least_error_in_mixed));
-  if (s.electrostatics == Electrostatics::ewald && s.truncation != Truncation::site_switch)
+  if (ends_smoothly(s.electrostatics) && s.truncation != Truncation::site_switch)
     throw Error(
-        "electrostatics \"pme\" goes with truncation \"site-switch\", which then ends "
-        "Lennard-Jones alone: "
-        "charges are summed over all images");
+        "electrostatics \"pme\" and \"damped-shifted-force\" go with truncation \"site-switch\", "
+        "which then ends Lennard-Jones alone: charges have an ending of their own");
+  if (s.electrostatics == Electrostatics::damped_shifted_force &&
+      !(s.damping >= 0 && s.damping * s.cutoff <= most_damping))
+    throw Error(fmt::format(
+        "damping {:g} 1/nm must be 0 or more, and at most {:g} over the cutoff, {:.4g} 1/nm, where "
+        "next to nothing is left of charges at the cutoff; 2 1/nm is usual",
+        s.damping, most_damping, most_damping / s.cutoff));
   return s;
 }
 
@@ -64,6 +71,10 @@ ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s
     terms.intramolecular = mesh.intramolecular;
     terms.background = mesh.background;
     for (std::size_t d = 0; d < 3; ++d) terms.virial[d] += mesh.virial[d];
+  } else if (const auto smooth = smooth_polynomial(s)) {
+    const OwnCharges own(topology, *smooth);
+    terms.self = own.self;
+    terms.intramolecular = own.intramolecular;
   }
   return terms;
 }

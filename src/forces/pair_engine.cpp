@@ -34,7 +34,7 @@ PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& setting
     sites_.emplace_back();
     for (const Site& site : InteractionSites(part.molecule).sites) sites_.back().push_back(site.r);
   }
-  if (ending_ == Ending::ewald) {
+  if (settings.mesh) {
     mesh_ = std::make_unique<ParticleMesh<T>>(topology, *settings.mesh, box, workers);
     mesh_sums_ = Column<T>(list_.slots().size() * ChunkSums<T>::stride);
   }

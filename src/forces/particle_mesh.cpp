@@ -13,6 +13,7 @@
 #include "mesh_influence.hpp"
 #include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/forces/own_charges.hpp"
 
 namespace polhode {
 namespace {
@@ -70,20 +71,10 @@ MeshGrid<T>::MeshGrid(const std::array<std::size_t, 3>& grid_points)
 }
 
 MeshConstant::MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box) {
-  double net = 0;
-  for (const auto& part : topology.parts) {
-    const InteractionSites sites(part.molecule);
-    const auto count = static_cast<double>(part.count);
-    for (std::size_t a = 0; a < sites.charged; ++a) {
-      const Site& site = sites.sites[a];
-      net += count * site.charge;
-      self -= units::coulomb / 2 * count * site.charge * site.charge * split.smooth_at_zero();
-      for (std::size_t b = a + 1; b < sites.charged; ++b)
-        intramolecular -= units::coulomb * count * site.charge * sites.sites[b].charge *
-                          split.smooth(norm(sites.sites[b].r - site.r)).u;
-    }
-  }
-  background = -units::coulomb / 2 * net * net * split.integral() / box.volume();
+  const OwnCharges own(topology, split);
+  self = own.self;
+  intramolecular = own.intramolecular;
+  background = -units::coulomb / 2 * own.net * own.net * split.integral() / box.volume();
   for (std::size_t d = 0; d < 3; ++d) virial[d][d] = background;
 }
 

@@ -9,6 +9,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/forces/damped_shifted_force.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
@@ -155,14 +156,16 @@ double read_dielectric(TomlTable& table, const ForceSettings& forces) {
 }
 
 void read_forces(TomlTable table, ForceSettings& forces) {
-  const bool ewald = table.holds_text("electrostatics") && table.text("electrostatics") == "pme";
+  const auto wanted = table.holds_text("electrostatics") ? table.text("electrostatics") : "";
+  const bool ewald = wanted == "pme", damped = wanted == "damped-shifted-force";
   const std::string truncation =
-      one_of(table, "truncation", ewald ? "site-switch" : "molecule-switch",
+      one_of(table, "truncation", ewald || damped ? "site-switch" : "molecule-switch",
              {"molecule-switch", "site-switch", "site-shift"});
   table.require(
-      !ewald || truncation == "site-switch", "truncation",
-      "does not go with electrostatics = \"pme\": charges are summed over all images, and "
-      "what ends at the cutoff is Lennard-Jones alone, with \"site-switch\"; leave it out");
+      !(ewald || damped) || truncation == "site-switch", "truncation",
+      fmt::format("does not go with electrostatics = \"{}\": charges {}, and what the truncation "
+                  "ends is Lennard-Jones alone, with \"site-switch\"; leave it out",
+                  *wanted, ewald ? "are summed over all images" : "end by their own law"));
   const bool by_molecule = truncation == "molecule-switch";
   forces.truncation = by_molecule                   ? Truncation::molecule_switch
                       : truncation == "site-switch" ? Truncation::site_switch
@@ -170,8 +173,9 @@ void read_forces(TomlTable table, ForceSettings& forces) {
   // Bare Coulomb forces of single sites would end where they are strong.
   const std::string electrostatics =
       one_of(table, "electrostatics", by_molecule ? "coulomb" : "reaction-field",
-             {"coulomb", "reaction-field", "pme"});
+             {"coulomb", "reaction-field", "damped-shifted-force", "pme"});
   forces.electrostatics = ewald                         ? Electrostatics::ewald
+                          : damped                      ? Electrostatics::damped_shifted_force
                           : electrostatics == "coulomb" ? Electrostatics::coulomb
                                                         : Electrostatics::reaction_field;
   if (table.has("accuracy")) {
@@ -191,6 +195,16 @@ void read_forces(TomlTable table, ForceSettings& forces) {
   const auto cutoff = table.quantity("cutoff", Dimension::length);
   take(forces.cutoff, cutoff);
   table.require(forces.cutoff > 0, "cutoff", "must be longer than 0 nm");
+  if (table.has("damping")) {
+    table.require(damped, "damping",
+                  "has no meaning without electrostatics = \"damped-shifted-force\"; leave it out");
+    take(forces.damping, table.quantity("damping", Dimension::inverse_length, "2 1/nm"));
+    table.require(forces.damping >= 0 && forces.damping * forces.cutoff <= most_damping, "damping",
+                  fmt::format("must be 0 or more, and at most {:g} over the cutoff, {:.4g} 1/nm: "
+                              "next to nothing is left of charges at the cutoff there; 2 1/nm is "
+                              "usual",
+                              most_damping, most_damping / forces.cutoff));
+  }
   const auto from = table.quantity("switch", Dimension::length, "0.85 nm");
   // Without a word, the switch takes the outer 15 % of the range, as 0.85 nm does of 1 nm.
   forces.switch_from = from.value_or(0.85 * forces.cutoff);
@@ -296,11 +310,14 @@ void read_output(TomlTable table, OutputSettings& output) {
   table.require(output.trajectory_every >= 0, "trajectory_every",
                 "must be 0 ps or longer; 0 ps writes no trajectory");
   take(output.formats, table.texts("formats"));
-  const std::vector<std::string> known = {"xyz", "gro"};
+  std::vector<std::string> known;
+  for (const std::string_view format : writable_formats()) known.emplace_back(format);
   for (const std::string& format : output.formats)
     table.require(std::find(known.begin(), known.end(), format) != known.end(), "formats",
                   fmt::format("has the unknown format '{}'{}; there are: {}", format,
                               did_you_mean(format, known), listed(known)));
+  take(output.massless_sites, table.boolean("massless_sites"));
+  take(output.velocities, table.boolean("velocities"));
   output.plot = one_of(table, "plot", output.plot, {"svg", "png", "none"});
   table.refuse_unknown();
 }

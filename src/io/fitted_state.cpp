@@ -26,6 +26,7 @@ bool begins_with(std::string_view word, std::string_view start) {
 // digits that some put there ("1HW").
 bool matches(std::string_view atom, const Site& site) {
   if (atom == site.name) return true;
+  if (atom == "X" && site.mass == 0) return true;  // in XYZ files, which know elements alone
   while (!atom.empty() && std::isdigit(static_cast<unsigned char>(atom.front())))
     atom.remove_prefix(1);
   return begins_with(atom, site.mass > 0 ? std::string_view(site.element)

@@ -3,6 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 
 namespace polhode {
@@ -15,7 +18,34 @@ bool visible(const Site& site, MasslessSites massless) {
   return massless == MasslessSites::kept || site.mass != 0;
 }
 
+// The element that a name begins with; ions are residues of one atom, with the element's own name.
+std::string element_of(const AtomKind& kind) {
+  static constexpr std::string_view organic = "HBCNOFPSIK";
+  static constexpr std::array<std::string_view, 12> ions = {"LI", "NA", "RB", "CS", "MG", "CA",
+                                                            "SR", "BA", "ZN", "CL", "BR", "AR"};
+  std::string word;
+  for (const char c : kind.name)
+    if (std::isalpha(static_cast<unsigned char>(c)))
+      word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    else if (!word.empty())
+      break;
+  const bool alone =
+      kind.residue_name.size() >= word.size() && !word.empty() &&
+      std::ranges::equal(word, kind.residue_name.substr(0, word.size()), [](char a, char b) {
+        return a == std::toupper(static_cast<unsigned char>(b));
+      });
+  if (alone && std::ranges::find(ions, word) != ions.end())
+    return {word[0], static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])))};
+  if (word.empty() || organic.find(word[0]) == organic.npos) return {};
+  return {word[0]};
+}
+
 }  // namespace
+
+void complete_elements(Frame& frame) {
+  for (AtomKind& kind : frame.kinds)
+    if (kind.element.empty()) kind.element = element_of(kind);
+}
 
 std::string title_of(const State& state) {
   return fmt::format("polhode t= {:.6f}", state.time);  // GROMACS finds the time here

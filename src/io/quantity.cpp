@@ -53,6 +53,8 @@ constexpr std::array all_units = {
     Unit{"atm", Dimension::pressure, 1.01325 * bar},
     Unit{"kJ/mol/nm3", Dimension::pressure, 1},
     Unit{"%", Dimension::fraction, 0.01},
+    Unit{"1/nm", Dimension::inverse_length, 1},
+    Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
 };
 // clang-format on
 
@@ -84,6 +86,8 @@ Words words(Dimension dimension) {
       return {"a", "pressure", "1 bar"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
+    case Dimension::inverse_length:
+      return {"an", "inverse length", "2 1/nm"};
   }
   return {"", "", ""};
 }

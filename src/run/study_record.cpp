@@ -77,6 +77,7 @@ std::string study_identity(const Config& config, const System& system) {
      << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
      << config.study.length << ' ' << config.study.decorrelate;
   if (f.electrostatics == Electrostatics::ewald) id << " pme " << f.accuracy;
+  if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
   if (f.dispersion_correction) id << " dispersion";
   if (const std::string mixing = described(f.mixing); !mixing.empty()) id << ' ' << mixing;
   return id.str();

@@ -74,6 +74,13 @@ RUN_FILE = [
     ("unknown electrostatics", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "coulom"\n')], ["'coulomb'", "reaction-field", "run.toml:8"]),
     ("accuracy beyond mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "pme"\nprecision = "mixed"\naccuracy = 1e-6\n')],
      ["1e-06", "1e-05", "double", "run.toml"]),
+    ("damping without its law", [('"1.0 nm"\n', '"1.0 nm"\ndamping = "2 1/nm"\n')],
+     ["damping", "damped-shifted-force", "run.toml:8"]),
+    ("damping that leaves nothing", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "damped-shifted-force"\n'
+                                      'damping = "0.5 1/A"\n')], ["0.5 1/A", "3 1/nm", "run.toml:9"]),
+    ("molecule switch with the damped shifted force",
+     [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "damped-shifted-force"\ntruncation = "molecule-switch"\n')],
+     ["molecule-switch", "damped-shifted-force", "site-switch", "run.toml:9"]),
     ("molecule switch with Ewald's sum", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "pme"\ntruncation = "molecule-switch"\n')],
      ["molecule-switch", "pme", "site-switch", "run.toml:9"]),
     ("unknown mixing", [('"1.0 nm"\n', '"1.0 nm"\nmixing = "geometrc"\n')],

@@ -2,6 +2,7 @@
 """Ewald's sum from outside: terms of the energy, the log, what accuracy does, a run, a study's identity."""
 
 import json
+import math
 
 import sandbox
 from sandbox import Sandbox
@@ -46,6 +47,19 @@ class Pme(Sandbox):
         # with signs at random, are 0.04 kJ/mol; in the pressure, over the 0.6 nm of a pair, three times that a volume.
         self.assertAlmostEqual(coarse["coulomb_kJ_per_mol"], fine["coulomb_kJ_per_mol"], delta=0.05)
         self.assertAlmostEqual(coarse["pressure_bar"], fine["pressure_bar"], delta=0.75)
+
+    def test_the_damped_shifted_force_comes_near_the_sum_over_all_images(self):
+        more = (water().replace('"0.6 nm"', '"0.9 nm"').replace("spce", "tip4p").replace("count = 64", "count = 512")
+                .replace('density = "0.9 g/cm3"', 'start = "w512"'))
+        ewald = self.energy(more)
+        damped = self.energy(more.replace('"pme"', '"damped-shifted-force"').replace("accuracy = 1e-4", ""))
+        terms = damped["terms_kJ_per_mol"]
+        self.assertEqual(set(terms), {"pairs", "self", "intramolecular"})
+        self.assertAlmostEqual(sum(terms.values()), damped["coulomb_kJ_per_mol"], delta=1e-8)
+        # At the cutoff the damping has left erfc(2 x 0.9) = 1.1 % of a charge.
+        off = abs(damped["coulomb_kJ_per_mol"] / ewald["coulomb_kJ_per_mol"] - 1)
+        self.assertLess(off, math.erfc(1.8))
+        self.assertGreater(off, 1e-5)
 
     def test_dispersion_lowers_energy_and_pressure(self):
         plain = self.energy(water())

@@ -34,6 +34,7 @@ inline std::vector<NamedLaw> all_laws() {
       add(coulomb, 1, "Coulomb");
       add(reaction_field, 78.5, "reaction field of 78.5");
       add(reaction_field, INFINITY, "reaction field of infinity");
+      if (truncation == site_switch) add(damped_shifted_force, 1, "damped shifted force");
     }
   return laws;
 }

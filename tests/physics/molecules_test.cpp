@@ -161,6 +161,19 @@ TEST_CASE("the energy with Ewald's sum is kept to the order of the scheme") {
   }
 }
 
+// A law of class C³ at the cutoff is smooth enough for fourth order, whatever the damping.
+TEST_CASE("the energy with the damped shifted force is kept to the order of the scheme") {
+  for (const char* name : {"tip4p", "na-spce"}) {
+    CAPTURE(std::string(name));
+    Crowd made = crowd(read_molecule(name));
+    made.forces.truncation = Truncation::site_switch;
+    made.forces.electrostatics = Electrostatics::damped_shifted_force;
+    made.forces.smoothness = 3;
+    made.forces.damping = 1.8 / made.forces.cutoff;
+    check_orders(made, true);
+  }
+}
+
 // The central difference of fourth order, (8 (U₁ − U₋₁) − (U₂ − U₋₂))/12 s, errs by s⁴ U⁽⁵⁾/30. At
 // contacts of 0.2 nm U⁽⁵⁾ is 13 × 14 × 15 × 16/(0.2 nm)⁴ of a force: 1e-10 of it at s = 1e-4 nm,
 // and at 1e-3 rad, which is 2.5e-4 nm at the longest levers, 4e-9. Rounding is less.

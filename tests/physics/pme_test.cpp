@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/force_laws.hpp"
 #include "physics/mesh_scene.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/forces/tail.hpp"
@@ -217,4 +218,34 @@ TEST_CASE("what Ewald's sum cannot do is refused") {
   settings.precision = Precision::mixed;
   settings.accuracy = 1e-6;
   CHECK_THROWS_AS(ForceField(scene.topology, settings, scene.state.box), Error);
+}
+
+// Rock salt's energy is −1.747 564 594 6 K/d for each pair of ions at the distance d (Madelung's
+// constant). Screened charges leave what the Gaussians' own lattice sum would add, e^(−k²/4α²) of
+// the first wave vector k = π√3/d, 6e-11 here, and what is cut off: erfc(α a) of the shells of ions
+// about a, whose charges have either sign and make up for each other more or less.
+TEST_CASE("the damped shifted force finds the energy of rock salt") {
+  const double d = 0.28;
+  const auto ion = [](double charge) {
+    return rigid_molecule("ion", {{.name = "I", .mass = 30, .charge = charge}});
+  };
+  const std::size_t edge = 12, half = edge * edge * edge / 2;
+  const Topology salt{{{ion(1), half}, {ion(-1), half}}};
+  State state(2 * half, Box{{edge * d, edge * d, edge * d}});
+  std::size_t next[2] = {0, half};
+  for (std::size_t i = 0; i < 2 * half; ++i) {
+    const std::size_t x = i % edge, y = i / edge % edge, z = i / edge / edge;
+    state.q.set(next[(x + y + z) % 2]++, d * Vec3<double>{double(x), double(y), double(z)});
+  }
+  for (const double cutoff : {1.0, 1.25, 1.5}) {
+    ForceSettings settings{Truncation::site_switch, cutoff, 0.8 * cutoff, 1,
+                           Electrostatics::damped_shifted_force};
+    const Load load = load_of(salt, settings, state);
+    const double madelung = -load.coulomb / double(half) * d / units::coulomb;
+    const double off = std::abs(madelung - 1.7475645946),
+                 left = std::erfc(settings.damping * cutoff);
+    CHECK(off < 2 * left);
+    CHECK(off > 0.02 * left);
+    CHECK(largest(load.f) < 1e-9);
+  }
 }

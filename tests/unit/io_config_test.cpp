@@ -197,10 +197,23 @@ TEST_CASE("electrostatics is a choice, whose default goes with the truncation") 
   CHECK(electrostatics("truncation = \"site-shift\"\nelectrostatics = \"coulomb\"") == coulomb);
   CHECK(electrostatics("electrostatics = \"reaction-field\"\ndielectric = 80") == reaction_field);
   check_text("[forces]\nelectrostatics = \"reaction field\"",
-             {"must be one of: coulomb, reaction-field, pme; did you mean 'reaction-field'?"});
+             {"must be one of: coulomb, reaction-field, damped-shifted-force, pme; did you mean "
+              "'reaction-field'?"});
   check_text(
       "[forces]\nelectrostatics = \"coulomb\"\ntruncation = \"site-switch\"\ndielectric = 80",
       {"no meaning without electrostatics", "water.toml:7, forces.dielectric"});
+}
+
+TEST_CASE("the damped shifted force has a damping, and ends Lennard-Jones by a switch of sites") {
+  const std::string law = "[forces]\nelectrostatics = \"damped-shifted-force\"\n";
+  const ForceSettings forces =
+      parse_config(system_table + law + "damping = \"0.15 1/A\"\n", "x").forces;
+  CHECK(forces.electrostatics == Electrostatics::damped_shifted_force);
+  CHECK(forces.truncation == Truncation::site_switch);
+  CHECK(forces.damping == doctest::Approx(1.5).epsilon(1e-15));
+  check_text(law + "damping = \"-1 1/nm\"", {"must be 0 or more", "forces.damping"});
+  check_text(law + "damping = \"5 1/nm\"", {"at most 3 over the cutoff, 3 1/nm"});
+  check_text(law + "accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
 }
 
 TEST_CASE("Ewald's sum has an accuracy, and ends Lennard-Jones by a switch of sites") {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "polhode/base/units.hpp"
 #include "polhode/math/dual.hpp"
 
 using namespace polhode;
@@ -58,4 +59,41 @@ TEST_CASE("the reaction field ends at the cutoff") {
   CHECK(std::abs(metal.s) < 1e-15);
   const auto vacuum = ReactionField<>::of(1.0, rc)(InversePowers<double>(0.25), 0.25);
   CHECK(vacuum.u == doctest::Approx(1 / 0.5 - 1 / rc).epsilon(1e-15));
+}
+
+// With one term, the shift that textbooks make in r is made in r²: what is taken off erfc(α r)/r is
+// its value at a and its slope there by y, a/2 (erfc(x)/a² + 2 α/√π e^(−x²)/a) with x = α a. Powers
+// of y left out are below 1e-10/a for x ≤ 2.4.
+TEST_CASE("the damped shifted force is erfc(α r)/r less its value and slope at the cutoff") {
+  const double a = 0.9;
+  for (const double x : {0.0, 1.0, 1.8, 2.4}) {
+    CAPTURE(x);
+    const double alpha = x / a, value = std::erfc(x) / a,
+                 slope = value / 2 + alpha / std::sqrt(units::pi) * std::exp(-x * x);
+    const SmoothPolynomial law = damped_shifted_force(a, alpha, 1);
+    for (double r = 0.05; r < a; r += 0.0371) {
+      const double y = 1 - r * r / (a * a);
+      const double expected = std::erfc(alpha * r) / r - value - slope * y;
+      CHECK(std::abs(law.pair(r).u - expected) < 1e-10 / a);
+      // −u'/r by a difference of fourth order
+      const double h = 1e-3 * r;
+      const auto u = [&](double c) { return law.pair(r + c * h).u; };
+      if (r + 2 * h < a)
+        CHECK(law.pair(r).s ==
+              doctest::Approx(-(8 * (u(1) - u(-1)) - (u(2) - u(-2))) / (12 * h * r)).epsilon(1e-9));
+    }
+  }
+}
+
+// As with the switch, by Taylor's theorem: |u| falls as d^(n+1) where the cutoff is d away.
+TEST_CASE("the damped shifted force is of the class it says at the cutoff") {
+  for (const double alpha : {0.0, 2.0, 3.0})
+    for (const int n : {1, 2, 3}) {
+      CAPTURE(n);
+      const SmoothPolynomial law = damped_shifted_force(1.0, alpha, n);
+      const double d = 1e-3;
+      CHECK(std::abs(std::log2(law.pair(1 - d).u / law.pair(1 - d / 2).u) - (n + 1)) < 0.02);
+      CHECK(law.pair(1.0).u == 0);
+      CHECK(law.pair(1.3).s == 0);
+    }
 }

@@ -7,14 +7,9 @@
 #include <cmath>
 
 #include "polhode/base/units.hpp"
+#include "polhode/forces/smooth_polynomial.hpp"
 
 namespace polhode {
-
-/// The value of a radial function and its −d/dr over r.
-struct RadialValue {
-  double u;  ///< [1/nm]
-  double s;  ///< −u'/r [1/nm³]
-};
 
 /// A transform with its slope.
 struct TransformValue {
@@ -49,49 +44,26 @@ struct GaussianSplit {
 /// A density C (1 − r²/a²)^m that ends at a, and with it u(r): the smooth part is the Taylor
 /// polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. u is of class C^(m+1)
 /// at a, and nothing is cut off.
-class CompactSplit {
+class CompactSplit : public SmoothPolynomial {
  public:
-  static constexpr int most = 24;  ///< the largest m
+  static constexpr int most = SmoothPolynomial::most - 1;  ///< the largest m
 
   /// @param cutoff    a [nm]
   /// @param exponent  m, from 0 to `most`
-  CompactSplit(double cutoff, int exponent) : a_(cutoff), m_(exponent) {
-    u_[0] = s_[0] = 1;
-    for (int k = 1; k <= m_ + 1; ++k) u_[k] = u_[k - 1] * (k - 0.5) / k;
-    for (int k = 1; k <= m_; ++k) s_[k] = s_[k - 1] * (k + 0.5) / k;
-  }
+  CompactSplit(double cutoff, int exponent)
+      : SmoothPolynomial(cutoff, inverse_distance_terms(exponent + 1)) {}
 
-  double cutoff() const { return a_; }
-  int exponent() const { return m_; }
-  /// Coefficient of y^k in a times the smooth part, k ≤ m + 1: (1/2)_k/k!.
-  double coefficient(int k) const { return u_[k]; }
-  /// Coefficient of y^k in a³ times −smooth'/r, k ≤ m: (3/2)_k/k!.
-  double slope_coefficient(int k) const { return s_[k]; }
-
-  RadialValue smooth(double r) const {
-    if (r >= a_) return {1 / r, 1 / (r * r * r)};
-    const double y = 1 - r * r / (a_ * a_);
-    double u = 0, s = 0;
-    for (int k = m_ + 1; k >= 0; --k) u = u * y + u_[k];
-    for (int k = m_; k >= 0; --k) s = s * y + s_[k];
-    return {u / a_, s / (a_ * a_ * a_)};
-  }
-  RadialValue pair(double r) const {
-    if (r >= a_) return {0, 0};
-    const RadialValue far = smooth(r);
-    return {1 / r - far.u, 1 / (r * r * r) - far.s};
-  }
-  double smooth_at_zero() const { return smooth(0).u; }
+  int exponent() const { return degree() - 1; }
 
   /// (2n+1)!! j_n(x)/xⁿ with n = m + 1, x = k a, and j_n a spherical Bessel function; its
   /// derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
   TransformValue transform(double k) const {
-    const double x = k * a_;
-    const int n = m_ + 1;
+    const double x = k * cutoff();
+    const int n = degree();
     return {reduced_bessel(n, x), -x * x / (2 * n + 3) * reduced_bessel(n + 1, x)};
   }
   /// ∫ u dV over all space [nm²].
-  double integral() const { return 2 * units::pi * a_ * a_ / (2 * m_ + 5); }
+  double integral() const { return 2 * units::pi * cutoff() * cutoff() / (2 * degree() + 3); }
 
  private:
   // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, else upwards in n.
@@ -109,10 +81,6 @@ class CompactSplit {
     }
     return now;
   }
-
-  double a_;
-  int m_;
-  double u_[most + 2], s_[most + 2];
 };
 
 }  // namespace polhode

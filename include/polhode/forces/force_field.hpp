@@ -14,7 +14,7 @@ namespace polhode {
 /// Energies that do not depend on where bodies are [kJ/mol], and their virial.
 struct ConstantTerms {
   double dispersion = 0;                                ///< Lennard-Jones beyond the truncation
-  double self = 0, intramolecular = 0, background = 0;  ///< of Ewald's sum, see MeshConstant
+  double self = 0, intramolecular = 0, background = 0;  ///< see OwnCharges, MeshConstant
   Mat3<double> virial{};
   double coulomb() const { return self + intramolecular + background; }
 };

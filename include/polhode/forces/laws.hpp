@@ -5,8 +5,10 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "polhode/base/real.hpp"
+#include "polhode/forces/damped_shifted_force.hpp"
 #include "polhode/forces/ewald_split.hpp"
 #include "polhode/forces/settings.hpp"
 
@@ -108,25 +110,34 @@ class Switch {
   int smoothness_;
 };
 
-/// The smooth part of Ewald's split, which is taken off Coulomb's law within the cutoff a: a
-/// polynomial in y = 1 − r²/a² [skeel2002; hardy2009]. u = 1/r less the polynomial ends smoothly at
-/// a. The strength K q₁ q₂ multiplies outside.
+/// What is taken off Coulomb's law within the cutoff a, for the kernels: a polynomial in
+/// y = 1 − r²/a². u = 1/r less the polynomial ends smoothly at a. The strength K q₁ q₂ multiplies
+/// outside.
 template <class T = double>
 struct SmoothPart {
-  int degree = 0;    ///< m of the split: that of −u'/r; u has one more
-  T inverse_a2 = 0;  ///< 1/a² [1/nm²]
-  std::array<T, CompactSplit::most + 2> u{}, s{};  ///< coefficients [1/nm], [1/nm³]
+  int degree = 0;                                      ///< of −u'/r; u has one more
+  T inverse_a2 = 0;                                    ///< 1/a² [1/nm²]
+  std::array<T, SmoothPolynomial::most + 1> u{}, s{};  ///< coefficients [1/nm], [1/nm³]
 
   SmoothPart() = default;
-  explicit SmoothPart(const CompactSplit& split)
-      : degree(split.exponent()),
-        inverse_a2(static_cast<T>(1 / (split.cutoff() * split.cutoff()))) {
-    const double a = split.cutoff();
-    for (int k = 0; k <= degree + 1; ++k) u[k] = static_cast<T>(split.coefficient(k) / a);
+  explicit SmoothPart(const SmoothPolynomial& polynomial)
+      : degree(polynomial.degree() - 1),
+        inverse_a2(static_cast<T>(1 / (polynomial.cutoff() * polynomial.cutoff()))) {
+    const double a = polynomial.cutoff();
+    for (int k = 0; k <= degree + 1; ++k) u[k] = static_cast<T>(polynomial.coefficient(k) / a);
     for (int k = 0; k <= degree; ++k)
-      s[k] = static_cast<T>(split.slope_coefficient(k) / (a * a * a));
+      s[k] = static_cast<T>(polynomial.slope_coefficient(k) / (a * a * a));
   }
 };
+
+/// The polynomial that the force field takes off Coulomb's law, if it does: the smooth part of
+/// Ewald's split, or that of the damped shifted force.
+inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& settings) {
+  if (settings.electrostatics == Electrostatics::damped_shifted_force)
+    return damped_shifted_force(settings.cutoff, settings.damping, settings.smoothness);
+  if (settings.mesh) return CompactSplit(settings.cutoff, settings.mesh->exponent);
+  return std::nullopt;
+}
 
 /// All that two sites need to know of the force field beside their own parameters.
 template <class T = double>
@@ -140,10 +151,15 @@ struct PairLaws {
       : reaction_field(settings.electrostatics == Electrostatics::reaction_field
                            ? ReactionField<T>::of(settings.dielectric, settings.cutoff)
                            : ReactionField<T>{}),
-        smooth(settings.mesh ? SmoothPart<T>(CompactSplit(settings.cutoff, settings.mesh->exponent))
-                             : SmoothPart<T>()),
+        smooth(smooth_part(settings)),
         switching(settings.switch_from, settings.cutoff, settings.smoothness),
         cutoff(static_cast<T>(settings.cutoff)) {}
+
+ private:
+  static SmoothPart<T> smooth_part(const ForceSettings& settings) {
+    const auto polynomial = smooth_polynomial(settings);
+    return polynomial ? SmoothPart<T>(*polynomial) : SmoothPart<T>();
+  }
 };
 
 }  // namespace polhode

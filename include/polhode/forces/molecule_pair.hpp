@@ -13,19 +13,23 @@
 namespace polhode {
 
 /// How the pairs at hand end: as the force field's truncation says, or not at all, for molecules
-/// that are known to be closer than where any switch begins. With Ewald's sum charges have a law of
-/// their own, and Lennard-Jones a switch of sites, or none.
-enum class Ending { none, molecule_switch, site_switch, site_shift, ewald_none, ewald };
+/// that are known to be closer than where any switch begins. Less their smooth part charges end by
+/// themselves, and Lennard-Jones has a switch of sites, or none.
+enum class Ending { none, molecule_switch, site_switch, site_shift, smooth_none, smooth };
 
-constexpr bool is_ewald(Ending ending) {
-  return ending == Ending::ewald || ending == Ending::ewald_none;
+constexpr bool is_smooth(Ending ending) {
+  return ending == Ending::smooth || ending == Ending::smooth_none;
 }
 /// What pairs that do not end have in place of an ending.
 constexpr Ending without_end(Ending ending) {
-  return is_ewald(ending) ? Ending::ewald_none : Ending::none;
+  return is_smooth(ending) ? Ending::smooth_none : Ending::none;
+}
+constexpr bool ends_smoothly(Electrostatics electrostatics) {
+  return electrostatics == Electrostatics::ewald ||
+         electrostatics == Electrostatics::damped_shifted_force;
 }
 constexpr Ending ending_of(const ForceSettings& settings) {
-  return settings.electrostatics == Electrostatics::ewald     ? Ending::ewald
+  return ends_smoothly(settings.electrostatics)               ? Ending::smooth
          : settings.truncation == Truncation::molecule_switch ? Ending::molecule_switch
          : settings.truncation == Truncation::site_switch     ? Ending::site_switch
                                                               : Ending::site_shift;
@@ -108,7 +112,7 @@ PairValue<Real> shifted(const PairValue<Real>& at_r, const PairValue<Real>& at_c
 ///
 /// with u = u_LJ + K q q (1/r + k r² − c).
 ///
-/// `ewald`:            U = Σ w(r) u_LJ(r) + K q q (1/r − smooth part) for r < r_c
+/// `smooth`:           U = Σ w(r) u_LJ(r) + K q q (1/r − smooth part) for r < r_c
 ///
 /// @tparam energies  whether the energies are wanted; forces never depend on that
 /// @param R       centre of b relative to that of a [nm], the image meant
@@ -120,7 +124,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
     const Shape& shape, const PairStrengths<T>& strengths, const PairLaws<T>& laws,
     const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b) {
   constexpr bool by_molecule = ending == Ending::molecule_switch;
-  constexpr bool by_site = ending == Ending::site_switch || ending == Ending::ewald;
+  constexpr bool by_site = ending == Ending::site_switch || ending == Ending::smooth;
   constexpr bool need_u = energies || ending == Ending::molecule_switch;
   PairLoad<Real> load;
   typename Switch<T>::template Value<Real> end{};  // of the whole pair
@@ -161,7 +165,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
           inverse_r[k][a] = InversePowers<Real>(r2[k][a]);
         });
         std::array<std::array<PairValue<Real>, Shape::most_a>, at_once> smooth;
-        if constexpr (is_ewald(ending)) {
+        if constexpr (is_smooth(ending)) {
           std::array<std::array<Real, Shape::most_a>, at_once> y;
           const SmoothPart<T>& law = laws.smooth;
           const auto each_charged = [&](const auto& body) __attribute__((always_inline)) {
@@ -203,10 +207,10 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
           const Real cutoff2(laws.cutoff * laws.cutoff);
           const auto coulomb = [&]() __attribute__((always_inline)) {
             const Real charge(strengths.charge[pair]);
-            if constexpr (is_ewald(ending)) {
+            if constexpr (is_smooth(ending)) {
               PairValue<Real> value{inverse.first() - smooth[k][a].u,
                                     inverse.third() - smooth[k][a].s};
-              if constexpr (ending == Ending::ewald) {
+              if constexpr (ending == Ending::smooth) {
                 const auto within = square < Real(laws.cutoff * laws.cutoff);
                 value = {select(within, value.u, Real(0)), select(within, value.s, Real(0))};
               }

@@ -88,8 +88,8 @@ ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings
       return all_pairs_load<Ending::molecule_switch>(topology, settings, box, poses);
     case Ending::site_switch:
       return all_pairs_load<Ending::site_switch>(topology, settings, box, poses);
-    case Ending::ewald:
-      return all_pairs_load<Ending::ewald>(topology, settings, box, poses);
+    case Ending::smooth:
+      return all_pairs_load<Ending::smooth>(topology, settings, box, poses);
     default:
       return all_pairs_load<Ending::site_shift>(topology, settings, box, poses);
   }

@@ -21,9 +21,10 @@ enum class Truncation {
 
 /// What charges feel within the cutoff.
 enum class Electrostatics {
-  coulomb,         ///< Coulomb's law
-  reaction_field,  ///< with a dielectric continuum beyond the cutoff
-  ewald,           ///< of all images: within the cutoff by pairs, the smooth rest on a mesh
+  coulomb,               ///< Coulomb's law
+  reaction_field,        ///< with a dielectric continuum beyond the cutoff
+  ewald,                 ///< of all images: within the cutoff by pairs, the smooth rest on a mesh
+  damped_shifted_force,  ///< Coulomb's law less a damping and what it is at the cutoff
 };
 
 /// In which numbers the pairs are computed. Positions, attitudes, momenta and all sums of forces,
@@ -45,6 +46,7 @@ struct ForceSettings {
   Mixing mixing{};  ///< of Lennard-Jones terms of unlike sites
   /// For Ewald's sum: the rms error of electrostatic forces over their rms.
   double accuracy = 1e-4;
+  double damping = 2;  ///< of the damped shifted force: α [1/nm]
   /// For Ewald's sum: the mesh; without it, the cheapest of that accuracy.
   std::optional<MeshSettings> mesh{};
   /// Whether Lennard-Jones energy and pressure count what the truncation leaves out, for a uniform

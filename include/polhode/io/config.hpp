@@ -10,6 +10,7 @@
 
 #include "polhode/base/vec3.hpp"
 #include "polhode/forces/settings.hpp"
+#include "polhode/io/frame_file.hpp"
 
 namespace polhode {
 
@@ -47,7 +48,13 @@ struct OutputSettings {
   std::string prefix = "polhode-run";  ///< of all output files
   double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  std::string plot = "svg";  ///< "svg", "png" or "none"
+  bool massless_sites = true;  ///< in trajectories
+  bool velocities = true;      ///< in trajectories, where the format has them
+  std::string plot = "svg";    ///< "svg", "png" or "none"
+
+  FrameChoice choice() const {
+    return {massless_sites ? MasslessSites::kept : MasslessSites::left_out, velocities};
+  }
 };
 
 struct StudySettings {

@@ -40,6 +40,10 @@ struct Frame {
   const AtomKind& kind(const Atom& atom) const { return kinds[atom.kind]; }
 };
 
+/// Gives elements to kinds without one, by the names that GROMACS and PDB files use: "OW" is O, and
+/// "NA" in a residue of that name is Na. Names that begin with no such element ("MW") are left.
+void complete_elements(Frame& frame);
+
 enum class MasslessSites { kept, left_out };
 
 /// All sites of all bodies: r = q + x, v = p/m + ω × x. Molecules stay whole, with their centres

@@ -5,7 +5,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iosfwd>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +26,8 @@ class FrameReader {
   /// @return  false where the file ends
   /// @throws Error  with the file and line or offset: what was found, and what was expected
   virtual bool next(Frame& frame) = 0;
+  /// How much of the file has been read, 0 to 1.
+  virtual double fraction_read() { return 0; }
 };
 
 /// Opens a file of the format that its ending names.
@@ -32,10 +36,23 @@ class FrameReader {
 /// @throws Error  if the file cannot be read or its ending is none of `readable_formats()`
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
 
+/// The same from a stream, which must outlive the reader.
+/// @param format  one of `readable_formats()`
+/// @param file    its name in errors
+std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
+                                         const std::string& file, const Frame* names = nullptr);
+
 /// Where a file stands after whole frames.
 struct FileMark {
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;  ///< length of the file; 0 where the format does not count in bytes
+};
+
+/// A number of a frame, for formats that hold such beside the atoms.
+struct Observable {
+  std::string_view name;  ///< "potential_energy"
+  std::string_view unit;  ///< as H5MD writes it: "kJ mol-1"
+  double value;
 };
 
 /// Appends frames to a file.
@@ -45,6 +62,11 @@ class FrameWriter {
   /// Appends the frame of a state; formats that know of bodies write these as well.
   /// @throws RunError  if the file cannot be written to its end
   virtual void write(const State& state) = 0;
+  /// The same with observables, which must be the same ones at each frame; formats that hold none
+  /// leave them out.
+  virtual void write(const State& state, std::span<const Observable> /*observables*/) {
+    write(state);
+  }
   /// Appends a frame as another file gave it.
   virtual void write(const Frame& frame) = 0;
   /// Hands all frames to the operating system and to the disk, and tells where the file stands.
@@ -66,6 +88,14 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice = {});
+
+/// What the format of a file's ending can hold.
+/// @throws Error  if the ending is none of `readable_formats()`
+struct FormatTraits {
+  bool names;       ///< of atoms
+  bool velocities;  ///< of atoms
+};
+FormatTraits format_traits(const std::string& path);
 
 /// Endings without their dot: "gro", "pdb", "xyz", "xtc", "trr", "dcd", "h5md".
 std::vector<std::string_view> readable_formats();

@@ -11,16 +11,17 @@
 namespace polhode {
 
 enum class Dimension {
-  length,       ///< [nm]
-  time,         ///< [ps]
-  mass,         ///< [u]
-  charge,       ///< [e]
-  temperature,  ///< [K]
-  energy,       ///< [kJ/mol]; "K" means energy over Boltzmann's constant
-  density,      ///< [u/nm³]
-  dipole,       ///< [e nm]
-  pressure,     ///< [kJ/mol/nm³]
-  fraction,     ///< [1], written in %
+  length,          ///< [nm]
+  time,            ///< [ps]
+  mass,            ///< [u]
+  charge,          ///< [e]
+  temperature,     ///< [K]
+  energy,          ///< [kJ/mol]; "K" means energy over Boltzmann's constant
+  density,         ///< [u/nm³]
+  dipole,          ///< [e nm]
+  pressure,        ///< [kJ/mol/nm³]
+  fraction,        ///< [1], written in %
+  inverse_length,  ///< [1/nm]
 };
 
 /// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is what the text stands

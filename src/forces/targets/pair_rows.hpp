@@ -252,7 +252,7 @@ void run(const PairJob<T>& job) {
     case Ending::site_shift:
       return with.template operator()<Ending::site_shift>();
     default:
-      return with.template operator()<Ending::ewald>();
+      return with.template operator()<Ending::smooth>();
   }
 }
 

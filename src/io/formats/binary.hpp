@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// Numbers of binary files, in either order of their bytes.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <istream>
+#include <ostream>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+
+/// A number whose bytes stand in a given order.
+template <class T>
+T decoded(const std::uint8_t* from, std::endian order) {
+  std::array<std::uint8_t, sizeof(T)> bytes;
+  std::copy_n(from, sizeof(T), bytes.begin());
+  if (order != std::endian::native) std::ranges::reverse(bytes);
+  return std::bit_cast<T>(bytes);
+}
+
+/// Goes through a file and knows where it is. It holds no more than it has found: a length that a
+/// hostile header tells costs no memory.
+class BinaryInput {
+ public:
+  BinaryInput(std::istream& in, std::string file, std::endian order)
+      : order(order), in_(in), file_(std::move(file)) {}
+
+  const std::string& file() const { return file_; }
+  bool at_end() { return in_.peek() == std::istream::traits_type::eof(); }
+
+  template <class T>
+  T take(const char* what) {
+    return decoded<T>(block(sizeof(T), what).data(), order);
+  }
+  /// The next bytes, until the next call.
+  std::span<const std::uint8_t> block(std::uint64_t bytes, const char* what) {
+    constexpr std::uint64_t piece = 1 << 20;
+    held_.clear();
+    while (held_.size() < bytes) {
+      const std::size_t before = held_.size();
+      held_.resize(before + static_cast<std::size_t>(std::min(piece, bytes - before)));
+      in_.read(reinterpret_cast<char*>(held_.data() + before),
+               static_cast<std::streamsize>(held_.size() - before));
+      const auto found = static_cast<std::uint64_t>(in_.gcount());
+      if (before + found < held_.size())
+        refuse(fmt::format("the file ends {} bytes into the {} bytes of {}; it was cut off",
+                           before + found, bytes, what));
+    }
+    offset_ += bytes;
+    return held_;
+  }
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(what, fmt::format("{}, byte {}", file_, offset_));
+  }
+
+  std::endian order;
+
+ private:
+  std::istream& in_;
+  std::string file_;
+  std::uint64_t offset_ = 0;
+  std::vector<std::uint8_t> held_;
+};
+
+/// Bytes on their way into a file.
+class BinaryOutput {
+ public:
+  explicit BinaryOutput(std::endian order) : order_(order) {}
+
+  template <class T>
+  void put(T number) {
+    auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(number);
+    if (order_ != std::endian::native) std::ranges::reverse(bytes);
+    put(std::span<const std::uint8_t>(bytes));
+  }
+  void put(std::span<const std::uint8_t> bytes) {
+    const std::size_t before = bytes_.size();
+    bytes_.resize(before + bytes.size());
+    std::ranges::copy(bytes, bytes_.begin() + static_cast<std::ptrdiff_t>(before));
+  }
+  void text(std::string_view text, std::size_t width) {
+    for (std::size_t k = 0; k < width; ++k)
+      bytes_.push_back(k < text.size() ? static_cast<std::uint8_t>(text[k]) : std::uint8_t{' '});
+  }
+  void write(std::ostream& out) const {
+    out.write(reinterpret_cast<const char*>(bytes_.data()),
+              static_cast<std::streamsize>(bytes_.size()));
+  }
+
+ private:
+  std::endian order_;
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/gro.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "atom_kinds.hpp"
+#include "format.hpp"
+#include "lines.hpp"
+#include "polhode/io/embedded.hpp"
+#include "text_buffer.hpp"
+
+namespace polhode {
+namespace {
+
+// Columns of an atom: residue number and name, atom name, atom number, five characters each.
+constexpr std::size_t first_number = 20;
+
+constexpr const char* in_columns = "; lines of atoms have columns of fixed width";
+
+// All numbers of a line have the width between its first two decimal points.
+std::size_t column_width(std::string_view line, const Lines& lines) {
+  const auto p1 = line.find('.', first_number);
+  const auto p2 = p1 == line.npos ? p1 : line.find('.', p1 + 1);
+  const auto p3 = p2 == line.npos ? p2 : line.find('.', p2 + 1);
+  if (p3 == line.npos)
+    lines.refuse(
+        "a line of an atom ends before its third coordinate; it must hold x, y and z with "
+        "decimal points after 20 characters of names");
+  if (p3 - p2 != p2 - p1)
+    lines.refuse(
+        fmt::format("the decimal points of x, y and z are {} and {} characters apart; "
+                    "they must be equally far, since their distance is the width of "
+                    "columns",
+                    p2 - p1, p3 - p2));
+  return p2 - p1;
+}
+
+std::string_view column(std::string_view line, std::size_t k, std::size_t width) {
+  return line.substr(first_number + k * width, width);
+}
+
+struct AtomLine {
+  Atom atom;
+  bool has_velocity = false;
+};
+
+// By the characters that name residue and atom.
+std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& lines) {
+  return kinds.of(line.substr(5, 10), [&] {
+    const std::string_view name = trimmed(line.substr(10, 5));
+    if (name.empty())
+      lines.refuse("there is no atom name in characters 11 to 15; sites are matched by it");
+    return AtomKind{std::string(trimmed(line.substr(5, 5))), std::string(name), {}};
+  });
+}
+
+// All of an atom but its kind.
+AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines) {
+  static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate",
+                                       "x velocity",   "y velocity",   "z velocity"};
+  AtomLine result;
+  Atom& atom = result.atom;
+  const auto residue = parsed<int>(line.substr(0, 5));
+  if (!residue)
+    lines.refuse(
+        fmt::format("'{}' stands where the residue number must be, in the first five "
+                    "characters",
+                    trimmed(line.substr(0, 5))));
+  atom.residue = *residue;
+  const std::size_t written = line.find_last_not_of(" \t") + 1;
+  result.has_velocity = written > first_number + 3 * width;
+  const std::size_t needed = first_number + (result.has_velocity ? 6 : 3) * width;
+  if (written < needed)
+    lines.refuse(fmt::format(
+        "the line ends after {} characters; three {} of {} characters each "
+        "after the names need {}",
+        written, result.has_velocity ? "coordinates and three velocities" : "coordinates", width,
+        needed));
+  for (std::size_t k = 0; k < 3; ++k)
+    atom.r[k] = lines.number(column(line, k, width), names[k], in_columns);
+  for (std::size_t k = 0; k < 3 && result.has_velocity; ++k)
+    atom.v[k] = lines.number(column(line, 3 + k, width), names[3 + k], in_columns);
+  return result;
+}
+
+Box read_box(std::string_view line, const Lines& lines) {
+  std::vector<double> edges;
+  std::string_view rest = line;
+  for (auto word = take_word(rest); !word.empty(); word = take_word(rest))
+    edges.push_back(lines.number(word, "box edge"));
+  if (edges.size() != 3 && edges.size() != 9)
+    lines.refuse(fmt::format("'{}' stands where the box must be; it must be three edges in nm",
+                             trimmed(line)));
+  for (std::size_t k = 3; k < edges.size(); ++k)
+    if (edges[k] != 0)
+      lines.refuse(
+          "the box is triclinic; it must be a cuboid, the only box that is known here; "
+          "convert it, with gmx trjconv -ur rect or by a new box");
+  for (std::size_t k = 0; k < 3; ++k)
+    if (edges[k] <= 0)
+      lines.refuse(fmt::format("a box edge is {} nm; it must be longer than 0 nm", edges[k]));
+  return {{edges[0], edges[1], edges[2]}};
+}
+
+// Writes a frame line by line.
+class GroLines {
+ public:
+  GroLines(std::ostream& out, const std::vector<AtomKind>& kinds, int decimals, bool velocities)
+      : text_(out), decimals_(decimals), velocities_(velocities) {
+    for (const AtomKind& kind : kinds)
+      names_.push_back(fmt::format("{:<5.5}{:>5.5}", kind.residue_name, kind.name));
+  }
+
+  void head(const std::string& title, std::size_t atoms) {
+    text_.print("{}\n{:5}\n", title, atoms);
+  }
+  void atom(const Atom& atom) {
+    number_ = (number_ + 1) % digits5;
+    text_.print("{:5}", atom.residue % digits5);
+    text_.append(names_[atom.kind]);
+    text_.print("{:5}", number_);
+    for (std::size_t k = 0; k < 3; ++k) text_.fixed(atom.r[k], width(), decimals_);
+    for (std::size_t k = 0; k < 3 && velocities_; ++k)
+      text_.fixed(atom.v[k], width(), decimals_ + 1);
+    text_.end_line();
+  }
+  void box(const Box& box) {
+    for (std::size_t k = 0; k < 3; ++k) text_.fixed(box.edge[k], width(), decimals_);
+    text_.end_line();
+  }
+
+ private:
+  // Numbers of residues and atoms have five digits and start again at 0.
+  static constexpr int digits5 = 100000;
+  std::size_t width() const { return static_cast<std::size_t>(decimals_) + 5; }
+
+  TextBuffer text_;
+  std::vector<std::string> names_;  // of each kind
+  int decimals_, number_ = 0;
+  bool velocities_;
+};
+
+// The frames of a file, one behind the other.
+class GroReader : public FrameReader {
+ public:
+  GroReader(std::istream& in, const std::string& file) : lines_(in, file) {}
+
+  bool next(Frame& frame) override {
+    auto line = lines_.next();
+    if (!line) return false;
+    frame.source = lines_.file();
+    frame.title = trimmed(*line);
+    frame.time = title_time(frame.title);
+    line = lines_.next();
+    while (frame.title.empty() && line && trimmed(*line).empty()) line = lines_.next();
+    if (frame.title.empty() && !line) return false;  // blank lines at the end
+    if (!line) lines_.refuse("the file ends where the number of atoms must stand");
+    const auto count = parsed<std::size_t>(*line);
+    if (!count)
+      lines_.refuse(fmt::format("'{}' stands where the number of atoms must be, in the second line",
+                                trimmed(*line)));
+    read_atoms(frame, *count);
+    return true;
+  }
+
+ private:
+  void read_atoms(Frame& frame, std::size_t count) {
+    frame.atoms.clear();
+    frame.has_velocities = false;
+    AtomKinds kinds(frame.kinds);
+    std::size_t width = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto here = [&] {
+        return fmt::format("atom {} of the {} that the second line tells", i + 1, count);
+      };
+      const std::string_view line = lines_.next(here);
+      if (line.size() < first_number || line.find('.') < first_number)
+        lines_.refuse(fmt::format("'{}' stands where {} must be", trimmed(line), here()));
+      if (i == 0) width = column_width(line, lines_);
+      auto [atom, has_velocity] = read_atom(line, width, lines_);
+      atom.kind = kind_of(line, kinds, lines_);
+      if (i == 0) frame.has_velocities = has_velocity;
+      if (has_velocity != frame.has_velocities)
+        lines_.refuse(
+            fmt::format("this atom has {} velocity and the ones before have {}; velocities "
+                        "must be given for all atoms or for none",
+                        has_velocity ? "a" : "no", has_velocity ? "none" : "one"));
+      frame.atoms.push_back(atom);
+    }
+    const std::string_view box = lines_.next([] { return "the box"; });
+    const auto point = box.find('.');
+    if (point != box.npos && point >= first_number)
+      lines_.refuse(
+          fmt::format("a further atom stands where the box must be; the second line tells "
+                      "{} atoms",
+                      count));
+    frame.box = read_box(box, lines_);
+  }
+
+  Lines lines_;
+};
+
+Frame first_frame(std::istream& in, const std::string& file) {
+  Frame frame;
+  if (!GroReader(in, file).next(frame))
+    throw Error("the file ends where the title must stand", file + ":1");
+  return frame;
+}
+
+void write(std::ostream& out, const FrameView& frame, int decimals) {
+  GroLines lines(out, frame.kinds, decimals, frame.has_velocities);
+  lines.head(frame.title, frame.atoms);
+  frame.each_atom([&](const Atom& atom) { lines.atom(atom); });
+  lines.box(frame.box);
+}
+
+}  // namespace
+
+double title_time(std::string_view title) {
+  const auto at = title.rfind("t=");
+  if (at == title.npos) return 0;
+  std::string_view rest = title.substr(at + 2);
+  const auto time = parsed<double>(take_word(rest));
+  return time && std::isfinite(*time) ? *time : 0;
+}
+
+std::unique_ptr<FrameReader> gro_reader(std::istream& in, const std::string& file) {
+  return std::make_unique<GroReader>(in, file);
+}
+
+void append_gro(std::iostream& file, const FrameView& frame, std::uint64_t) {
+  write(file, frame, 10);
+}
+
+Frame parse_gro(std::string_view text, const std::string& file) {
+  std::istringstream in{std::string(text)};
+  return first_frame(in, file);
+}
+
+Frame read_gro(const std::string& path) {
+  std::ifstream in = opened(path);
+  return first_frame(in, path);
+}
+
+Frame read_start(const std::string& name_or_path) {
+  const std::string path = "start/" + name_or_path + ".gro";
+  if (const auto text = embedded_text(path)) return parse_gro(*text, path);
+  return read_gro(name_or_path);
+}
+
+void write_gro(std::ostream& out, const Frame& frame, int decimals) {
+  write(out, view_of(frame), decimals);
+}
+
+void write_gro(std::ostream& out, const State& state, const Topology& topology, int decimals) {
+  write(out, view_of(state, topology), decimals);
+}
+
+}  // namespace polhode

@@ -1,0 +1,359 @@
+// SPDX-License-Identifier: MIT
+// H5MD files (debuyl2014) of this and of other programs: positions, velocities and box of the first
+// group of particles.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <istream>
+#include <iterator>
+#include <optional>
+
+#include "format.hpp"
+#include "hdf5.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+using hdf5::Handle;
+
+// A value at each frame, or one for all.
+struct Series {
+  Handle values;
+  std::vector<hsize_t> extents;
+  bool changes = false;
+  double unit = 1;
+};
+
+class H5mdReader : public FrameReader {
+ public:
+  // From a file, or from its bytes.
+  H5mdReader(std::string file, const std::vector<char>* bytes) : name_(std::move(file)) {
+    hdf5::be_quiet();
+    if (bytes != nullptr)
+      open_image(*bytes);
+    else
+      open_file();
+    if (!file_.is_open()) refuse("the file is none of HDF5, or it is damaged; name an H5MD file");
+    find_particles();
+  }
+
+  bool next(Frame& frame) override {
+    if (number_ == frames_) return false;
+    frame.source = name_;
+    frame.title.clear();
+    frame.kinds = kinds_;
+    frame.time = time_at(number_);
+    frame.box = box_at(number_);
+    frame.atoms.assign(atoms_.begin(), atoms_.end());
+    take(position_, number_, values_);
+    for (std::size_t i = 0; i < atoms_.size(); ++i) frame.atoms[i].r = vector(i, position_.unit);
+    frame.has_velocities = velocity_.has_value();
+    if (velocity_) {
+      take(*velocity_, number_, values_);
+      for (std::size_t i = 0; i < atoms_.size(); ++i) frame.atoms[i].v = vector(i, velocity_->unit);
+    }
+    ++number_;
+    return true;
+  }
+  double fraction_read() override {
+    return static_cast<double>(number_) / static_cast<double>(frames_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const { throw Error(what, name_); }
+
+  void open_image(const std::vector<char>& bytes) {
+    bytes_ = bytes.size();
+    const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    H5Pset_fapl_core(access, 1 << 16, false);
+    // The library copies the bytes, though its interface does not promise to leave them.
+    H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size());
+    file_ = {H5Fopen("image", H5F_ACC_RDONLY, access), H5Fclose};
+  }
+  void open_file() {
+    std::error_code unknown;
+    bytes_ = std::filesystem::file_size(name_, unknown);
+    file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+    if (!file_.is_open())  // it is being written, or was when its program was killed
+      file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose};
+  }
+
+  void find_particles() {
+    if (!hdf5::has(file_, "particles"))
+      refuse("there is no group 'particles'; an H5MD file must have one");
+    const Handle particles = hdf5::group(file_, "particles");
+    H5G_info_t info{};
+    H5Gget_info(particles, &info);
+    for (hsize_t k = 0; k < info.nlinks && root_.empty(); ++k) {
+      std::array<char, 256> name{};
+      if (H5Lget_name_by_idx(particles, ".", H5_INDEX_NAME, H5_ITER_INC, k, name.data(),
+                             name.size(), H5P_DEFAULT) < 0)
+        break;
+      const std::string root = std::string("particles/") + name.data();
+      if (hdf5::has(file_, root + std::string("/") + "position/value")) root_ = root + '/';
+    }
+    if (root_.empty()) refuse("no group below 'particles' holds 'position/value'; one must");
+    position_ = series("position", {Dimension::length});
+    if (position_.extents.size() != 3 || position_.extents[2] != 3)
+      refuse("'position/value' must have three extents: frames, atoms and 3");
+    frames_ = position_.extents[0];
+    const hsize_t atoms = position_.extents[1];
+    if (atoms > bytes_)
+      refuse(
+          fmt::format("'position/value' tells {} atoms, in a file of {} bytes; positions of so "
+                      "many do not fit",
+                      atoms, bytes_));
+    if (hdf5::has(file_, root_ + "velocity/value")) {
+      velocity_ = series("velocity", {Dimension::length, Dimension::time});
+      if (velocity_->extents.size() != 3 || velocity_->extents[1] != atoms ||
+          velocity_->extents[2] != 3)
+        refuse("'velocity/value' must have the extents of 'position/value'");
+      frames_ = std::min(frames_, velocity_->extents[0]);
+    }
+    find_box();
+    find_times();
+    name_atoms(static_cast<std::size_t>(atoms));
+  }
+
+  // Values of an element of the group, with the unit that they are in.
+  Series series(const std::string& element, std::vector<Dimension> dimensions) const {
+    Series found;
+    const std::string place = root_ + element;
+    found.changes = hdf5::has(file_, place + "/value");
+    found.values = hdf5::dataset(file_, found.changes ? place + "/value" : place);
+    if (!found.values.is_open()) refuse(fmt::format("'{}' cannot be read; it must be data", place));
+    found.extents = hdf5::extents(found.values);
+    check_numbers(found.values, place);
+    found.unit = unit_of(found.values, element, dimensions);
+    return found;
+  }
+
+  // Numbers, in chunks that the file's bytes can hold: the library makes room for a whole one.
+  void check_numbers(hid_t values, const std::string& place) const {
+    const Handle type(H5Dget_type(values), H5Tclose);
+    const H5T_class_t kind = H5Tget_class(type);
+    if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+      refuse(fmt::format("'{}' holds no numbers; it must", place));
+    const Handle properties(H5Dget_create_plist(values), H5Pclose);
+    if (H5Pget_layout(properties) != H5D_CHUNKED) return;
+    std::array<hsize_t, H5S_MAX_RANK> chunk{};
+    const int rank = H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
+    double size = static_cast<double>(H5Tget_size(type));
+    for (int k = 0; k < rank; ++k) size *= static_cast<double>(chunk[static_cast<std::size_t>(k)]);
+    constexpr double deflated = 1032;  // the most that deflate makes of a byte
+    if (size > deflated * static_cast<double>(bytes_))
+      refuse(fmt::format("a chunk of '{}' is {:.3g} bytes long; the file's {} bytes cannot hold it",
+                         place, size, bytes_));
+  }
+
+  std::optional<std::string> text_attribute(hid_t of, const char* name) const {
+    if (H5Aexists(of, name) <= 0) return std::nullopt;
+    const Handle attribute(H5Aopen(of, name, H5P_DEFAULT), H5Aclose);
+    const Handle type(H5Aget_type(attribute), H5Tclose);
+    const Handle space(H5Aget_space(attribute), H5Sclose);
+    if (H5Tget_class(type) != H5T_STRING) return std::nullopt;
+    const auto count =
+        static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
+    if (count == 0 || count > 3) return std::nullopt;
+    if (H5Tis_variable_str(type) > 0) {
+      std::array<char*, 3> texts{};
+      if (H5Aread(attribute, type, texts.data()) < 0 || texts[0] == nullptr) return std::nullopt;
+      std::string text = texts[0];
+      H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
+      return text;
+    }
+    const std::size_t width = H5Tget_size(type);
+    if (width > 1024) return std::nullopt;
+    std::string text(width * count, '\0');
+    if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
+    text.resize(width);
+    text.resize(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
+    return text;
+  }
+
+  // A length, a time, or a length per time: "nm", "Angstrom", "nm ps-1".
+  double unit_of(hid_t values, const std::string& element,
+                 const std::vector<Dimension>& dimensions) const {
+    const auto text = text_attribute(values, "unit");
+    if (!text)
+      refuse(fmt::format("'{}' has no attribute 'unit'; it must say for example \"{}\"", element,
+                         dimensions.front() == Dimension::time ? "ps" : "nm"));
+    std::string first = text->substr(0, text->find_first_of(" /"));
+    std::string second = first.size() < text->size() ? text->substr(first.size() + 1) : "";
+    if (second.ends_with("-1")) second.resize(second.size() - 2);
+    const auto known = [](const std::string& symbol) {
+      return symbol == "Angstrom" || symbol == "angstrom" ? std::string("A") : symbol;
+    };
+    try {
+      const double one = unit(known(first), dimensions[0]);
+      if (dimensions.size() == 1 && second.empty()) return one;
+      if (dimensions.size() == 2) return one / unit(known(second), dimensions[1]);
+    } catch (const Error& e) {
+      throw e.at(fmt::format("{}, {}", name_, element));
+    }
+    refuse(fmt::format("'{}' is in '{}'; it must be in one unit, as \"nm\"", element, *text));
+  }
+
+  void find_box() {
+    const Handle box = hdf5::group(file_, root_ + "box");
+    if (!box.is_open() || !(hdf5::has(box, "edges")))
+      refuse("the particles have no 'box/edges'; they must, as bodies are put into a box");
+    if (text_attribute(box, "boundary").value_or("periodic") != "periodic")
+      refuse("the box has a boundary that is not periodic; it must be periodic");
+    edges_ = series("box/edges", {Dimension::length});
+    const std::size_t rank = edges_.extents.size() - (edges_.changes ? 1 : 0);
+    const bool fits = !edges_.extents.empty() && (rank == 1 || rank == 2) &&
+                      std::all_of(edges_.extents.end() - static_cast<std::ptrdiff_t>(rank),
+                                  edges_.extents.end(), [](hsize_t extent) { return extent == 3; });
+    if (!fits) refuse("'box/edges' must be 3 edges or 3 by 3 numbers");
+    if (edges_.changes) frames_ = std::min(frames_, edges_.extents[0]);
+  }
+
+  void find_times() {
+    const std::string place = root_ + "position/time";
+    if (!hdf5::has(file_, place)) return;
+    Series times{hdf5::dataset(file_, place), {}, true, 1};
+    if (!times.values.is_open()) return;
+    check_numbers(times.values, place);
+    times.extents = hdf5::extents(times.values);
+    if (text_attribute(times.values, "unit"))
+      times.unit = unit_of(times.values, "position/time", {Dimension::time});
+    if (times.extents.size() > 1) refuse("'position/time' must be one time for each frame");
+    if (!times.extents.empty()) frames_ = std::min(frames_, times.extents[0]);
+    times_ = std::move(times);
+  }
+
+  double time_at(hsize_t number) {
+    if (!times_) return static_cast<double>(number);
+    double time = 0;
+    if (times_->extents.empty()) {  // the time between frames
+      H5Dread(times_->values, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &time);
+      return static_cast<double>(number) * time * times_->unit;
+    }
+    take(*times_, number, values_);
+    if (!std::isfinite(values_[0])) refuse("a time is not finite; it must be a number");
+    return values_[0] * times_->unit;
+  }
+
+  Box box_at(hsize_t number) {
+    take(edges_, number, values_);
+    if (values_.size() == 9) {
+      for (std::size_t k = 0; k < 9; ++k)
+        if (k % 4 != 0 && values_[k] != 0)
+          refuse("the box is triclinic; it must be a cuboid, the only box that is known here");
+      values_ = {values_[0], values_[4], values_[8]};
+    }
+    for (const double edge : values_)
+      if (!(edge > 0) || !std::isfinite(edge))
+        refuse(fmt::format("a box edge is {}; it must be longer than 0", edge));
+    return {edges_.unit * Vec3<double>{values_[0], values_[1], values_[2]}};
+  }
+
+  // One frame's values.
+  void take(const Series& series, hsize_t number, std::vector<double>& into) const {
+    std::vector<hsize_t> from(series.extents.size(), 0), count = series.extents;
+    if (series.changes) {
+      from[0] = number;
+      count[0] = 1;
+    }
+    std::size_t size = 1;
+    for (const hsize_t extent : count) size *= extent;
+    into.resize(size);
+    const Handle file_space(H5Dget_space(series.values), H5Sclose);
+    const Handle space(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                       H5Sclose);
+    if (H5Sselect_hyperslab(file_space, H5S_SELECT_SET, from.data(), nullptr, count.data(),
+                            nullptr) < 0 ||
+        H5Dread(series.values, H5T_NATIVE_DOUBLE, space, file_space, H5P_DEFAULT, into.data()) < 0)
+      refuse(fmt::format("frame {} cannot be read; the file is damaged", number + 1));
+  }
+
+  Vec3<double> vector(std::size_t i, double unit) const {
+    const Vec3<double> v =
+        unit * Vec3<double>{values_[3 * i], values_[3 * i + 1], values_[3 * i + 2]};
+    if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
+      refuse(fmt::format("a number of atom {} in frame {} is not finite; it must be", i + 1,
+                         number_ + 1));
+    return v;
+  }
+
+  // Names are no part of H5MD; they are there if the file is one of ours.
+  void name_atoms(std::size_t count) {
+    atoms_.resize(count);
+    kinds_.assign(1, {});
+    const auto names = texts("name"), residue_names = texts("residue_name"),
+               elements = texts("element");
+    const auto species = integers("species", count), residues = integers("residue", count);
+    if (names.empty() || residue_names.size() != names.size() || elements.size() != names.size())
+      return;
+    if (species.size() != count || residues.size() != count) return;
+    for (const int kind : species)
+      if (kind < 0 || static_cast<std::size_t>(kind) >= names.size())
+        refuse(fmt::format("an atom is of species {}; it must be 0 to {}", kind, names.size() - 1));
+    kinds_.clear();
+    for (std::size_t k = 0; k < names.size(); ++k)
+      kinds_.push_back({residue_names[k], names[k], elements[k]});
+    for (std::size_t i = 0; i < count; ++i) {
+      atoms_[i].kind = static_cast<std::uint32_t>(species[i]);
+      atoms_[i].residue = residues[i];
+    }
+  }
+
+  std::vector<int> integers(const std::string& element, std::size_t count) const {
+    const std::string place = root_ + element;
+    if (!hdf5::has(file_, place)) return {};
+    const Handle values = hdf5::dataset(file_, place);
+    if (!values.is_open() || hdf5::extents(values) != std::vector<hsize_t>{count}) return {};
+    check_numbers(values, place);
+    std::vector<int> numbers(count);
+    if (H5Dread(values, H5T_NATIVE_INT, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data()) < 0)
+      refuse(fmt::format("'{}' cannot be read; the file is damaged", place));
+    return numbers;
+  }
+
+  std::vector<std::string> texts(const char* name) const {
+    const std::string place = std::string("parameters/species/") + name;
+    if (!hdf5::has(file_, place)) return {};
+    const Handle values = hdf5::dataset(file_, place);
+    if (!values.is_open()) return {};
+    const Handle type(H5Dget_type(values), H5Tclose);
+    const auto extents = hdf5::extents(values);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || extents.size() != 1)
+      return {};
+    const std::size_t width = H5Tget_size(type);
+    if (extents[0] == 0 || width > bytes_ / extents[0]) return {};
+    std::string letters(width * extents[0], '\0');
+    if (H5Dread(values, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()) < 0) return {};
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < extents[0]; ++k)
+      texts.emplace_back(letters.substr(k * width, width).c_str());
+    return texts;
+  }
+
+  std::string name_, root_;
+  std::uint64_t bytes_ = 0;  // of the file
+  Handle file_;
+  Series position_, edges_;
+  std::optional<Series> velocity_, times_;
+  std::vector<AtomKind> kinds_;
+  std::vector<Atom> atoms_;  // their names
+  std::vector<double> values_;
+  hsize_t frames_ = 0, number_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameReader> h5md_reader(std::istream& in, const std::string& file) {
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
+  return std::make_unique<H5mdReader>(file, &bytes);
+}
+
+std::unique_ptr<FrameReader> open_h5md(const std::string& path) {
+  return std::make_unique<H5mdReader>(path, nullptr);
+}
+
+}  // namespace polhode

@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: MIT
+// H5MD files (debuyl2014), written so that they can be read meanwhile and that a killed program
+// leaves them whole.
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <span>
+
+#include "format.hpp"
+#include "hdf5.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+using hdf5::Handle;
+
+constexpr hsize_t small_row = 4096;  // bytes: shorter rows share a chunk of them, uncompressed
+
+// A value at each frame: the dataset that holds it, and the extents of one row.
+struct Series {
+  Handle values;
+  std::vector<hsize_t> row;
+};
+
+class H5mdWriter : public FrameWriter {
+ public:
+  H5mdWriter(std::string path, const Topology& topology, const FrameChoice& choice,
+             const FileMark* mark)
+      : path_(std::move(path)), topology_(topology), choice_(choice) {
+    hdf5::be_quiet();
+    if (mark != nullptr && mark->frames > 0)
+      reopen(mark->frames);
+    else
+      create();
+  }
+
+  void write(const State& state) override { write(state, {}); }
+  void write(const State& state, std::span<const Observable> observables) override {
+    const FrameView frame = view_of(state, topology_, choice_);
+    if (!started_) begin(frame, &state, observables);
+    append(frame);
+    append(state);
+    for (const Observable& observable : observables) {
+      const auto series = series_.find("observables/" + std::string(observable.name));
+      if (series != series_.end()) put(series->second, H5T_NATIVE_DOUBLE, &observable.value);
+    }
+    finish_frame();
+  }
+  void write(const Frame& frame) override {
+    const FrameView view = view_of(frame, choice_);
+    if (!started_) begin(view, nullptr, {});
+    append(view);
+    finish_frame();
+  }
+  FileMark mark() override {
+    checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+    const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+    if (descriptor >= 0) ::close(descriptor);
+    if (!synced) refuse();
+    return {frames_, 0};
+  }
+
+ private:
+  [[noreturn]] void refuse() const {
+    throw RunError(fmt::format("'{}' could not be written to the end; is the disk full?", path_));
+  }
+  template <class Result>
+  Result checked(Result result) const {
+    if (result < 0) refuse();
+    return result;
+  }
+  Handle made(hid_t id, herr_t (*close)(hid_t)) const { return {checked(id), close}; }
+
+  void create() {
+    const Handle access = access_properties();
+    file_ = {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose};
+    if (!file_.is_open())
+      throw Error(
+          fmt::format("'{}' cannot be written; check the folder and its permissions", path_));
+  }
+
+  // Readers of a file that grows need its latest form.
+  Handle access_properties() const {
+    Handle access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    checked(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
+    return access;
+  }
+
+  // A program that was killed leaves the file marked as being written.
+  void reopen(std::uint64_t frames) {
+    const Handle access = access_properties();
+    const hbool_t clear = true;
+    H5Pset(access, "clear_status_flags", &clear);
+    file_ = {H5Fopen(path_.c_str(), H5F_ACC_RDWR, access), H5Fclose};
+    if (!file_.is_open())
+      throw Error(fmt::format(
+          "there is no H5MD file '{}' to go on with; bring it back or start anew", path_));
+    for (const char* name : names_of_series)
+      if (hdf5::has(file_, value_path(name))) take_series(name, frames);
+    if (hdf5::has(file_, "observables")) {
+      const Handle observables = hdf5::group(file_, "observables");
+      for (const std::string& name : links(observables)) take_series("observables/" + name, frames);
+    }
+    if (!series_.contains("particles/all/position"))
+      throw Error(
+          fmt::format("'{}' holds no positions to go on with; bring the file back that the "
+                      "run wrote, or start anew",
+                      path_));
+    frames_ = frames;
+    start();
+  }
+
+  static std::vector<std::string> links(hid_t group) {
+    std::vector<std::string> names;
+    const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
+      static_cast<std::vector<std::string>*>(list)->emplace_back(name);
+      return 0;
+    };
+    H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names);
+    return names;
+  }
+
+  void take_series(const std::string& name, std::uint64_t frames) {
+    Series series{hdf5::dataset(file_, value_path(name)), {}};
+    auto extents = hdf5::extents(series.values);
+    if (extents.empty() || extents[0] < frames)
+      throw Error(
+          fmt::format("'{}' holds {} rows of {} and held {} when the run was interrupted; it "
+                      "must be the same file: bring it back or start anew",
+                      path_, extents.empty() ? 0 : extents[0], name, frames));
+    extents[0] = frames;
+    checked(H5Dset_extent(series.values, extents.data()));
+    series.row.assign(extents.begin() + 1, extents.end());
+    series_.emplace(name, std::move(series));
+  }
+
+  // Step and time are datasets themselves; all others have a dataset of values beside these.
+  static std::string value_path(const std::string& name) {
+    return name == step || name == time ? name : name + "/value";
+  }
+
+  void attribute(hid_t of, const char* name, const std::string& text) const {
+    const Handle type = made(H5Tcopy(H5T_C_S1), H5Tclose);
+    checked(H5Tset_size(type, H5T_VARIABLE));
+    checked(H5Tset_cset(type, H5T_CSET_UTF8));
+    const Handle space = made(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle a = made(H5Acreate2(of, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const char* value = text.c_str();
+    checked(H5Awrite(a, type, &value));
+  }
+  void attribute(hid_t of, const char* name, const std::vector<int>& numbers) const {
+    const hsize_t size = numbers.size();
+    const Handle space = numbers.size() == 1 ? made(H5Screate(H5S_SCALAR), H5Sclose)
+                                             : made(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle a =
+        made(H5Acreate2(of, name, H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    checked(H5Awrite(a, H5T_NATIVE_INT, numbers.data()));
+  }
+  Handle new_group(const std::string& name) const {
+    const Handle links = made(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    checked(H5Pset_create_intermediate_group(links, 1));
+    return made(H5Gcreate2(file_, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  }
+
+  void begin_series(const std::string& name, hid_t type, std::vector<hsize_t> row,
+                    const std::string& unit) {
+    hsize_t bytes = H5Tget_size(type);
+    for (const hsize_t extent : row) bytes *= std::max<hsize_t>(extent, 1);
+    std::vector<hsize_t> extents{0}, most{H5S_UNLIMITED};
+    std::vector<hsize_t> chunk{
+        bytes < small_row ? std::max<hsize_t>(1, small_row / std::max<hsize_t>(1, bytes)) : 1};
+    for (const hsize_t extent : row) {
+      extents.push_back(extent);
+      most.push_back(extent);
+      chunk.push_back(std::max<hsize_t>(extent, 1));
+    }
+    const Handle space = made(
+        H5Screate_simple(static_cast<int>(extents.size()), extents.data(), most.data()), H5Sclose);
+    const Handle properties = made(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    checked(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()));
+    if (bytes >= small_row) {
+      checked(H5Pset_shuffle(properties));
+      checked(H5Pset_deflate(properties, 1));
+    }
+    const bool has_group = value_path(name) != name;
+    if (has_group) {
+      const Handle group = new_group(name);
+      for (const char* shared : {step, time})
+        checked(
+            H5Lcreate_hard(file_, shared, group,
+                           std::string(shared).substr(std::string(shared).rfind('/') + 1).c_str(),
+                           H5P_DEFAULT, H5P_DEFAULT));
+    }
+    Series series{made(H5Dcreate2(file_, value_path(name).c_str(), type, space, H5P_DEFAULT,
+                                  properties, H5P_DEFAULT),
+                       H5Dclose),
+                  std::move(row)};
+    if (!unit.empty()) attribute(series.values, "unit", unit);
+    series_.emplace(name, std::move(series));
+  }
+
+  template <class T>
+  void constants(const std::string& name, hid_t file_type, hid_t type, const std::vector<T>& values,
+                 const char* unit = nullptr) {
+    const hsize_t size = values.size();
+    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle links = made(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    checked(H5Pset_create_intermediate_group(links, 1));
+    const Handle set =
+        made(H5Dcreate2(file_, name.c_str(), file_type, space, links, H5P_DEFAULT, H5P_DEFAULT),
+             H5Dclose);
+    if (size > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    if (unit != nullptr) attribute(set, "unit", unit);
+  }
+  void constants(const std::string& name, const std::vector<std::string>& texts) {
+    std::size_t width = 1;
+    for (const std::string& text : texts) width = std::max(width, text.size());
+    std::vector<char> letters(width * texts.size());
+    for (std::size_t k = 0; k < texts.size(); ++k)
+      std::ranges::copy(texts[k], letters.begin() + static_cast<std::ptrdiff_t>(k * width));
+    const Handle type = made(H5Tcopy(H5T_C_S1), H5Tclose);
+    checked(H5Tset_size(type, width));
+    checked(H5Tset_strpad(type, H5T_STR_NULLPAD));
+    const hsize_t size = texts.size();
+    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle links = made(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
+    checked(H5Pset_create_intermediate_group(links, 1));
+    const Handle set = made(
+        H5Dcreate2(file_, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+    if (size > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()));
+  }
+
+  // What stays the same, and the places of what follows: none can be added while others read.
+  void begin(const FrameView& frame, const State* state, std::span<const Observable> observables) {
+    attribute(new_group("h5md"), "version", std::vector<int>{1, 1});
+    attribute(new_group("h5md/author"), "name", "unknown");
+    const Handle creator = new_group("h5md/creator");
+    attribute(creator, "name", "polhode");
+    attribute(creator, "version", POLHODE_VERSION);
+    attribute(new_group("h5md/modules/units"), "version", std::vector<int>{1, 0});
+    new_group("particles/all");
+    begin_series(step, H5T_STD_I64LE, {}, "");
+    begin_series(time, H5T_IEEE_F64LE, {}, "ps");
+    const Handle box = new_group("particles/all/box");
+    attribute(box, "dimension", std::vector<int>{3});
+    periodic(box);
+    begin_series("particles/all/box/edges", H5T_IEEE_F64LE, {3, 3}, "nm");
+    begin_series("particles/all/position", H5T_IEEE_F32LE, {frame.atoms, 3}, "nm");
+    if (frame.has_velocities)
+      begin_series("particles/all/velocity", H5T_IEEE_F32LE, {frame.atoms, 3}, "nm ps-1");
+    name_sites(frame);
+    if (state != nullptr) {
+      describe_sites();
+      new_group("particles/bodies");
+      checked(H5Lcreate_hard(file_, "particles/all/box", file_, "particles/bodies/box", H5P_DEFAULT,
+                             H5P_DEFAULT));
+      const hsize_t n = state->size();
+      begin_series("particles/bodies/position", H5T_IEEE_F64LE, {n, 3}, "nm");
+      begin_series("particles/bodies/attitude", H5T_IEEE_F64LE, {n, 4}, "");
+      begin_series("particles/bodies/momentum", H5T_IEEE_F64LE, {n, 3}, "u nm ps-1");
+      begin_series("particles/bodies/angular_momentum", H5T_IEEE_F64LE, {n, 3}, "u nm2 ps-1");
+    }
+    if (!observables.empty()) new_group("observables");
+    for (const Observable& o : observables)
+      begin_series("observables/" + std::string(o.name), H5T_IEEE_F64LE, {}, std::string(o.unit));
+    start();
+  }
+
+  void periodic(hid_t box) const {
+    const Handle type = made(H5Tcopy(H5T_C_S1), H5Tclose);
+    checked(H5Tset_size(type, H5T_VARIABLE));
+    const hsize_t size = 3;
+    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle a =
+        made(H5Acreate2(box, "boundary", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const std::array<const char*, 3> text = {"periodic", "periodic", "periodic"};
+    checked(H5Awrite(a, type, text.data()));
+  }
+
+  void name_sites(const FrameView& frame) {
+    std::vector<std::int32_t> species, residues;
+    frame.each_atom([&](const Atom& atom) {
+      species.push_back(static_cast<std::int32_t>(atom.kind));
+      residues.push_back(atom.residue);
+    });
+    constants("particles/all/species", H5T_STD_I32LE, H5T_NATIVE_INT32, species);
+    constants("particles/all/residue", H5T_STD_I32LE, H5T_NATIVE_INT32, residues);
+    std::vector<std::string> residue_names, names, elements;
+    for (const AtomKind& kind : frame.kinds) {
+      residue_names.push_back(kind.residue_name);
+      names.push_back(kind.name);
+      elements.push_back(kind.element);
+    }
+    constants("parameters/species/residue_name", residue_names);
+    constants("parameters/species/name", names);
+    constants("parameters/species/element", elements);
+  }
+
+  void describe_sites() {
+    std::vector<double> mass, charge;
+    for (const auto& [molecule, count] : topology_.parts)
+      for (std::size_t copy = 0; copy < count; ++copy)
+        for (const Site& site : molecule.sites) {
+          if (site.mass == 0 && choice_.massless == MasslessSites::left_out) continue;
+          mass.push_back(site.mass);
+          charge.push_back(site.charge);
+        }
+    constants("particles/all/mass", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, mass, "u");
+    constants("particles/all/charge", H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, charge, "e");
+  }
+
+  void start() {
+    checked(H5Fstart_swmr_write(file_));
+    started_ = true;
+  }
+
+  void put(const Series& series, hid_t type, const void* values) {
+    std::vector<hsize_t> extents{frames_ + 1}, from{frames_}, count{1};
+    for (const hsize_t extent : series.row) {
+      extents.push_back(extent);
+      from.push_back(0);
+      count.push_back(extent);
+    }
+    checked(H5Dset_extent(series.values, extents.data()));
+    const Handle file_space = made(H5Dget_space(series.values), H5Sclose);
+    checked(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, from.data(), nullptr, count.data(),
+                                nullptr));
+    const Handle space =
+        made(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+    checked(H5Dwrite(series.values, type, space, file_space, H5P_DEFAULT, values));
+  }
+
+  void put(const char* name, const std::vector<double>& values) {
+    const auto series = series_.find(name);
+    if (series == series_.end()) return;
+    hsize_t expected = 1;
+    for (const hsize_t extent : series->second.row) expected *= extent;
+    if (expected != values.size())
+      throw Error(
+          fmt::format("a frame has {} numbers of {} and the ones before have {}; all frames "
+                      "of an H5MD file must have as many",
+                      values.size(), name, expected),
+          path_);
+    put(series->second, H5T_NATIVE_DOUBLE, values.data());
+  }
+
+  void append(const FrameView& frame) {
+    const auto number = static_cast<std::int64_t>(frames_);  // the step, which no frame tells
+    put(series_.at(step), H5T_NATIVE_INT64, &number);
+    put(series_.at(time), H5T_NATIVE_DOUBLE, &frame.time);
+    // Whole vectors: some readers know no shorter form.
+    const Vec3<double> edge = frame.box.edge;
+    put("particles/all/box/edges", {edge.x, 0, 0, 0, edge.y, 0, 0, 0, edge.z});
+    std::vector<double> r, v;
+    frame.each_atom([&](const Atom& atom) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        r.push_back(atom.r[k]);
+        v.push_back(atom.v[k]);
+      }
+    });
+    put("particles/all/position", r);
+    put("particles/all/velocity", v);
+  }
+
+  void append(const State& state) {
+    std::vector<double> q, attitude, p, ell;
+    const auto add = [](std::vector<double>& to, const Vec3<double>& v) {
+      to.insert(to.end(), {v.x, v.y, v.z});
+    };
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      add(q, state.q[i]);
+      add(p, state.p[i]);
+      add(ell, state.ell[i]);
+      const Quaternion<double> a = state.attitude[i];
+      attitude.insert(attitude.end(), {a.w, a.x, a.y, a.z});
+    }
+    put("particles/bodies/position", q);
+    put("particles/bodies/attitude", attitude);
+    put("particles/bodies/momentum", p);
+    put("particles/bodies/angular_momentum", ell);
+  }
+
+  void finish_frame() {
+    checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+    ++frames_;
+  }
+
+  static constexpr const char* step = "particles/all/step";
+  static constexpr const char* time = "particles/all/time";
+  static constexpr std::array names_of_series = {step,
+                                                 time,
+                                                 "particles/all/box/edges",
+                                                 "particles/all/position",
+                                                 "particles/all/velocity",
+                                                 "particles/bodies/position",
+                                                 "particles/bodies/attitude",
+                                                 "particles/bodies/momentum",
+                                                 "particles/bodies/angular_momentum"};
+
+  std::string path_;
+  Topology topology_;
+  FrameChoice choice_;
+  Handle file_;
+  std::map<std::string, Series> series_;  // closed before the file
+  std::uint64_t frames_ = 0;
+  bool started_ = false;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameWriter> h5md_writer(const std::string& path, const Topology& topology,
+                                         const FrameChoice& choice, const FileMark* mark) {
+  return std::make_unique<H5mdWriter>(path, topology, choice, mark);
+}
+
+}  // namespace polhode

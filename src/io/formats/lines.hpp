@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A text on its way into a frame, line by line.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <istream>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "../text_file.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+
+inline std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(" \t");
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+/// Takes the first word, up to a blank, away from the front of a text; empty at its end.
+inline std::string_view take_word(std::string_view& text) {
+  text = trimmed(text);
+  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+/// The number that a field holds, blanks around it aside.
+template <class Number>
+std::optional<Number> parsed(std::string_view field) {
+  field = trimmed(field);
+  if (field.starts_with('+')) field.remove_prefix(1);
+  Number value{};
+  const auto end = field.data() + field.size();
+  const auto [last, status] = std::from_chars(field.data(), end, value);
+  if (field.empty() || status != std::errc() || last != end) return std::nullopt;
+  return value;
+}
+
+/// Goes through a text line by line and knows where it is.
+class Lines {
+ public:
+  Lines(std::istream& in, std::string file) : in_(in), file_(std::move(file)) {}
+
+  const std::string& file() const { return file_; }
+
+  /// The next line, without its end, until the next call; nothing where the text ends.
+  std::optional<std::string_view> next() {
+    ++number_;
+    if (!std::getline(in_, line_)) return std::nullopt;
+    if (line_.ends_with('\r')) line_.pop_back();
+    if (const auto odd = odd_byte(line_, file_)) refuse(*odd);
+    return line_;
+  }
+  /// @param expected  tells what the line must be
+  template <class Expected>
+  std::string_view next(const Expected& expected) {
+    const auto line = next();
+    if (!line) refuse(fmt::format("the file ends where {} must stand", expected()));
+    return *line;
+  }
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(what, fmt::format("{}:{}", file_, number_));
+  }
+  /// A finite number.
+  /// @param hint  says more about its place: "; lines of atoms have columns of fixed width"
+  double number(std::string_view field, const char* what, const char* hint = "") const {
+    const auto value = parsed<double>(field);
+    if (!value)
+      refuse(
+          fmt::format("'{}' stands where the {} must be a number{}", trimmed(field), what, hint));
+    if (!std::isfinite(*value))
+      refuse(fmt::format("the {} is {}; it must be a finite number", what, trimmed(field)));
+    return *value;
+  }
+
+ private:
+  std::istream& in_;
+  std::string file_, line_;
+  std::size_t number_ = 0;
+};
+
+}  // namespace polhode

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Coordinates of XTC files: integers, packed into as few bits as their range needs. Atoms that
+// follow close behind one another are stored as small differences; each run of these tells whether
+// the next differences have a smaller or larger range. The coding is that of the XDR routine
+// xdr3dcoord (F. van Hoesel), which all programs share that read XTC files.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace polhode {
+
+using IntegerVector = std::array<std::int32_t, 3>;
+
+struct PackedIntegers {
+  IntegerVector least{}, most{};   ///< of each coordinate
+  std::int32_t small_range = 0;    ///< of the first differences: an index into the table of ranges
+  std::vector<std::uint8_t> bits;  ///< most significant first
+};
+
+/// Packs the coordinates of atoms.
+PackedIntegers packed(std::vector<IntegerVector> atoms);
+
+/// Unpacks `count` atoms. They are appended as they are found: memory is at most 48 bytes for a
+/// byte of `bits`.
+/// @throws Error  without a place, where the bits end early or tell what cannot be
+std::vector<IntegerVector> unpacked(const IntegerVector& least, const IntegerVector& most,
+                                    std::int32_t small_range, std::span<const std::uint8_t> bits,
+                                    std::size_t count);
+
+}  // namespace polhode

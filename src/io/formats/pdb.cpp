@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+// PDB files: positions in Å with three decimals, in fixed columns; frames are models.
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "atom_kinds.hpp"
+#include "format.hpp"
+#include "lines.hpp"
+#include "polhode/io/quantity.hpp"
+#include "text_buffer.hpp"
+
+namespace polhode {
+namespace {
+
+// Columns of the format, counted from one, as its description has them.
+std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
+  return line.size() < first ? std::string_view{} : line.substr(first - 1, last - first + 1);
+}
+
+class PdbReader : public FrameReader {
+ public:
+  PdbReader(std::istream& in, const std::string& file) : lines_(in, file) {}
+
+  bool next(Frame& frame) override {
+    frame.source = lines_.file();
+    frame.title = title_;
+    frame.time = time_;
+    frame.has_velocities = false;
+    frame.atoms.clear();
+    residue_ = 0;
+    residue_field_.clear();
+    AtomKinds kinds(frame.kinds);
+    bool ended = false;
+    while (!ended) {
+      const auto line = lines_.next();
+      if (!line) break;
+      const std::string_view record = trimmed(columns(*line, 1, 6));
+      if (record == "ATOM" || record == "HETATM")
+        frame.atoms.push_back(atom(*line, kinds));
+      else if (record == "CRYST1")
+        box_ = cell(*line);
+      else if (record == "TITLE")
+        take_title(frame, columns(*line, 11, line->size()));
+      else if (record == "ENDMDL" || record == "END")
+        ended = !frame.atoms.empty();
+    }
+    if (frame.atoms.empty()) return false;
+    if (!(box_.volume() > 0))
+      lines_.refuse(
+          "there is no CRYST1 record before the end of the atoms; it must tell the box, in Å and "
+          "degrees: CRYST1   24.830   24.830   24.830  90.00  90.00  90.00 P 1           1");
+    frame.box = box_;
+    return true;
+  }
+
+ private:
+  void take_title(Frame& frame, std::string_view text) {
+    frame.title = title_ = trimmed(text);
+    frame.time = time_ = title_time(title_);
+  }
+
+  Atom atom(std::string_view line, AtomKinds& kinds) {
+    Atom atom;
+    if (columns(line, 47, 54).empty())
+      lines_.refuse(
+          fmt::format("the line of an atom ends after {} characters; x, y and z stand in "
+                      "characters 31 to 54",
+                      line.size()));
+    for (std::size_t k = 0; k < 3; ++k)
+      atom.r[k] = angstrom_ * lines_.number(columns(line, 31 + 8 * k, 38 + 8 * k), "coordinate",
+                                            "; x, y and z stand in characters 31 to 54");
+    const std::string_view named = columns(line, 13, 21);
+    std::string key(named);
+    key += columns(line, 77, 78);
+    atom.kind = kinds.of(key, [&] {
+      const std::string_view name = trimmed(named.substr(0, 4));
+      if (name.empty())
+        lines_.refuse("there is no atom name in characters 13 to 16; sites are matched by it");
+      std::string element(trimmed(columns(line, 77, 78)));
+      for (std::size_t k = 1; k < element.size(); ++k)
+        element[k] = static_cast<char>(std::tolower(static_cast<unsigned char>(element[k])));
+      return AtomKind{std::string(trimmed(columns(line, 18, 21))), std::string(name), element};
+    });
+    atom.residue = residue(columns(line, 22, 27));
+    return atom;
+  }
+
+  // Numbers that do not fit are written as letters, stars or anew from 0: residues are counted.
+  int residue(std::string_view field) {
+    if (residue_ == 0 || field != residue_field_) {
+      residue_field_ = field;
+      ++residue_;
+    }
+    return residue_;
+  }
+
+  Box cell(std::string_view line) {
+    std::array<double, 6> edges_and_angles;
+    for (std::size_t k = 0; k < 3; ++k)
+      edges_and_angles[k] = lines_.number(columns(line, 7 + 9 * k, 15 + 9 * k), "box edge");
+    for (std::size_t k = 0; k < 3; ++k)
+      edges_and_angles[3 + k] = lines_.number(columns(line, 34 + 7 * k, 40 + 7 * k), "box angle");
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (edges_and_angles[3 + k] != 90)
+        lines_.refuse(
+            fmt::format("an angle of the box is {} degrees; it must be 90 degrees: a "
+                        "cuboid is the only box that is known here",
+                        edges_and_angles[3 + k]));
+      if (!(edges_and_angles[k] > 0))
+        lines_.refuse(
+            fmt::format("a box edge is {} Å; it must be longer than 0 Å", edges_and_angles[k]));
+    }
+    return {angstrom_ *
+            Vec3<double>{edges_and_angles[0], edges_and_angles[1], edges_and_angles[2]}};
+  }
+
+  Lines lines_;
+  std::string title_, residue_field_;
+  double time_ = 0;
+  int residue_ = 0;
+  Box box_{};
+  double angstrom_ = unit("A", Dimension::length);
+};
+
+// Names of elements with one letter begin in the second of four columns.
+std::string atom_name(const AtomKind& kind) {
+  return kind.name.size() < 4 && kind.element.size() < 2 ? fmt::format(" {:<3}", kind.name)
+                                                         : fmt::format("{:<4.4}", kind.name);
+}
+
+}  // namespace
+
+std::unique_ptr<FrameReader> pdb_reader(std::istream& in, const std::string& file) {
+  return std::make_unique<PdbReader>(in, file);
+}
+
+void append_pdb(std::iostream& file, const FrameView& frame, std::uint64_t before) {
+  const double angstrom = unit("A", Dimension::length);
+  const Vec3<double> edge = frame.box.edge / angstrom;
+  TextBuffer text(file);
+  text.print("TITLE     {}\n", frame.title);
+  text.print("CRYST1{:9.3f}{:9.3f}{:9.3f}  90.00  90.00  90.00 P 1           1\n", edge.x, edge.y,
+             edge.z);
+  text.print("MODEL     {:4}\n", (before + 1) % 10000);
+  std::vector<std::string> names;
+  for (const AtomKind& kind : frame.kinds)
+    names.push_back(fmt::format(" {} {:<4.4} ", atom_name(kind), kind.residue_name));
+  int number = 0;
+  frame.each_atom([&](const Atom& atom) {
+    number = (number + 1) % 100000;
+    text.print("ATOM  {:5}", number);
+    text.append(names[atom.kind]);
+    text.print("{:4}    ", atom.residue % 10000);
+    for (std::size_t k = 0; k < 3; ++k) text.fixed(atom.r[k] / angstrom, 8, 3);
+    text.print("  1.00  0.00          {:>2.2}", frame.kinds[atom.kind].element);
+    text.end_line();
+  });
+  text.print("ENDMDL\n");
+}
+
+}  // namespace polhode

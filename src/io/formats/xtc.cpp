@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+// XTC, the compressed trajectories of GROMACS: positions alone, rounded to 0.001 nm.
+#include <limits>
+
+#include "format.hpp"
+#include "gromacs_binary.hpp"
+#include "packed_integers.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::int32_t magic = 1995;
+constexpr std::int32_t magic_of_large = 2023;     // the length of packed coordinates has 64 bits
+constexpr std::size_t most_of_small = 298261617;  // atoms whose packed length fits in 32 bits
+constexpr std::size_t unpacked_count = 9;         // up to it coordinates are plain numbers
+constexpr float precision = 1000;                 // [1/nm]
+
+class XtcReader : public FrameReader {
+ public:
+  XtcReader(std::istream& in, const std::string& file) : in_(in, file, xdr) {}
+
+  bool next(Frame& frame) override {
+    if (in_.at_end()) return false;
+    const auto found = in_.take<std::int32_t>("a frame's head");
+    if (found != magic && found != magic_of_large)
+      in_.refuse(
+          fmt::format("a frame begins with the number {}; one of an XTC file begins with {} "
+                      "or {}",
+                      found, magic, magic_of_large));
+    begin_unnamed(frame, in_.file());
+    const std::size_t count = take_count(in_);
+    in_.take<std::int32_t>("the step");
+    frame.time = static_cast<double>(in_.take<float>("the time"));
+    if (!std::isfinite(frame.time)) in_.refuse("the time is not finite; it must be a number");
+    frame.box = take_box<float>(in_);
+    if (const std::size_t again = take_count(in_); again != count)
+      in_.refuse(fmt::format("{} positions stand where the head tells {} atoms", again, count));
+    if (count <= unpacked_count)
+      read_plain(frame, count);
+    else
+      read_packed(frame, count, found == magic_of_large);
+    return true;
+  }
+
+ private:
+  void read_plain(Frame& frame, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      Atom& atom = frame.atoms.emplace_back();
+      for (std::size_t k = 0; k < 3; ++k)
+        atom.r[k] = static_cast<double>(in_.take<float>("the positions"));
+      finite(atom.r, in_);
+    }
+  }
+
+  void read_packed(Frame& frame, std::size_t count, bool large) {
+    const auto per_nm = static_cast<double>(in_.take<float>("the precision"));
+    if (!(per_nm > 0) || !std::isfinite(per_nm))
+      in_.refuse(fmt::format("the precision is {} per nm; it must be above 0", per_nm));
+    const IntegerVector least = take_vector(), most = take_vector();
+    const auto small_range = in_.take<std::int32_t>("the range of differences");
+    const std::int64_t bytes = large ? in_.take<std::int64_t>("the length of the positions")
+                                     : in_.take<std::int32_t>("the length of the positions");
+    if (bytes < 0 || bytes > std::numeric_limits<std::int64_t>::max() - 4)
+      in_.refuse(
+          fmt::format("the packed positions are {} bytes long; they must be 0 or more", bytes));
+    const auto length = static_cast<std::uint64_t>(bytes);
+    const auto block = in_.block((length + 3) / 4 * 4, "the packed positions");
+    try {
+      for (const IntegerVector& r :
+           unpacked(least, most, small_range, block.first(static_cast<std::size_t>(length)), count))
+        frame.atoms.push_back(
+            {.r = Vec3<double>{static_cast<double>(r[0]), static_cast<double>(r[1]),
+                               static_cast<double>(r[2])} /
+                  per_nm});
+    } catch (const Error& e) {
+      in_.refuse(e.what());
+    }
+  }
+
+  IntegerVector take_vector() {
+    IntegerVector v;
+    for (std::int32_t& x : v) x = in_.take<std::int32_t>("the range of positions");
+    return v;
+  }
+
+  BinaryInput in_;
+};
+
+std::int32_t rounded(double r) {
+  const double scaled = std::nearbyint(r * static_cast<double>(precision));
+  // Differences of two coordinates, too, must fit in 32 bits.
+  constexpr double most = std::numeric_limits<std::int32_t>::max() / 2 - 1;
+  if (!(std::abs(scaled) <= most))
+    throw RunError(fmt::format("a coordinate is {} nm; in an XTC file it must lie within {:.0f} nm",
+                               r, most / static_cast<double>(precision)));
+  return static_cast<std::int32_t>(scaled);
+}
+
+}  // namespace
+
+std::unique_ptr<FrameReader> xtc_reader(std::istream& in, const std::string& file) {
+  return std::make_unique<XtcReader>(in, file);
+}
+
+void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t before) {
+  BinaryOutput out(xdr);
+  const bool large = frame.atoms > most_of_small;
+  const auto count = static_cast<std::int32_t>(frame.atoms);
+  out.put(large ? magic_of_large : magic);
+  out.put(count);
+  out.put(static_cast<std::int32_t>(before));  // the step, which a frame does not tell
+  out.put(static_cast<float>(frame.time));
+  put_box(out, frame.box);
+  out.put(count);
+  if (frame.atoms <= unpacked_count) {
+    frame.each_atom([&](const Atom& atom) {
+      for (std::size_t k = 0; k < 3; ++k) out.put(static_cast<float>(atom.r[k]));
+    });
+  } else {
+    std::vector<IntegerVector> atoms;
+    atoms.reserve(frame.atoms);
+    frame.each_atom([&](const Atom& atom) {
+      atoms.push_back({rounded(atom.r.x), rounded(atom.r.y), rounded(atom.r.z)});
+    });
+    PackedIntegers coordinates = packed(std::move(atoms));
+    out.put(precision);
+    for (const std::int32_t x : coordinates.least) out.put(x);
+    for (const std::int32_t x : coordinates.most) out.put(x);
+    out.put(coordinates.small_range);
+    const std::size_t length = coordinates.bits.size();
+    if (large)
+      out.put(static_cast<std::int64_t>(length));
+    else
+      out.put(static_cast<std::int32_t>(length));
+    coordinates.bits.resize((length + 3) / 4 * 4);
+    out.put(std::span<const std::uint8_t>(coordinates.bits));
+  }
+  out.write(file);
+}
+
+}  // namespace polhode

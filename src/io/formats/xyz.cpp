@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/xyz.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <initializer_list>
+
+#include "atom_kinds.hpp"
+#include "format.hpp"
+#include "lines.hpp"
+#include "polhode/io/quantity.hpp"
+#include "text_buffer.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view massless_species = "X";
+
+// Writes a frame line by line.
+class XyzLines {
+ public:
+  XyzLines(std::ostream& out, const std::vector<AtomKind>& kinds, bool velocities)
+      : text_(out), velocities_(velocities) {
+    for (const AtomKind& kind : kinds)
+      species_.push_back(
+          fmt::format("{:<2}", kind.element.empty() ? massless_species : kind.element));
+  }
+
+  void head(std::size_t atoms, const Box& box, double time) {
+    const Vec3<double> edge = box.edge / angstrom_;
+    text_.print(
+        "{}\nLattice=\"{:.10g} 0 0 0 {:.10g} 0 0 0 {:.10g}\" Properties=species:S:1:pos:R:3{} "
+        "Time={:.6f} pbc=\"T T T\"\n",
+        atoms, edge.x, edge.y, edge.z, velocities_ ? ":velo:R:3" : "", time);
+  }
+  void atom(const Atom& atom) {
+    text_.append(species_[atom.kind]);
+    vector(atom.r / angstrom_);
+    if (velocities_) vector(atom.v / angstrom_);
+    text_.end_line();
+  }
+
+ private:
+  void vector(const Vec3<double>& v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      text_.append(" ");
+      text_.fixed(v[k], 14, 8);
+    }
+  }
+
+  TextBuffer text_;
+  std::vector<std::string> species_;  // of each kind
+  bool velocities_;
+  double angstrom_ = unit("A", Dimension::length);
+};
+
+void write(std::ostream& out, const FrameView& frame) {
+  XyzLines lines(out, frame.kinds, frame.has_velocities);
+  lines.head(frame.atoms, frame.box, frame.time);
+  frame.each_atom([&](const Atom& atom) { lines.atom(atom); });
+}
+
+// A column of the lines of atoms: what it is, and how many words it takes.
+struct Property {
+  enum class What { species, position, velocity, residue, other } what;
+  std::size_t words;
+};
+
+// Key="value" pairs of a comment line, one after another.
+struct Pair {
+  std::string_view key, value;
+};
+
+std::optional<Pair> take_pair(std::string_view& text) {
+  text = trimmed(text);
+  if (text.empty()) return std::nullopt;
+  const auto end_of_key = text.find_first_of("= \t");
+  Pair pair{text.substr(0, end_of_key), {}};
+  text.remove_prefix(pair.key.size());
+  if (!text.starts_with('=')) return pair;
+  text.remove_prefix(1);
+  const char quote = text.empty() ? ' ' : text.front();
+  if (quote != '"' && quote != '\'' && quote != '{') {
+    pair.value = text.substr(0, text.find_first_of(" \t"));
+    text.remove_prefix(pair.value.size());
+    return pair;
+  }
+  text.remove_prefix(1);
+  pair.value = text.substr(0, text.find(quote == '{' ? '}' : quote));
+  text.remove_prefix(std::min(text.size(), pair.value.size() + 1));
+  return pair;
+}
+
+bool same_word(std::string_view a, std::string_view b) {
+  return std::ranges::equal(
+      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+class XyzReader : public FrameReader {
+ public:
+  XyzReader(std::istream& in, const std::string& file) : lines_(in, file) {}
+
+  bool next(Frame& frame) override {
+    auto count_line = lines_.next();
+    while (count_line && trimmed(*count_line).empty()) count_line = lines_.next();
+    if (!count_line) return false;
+    const auto count = parsed<std::size_t>(*count_line);
+    if (!count)
+      lines_.refuse(fmt::format("'{}' stands where the number of atoms must be, alone in its line",
+                                trimmed(*count_line)));
+    frame.source = lines_.file();
+    frame.title.clear();
+    read_comment(frame);
+    read_atoms(frame, *count);
+    return true;
+  }
+
+ private:
+  void read_comment(Frame& frame) {
+    frame.time = 0;
+    frame.box = {};
+    // A line without Properties is plain: an element and x y z.
+    properties_ = {{Property::What::species, 1}, {Property::What::position, 3}};
+    std::string_view rest = lines_.next([] { return "the comment line with the Lattice"; });
+    while (const auto pair = take_pair(rest)) {
+      if (same_word(pair->key, "lattice")) frame.box = lattice(pair->value);
+      if (same_word(pair->key, "properties")) properties_ = columns(pair->value);
+      if (same_word(pair->key, "time")) frame.time = lines_.number(pair->value, "Time");
+    }
+    if (frame.box.volume() == 0)
+      lines_.refuse(
+          "the comment line has no Lattice; it must tell the box, in Å: "
+          "Lattice=\"10 0 0 0 10 0 0 0 10\"");
+    frame.has_velocities = has(Property::What::velocity);
+    for (const auto& [what, name] : {std::pair{Property::What::species, "species:S:1"},
+                                     std::pair{Property::What::position, "pos:R:3"}})
+      if (!has(what))
+        lines_.refuse(
+            fmt::format("the Properties do not hold {}; they must tell every atom's", name));
+  }
+
+  bool has(Property::What what) const {
+    return std::ranges::find(properties_, what, &Property::what) != properties_.end();
+  }
+
+  Box lattice(std::string_view text) const {
+    std::array<double, 9> m;
+    for (double& x : m) x = lines_.number(take_word(text), "Lattice");
+    if (!trimmed(text).empty())
+      lines_.refuse("the Lattice has more than nine numbers; it must have three vectors of three");
+    for (std::size_t k = 0; k < 9; ++k)
+      if (k % 4 != 0 && m[k] != 0)
+        lines_.refuse(
+            "the box is triclinic; it must be a cuboid with edges along x, y and z, the only box "
+            "that is known here");
+    for (const std::size_t k : {0, 4, 8})
+      if (!(m[k] > 0))
+        lines_.refuse(fmt::format("a box edge is {} Å; it must be longer than 0 Å", m[k]));
+    return {angstrom_ * Vec3<double>{m[0], m[4], m[8]}};
+  }
+
+  // "species:S:1:pos:R:3": name, type and number of words.
+  std::vector<Property> columns(std::string_view text) const {
+    using What = Property::What;
+    std::vector<Property> found;
+    while (!text.empty()) {
+      std::array<std::string_view, 3> part;
+      for (std::string_view& field : part) {
+        field = text.substr(0, text.find(':'));
+        text.remove_prefix(std::min(text.size(), field.size() + 1));
+      }
+      const auto words = parsed<std::size_t>(part[2]);
+      if (!words || *words == 0)
+        lines_.refuse(
+            fmt::format("the Properties have '{}' where the number of columns of '{}' must "
+                        "be; they are triples as species:S:1",
+                        part[2], part[0]));
+      const auto any_of = [&](std::initializer_list<std::string_view> names) {
+        return std::ranges::any_of(names, [&](auto name) { return same_word(part[0], name); });
+      };
+      const What what = any_of({"species", "element"})                      ? What::species
+                        : any_of({"pos", "position", "positions"})          ? What::position
+                        : any_of({"vel", "velo", "velocity", "velocities"}) ? What::velocity
+                        : any_of({"resid", "molid", "mol", "residue"})      ? What::residue
+                                                                            : What::other;
+      const std::size_t wanted = what == What::position || what == What::velocity ? 3 : 1;
+      if (what != What::other && *words != wanted)
+        lines_.refuse(fmt::format("'{}' has {} columns; it must have {}", part[0], *words, wanted));
+      found.push_back({what, *words});
+    }
+    return found;
+  }
+
+  void read_atoms(Frame& frame, std::size_t count) {
+    AtomKinds kinds(frame.kinds);
+    frame.atoms.clear();
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string_view rest = lines_.next(
+          [&] { return fmt::format("atom {} of the {} that the frame has", i + 1, count); });
+      Atom& atom = frame.atoms.emplace_back();
+      for (const auto& [what, words] : properties_) switch (what) {
+          case Property::What::species: {
+            const std::string_view species = word(rest);
+            atom.kind = kinds.of(species, [&] {
+              const std::string name(species);
+              return AtomKind{{}, name, same_word(name, massless_species) ? "" : name};
+            });
+            break;
+          }
+          case Property::What::position:
+            atom.r = vector(rest, "position");
+            break;
+          case Property::What::velocity:
+            atom.v = vector(rest, "velocity");
+            break;
+          case Property::What::residue:
+            atom.residue = residue(word(rest));
+            break;
+          case Property::What::other:
+            for (std::size_t k = 0; k < words; ++k) word(rest);
+            break;
+        }
+    }
+  }
+
+  int residue(std::string_view field) const {
+    const auto number = parsed<int>(field);
+    if (!number)
+      lines_.refuse(
+          fmt::format("'{}' stands where the number of the atom's molecule must be", field));
+    return *number;
+  }
+  std::string_view word(std::string_view& rest) const {
+    const std::string_view found = take_word(rest);
+    if (found.empty())
+      lines_.refuse("the line of an atom ends early; it must have all columns of Properties");
+    return found;
+  }
+  Vec3<double> vector(std::string_view& rest, const char* what) const {
+    Vec3<double> v;
+    for (std::size_t k = 0; k < 3; ++k) v[k] = angstrom_ * lines_.number(word(rest), what);
+    return v;
+  }
+
+  Lines lines_;
+  std::vector<Property> properties_;
+  double angstrom_ = unit("A", Dimension::length);
+};
+
+}  // namespace
+
+std::unique_ptr<FrameReader> xyz_reader(std::istream& in, const std::string& file) {
+  return std::make_unique<XyzReader>(in, file);
+}
+
+void append_xyz(std::iostream& out, const FrameView& frame, std::uint64_t) { write(out, frame); }
+
+void write_xyz(std::ostream& out, const Frame& frame) { write(out, view_of(frame)); }
+
+void write_xyz(std::ostream& out, const State& state, const Topology& topology) {
+  write(out, view_of(state, topology));
+}
+
+}  // namespace polhode

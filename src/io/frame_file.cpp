@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/frame_file.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "formats/format.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "text_file.hpp"
+
+namespace polhode {
+namespace {
+
+template <AppendFrame append>
+std::unique_ptr<FrameWriter> appended(const std::string& path, const Topology& topology,
+                                      const FrameChoice& choice, const FileMark* mark) {
+  return stream_writer(append, path, topology, choice, mark);
+}
+
+// clang-format off
+constexpr std::array formats = {
+    //     ending  names  velocities
+    Format{"gro",  true,  true,  gro_reader,  appended<append_gro>},
+    Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>},
+    Format{"xyz",  true,  true,  xyz_reader,  appended<append_xyz>},
+    Format{"xtc",  false, false, xtc_reader,  appended<append_xtc>},
+    Format{"trr",  false, true,  trr_reader,  appended<append_trr>},
+    Format{"dcd",  false, false, dcd_reader,  appended<append_dcd>},
+    Format{"h5md", false, true,  h5md_reader, h5md_writer, open_h5md},
+};
+// clang-format on
+
+const Format& format_named(std::string_view ending, const std::string& file) {
+  const auto format = std::ranges::find(formats, ending, &Format::ending);
+  if (format != formats.end()) return *format;
+  std::vector<std::string> known;
+  for (const Format& f : formats) known.emplace_back(f.ending);
+  throw Error(fmt::format("'{}' ends in none of the formats that are known{}; there are: {}", file,
+                          did_you_mean(std::string(ending), known), listed(known)));
+}
+
+// Kinds and residues of atoms, from another file.
+class Names {
+ public:
+  explicit Names(const Frame& frame) : kinds_(frame.kinds), source_(frame.source) {
+    for (const Atom& atom : frame.atoms) atoms_.push_back({atom.kind, atom.residue});
+  }
+  void give(Frame& frame) const {
+    if (frame.atoms.size() != atoms_.size())
+      throw Error(fmt::format("the frame at {:g} ps has {} atoms and '{}', which names them, has "
+                              "{}; it must have as many",
+                              frame.time, frame.atoms.size(), source_, atoms_.size()),
+                  frame.source);
+    frame.kinds = kinds_;
+    for (std::size_t i = 0; i < atoms_.size(); ++i)
+      std::tie(frame.atoms[i].kind, frame.atoms[i].residue) = atoms_[i];
+  }
+
+ private:
+  std::vector<AtomKind> kinds_;
+  std::vector<std::pair<std::uint32_t, int>> atoms_;  // kind and residue
+  std::string source_;
+};
+
+// Frames of a format that does not name atoms, with names.
+class NamedReader : public FrameReader {
+ public:
+  NamedReader(std::unique_ptr<FrameReader> frames, const Frame& names)
+      : frames_(std::move(frames)), names_(names) {}
+  bool next(Frame& frame) override {
+    if (!frames_->next(frame)) return false;
+    names_.give(frame);
+    return true;
+  }
+  double fraction_read() override { return frames_->fraction_read(); }
+
+ private:
+  std::unique_ptr<FrameReader> frames_;
+  Names names_;
+};
+
+std::unique_ptr<FrameReader> named(std::unique_ptr<FrameReader> frames, const Format& format,
+                                   const Frame* names) {
+  if (names == nullptr || format.has_names) return frames;
+  return std::make_unique<NamedReader>(std::move(frames), *names);
+}
+
+// Frames of a stream, with the stream.
+class FileReader : public FrameReader {
+ public:
+  FileReader(const Format& format, const std::string& path)
+      : stream_(opened(path)), frames_(format.read(stream_, path)) {
+    std::error_code unknown;
+    bytes_ = static_cast<double>(std::filesystem::file_size(path, unknown));
+  }
+  bool next(Frame& frame) override { return frames_->next(frame); }
+  double fraction_read() override {
+    return static_cast<double>(std::max<std::streamoff>(0, stream_.tellg())) / bytes_;
+  }
+
+ private:
+  double bytes_;
+  std::ifstream stream_;
+  std::unique_ptr<FrameReader> frames_;
+};
+
+}  // namespace
+
+const Format& format_of(const std::string& path) {
+  const auto point = path.rfind('.');
+  return format_named(point == path.npos ? "" : std::string_view(path).substr(point + 1), path);
+}
+
+std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names) {
+  const Format& format = format_of(path);
+  opened(path);  // or an error that tells what is there instead
+  if (format.open != nullptr) return named(format.open(path), format, names);
+  return named(std::make_unique<FileReader>(format, path), format, names);
+}
+
+std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
+                                         const std::string& file, const Frame* names) {
+  const Format& f = format_named(format, file);
+  return named(f.read(in, file), f, names);
+}
+
+std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
+                                           const FrameChoice& choice) {
+  return format_of(path).write(path, topology, choice, nullptr);
+}
+
+std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
+                                             const FileMark& mark, const FrameChoice& choice) {
+  return format_of(path).write(path, topology, choice, &mark);
+}
+
+FormatTraits format_traits(const std::string& path) {
+  const Format& format = format_of(path);
+  return {format.has_names, format.has_velocities};
+}
+
+std::vector<std::string_view> readable_formats() {
+  std::vector<std::string_view> endings;
+  for (const Format& format : formats) endings.push_back(format.ending);
+  return endings;
+}
+
+std::vector<std::string_view> writable_formats() { return readable_formats(); }
+
+}  // namespace polhode

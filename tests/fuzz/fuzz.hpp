@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// A fuzz target: one reader, fed with any bytes. It must return or refuse them with an Error that
+// says where, within the limits of memory and time that driver.cpp sets.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace polhode::fuzz {
+
+/// Feeds a text to a reader; an Error is an answer, anything else that is thrown is a finding.
+void read(std::string_view text);
+
+}  // namespace polhode::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
