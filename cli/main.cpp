@@ -27,6 +27,8 @@ const std::vector<Verb> verbs = {
     {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
     {"convert", "frames of one format into another: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
      convert_verb},
+    {"analyze", "structure and motion from a trajectory: g(r), diffusion, relaxation",
+     analyze_verb},
     {"molecules", "list the molecule models, or show one", molecules_verb},
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
     {"top", "one free top, exact against NO_SQUISH, or a table of tops", top_verb},

@@ -31,9 +31,20 @@ Progress::~Progress() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
 }
 
-void Progress::show(double fraction, const std::string& now) {
-  if (!terminal_ || (since(last_) < 0.2 && fraction < 1)) return;
+bool Progress::due(bool last) {
+  if (!terminal_ || (since(last_) < 0.2 && !last)) return false;
   last_ = Clock::now();
+  return true;
+}
+
+void Progress::show(const std::string& now) {
+  if (!due(false)) return;
+  fmt::print(stderr, "\r\033[K{} {}  {}", what_, now, duration(since(start_)));
+  std::fflush(stderr);
+}
+
+void Progress::show(double fraction, const std::string& now) {
+  if (!due(fraction >= 1)) return;
   const double elapsed = since(start_);
   const std::string left =
       fraction > 0 ? duration(elapsed * (1 - fraction) / fraction) + " left" : "";

@@ -17,8 +17,12 @@ class Progress {
 
   /// @param fraction  of the work that is done, 0 to 1
   void show(double fraction, const std::string& now = {});
+  /// Of a job whose end is not known.
+  void show(const std::string& now);
 
  private:
+  bool due(bool last);
+
   std::string what_;
   bool terminal_;
   std::chrono::steady_clock::time_point start_, last_;

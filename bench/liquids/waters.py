@@ -67,8 +67,8 @@ def frames(text):
     return found
 
 
-def run(program, folder, water, count, seed, temperature, equilibrate, length, every):
-    """One run from a lattice; a finished one of the same run file is read from the folder."""
+def made(program, folder, water, count, seed, temperature, equilibrate, length, every):
+    """The prefix of the files of one run from a lattice; a finished one of the same run file is not made again."""
     prefix = f"{water.model}-{seed}"
     text = RUN_FILE.format(model=water.model, count=count, density=water.density, temperature=temperature,
                            seed=seed, equilibrate=equilibrate, length=length, every=every, prefix=prefix)
@@ -79,6 +79,12 @@ def run(program, folder, water, count, seed, temperature, equilibrate, length, e
         done = subprocess.run([program, "run", run_file.name, "--threads", "1", "--force", "--json"], cwd=folder,
                               check=True, stdout=subprocess.PIPE, text=True)
         said.write_text(done.stdout, encoding="utf-8")
-    return Run(json.loads(said.read_text(encoding="utf-8")),
+    return prefix
+
+
+def run(program, folder, water, count, seed, temperature, equilibrate, length, every):
+    """One run, made or read from the folder."""
+    prefix = made(program, folder, water, count, seed, temperature, equilibrate, length, every)
+    return Run(json.loads((folder / f"{prefix}.json").read_text(encoding="utf-8")),
                energies((folder / f"{prefix}-energies.csv").read_text(encoding="utf-8")),
                frames((folder / f"{prefix}-trajectory.xyz").read_text(encoding="utf-8")))

@@ -105,6 +105,25 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
   for (std::size_t d = 0; d < 3; ++d) load.virial[d] += constant_.virial[d];
 }
 
+ListMemory ForceField::list_memory() const {
+  ListMemory memory{{}, list_rebuilds()};
+  if (neighbours().width() == 0) return memory;
+  const Slots& slots = neighbours().slots();
+  memory.built_at = Vec3Column(topology_.size());
+  for (const Slots::Part& part : slots.parts)
+    for (std::uint32_t s = part.first; s < part.end(); ++s)
+      memory.built_at.set(slots.body[s], slots.built_at[s]);
+  return memory;
+}
+
+void ForceField::take_over(const ListMemory& memory) {
+  if (memory.built_at.size() == 0) return;
+  State state(memory.built_at.size(), neighbours().box());
+  state.q = memory.built_at;
+  std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
+  earlier_rebuilds_ = memory.rebuilds - neighbours().rebuilds();
+}
+
 Load ForceField::directional_derivative(const State& state, const Vec3Column& dq,
                                         const Vec3Column& dtheta) const {
   if (settings_.electrostatics == Electrostatics::ewald)

@@ -5,6 +5,7 @@
 
 #include <mutex>
 
+#include "../math/fourier_plans.hpp"
 #include "cache_lines.hpp"
 
 namespace polhode {
@@ -38,12 +39,6 @@ struct Library<float> {
   static constexpr auto destroy = fftwf_destroy_plan;
 };
 
-// Plans are made by one thread at a time; they are carried out by any.
-std::mutex& planning() {
-  static std::mutex mutex;
-  return mutex;
-}
-
 template <class T>
 typename Library<T>::Complex* waves_at(T* p) {
   return reinterpret_cast<typename Library<T>::Complex*>(p);
@@ -65,7 +60,7 @@ struct GridTransform<T>::Plans {
     const int wave_plane = whole(plane / 2);
     Column<T> own(row * grid.points[2]);
     auto *const g = waves_at(at), *const w = waves_at(waves), *const o = waves_at(own.data());
-    const std::lock_guard lock(planning());
+    const std::lock_guard lock(fourier_planning());
     using L = Library<T>;
     constexpr int forward = FFTW_FORWARD, backward = FFTW_BACKWARD;
     constexpr unsigned how = FFTW_ESTIMATE;
@@ -81,7 +76,7 @@ struct GridTransform<T>::Plans {
                            backward, how);
   }
   ~Plans() {
-    const std::lock_guard lock(planning());
+    const std::lock_guard lock(fourier_planning());
     for (const Plan plan : {rows, rows_back, along_y, along_y_back, along_z, along_z_back})
       Library<T>::destroy(plan);
   }

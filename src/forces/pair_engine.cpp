@@ -18,6 +18,12 @@ std::size_t most_sites_of(const Topology& topology) {
   return most;
 }
 
+/// The width of packs of pairs.
+template <class T>
+std::size_t lanes() {
+  return POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
+}
+
 }  // namespace
 
 template <class T>
@@ -42,12 +48,9 @@ PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& setting
 
 template <class T>
 void PairEngine<T>::operator()(const State& state, Load& load, bool energies) {
-  const std::size_t width =
-      POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
-  if (list_.width() != width || !(place(state) < list_.allowed2())) {
-    list_.build(state, width, workers_);
+  if (list_.width() != lanes<T>() || !(place(state) < list_.allowed2())) {
+    build_list(state);
     place(state);
-    prepare_sums();
   }
   if (load.f.size() != state.size()) load = Load(state.size());
   load.lennard_jones = load.coulomb = load.mesh = 0;
@@ -65,6 +68,12 @@ void PairEngine<T>::operator()(const State& state, Load& load, bool energies) {
     load.coulomb += sums.coulomb;
     for (std::size_t k = 0; k < 3; ++k) load.virial[k] += sums.virial[k];
   }
+}
+
+template <class T>
+void PairEngine<T>::build_list(const State& state) {
+  list_.build(state, lanes<T>(), workers_);
+  prepare_sums();
 }
 
 /// The square of the largest displacement since the list was built [nm²].

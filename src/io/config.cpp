@@ -319,6 +319,8 @@ void read_output(TomlTable table, OutputSettings& output) {
   take(output.massless_sites, table.boolean("massless_sites"));
   take(output.velocities, table.boolean("velocities"));
   output.plot = one_of(table, "plot", output.plot, {"svg", "png", "none"});
+  take(output.checkpoint_every, table.quantity("checkpoint_every", Dimension::wall_clock));
+  table.require(output.checkpoint_every > 0, "checkpoint_every", "must be longer than 0 s");
   table.refuse_unknown();
 }
 

@@ -84,6 +84,13 @@ bool energy_plot(const std::string& csv, const std::string& title, const std::st
   return draw(fs::path(data).replace_extension("gp").string(), script, warnings);
 }
 
+bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings) {
+  const fs::path data(figure.csv);
+  const std::string image = fs::path(data.filename()).replace_extension(format).string();
+  return draw(fs::path(data).replace_extension("gp").string(),
+              curves_script(figure, data.filename().string(), image, format), warnings);
+}
+
 bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
                      const std::string& format, std::ostream& warnings, double highest) {
   const std::string image = fs::path(prefix + "." + format).filename().string();

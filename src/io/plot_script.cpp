@@ -226,6 +226,31 @@ unset multiplot
                                                      colours[0]);
 }
 
+std::string curves_script(const CurvesFigure& figure, const std::string& csv,
+                          const std::string& image, const std::string& format) {
+  std::string plots;
+  for (std::size_t k = 0; k < figure.columns.size(); ++k)
+    plots += fmt::format(
+        "{}\\\n  data using 1:(column({})) with lines linewidth 1.4 linecolor \"{}\" dashtype {} "
+        "title {}",
+        k == 0 ? "" : ", ", quoted(figure.columns[k]), colours[k % colours.size()],
+        1 + k / colours.size(), quoted(figure.columns[k].substr(0, figure.columns[k].find(" ["))));
+  return head(image, format, 720, 480) + fmt::format(R"gp(
+data = {}
+set datafile separator ","
+set datafile columnheaders
+set title {} noenhanced textcolor "#404040"
+set key top right noenhanced Left reverse samplen 1.6 textcolor "#404040"
+set xlabel {} noenhanced
+set ylabel {} noenhanced
+set autoscale xfix
+plot {}
+)gp",
+                                                     quoted(csv), quoted(figure.title),
+                                                     quoted(figure.x_label), quoted(figure.y_label),
+                                                     plots);
+}
+
 std::string efficiency_script(const std::vector<EfficiencyCurve>& unsorted,
                               const std::string& image, const std::string& format, double highest) {
   std::vector<EfficiencyCurve> curves = unsorted;

@@ -12,6 +12,9 @@ namespace polhode {
 std::string energy_script(const std::string& csv, const std::string& image,
                           const std::string& title, const std::string& format);
 
+std::string curves_script(const CurvesFigure& figure, const std::string& csv,
+                          const std::string& image, const std::string& format);
+
 std::string efficiency_script(const std::vector<EfficiencyCurve>& curves, const std::string& image,
                               const std::string& format, double highest);
 

@@ -34,6 +34,8 @@ constexpr std::array all_units = {
     Unit{"um", Dimension::length, 1e3},
     Unit{"fs", Dimension::time, 1e-3},       Unit{"ps", Dimension::time, 1},
     Unit{"ns", Dimension::time, 1e3},        Unit{"us", Dimension::time, 1e6},
+    Unit{"s", Dimension::wall_clock, 1},     Unit{"min", Dimension::wall_clock, 60},
+    Unit{"h", Dimension::wall_clock, 3600},
     Unit{"u", Dimension::mass, 1},           Unit{"g/mol", Dimension::mass, 1},
     Unit{"Da", Dimension::mass, 1},
     Unit{"e", Dimension::charge, 1},
@@ -52,6 +54,9 @@ constexpr std::array all_units = {
     Unit{"bar", Dimension::pressure, bar},   Unit{"MPa", Dimension::pressure, 10 * bar},
     Unit{"atm", Dimension::pressure, 1.01325 * bar},
     Unit{"kJ/mol/nm3", Dimension::pressure, 1},
+    Unit{"mPa s", Dimension::viscosity, 1e4 * bar},
+    Unit{"Pa s", Dimension::viscosity, 1e7 * bar},
+    Unit{"cP", Dimension::viscosity, 1e4 * bar},
     Unit{"%", Dimension::fraction, 0.01},
     Unit{"1/nm", Dimension::inverse_length, 1},
     Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
@@ -70,6 +75,8 @@ Words words(Dimension dimension) {
       return {"a", "length", "1 nm"};
     case Dimension::time:
       return {"a", "time", "2 fs"};
+    case Dimension::wall_clock:
+      return {"a", "wall-clock time", "5 min"};
     case Dimension::mass:
       return {"a", "mass", "15.9994 u"};
     case Dimension::charge:
@@ -84,6 +91,8 @@ Words words(Dimension dimension) {
       return {"a", "dipole moment", "1.85 D"};
     case Dimension::pressure:
       return {"a", "pressure", "1 bar"};
+    case Dimension::viscosity:
+      return {"a", "viscosity", "0.9 mPa s"};
     case Dimension::fraction:
       return {"a", "fraction", "0.5 %"};
     case Dimension::inverse_length:

@@ -5,22 +5,19 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/disk.hpp"
 
 namespace polhode {
 namespace {
 
 namespace fs = std::filesystem;
-
-fs::path folder_of(const std::string& path) {
-  const fs::path folder = fs::path(path).parent_path();
-  return folder.empty() ? fs::path(".") : folder;
-}
 
 // Comments are single lines.
 std::string one_line(std::string text) {
@@ -47,22 +44,110 @@ std::string text_hash(std::string_view text) {
   return fmt::format("{:016x}", hash);
 }
 
-void write_csv(std::ostream& out, const Table& table, const Provenance& provenance) {
+namespace {
+
+std::string head_of(const std::vector<Table::Column>& columns) {
+  std::string line;
+  for (const auto& [name, unit] : columns) {
+    if (!line.empty()) line += ',';
+    line += unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+  }
+  return line;
+}
+
+void write_head(std::ostream& out, const std::vector<Table::Column>& columns,
+                const Provenance& provenance) {
   out << fmt::format("# polhode {}\n# command: {}\n# config hash: {}\n# target: {}\n# seed: {}\n",
                      provenance.version, one_line(provenance.command), text_hash(provenance.config),
-                     provenance.target, provenance.seed);
-  for (std::size_t k = 0; k < table.columns.size(); ++k) {
-    const auto& [name, unit] = table.columns[k];
-    out << (k == 0 ? "" : ",") << name;
-    if (!unit.empty()) out << " [" << unit << ']';
-  }
-  out << '\n';
+                     provenance.target, provenance.seed)
+      << head_of(columns) << '\n';
+}
+
+}  // namespace
+
+void write_csv(std::ostream& out, const Table& table, const Provenance& provenance) {
+  write_head(out, table.columns, provenance);
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size())
       throw std::logic_error("a row of a table has another length than its head");
     for (std::size_t k = 0; k < row.size(); ++k) out << (k == 0 ? "" : ",") << quoted(row[k].text);
     out << '\n';
   }
+}
+
+GrowingTable::GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
+                           const Provenance& provenance)
+    : path_(path), out_(path, std::ios::binary) {
+  if (!out_)
+    throw Error(fmt::format("'{}' cannot be written ({}); check the folder and its permissions",
+                            path, std::strerror(errno)));
+  write_head(out_, columns, provenance);
+}
+
+GrowingTable::GrowingTable(const std::string& path, std::uint64_t bytes) : path_(path) {
+  cut_file(path, bytes);
+  out_.open(path, std::ios::binary | std::ios::app | std::ios::ate);
+  if (!out_)
+    throw Error(fmt::format("'{}' cannot be written ({}); check its permissions", path,
+                            std::strerror(errno)));
+}
+
+void GrowingTable::add(std::span<const double> row) {
+  for (std::size_t k = 0; k < row.size(); ++k) out_ << (k == 0 ? "" : ",") << Cell(row[k]).text;
+  out_ << '\n';
+  check();
+}
+
+std::uint64_t GrowingTable::mark() {
+  out_.flush();
+  check();
+  sync_file(path_);
+  return static_cast<std::uint64_t>(out_.tellp());
+}
+
+void GrowingTable::check() {
+  if (!out_) throw RunError("'" + path_ + "' could not be written to the end; is the disk full?");
+}
+
+void each_row(const std::string& path, std::uint64_t bytes,
+              const std::vector<Table::Column>& columns,
+              const std::function<void(std::span<const double>)>& visit) {
+  check_length(path, bytes);
+  std::ifstream in(path, std::ios::binary);
+  const std::string head = head_of(columns);
+  std::string line;
+  std::vector<double> row;
+  bool begun = false;
+  std::uint64_t read = 0;
+  for (std::size_t number = 1; read < bytes; ++number) {
+    if (!std::getline(in, line))
+      throw Error("'" + path + "' cannot be read; check its permissions");
+    read += line.size() + 1;
+    if (line.starts_with('#')) continue;
+    const auto refuse = [&](const std::string& what) {
+      throw Error(what, fmt::format("{}:{}", path, number));
+    };
+    if (!begun) {
+      if (line != head)
+        refuse(fmt::format("the table has the columns '{}' and must have '{}'", line, head));
+      begun = true;
+      continue;
+    }
+    row.clear();
+    for (const char *at = line.data(), *const end = at + line.size(); at <= end; ++at) {
+      double value = std::numeric_limits<double>::quiet_NaN();
+      const auto [next, status] = std::from_chars(at, end, value);
+      if (next != end && *next != ',') refuse(fmt::format("'{}' is no row of numbers", line));
+      row.push_back(value);
+      at = next;
+    }
+    if (row.size() != columns.size())
+      refuse(fmt::format("the row has {} numbers and must have {}", row.size(), columns.size()));
+    visit(row);
+  }
+  if (read != bytes)
+    throw Error(
+        fmt::format("'{}' has no end of a line at byte {}, where a table ended once", path, bytes));
 }
 
 void refuse_existing(const std::string& path, bool force) {
@@ -85,8 +170,9 @@ void refuse_existing(const std::string& path, bool force) {
                     path));
 }
 
-void write_file(const std::string& path, const std::function<void(std::ostream&)>& write) {
-  const std::string temporary = fmt::format("{}.{}.part", path, ::getpid());
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
+                const std::string& keep) {
+  const std::string temporary = path + ".part";
   const auto refuse = [&](const std::string& why) {
     std::error_code ignored;
     fs::remove(temporary, ignored);
@@ -105,8 +191,15 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
   out.close();
   if (!out) refuse(std::strerror(errno));
   std::error_code error;
-  fs::rename(temporary, path, error);
+  try {
+    sync_file(temporary);
+  } catch (const RunError& e) {
+    refuse(e.what());
+  }
+  if (!keep.empty() && fs::exists(path, error)) fs::rename(path, keep, error);
+  if (!error) fs::rename(temporary, path, error);
   if (error) refuse(error.message());
+  sync_folder(path);
 }
 
 }  // namespace polhode

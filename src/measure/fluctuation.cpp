@@ -61,8 +61,7 @@ Estimate fluctuation_ratio_with_error(std::span<const Energies> samples) {
                 samples.end());
     without.push_back(fluctuation_ratio(rest));
   }
-  // Jackknife: the variance of R is (n − 1)/n Σ (R_b − mean)², (n − 1)² times that of the mean.
-  R.error = mean(without).error * static_cast<double>(n - 1);
+  R.error = jackknife_error(without);
   return R;
 }
 

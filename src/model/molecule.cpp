@@ -6,6 +6,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/math/eigen.hpp"
+#include "polhode/model/dipole.hpp"
 
 namespace polhode {
 namespace {
@@ -88,11 +89,15 @@ double Molecule::charge() const {
   return q;
 }
 
-double Molecule::dipole() const {
+Vec3<double> dipole_moment(const Molecule& molecule) {
   Vec3<double> mu{};
-  for (const Site& site : sites) mu += site.charge * site.r;
-  return norm(mu);
+  for (const Site& site : molecule.sites) mu += site.charge * site.r;
+  return mu;
 }
+
+bool has_dipole(const Molecule& molecule) { return molecule.dipole() > 1e-9; }
+
+double Molecule::dipole() const { return norm(dipole_moment(*this)); }
 
 int Molecule::rotational_freedoms() const {
   return top == Top::atom ? 0 : top == Top::linear ? 2 : 3;

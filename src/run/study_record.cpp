@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "polhode/base/error.hpp"
+#include "polhode/run/identity.hpp"
 
 namespace polhode {
 namespace {
@@ -56,31 +57,7 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
 }  // namespace
 
 std::string study_identity(const Config& config, const System& system) {
-  std::ostringstream id;
-  id.precision(17);
-  for (const auto& [molecule, count] : system.topology.parts) {
-    id << molecule.name << ' ' << count << ' ';
-    for (const Site& s : molecule.sites)
-      id << s.r.x << ' ' << s.r.y << ' ' << s.r.z << ' ' << s.mass << ' ' << s.charge << ' '
-         << s.sigma << ' ' << s.epsilon << ' ';
-  }
-  for (std::size_t i = 0; i < system.state.size(); ++i) {
-    const Vec3<double> q = system.state.q[i];
-    id << fmt::format("{:.9f} {:.9f} {:.9f} ", q.x, q.y, q.z);
-  }
-  const Vec3<double> edge = system.state.box.edge;
-  id << edge.x << ' ' << edge.y << ' ' << edge.z << ' ';
-  id << config.system.temperature << ' ' << config.system.seed << ' ';
-  const ForceSettings& f = config.forces;
-  id << static_cast<int>(f.truncation) << ' ' << static_cast<int>(f.electrostatics) << ' '
-     << static_cast<int>(f.precision) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
-     << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda << ' '
-     << config.study.length << ' ' << config.study.decorrelate;
-  if (f.electrostatics == Electrostatics::ewald) id << " pme " << f.accuracy;
-  if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
-  if (f.dispersion_correction) id << " dispersion";
-  if (const std::string mixing = described(f.mixing); !mixing.empty()) id << ' ' << mixing;
-  return id.str();
+  return identity(config, system, {config.study.length, config.study.decorrelate});
 }
 
 StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)

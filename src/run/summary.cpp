@@ -5,9 +5,8 @@
 
 namespace polhode {
 
-RunSummary summary(const System& system, const ForceField& forces,
-                   const TrajectorySettings& settings, const Trajectory& trajectory,
-                   const ForceNoise& noise) {
+RunSummary summary(const System& system, const TrajectorySettings& settings,
+                   const Trajectory& trajectory, const ForceNoise& noise) {
   RunSummary s;
   const auto n = static_cast<double>(trajectory.samples.size());
   s.molecules = system.topology.size();
@@ -48,7 +47,7 @@ RunSummary summary(const System& system, const ForceField& forces,
   s.force_evaluations = trajectory.force_evaluations;
   s.near_evaluations = trajectory.near_evaluations;
   s.measurements = trajectory.measurements;
-  s.list_rebuilds = forces.neighbours().rebuilds();
+  s.list_rebuilds = trajectory.list_rebuilds;
   s.timings = trajectory.timings;
   const double seconds = trajectory.timings.all();
   s.ns_per_day = seconds > 0 ? s.length / 1000 / seconds * 86400 : 0;

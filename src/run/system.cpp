@@ -15,18 +15,18 @@
 namespace polhode {
 namespace {
 
+void scale(Vec3Column& v, double factor) {
+  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
+}
+
+}  // namespace
+
 Topology described(const SystemSettings& settings) {
   Topology topology;
   for (const auto& component : settings.molecules)
     topology.parts.push_back({read_molecule(component.model), component.count});
   return topology;
 }
-
-void scale(Vec3Column& v, double factor) {
-  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
-}
-
-}  // namespace
 
 System assembled(const Config& config) {
   Topology topology = described(config.system);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/nested_forces.hpp"
@@ -47,8 +48,13 @@ struct TimedForces {
   }
 };
 
+/// It ends the trajectory, which keeps what was computed.
+struct BlowUp : RunError {
+  using RunError::RunError;
+};
+
 [[noreturn]] void blown_up(const TrajectorySettings& s, std::size_t step, const std::string& what) {
-  throw RunError(
+  throw BlowUp(
       fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
                   "{}, or the start "
                   "is too rough: try {:g} fs, or equilibrate first",
@@ -56,12 +62,42 @@ struct TimedForces {
                   name_of({s.scheme, s.inner}), s.step * 500));
 }
 
+/// Where the time goes, added to what an earlier part of the run took.
+class Clocks {
+ public:
+  /// @param near  of an inner scheme, if there is one
+  Clocks(const TimedForces& whole, const TimedForces* near, const Timings& earlier)
+      : whole_(whole), near_(near), earlier_(earlier) {}
+  double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
+  /// What has passed since the last call of this or skip() was drifts, kicks and forces.
+  void moved() { motion_ += part_.lap(); }
+  void skip() { part_.lap(); }
+  void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
+  Timings timings() {
+    all_ += run_.lap();
+    const double near_list = near_ ? near_->list() : 0;
+    const double motion = motion_ - (in_forces() - forces_of_samples_);
+    return {earlier_.forces + whole_.seconds - whole_.list(),
+            earlier_.list + whole_.list() + near_list, earlier_.motion + motion,
+            earlier_.measurement + std::max(0.0, all_ - in_forces() - motion),
+            earlier_.near + (near_ ? near_->seconds : 0) - near_list};
+  }
+
+ private:
+  const TimedForces& whole_;
+  const TimedForces* near_;
+  Timings earlier_;
+  double all_ = 0, motion_ = 0;
+  double forces_of_samples_ = 0;  // schemes that end with a drift need forces for the energy
+  Stopwatch run_, part_;
+};
+
 /// The trajectory of an integrator.
-/// @param whole, near  what it evaluates; near is empty without an inner scheme
+/// @param whole, near  what it evaluates; near is null without an inner scheme
 template <class Model>
-Trajectory followed(System& system, Integrator<Model>& integrator, const TimedForces& whole,
-                    const TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
-                    Workers& workers);
+Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& whole,
+                    TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
+                    Workers& workers, const RunState* from, std::vector<Energies> samples);
 
 }  // namespace
 
@@ -74,11 +110,13 @@ std::size_t TrajectorySettings::steps_per_sample() const {
 }
 
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
-                      const Watch& watch, Workers& workers) {
+                      const Watch& watch, Workers& workers, const RunState* from,
+                      std::vector<Energies> samples) {
   TimedForces whole{forces};
   if (!settings.inner) {
     Integrator integrator(settings.scheme, system.bodies, whole, settings.lambda, workers);
-    return followed(system, integrator, whole, nullptr, settings, watch, workers);
+    return followed(system, integrator, whole, nullptr, settings, watch, workers, from,
+                    std::move(samples));
   }
   ForceField near_forces(system.topology, near_settings(forces.settings(), *settings.inner),
                          system.state.box, workers);
@@ -86,7 +124,8 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   NestedForces nested(settings.inner->scheme, settings.inner->steps, system.bodies, whole, near,
                       settings.lambda, workers);
   Integrator integrator(settings.scheme, system.bodies, nested, settings.lambda, workers);
-  Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers);
+  Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers, from,
+                               std::move(samples));
   result.near_evaluations = nested.near_evaluations();
   return result;
 }
@@ -94,34 +133,53 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
 namespace {
 
 template <class Model>
-Trajectory followed(System& system, Integrator<Model>& integrator, const TimedForces& whole,
-                    const TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
-                    Workers& workers) {
+Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& whole,
+                    TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
+                    Workers& workers, const RunState* from, std::vector<Energies> samples) {
   Trajectory result;
+  result.samples = std::move(samples);
   const std::size_t steps = settings.steps(), interval = settings.steps_per_sample();
-  const auto in_forces = [&] { return whole.seconds + (near ? near->seconds : 0); };
-  double motion = 0;
-  Stopwatch run, part;
+  double start = system.state.time;
+  if (from) {
+    system.state = from->state;
+    start = from->start;
+    result.steps = from->steps;
+    integrator.take_over(from->integrator);
+    whole.forces.take_over(from->list);
+    if (near) near->forces.take_over(from->near_list);
+  }
+  Clocks clocks(whole, near, from ? from->timings : Timings{});
 
-  double forces_of_samples = 0;  // schemes that end with a drift need forces for the energy
+  const auto checkpoint = [&] {
+    if (!watch.checkpoint) return;
+    clocks.moved();
+    watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
+                      whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
+                      clocks.timings()});
+    clocks.skip();
+  };
   const auto sample = [&] {
-    motion += part.lap();
-    const double forces_before = in_forces();
-    const Energies now =
-        energies(system.state, system.bodies, integrator.load(system.state), workers);
-    forces_of_samples += in_forces() - forces_before;
+    clocks.moved();
+    const double forces_before = clocks.in_forces();
+    Energies now;
+    try {
+      now = energies(system.state, system.bodies, integrator.load(system.state), workers);
+    } catch (const RunError& e) {
+      blown_up(settings, result.steps, e.what());
+    }
+    clocks.forces_of_sample(clocks.in_forces() - forces_before);
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
+    if (watch.sample) watch.sample(result.steps, system.state, now);
     result.samples.push_back(now);
-    const Energies& start = result.samples.front();
-    if (std::abs(now.total() - start.total()) > start.kinetic() && start.kinetic() > 0)
+    const Energies& first = result.samples.front();
+    if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
       blown_up(
           settings, result.steps,
           fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the kinetic "
                       "energy at the start",
-                      start.total(), now.total()));
-    if (watch.sample) watch.sample(result.steps, system.state, now);
-    part.lap();
+                      first.total(), now.total()));
+    clocks.skip();
   };
   const auto step = [&](bool energies) {
     try {
@@ -130,51 +188,61 @@ Trajectory followed(System& system, Integrator<Model>& integrator, const TimedFo
       blown_up(settings, result.steps + 1, e.what());
     }
     ++result.steps;
+    system.state.time = start + static_cast<double>(result.steps) * settings.step;
     if (!std::isfinite(integrator.last_load().potential()))
       blown_up(settings, result.steps, "the potential energy is no longer a finite number");
   };
 
-  const double start_time = system.state.time;
   try {
-    sample();
-    while (result.steps < steps && !result.stopped) {
-      const std::size_t next = std::min(result.steps + interval, steps);
-      while (result.steps < next && !result.stopped) {  // one by one: a step that fails is known
-        step(result.steps + 1 == next);
-        result.stopped = watch.stop && watch.stop();
-      }
-      system.state.time = start_time + static_cast<double>(result.steps) * settings.step;
+    if (result.samples.empty()) {
+      checkpoint();
       sample();
     }
-  } catch (const RunError& e) {
+    while (result.steps < steps && !result.stopped) {  // one by one: a step that fails is known
+      const bool sampled = (result.steps + 1) % interval == 0;
+      step(sampled);
+      if (sampled) sample();
+      result.stopped = watch.stop && watch.stop();
+      if (result.stopped || result.steps == steps || (watch.due && watch.due())) checkpoint();
+    }
+    if (result.steps % interval != 0) sample();
+  } catch (const BlowUp& e) {
     result.failure = e.what();
   }
-  motion += part.lap();
+  clocks.moved();
 
   result.force_evaluations = integrator.force_evaluations();
   result.measurements = integrator.measurements();
-  result.timings = {.forces = whole.seconds - whole.list(),
-                    .near = near ? near->seconds - near->list() : 0,
-                    .list = whole.list() + (near ? near->list() : 0),
-                    .motion = motion - (in_forces() - forces_of_samples)};
-  result.timings.measurement = std::max(0.0, run.lap() - result.timings.all());
+  result.list_rebuilds = whole.forces.list_rebuilds();
+  result.timings = clocks.timings();
   return result;
 }
 
 }  // namespace
 
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch,
-                 Workers& workers) {
+                 Workers& workers, const RunState* from) {
   constexpr double step = 0.001, interval = 0.02;  // [ps]
   const Scheme scheme = scheme_of("velocity-verlet");
+  const Watch within{watch.sample, watch.stop};
   double done = 0;
+  if (from) {
+    system.state = from->state;
+    done = from->equilibrated.value();
+    forces.take_over(from->list);
+  }
   while (done < length) {
+    RunState here;  // a piece that is not finished is done again
+    if (watch.checkpoint)
+      here = {.state = system.state, .equilibrated = done, .list = forces.list_memory()};
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
-    const Trajectory part =
-        trajectory(system, forces, {scheme, step, std::max(piece, step), interval}, watch, workers);
+    const Trajectory part = trajectory(
+        system, forces, {scheme, step, std::max(piece, step), interval}, within, workers);
     done += piece;
     if (!part.failure.empty()) throw RunError("while equilibrating, " + part.failure);
+    if (watch.checkpoint && (part.stopped || (watch.due && watch.due())))
+      watch.checkpoint(std::move(here));
     if (part.stopped) return false;
   }
   rescale(system.state, system.topology, system.bodies, system.temperature);

@@ -152,7 +152,7 @@ TEST_CASE("a file goes on after its mark as if it had never been left") {
           [&] {
             continue_frames(parts, topology, {9, 1u << 30});
           },
-          {"must be the same file"});
+          {"what is missing cannot be made up"});
   }
 }
 

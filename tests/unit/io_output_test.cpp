@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <sstream>
 
 #include "errors.hpp"
@@ -131,6 +132,48 @@ TEST_CASE("a table keeps every digit and begins with what made it") {
   write_csv(named, {{{"scheme", ""}, {"cost", "1/ps"}}, {{"hoa2", 500.0}, {"A(1), B(1)", 1.0}}},
             {});
   CHECK(named.str().ends_with("scheme,cost [1/ps]\nhoa2,500\n\"A(1), B(1)\",1\n"));
+}
+
+TEST_CASE("a growing table gives its numbers back and goes on where it stood") {
+  const Folder folder;
+  const std::string file = folder / "a.csv";
+  const std::vector<Table::Column> columns = {{"time", "ps"}, {"R", "%"}};
+  const Provenance provenance{"1.2.3", "polhode run", "foobar", "avx2", 7};
+  const std::vector<std::vector<double>> rows = {{0, 1.0 / 3}, {1e-300, -2.5e7}, {0.1, -0.0}};
+  std::uint64_t mark = 0;
+  {
+    GrowingTable table(file, columns, provenance);
+    table.add(rows[0]);
+    table.add(rows[1]);
+    mark = table.mark();
+    table.add(std::vector<double>{7, 8});
+  }
+  {
+    GrowingTable table(file, mark);
+    CHECK(table.mark() == mark);
+    table.add(rows[2]);
+    const std::uint64_t end = table.mark();
+    CHECK(end == fs::file_size(file));
+  }
+  std::vector<std::vector<double>> read;
+  const auto take = [&](std::span<const double> row) { read.emplace_back(row.begin(), row.end()); };
+  each_row(file, fs::file_size(file), columns, take);
+  CHECK(read == rows);
+  std::ostringstream whole;
+  write_csv(whole, {columns, {{0.0, 1.0 / 3}, {1e-300, -2.5e7}, {0.1, -0.0}}}, provenance);
+  CHECK(text_of(file) == whole.str());
+
+  read.clear();
+  each_row(file, mark, columns, take);
+  CHECK(read.size() == 2);
+  check_error([&] { each_row(file, mark - 1, columns, take); }, {"a.csv", "end of a line"});
+  check_error([&] { each_row(file, mark + 1000, columns, take); }, {"a.csv", "bytes"});
+  check_error([&] { GrowingTable(file, mark + 1000); }, {"a.csv", "bytes", "--force"});
+  check_error([&] { each_row(file, mark, {{"time", "fs"}}, take); }, {"a.csv:6", "time [fs]"});
+  write_file(file, [](std::ostream& out) { out << "time [ps],R [%]\n1,2\n1,x\n1,2,3\n"; });
+  check_error([&] { each_row(file, 24, columns, take); }, {"a.csv:3", "1,x"});
+  write_file(file, [](std::ostream& out) { out << "time [ps],R [%]\n1,2,3\n"; });
+  check_error([&] { each_row(file, 22, columns, take); }, {"a.csv:2", "3 numbers", "2"});
 }
 
 TEST_CASE("outputs are not overwritten unless asked for") {

@@ -19,6 +19,13 @@ struct ConstantTerms {
   double coulomb() const { return self + intramolecular + background; }
 };
 
+/// What forces depend on beside the state, in their last bits: the neighbour list, which follows
+/// from where bodies were when it was built.
+struct ListMemory {
+  Vec3Column built_at;       ///< centre of each body then [nm]; empty if there is no list yet
+  std::size_t rebuilds = 0;  ///< so far
+};
+
 /// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box.
 class ForceField {
  public:
@@ -41,7 +48,14 @@ class ForceField {
   Load directional_derivative(const State& state, const Vec3Column& dq,
                               const Vec3Column& dtheta) const;
 
+  ListMemory list_memory() const;
+  /// Builds the list as it was: from here on the forces are those of the field that it belonged to,
+  /// to the last bit.
+  void take_over(const ListMemory& memory);
+
   std::uint64_t evaluations() const { return evaluations_; }
+  /// Of the neighbour list, with those before it was taken over.
+  std::size_t list_rebuilds() const { return neighbours().rebuilds() + earlier_rebuilds_; }
   const NeighbourList& neighbours() const {
     return std::visit([](const auto& e) -> const NeighbourList& { return e.neighbours(); },
                       engine_);
@@ -60,6 +74,7 @@ class ForceField {
   ConstantTerms constant_;
   std::variant<PairEngine<double>, PairEngine<float>> engine_;
   std::uint64_t evaluations_ = 0;
+  std::size_t earlier_rebuilds_ = 0;
 };
 
 }  // namespace polhode

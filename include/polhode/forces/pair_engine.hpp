@@ -28,6 +28,8 @@ class PairEngine {
   void operator()(const State& state, Load& load, bool energies);
 
   const NeighbourList& neighbours() const { return list_; }
+  /// Builds the list for the places of a state.
+  void build_list(const State& state);
 
  private:
   double place(const State& state);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/flows.hpp"
@@ -13,10 +15,21 @@ namespace polhode {
 
 /// Anything that computes the Load of a State. It may offer a second function, forces_alone(state,
 /// load), which leaves the energies out where nobody asks for them; a flow of its own in place of
-/// the drift, drift(state, t), as multiple time steps have; and forget(), if that flow remembers.
+/// the drift, drift(state, t), as multiple time steps have; and forget(), memory() and
+/// take_over(memory), as an integrator has them, if that flow remembers.
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
+};
+
+/// What an integrator carries from step to step: another one that takes it over goes on with the
+/// same bits.
+struct IntegratorMemory {
+  Load load;              ///< the last one
+  bool current = false;   ///< it belongs to the positions
+  bool complete = false;  ///< it holds energies
+  std::uint64_t evaluations = 0, measurements = 0;
+  std::vector<IntegratorMemory> inner;  ///< of the scheme within its drifts, if there is one
 };
 
 /// Forces and torques, without energies if the model can leave them out.
@@ -103,6 +116,18 @@ class Integrator {
   void forget() {
     current_ = false;
     if constexpr (requires { forces_.forget(); }) forces_.forget();
+  }
+
+  IntegratorMemory memory() const {
+    IntegratorMemory memory{load_, current_, complete_, evaluations_, measurements_, {}};
+    if constexpr (requires { forces_.memory(); }) memory.inner.push_back(forces_.memory());
+    return memory;
+  }
+  void take_over(const IntegratorMemory& memory) {
+    load_ = memory.load;
+    current_ = memory.current, complete_ = memory.complete;
+    evaluations_ = memory.evaluations, measurements_ = memory.measurements;
+    if constexpr (requires { forces_.take_over(memory); }) forces_.take_over(memory.inner.at(0));
   }
 
   const Scheme& scheme() const { return scheme_; }

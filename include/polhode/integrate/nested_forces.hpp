@@ -44,6 +44,16 @@ class NestedForces {
 
   void forget() { inner_.forget(); }
 
+  IntegratorMemory memory() const {
+    IntegratorMemory memory = inner_.memory();
+    memory.evaluations = near_evaluations();
+    return memory;
+  }
+  void take_over(const IntegratorMemory& memory) {
+    inner_.take_over(memory);
+    elsewhere_ = 0;
+  }
+
   std::uint64_t near_evaluations() const { return inner_.force_evaluations() + elsewhere_; }
 
  private:

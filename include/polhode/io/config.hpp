@@ -48,9 +48,10 @@ struct OutputSettings {
   std::string prefix = "polhode-run";  ///< of all output files
   double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
-  bool massless_sites = true;  ///< in trajectories
-  bool velocities = true;      ///< in trajectories, where the format has them
-  std::string plot = "svg";    ///< "svg", "png" or "none"
+  bool massless_sites = true;     ///< in trajectories
+  bool velocities = true;         ///< in trajectories, where the format has them
+  std::string plot = "svg";       ///< "svg", "png" or "none"
+  double checkpoint_every = 300;  ///< [s] of wall-clock time
 
   FrameChoice choice() const {
     return {massless_sites ? MasslessSites::kept : MasslessSites::left_out, velocities};

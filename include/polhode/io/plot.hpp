@@ -20,6 +20,17 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings);
 bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
                  std::ostream& warnings);
 
+/// Columns of a CSV file against its first one, as lines.
+struct CurvesFigure {
+  std::string csv;
+  std::string title, x_label, y_label;
+  std::vector<std::string> columns;  ///< as the head of the file has them, with units
+};
+
+/// Draws the figure; script and image stand beside the CSV file, under its name with other endings.
+/// @param format  "svg" or "png"
+bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);
+
 /// What a scheme achieves at one step.
 struct EfficiencyMark {
   double cost;           ///< force evaluations per ps

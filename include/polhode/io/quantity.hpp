@@ -12,7 +12,8 @@ namespace polhode {
 
 enum class Dimension {
   length,          ///< [nm]
-  time,            ///< [ps]
+  time,            ///< [ps], simulated
+  wall_clock,      ///< [s], of the clock on the wall
   mass,            ///< [u]
   charge,          ///< [e]
   temperature,     ///< [K]
@@ -20,6 +21,7 @@ enum class Dimension {
   density,         ///< [u/nm³]
   dipole,          ///< [e nm]
   pressure,        ///< [kJ/mol/nm³]
+  viscosity,       ///< [u/(nm ps)]
   fraction,        ///< [1], written in %
   inverse_length,  ///< [1/nm]
 };

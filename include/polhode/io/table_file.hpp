@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Tables of results: CSV with a head of comments that says what made them, written whole or not at
-// all.
+// all, or growing row by row.
 #pragma once
 
 #include <cstdint>
+#include <fstream>
 #include <functional>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,12 +48,45 @@ struct Table {
 /// Not-a-number is an empty field.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
+/// A CSV file that grows row by row.
+class GrowingTable {
+ public:
+  /// Begins the file; what was there is lost.
+  /// @throws Error  if it cannot be written
+  GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
+               const Provenance& provenance);
+  /// Goes on with a file after its first bytes; what follows them is cut off.
+  /// @throws Error  if the file is shorter, or cannot be written
+  GrowingTable(const std::string& path, std::uint64_t bytes);
+
+  /// @throws RunError  if the file cannot be written to its end
+  void add(std::span<const double> row);
+  /// Hands all rows to the disk and tells how long the file is.
+  /// @throws RunError  as add()
+  std::uint64_t mark();
+
+ private:
+  void check();
+  std::string path_;
+  std::ofstream out_;
+};
+
+/// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers that were
+/// written come back with all their bits.
+/// @throws Error  if the file is shorter, has other columns, or a row is not whole
+void each_row(const std::string& path, std::uint64_t bytes,
+              const std::vector<Table::Column>& columns,
+              const std::function<void(std::span<const double>)>& visit);
+
 /// Throws if the file is there and `force` is not given, or if its folder cannot be written to;
 /// call it before anything is computed.
 void refuse_existing(const std::string& path, bool force);
 
-/// Writes a file whole or not at all: into a temporary one beside it, which then takes its name.
+/// Writes a file whole or not at all: into a temporary one beside it, which takes its name once it
+/// is on the disk.
+/// @param keep  name that what was there takes; without it, it is lost
 /// @throws Error  if that cannot be done
-void write_file(const std::string& path, const std::function<void(std::ostream&)>& write);
+void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
+                const std::string& keep = {});
 
 }  // namespace polhode

@@ -14,6 +14,10 @@ struct Estimate {
 /// The mean of independent values and its standard error.
 Estimate mean(std::span<const double> values);
 
+/// The standard error of a value by the jackknife: `without` are the values that leaving out each
+/// of the independent parts in turn gives.
+double jackknife_error(std::span<const double> without);
+
 /// The slope of the least-squares line through (x, y) and its standard error from the residuals,
 /// which are taken as independent.
 Estimate slope(std::span<const double> x, std::span<const double> y);

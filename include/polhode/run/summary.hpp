@@ -35,8 +35,7 @@ struct RunSummary {
 };
 
 /// @param noise  of the forces at the start; none in double precision
-RunSummary summary(const System& system, const ForceField& forces,
-                   const TrajectorySettings& settings, const Trajectory& trajectory,
-                   const ForceNoise& noise = {});
+RunSummary summary(const System& system, const TrajectorySettings& settings,
+                   const Trajectory& trajectory, const ForceNoise& noise = {});
 
 }  // namespace polhode

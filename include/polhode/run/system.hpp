@@ -20,6 +20,10 @@ struct System {
   bool new_velocities = true;  ///< the start had none, or it is a lattice
 };
 
+/// The molecules of a run file; a count that is left to the start configuration is 0.
+/// @throws Error  if there is no such model
+Topology described(const SystemSettings& settings);
+
 /// Molecules, start and momenta of a run file.
 /// @throws Error  with its place if anything does not fit: counts, box, cutoff, overlapping
 /// molecules

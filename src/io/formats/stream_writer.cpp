@@ -1,39 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Files to whose end frames are appended.
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <unistd.h>
 
-#include <filesystem>
 #include <fstream>
 #include <utility>
 
 #include "format.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/disk.hpp"
 
 namespace polhode {
 namespace {
-
-// Waits until the disk has all that was handed to the operating system for a file.
-bool synced(const std::string& path) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (file < 0) return false;
-  const bool done = ::fsync(file) == 0;
-  return ::close(file) == 0 && done;
-}
-
-void cut(const std::string& path, std::uint64_t bytes) {
-  std::error_code failure;
-  const auto length = std::filesystem::file_size(path, failure);
-  if (failure)
-    throw Error(fmt::format("there is no readable file '{}' to go on with; check its path", path));
-  if (length < bytes)
-    throw Error(
-        fmt::format("'{}' is {} bytes long and was {} bytes long when the run was "
-                    "interrupted; it must be the same file: bring it back or start anew",
-                    path, length, bytes));
-  std::filesystem::resize_file(path, bytes, failure);
-}
 
 class StreamWriter : public FrameWriter {
  public:
@@ -42,7 +19,7 @@ class StreamWriter : public FrameWriter {
       : append_(append), path_(std::move(path)), topology_(topology), choice_(choice) {
     using std::ios;
     if (mark != nullptr) {
-      cut(path_, mark->bytes);
+      cut_file(path_, mark->bytes);
       frames_ = mark->frames;
     }
     stream_.open(path_,
@@ -55,7 +32,8 @@ class StreamWriter : public FrameWriter {
   void write(const State& state) override { append(view_of(state, topology_, choice_)); }
   void write(const Frame& frame) override { append(view_of(frame, choice_)); }
   FileMark mark() override {
-    if (!stream_.flush() || !synced(path_)) refuse();
+    if (!stream_.flush()) refuse();
+    sync_file(path_);
     return {frames_, static_cast<std::uint64_t>(stream_.tellp())};
   }
 

@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""Diffusion, reorientation and dielectric constant of SPC/E and TIP4P/2005 at 298 K, by `polhode analyze` of runs at
+constant energy with Ewald's sum; values are means over independent runs, errors from their scatter."""
+
+import argparse
+import json
+import subprocess
+import sys
+from math import sqrt
+from pathlib import Path
+from statistics import fmean, stdev
+
+import waters
+
+MODELS = [w for w in waters.WATERS if w.model in ("spce", "tip4p-2005")]
+
+
+def analysed(program, folder, water, o, seed):
+    """What `polhode analyze` says about one run; the frames are dropped once it is kept."""
+    said = folder / f"{water.model}-{seed}-analysis.json"
+    if not said.exists():
+        waters.made(program, folder, water, o.count, seed, waters.TEMPERATURE, o.equilibrate, o.length, o.every)
+        frames = folder / f"{water.model}-{seed}-trajectory.xyz"
+        done = subprocess.run(
+            [program, "analyze", frames.name, "--run", f"{water.model}-{seed}.toml", "--from", f"{o.every:g} ps",
+             "--window", f"{o.window:g} ps", "--fit", f"{o.window / 10:g} ps, {o.window:g} ps", "--pairs", "OW-OW",
+             "--what", "rdf,msd,rotation,dielectric,density", "--plot", "none", "--threads", "1", "--force", "--json",
+             "--output", f"{water.model}-{seed}"], cwd=folder, check=True, stdout=subprocess.PIPE, text=True)
+        said.write_text(done.stdout, encoding="utf-8")
+        if not o.keep:
+            frames.unlink()
+    return json.loads(said.read_text(encoding="utf-8"))
+
+
+def quantities(run):
+    """{name: value} of one run."""
+    part, found = run["parts"][0], {"T [K]": run["temperature_K"]["value"]}
+    found["D in the box [1e-9 m2/s]"] = part["D_1e-9_m2_per_s"]["value"]
+    if "D_without_images_1e-9_m2_per_s" in part:
+        found["D without images [1e-9 m2/s]"] = part["D_without_images_1e-9_m2_per_s"]["value"]
+    for axis, ranks in part["relaxation"].items():
+        for rank, times in ranks.items():
+            if times:
+                found[f"tau {rank} {axis}, integral [ps]"] = times["integral_ps"]["value"]
+                found[f"tau {rank} {axis}, exponential [ps]"] = times["exponential_ps"]["value"]
+    found["dielectric constant"] = run["dielectric"]["constant"]["value"]
+    return found
+
+
+def table(results):
+    """Means over the runs with their standard errors, in Markdown."""
+    rows = ["| | runs | quantity | value |", "| --- | --- | --- | --- |"]
+    for water, runs in results:
+        numbers = [quantities(r) for r in runs]
+        for name in numbers[0]:
+            values = [n[name] for n in numbers if name in n]
+            error = f" ± {stdev(values) / sqrt(len(values)):.3f}" if len(values) > 1 else ""
+            rows.append(f"| {water.name} | {len(values)} | {name} | {fmean(values):.3f}{error} |")
+    return "\n".join(rows)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--polhode", default="polhode", help="the program")
+    parser.add_argument("--runs", type=int, default=4, help="of each water, from starts of their own")
+    parser.add_argument("--count", type=int, default=512, help="waters in a run")
+    parser.add_argument("--length", type=float, default=200, help="of a run at constant energy [ps]")
+    parser.add_argument("--equilibrate", type=float, default=20, help="before it, with velocities rescaled [ps]")
+    parser.add_argument("--every", type=float, default=0.1, help="between frames [ps]")
+    parser.add_argument("--window", type=float, default=20, help="longest lag of correlations [ps]")
+    parser.add_argument("--folder", type=Path, default=Path("dynamics"), help="keeps the runs' numbers; finished "
+                        "runs there are not made again")
+    parser.add_argument("--keep", action="store_true", help="the frames as well")
+    o = parser.parse_args()
+    o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    o.folder.mkdir(parents=True, exist_ok=True)
+    results = [(water, []) for water in MODELS]
+    for seed in range(1, o.runs + 1):
+        for water, runs in results:
+            runs.append(analysed(o.polhode, o.folder, water, o, seed))
+            (o.folder / "table.md").write_text(table([r for r in results if r[1]]) + "\n", encoding="utf-8")
+            print(f"{water.name}, run {seed} done", file=sys.stderr, flush=True)
+    print(table(results))
+
+
+if __name__ == "__main__":
+    main()

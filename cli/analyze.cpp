@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+// polhode analyze TRAJECTORY: structure, motion and dielectric constant from its frames.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "analyze_report.hpp"
+#include "interrupt.hpp"
+#include "option_values.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/target.hpp"
+#include "polhode/base/threads.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/io/frame_file.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/run/system.hpp"
+#include "progress.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::string trajectory, run, molecules, names, what, output = "polhode-analysis", plot = "svg";
+  std::string from, interval, window, fit, pairs, reach, bin, viscosity, temperature,
+      electrostatics, threads;
+  bool force = false, json = false;
+};
+
+/// "a, b" in words.
+std::vector<std::string> words(const std::string& text) {
+  std::vector<std::string> found;
+  std::istringstream parts(text);
+  for (std::string part; std::getline(parts, part, ',');) {
+    const auto first = part.find_first_not_of(' '), last = part.find_last_not_of(' ');
+    if (first != part.npos) found.push_back(part.substr(first, last - first + 1));
+  }
+  return found;
+}
+
+/// "tip4p 512, na 4": models with their counts, in the order of the file.
+Topology molecules_option(const std::string& text) {
+  Topology topology;
+  for (const std::string& word : words(text)) {
+    std::istringstream parts(word);
+    std::string model;
+    std::size_t count = 0;
+    parts >> model;
+    if (!(parts >> std::ws).eof() && (!(parts >> count) || !parts.eof() || count == 0))
+      throw Error(
+          fmt::format("--molecules \"{}\": '{}' must be a model and its count; write for "
+                      "example \"tip4p 512, na-tip4p-ew 4\"",
+                      text, word));
+    topology.parts.push_back({read_molecule(model), count});
+  }
+  if (topology.parts.empty())
+    throw Error("--molecules names no model; write for example \"tip4p 512\"");
+  if (topology.parts.size() > 1)
+    for (const auto& [molecule, count] : topology.parts)
+      if (count == 0)
+        throw Error(
+            fmt::format("--molecules \"{}\": '{}' has no count; only a single model takes "
+                        "its count from the file",
+                        text, molecule.name));
+  return topology;
+}
+
+/// What the dipole's fluctuations need of the forces under which the frames were made.
+void set_surrounding(SummarySettings& settings, const ForceSettings& forces) {
+  switch (forces.electrostatics) {
+    case Electrostatics::ewald:
+      settings.surrounding = tin_foil;
+      break;
+    case Electrostatics::reaction_field:
+      settings.surrounding = forces.dielectric;
+      break;
+    case Electrostatics::coulomb:
+    case Electrostatics::damped_shifted_force:
+      settings.no_surrounding =
+          "fluctuations of a dipole whose charges were cut off or switched off tell no dielectric "
+          "constant; pme or a reaction field is needed";
+  }
+}
+
+void set_surrounding(SummarySettings& settings, const std::string& electrostatics) {
+  const std::vector<std::string> names = {"pme", "reaction-field", "coulomb"};
+  ForceSettings forces;
+  if (electrostatics == "pme")
+    forces.electrostatics = Electrostatics::ewald;
+  else if (electrostatics == "reaction-field")
+    forces.electrostatics = Electrostatics::reaction_field;
+  else if (electrostatics != "coulomb")
+    throw Error(fmt::format("--electrostatics {} must be pme, reaction-field or coulomb{}",
+                            electrostatics, did_you_mean(electrostatics, names)));
+  set_surrounding(settings, forces);
+}
+
+double positive(const std::string& text, Dimension dimension, const std::string& option) {
+  const double value = quantity(text, dimension, option);
+  if (!(value > 0))
+    throw Error(fmt::format("{} = \"{}\" must be more than 0; give another", option, text));
+  return value;
+}
+
+AnalysisSettings analysis_settings(const Options& o) {
+  AnalysisSettings s;
+  for (const std::string& name : words(o.what)) s.what.insert(observable(name));
+  s.from = o.from.empty() ? -std::numeric_limits<double>::infinity()
+                          : quantity(o.from, Dimension::time, "--from");
+  if (!o.interval.empty()) s.interval = positive_time(o.interval, "--interval");
+  if (!o.window.empty()) s.window = positive_time(o.window, "--window");
+  if (!o.reach.empty()) s.reach = positive(o.reach, Dimension::length, "--reach");
+  if (!o.bin.empty()) s.bin = positive(o.bin, Dimension::length, "--bin");
+  for (const std::string& word : words(o.pairs)) {
+    const auto dash = word.find('-');
+    if (dash == word.npos || dash == 0 || dash + 1 == word.size())
+      throw Error(
+          fmt::format("--pairs: '{}' must be two names of sites; write for example "
+                      "\"OW-OW, OW-HW\"",
+                      word));
+    s.pairs.push_back({word.substr(0, dash), word.substr(dash + 1)});
+  }
+  if (s.reach && *s.reach < s.bin)
+    throw Error(
+        fmt::format("--reach of {:g} nm is shorter than a bin of {:g} nm; ask for a longer "
+                    "one",
+                    *s.reach, s.bin));
+  return s;
+}
+
+SummarySettings summary_settings(const Options& o, const std::optional<Config>& config) {
+  SummarySettings s;
+  s.no_surrounding = "it depends on the electrostatics of the run; give --run or --electrostatics";
+  if (config) set_surrounding(s, config->forces);
+  if (!o.electrostatics.empty()) set_surrounding(s, o.electrostatics);
+  if (!o.temperature.empty())
+    s.temperature = positive(o.temperature, Dimension::temperature, "--temperature");
+  if (!o.viscosity.empty())
+    s.viscosity = positive(o.viscosity, Dimension::viscosity, "--viscosity");
+  if (!o.fit.empty()) {
+    const std::vector<std::string> ends = words(o.fit);
+    if (ends.size() != 2)
+      throw Error(
+          fmt::format("--fit \"{}\" must be two lags; write for example \"2 ps, 10 ps\"", o.fit));
+    s.fit = FitWindow{quantity(ends[0], Dimension::time, "--fit"),
+                      quantity(ends[1], Dimension::time, "--fit")};
+    if (!(0 <= s.fit->from && s.fit->from < s.fit->to))
+      throw Error(
+          fmt::format("--fit \"{}\" must begin at 0 or later and end after it; write for "
+                      "example \"2 ps, 10 ps\"",
+                      o.fit));
+  }
+  return s;
+}
+
+/// The files that will be written, of whatever the frames turn out to allow.
+std::vector<std::string> outputs(const Options& o, const AnalysisSettings& settings) {
+  std::set<Observable> what = settings.what;
+  if (what.empty())
+    for (const std::string& name : observable_names()) what.insert(observable(name));
+  std::vector<std::string> files;
+  for (const std::string& name : file_names(what))
+    for (const std::string& ending : {std::string("csv"), std::string("gp"), o.plot})
+      if (ending == "csv" || o.plot != "none")
+        files.push_back(fmt::format("{}-{}.{}", o.output, name, ending));
+  return files;
+}
+
+std::string typed(const Options& o) {
+  return typed_command("polhode analyze", {{"", o.trajectory},
+                                           {"--run", o.run},
+                                           {"--molecules", o.molecules},
+                                           {"--names", o.names},
+                                           {"--what", o.what},
+                                           {"--from", o.from},
+                                           {"--interval", o.interval},
+                                           {"--window", o.window},
+                                           {"--fit", o.fit},
+                                           {"--pairs", o.pairs},
+                                           {"--reach", o.reach},
+                                           {"--bin", o.bin},
+                                           {"--viscosity", o.viscosity},
+                                           {"--temperature", o.temperature},
+                                           {"--electrostatics", o.electrostatics}});
+}
+
+int analyze(const Options& o) {
+  if (o.run.empty() == o.molecules.empty())
+    throw Error(
+        "the molecules of a trajectory come from its run file or from their names; give "
+        "one of --run water.toml and --molecules \"tip4p 512\"");
+  if (o.plot != "svg" && o.plot != "png" && o.plot != "none")
+    throw Error(fmt::format("--plot {} must be svg, png or none", o.plot));
+  std::optional<Config> config;
+  if (!o.run.empty()) config = read_config(o.run);
+  const Topology topology = config ? described(config->system) : molecules_option(o.molecules);
+  const AnalysisSettings settings = analysis_settings(o);
+  const SummarySettings numbers = summary_settings(o, config);
+  Workers workers(threads_wanted(o.threads));
+  std::optional<Frame> names;
+  if (!o.names.empty()) {
+    names.emplace();
+    if (!open_frames(o.names)->next(*names))
+      throw Error(fmt::format("'{}' holds no frame; name a file with one", o.names));
+  }
+  const auto reader = open_frames(o.trajectory, names ? &*names : nullptr);
+  for (const std::string& file : outputs(o, settings)) refuse_existing(file, o.force);
+
+  catch_interrupts();
+  Analysis result;
+  {
+    Progress progress("reading");
+    const AnalysisWatch watch{[&](std::size_t frames, double time) {
+                                progress.show(fmt::format("{} frames, {:g} ps", frames, time));
+                              },
+                              interrupted};
+    result = analysis(*reader, topology, settings, watch, workers);
+  }
+  if (result.stopped)
+    fmt::print(stderr, "interrupted after {} frames; what they tell follows\n", result.frames);
+  const AnalysisSummary s = summary(result, numbers, workers);
+  if (result.deviation > 1e-4)
+    fmt::print(stderr, "note: atoms lay up to {:.4f} nm from the rigid models\n", result.deviation);
+  for (const std::string& note : s.notes) fmt::print(stderr, "note: {}\n", note);
+
+  const Provenance provenance{POLHODE_VERSION, typed(o), config ? config->text : o.molecules,
+                              name(current_target()), config ? config->system.seed : 0};
+  std::vector<std::string> written;
+  for (AnalysisFile& file : analysis_files(result, s, workers)) {
+    const std::string csv = fmt::format("{}-{}.csv", o.output, file.name);
+    write_file(csv, [&](std::ostream& out) { write_csv(out, file.table, provenance); });
+    written.push_back(csv);
+    if (o.plot == "none") continue;
+    file.figure.csv = csv;
+    if (curves_plot(file.figure, o.plot, std::cerr))
+      written.push_back(fmt::format("{}-{}.{}", o.output, file.name, o.plot));
+  }
+  if (o.json) {
+    nlohmann::json json = as_json(result, s);
+    json["files"] = written;
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    print_summary(result, s);
+    fmt::print("files                ");
+    for (const std::string& file : written) fmt::print(" {}", file);
+    fmt::print("\n");
+  }
+  return result.stopped ? 130 : 0;
+}
+
+}  // namespace
+
+Action analyze_verb(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_option("TRAJECTORY", o->trajectory, "file of frames; its ending tells the format")
+      ->required();
+  app.add_option("--run", o->run, "run file that made it: its molecules and electrostatics");
+  app.add_option("--molecules", o->molecules,
+                 "in place of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file");
+  app.add_option("--names", o->names, "coordinate file with the names of the atoms");
+  app.add_option("--what", o->what,
+                 "of rdf, msd, rotation, velocity, dielectric, density; without it all that the "
+                 "frames allow");
+  app.add_option("--output", o->output, "prefix of the output files; without it polhode-analysis");
+  app.add_option("--from", o->from, "leaves out frames before: \"10 ps\"");
+  app.add_option("--interval", o->interval, "between frames, in place of their times: \"0.1 ps\"");
+  app.add_option("--window", o->window, "longest lag of correlations; without it \"10 ps\"");
+  app.add_option("--fit", o->fit,
+                 "lags of the line that gives D: \"2 ps, 10 ps\"; without it from a fifth of the "
+                 "longest lag to that");
+  app.add_option("--pairs", o->pairs,
+                 "of sites for g(r): \"OW-OW, OW-HW\"; HW names HW1 and HW2; without it all pairs");
+  app.add_option("--reach", o->reach, "of g(r); without it \"1 nm\", or half of the shortest edge");
+  app.add_option("--bin", o->bin, "of g(r); without it \"0.002 nm\"");
+  app.add_option("--viscosity", o->viscosity,
+                 "of the liquid, \"0.855 mPa s\", for what images take from D; without it the "
+                 "published one of the model");
+  app.add_option("--temperature", o->temperature, "\"298 K\"; without it that of the velocities");
+  app.add_option("--electrostatics", o->electrostatics,
+                 "in place of a run file's: pme, reaction-field (of 78.5) or coulomb");
+  app.add_option("--plot", o->plot, "svg, png or none; without it svg");
+  app.add_option("--threads", o->threads,
+                 "that share the work; without it: one for each core allowed");
+  app.add_flag("--force", o->force, "overwrite output files that exist");
+  app.add_flag("--json", o->json, "print the summary as JSON");
+  return [o] { return analyze(*o); };
+}
+
+}  // namespace polhode::cli

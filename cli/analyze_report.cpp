@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: MIT
+#include "analyze_report.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <utility>
+
+#include "polhode/base/units.hpp"
+
+namespace polhode::cli {
+namespace {
+
+constexpr double wavenumber = 1e12 / 29979245800.0;  // of 1/ps [1/cm]
+
+/// Adds a column of values, and one of their errors.
+void add(AnalysisFile& file, const std::string& name, const std::string& unit,
+         const std::vector<Estimate>& values, bool drawn = true) {
+  file.table.columns.push_back({name, unit});
+  file.table.columns.push_back({name + " error", unit});
+  if (drawn) file.figure.columns.push_back(fmt::format("{} [{}]", name, unit));
+  for (std::size_t k = 0; k < file.table.rows.size(); ++k) {
+    file.table.rows[k].emplace_back(values.at(k).value);
+    file.table.rows[k].emplace_back(values.at(k).error);
+  }
+}
+
+/// A file whose first column runs over lags, or whatever `at(k)` tells.
+template <class At>
+AnalysisFile file_over(const std::string& name, const std::string& column, const std::string& unit,
+                       std::size_t rows, const At& at, CurvesFigure figure) {
+  AnalysisFile file{name, {{{column, unit}}, {}}, std::move(figure)};
+  for (std::size_t k = 0; k < rows; ++k) file.table.rows.push_back({at(k)});
+  return file;
+}
+
+AnalysisFile file_of_lags(const std::string& name, std::size_t lags, double interval,
+                          CurvesFigure figure) {
+  return file_over(
+      name, "lag", "ps", lags, [&](std::size_t k) { return static_cast<double>(k) * interval; },
+      std::move(figure));
+}
+
+/// A name for a quantity of one part: without the molecule where there is only one.
+std::string of_part(const Analysis& a, std::size_t part, const std::string& what) {
+  return a.topology.parts.size() == 1 ? what : a.topology.parts[part].molecule.name + " " + what;
+}
+
+AnalysisFile radial_file(const Analysis& a) {
+  const RadialDistribution& radial = *a.radial;
+  AnalysisFile file =
+      file_over("rdf", "r", "nm", radial.bins(), [&](std::size_t k) { return radial.middle(k); },
+                {{}, "radial distribution of sites", "r  (nm)", "g", {}});
+  for (std::size_t p = 0; p < a.pairs.size(); ++p) {
+    const std::string name = a.pairs[p][0] + "-" + a.pairs[p][1];
+    add(file, "g " + name, "1", radial.g(p));
+    file.table.columns.push_back({"coordination " + name, "1"});
+    const std::vector<double> n = radial.coordination(p);
+    for (std::size_t k = 0; k < n.size(); ++k) file.table.rows[k].emplace_back(n[k]);
+  }
+  return file;
+}
+
+AnalysisFile displacement_file(Analysis& a, Workers& workers) {
+  AnalysisFile file;
+  for (std::size_t part = 0; part < a.topology.parts.size(); ++part) {
+    const std::vector<Estimate> squared = a.displacement->squared(part, workers).estimates();
+    if (part == 0)
+      file = file_of_lags(
+          "msd", squared.size(), a.interval,
+          {{}, "mean-square displacement of centres of mass", "lag  (ps)", "MSD  (nm²)", {}});
+    add(file, of_part(a, part, "msd"), "nm2", squared);
+  }
+  return file;
+}
+
+AnalysisFile rotation_file(Analysis& a, Workers& workers) {
+  AnalysisFile file;
+  for (std::size_t part = 0; part < a.topology.parts.size(); ++part)
+    for (std::size_t axis = 0; axis < a.reorientation->axes(part).size(); ++axis)
+      for (const int rank : {1, 2}) {
+        const std::vector<Estimate> P =
+            a.reorientation->legendre(part, axis, rank, workers).estimates();
+        if (file.name.empty())
+          file = file_of_lags("rotation", P.size(), a.interval,
+                              {{}, "reorientation of body axes", "lag  (ps)", "P₁, P₂", {}});
+        add(file,
+            of_part(a, part, fmt::format("P{} {}", rank, a.reorientation->axes(part)[axis].name)),
+            "1", P);
+      }
+  return file;
+}
+
+struct NamedCorrelation {
+  std::string name;
+  BlockMeans curve;
+  bool linear;
+};
+
+std::vector<NamedCorrelation> velocity_correlations(Analysis& a, Workers& workers) {
+  std::vector<NamedCorrelation> curves;
+  for (std::size_t part = 0; part < a.topology.parts.size(); ++part) {
+    curves.push_back({of_part(a, part, "v"), a.velocity->linear(part, workers), true});
+    for (const std::size_t axis : a.velocity->turning_axes(part))
+      curves.push_back({of_part(a, part, fmt::format("omega {}", axis + 1)),
+                        a.velocity->angular(part, axis, workers), false});
+  }
+  return curves;
+}
+
+/// Autocorrelations over their value at lag 0, which a column of its own tells.
+std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
+  const std::vector<NamedCorrelation> curves = velocity_correlations(a, workers);
+  const std::size_t lags = curves.front().curve.mean().size();
+  AnalysisFile time = file_of_lags(
+      "velocity", lags, a.interval,
+      {{}, "autocorrelation of velocities and angular velocities", "lag  (ps)", "C(t)/C(0)", {}});
+  const Spectrum first = spectrum(curves.front().curve, a.interval);
+  AnalysisFile waves = file_over(
+      "spectrum", "frequency", "THz", first.frequency.size(),
+      [&](std::size_t k) { return first.frequency[k]; },
+      {{}, "spectra of velocities and angular velocities", "frequency  (THz)", "I  (ps)", {}});
+  waves.table.columns.push_back({"wavenumber", "1/cm"});
+  for (std::size_t k = 0; k < first.frequency.size(); ++k)
+    waves.table.rows[k].emplace_back(first.frequency[k] * wavenumber);
+  for (const auto& [name, curve, linear] : curves) {
+    const std::vector<Estimate> C = curve.estimates();
+    std::vector<Estimate> relative;
+    for (const Estimate& c : C)
+      relative.push_back({c.value / C.front().value, c.error / C.front().value});
+    add(time, name, "1", relative);
+    add(time, name + " product", linear ? "nm2/ps2" : "1/ps2", C, false);
+    if (linear)
+      add(time, name + " integral", "nm2/ps", running_integral(curve, a.interval).estimates(),
+          false);
+    add(waves, name, "ps", spectrum(curve, a.interval).intensity);
+  }
+  return {std::move(time), std::move(waves)};
+}
+
+AnalysisFile dielectric_file(const AnalysisSummary& s) {
+  const TotalDipole::Result& d = *s.dielectric;
+  AnalysisFile file = file_over(
+      "dielectric", "frames", "1", d.frames.size(), [&](std::size_t k) { return d.frames[k]; },
+      {{}, "dielectric constant of the frames so far", "frames", "ε", {"epsilon [1]"}});
+  file.table.columns.push_back({"epsilon", "1"});
+  for (std::size_t k = 0; k < d.stages.size(); ++k) file.table.rows[k].emplace_back(d.stages[k]);
+  return file;
+}
+
+AnalysisFile density_file(const Analysis& a) {
+  const BlockMeans means = a.conditions->blocks();
+  AnalysisFile file{
+      "density",
+      {{{"frames", "1"}, {"density", "g/cm3"}, {"temperature", "K"}}, {}},
+      {{}, "density in blocks of frames", "frames", "density  (g/cm³)", {"density [g/cm3]"}}};
+  double frames = 0;
+  for (const auto& [weight, sum] : means.blocks())
+    file.table.rows.push_back({frames += weight, sum[0] / weight / units::gram_per_cm3,
+                               a.has_velocities ? sum[1] / weight : std::nan("")});
+  return file;
+}
+
+/// Diffusion in 10⁻⁹ m²/s, from nm²/ps.
+double in_si(double diffusion) { return 1000 * diffusion; }
+
+nlohmann::json pair(const Estimate& e, double scale = 1) {
+  return {{"value", e.value * scale}, {"error", e.error * scale}};
+}
+
+}  // namespace
+
+std::vector<std::string> file_names(const std::set<Observable>& what) {
+  std::vector<std::string> names;
+  for (const Observable one : what) {
+    names.push_back(observable_names()[static_cast<std::size_t>(one)]);
+    if (one == Observable::velocity) names.push_back("spectrum");
+  }
+  return names;
+}
+
+std::vector<AnalysisFile> analysis_files(Analysis& a, const AnalysisSummary& s, Workers& workers) {
+  std::vector<AnalysisFile> files;
+  if (a.radial) files.push_back(radial_file(a));
+  if (a.displacement) files.push_back(displacement_file(a, workers));
+  if (a.reorientation) files.push_back(rotation_file(a, workers));
+  if (a.velocity)
+    for (AnalysisFile& file : velocity_files(a, workers)) files.push_back(std::move(file));
+  if (s.dielectric) files.push_back(dielectric_file(s));
+  if (a.density) files.push_back(density_file(a));
+  std::erase_if(files, [](const AnalysisFile& file) { return file.table.rows.empty(); });
+  return files;
+}
+
+void print_summary(const Analysis& a, const AnalysisSummary& s) {
+  fmt::print("{} frames from {:g} to {:g} ps", a.frames, a.first, a.last);
+  if (a.interval > 0) fmt::print(", {:.6g} ps apart", a.interval);
+  fmt::print(", {} molecules\n\n", a.topology.size());
+  const Estimate density = a.conditions->density();
+  fmt::print("density               {:.5f} ± {:.5f} g/cm3\n", density.value / units::gram_per_cm3,
+             density.error / units::gram_per_cm3);
+  if (a.has_velocities)
+    fmt::print("temperature           {:.2f} ± {:.2f} K, of the velocities\n",
+               a.conditions->temperature().value, a.conditions->temperature().error);
+  for (std::size_t k = 0; k < s.peaks.size(); ++k) {
+    const RadialDistribution::Peak& peak = s.peaks[k];
+    fmt::print(
+        "{:<22}first peak {:.3f} ± {:.3f} at {:.4f} ± {:.4f} nm; {:.2f} ± {:.2f} neighbours up "
+        "to {:.3f} nm\n",
+        fmt::format("g {}-{}", a.pairs[k][0], a.pairs[k][1]), peak.height.value, peak.height.error,
+        peak.place.value, peak.place.error, peak.coordination.value, peak.coordination.error,
+        peak.minimum);
+  }
+  for (const PartSummary& part : s.parts) {
+    if (part.diffusion) {
+      fmt::print("D of {:<17}{:.3f} ± {:.3f} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n",
+                 part.molecule, in_si(part.diffusion->value), in_si(part.diffusion->error),
+                 s.fit.from, s.fit.to);
+      if (s.drag)
+        fmt::print("{:<22}{:.3f} ± {:.3f} 1e-9 m2/s without images (viscosity {})\n", "",
+                   in_si(part.diffusion->value + *s.drag), in_si(part.diffusion->error),
+                   s.viscosity_source);
+      else
+        fmt::print("{:<22}not corrected for images: {}\n", "", s.viscosity_source);
+    }
+    if (part.green_kubo)
+      fmt::print("{:<22}{:.3f} ± {:.3f} 1e-9 m2/s in this box, from velocities\n",
+                 fmt::format("D of {}", part.molecule), in_si(part.green_kubo->value),
+                 in_si(part.green_kubo->error));
+    for (const AxisRelaxation& axis : part.axes)
+      for (std::size_t k = 0; k < 2; ++k) {
+        fmt::print("{:<22}", fmt::format("P{} {} {}", k + 1, part.molecule, axis.axis));
+        if (const auto& t = axis.rank[k])
+          fmt::print(
+              "{:.3f} ± {:.3f} ps by integral, {:.3f} ± {:.3f} ps by exponential ({:g} to "
+              "{:g} ps)\n",
+              t->integral.value, t->integral.error, t->exponential.value, t->exponential.error,
+              t->from, t->to);
+        else
+          fmt::print("does not fall to 1/e³ within the window\n");
+      }
+  }
+  if (const auto& d = s.dielectric)
+    fmt::print(
+        "dielectric constant   {:.2f} ± {:.2f}; Kirkwood factor {:.2f} ± {:.2f}; |<M>| is "
+        "{:.2f} of the rms M\n",
+        d->constant.value, d->constant.error, d->kirkwood.value, d->kirkwood.error,
+        d->mean_over_rms);
+}
+
+nlohmann::json as_json(const Analysis& a, const AnalysisSummary& s) {
+  nlohmann::json json = {
+      {"frames", a.frames},
+      {"first_ps", a.first},
+      {"last_ps", a.last},
+      {"interval_ps", a.interval},
+      {"molecules", a.topology.size()},
+      {"fit_deviation_nm", a.deviation},
+      {"interrupted", a.stopped},
+      {"notes", s.notes},
+      {"density_g_per_cm3", pair(a.conditions->density(), 1 / units::gram_per_cm3)}};
+  if (a.has_velocities) json["temperature_K"] = pair(a.conditions->temperature());
+  for (std::size_t k = 0; k < s.peaks.size(); ++k)
+    json["rdf"].push_back({{"pair", a.pairs[k]},
+                           {"peak_nm", pair(s.peaks[k].place)},
+                           {"peak_height", pair(s.peaks[k].height)},
+                           {"minimum_nm", s.peaks[k].minimum},
+                           {"coordination", pair(s.peaks[k].coordination)}});
+  if (a.displacement)
+    json["diffusion"] = {{"fit_ps", {s.fit.from, s.fit.to}},
+                         {"viscosity_source", s.viscosity_source}};
+  if (s.drag) json["diffusion"]["image_drag_1e-9_m2_per_s"] = in_si(*s.drag);
+  for (const PartSummary& part : s.parts) {
+    nlohmann::json one = {{"molecule", part.molecule}, {"count", part.count}};
+    if (part.diffusion) one["D_1e-9_m2_per_s"] = pair(*part.diffusion, in_si(1));
+    if (part.diffusion && s.drag)
+      one["D_without_images_1e-9_m2_per_s"] =
+          pair({part.diffusion->value + *s.drag, part.diffusion->error}, in_si(1));
+    if (part.green_kubo) one["D_green_kubo_1e-9_m2_per_s"] = pair(*part.green_kubo, in_si(1));
+    for (const AxisRelaxation& axis : part.axes)
+      for (std::size_t k = 0; k < 2; ++k) {
+        nlohmann::json& time = one["relaxation"][axis.axis][fmt::format("P{}", k + 1)];
+        if (const auto& t = axis.rank[k])
+          time = {{"integral_ps", pair(t->integral)},
+                  {"exponential_ps", pair(t->exponential)},
+                  {"fit_ps", {t->from, t->to}}};
+      }
+    json["parts"].push_back(std::move(one));
+  }
+  if (const auto& d = s.dielectric)
+    json["dielectric"] = {{"constant", pair(d->constant)},
+                          {"kirkwood", pair(d->kirkwood)},
+                          {"mean_over_rms_dipole", d->mean_over_rms}};
+  return json;
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What polhode analyze writes and prints.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "polhode/io/plot.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/run/analysis_summary.hpp"
+
+namespace polhode::cli {
+
+/// A table with its figure.
+struct AnalysisFile {
+  std::string name;  ///< between the prefix and the ending: "rdf"
+  Table table;
+  CurvesFigure figure;
+};
+
+/// The files that observables have, by name, in the order of `analysis_files`.
+std::vector<std::string> file_names(const std::set<Observable>& what);
+
+/// Curves of all observables that were computed.
+std::vector<AnalysisFile> analysis_files(Analysis& analysis, const AnalysisSummary& summary,
+                                         Workers& workers);
+
+void print_summary(const Analysis& analysis, const AnalysisSummary& summary);
+
+nlohmann::json as_json(const Analysis& analysis, const AnalysisSummary& summary);
+
+}  // namespace polhode::cli

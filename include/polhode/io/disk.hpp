@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Files that grow and must survive: what is on the disk, and how much of it.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace polhode {
+
+/// The folder of a file; "." for a bare name.
+std::filesystem::path folder_of(const std::string& path);
+
+/// Waits until the disk holds what was written to a file.
+/// @throws RunError  if that cannot be done
+void sync_file(const std::string& path);
+
+/// Waits until the disk holds the name of a file, too. Folders that cannot do this are let be.
+void sync_folder(const std::string& path);
+
+/// Refuses a file that is missing or shorter than it was once.
+/// @throws Error  which says so
+void check_length(const std::string& path, std::uint64_t bytes);
+
+/// Cuts off what follows the first bytes of a file.
+/// @throws Error  if it is shorter than that, or cannot be cut
+void cut_file(const std::string& path, std::uint64_t bytes);
+
+}  // namespace polhode

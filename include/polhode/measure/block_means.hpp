@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Means with errors from blocks that are nearly independent: stretches of time, or groups of
+// bodies.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "polhode/math/fit.hpp"
+
+namespace polhode {
+
+/// Several quantities, summed in each of some blocks.
+class BlockMeans {
+ public:
+  struct Block {
+    double weight = 0;  ///< number of samples, or any other measure of size
+    std::vector<double> sum;
+  };
+
+  BlockMeans() = default;
+  explicit BlockMeans(std::vector<Block> blocks) : blocks_(std::move(blocks)) {}
+
+  const std::vector<Block>& blocks() const { return blocks_; }
+  bool empty() const { return blocks_.empty(); }
+
+  /// Of all blocks; empty without any.
+  std::vector<double> mean() const;
+
+  /// The mean of each quantity with its standard error.
+  std::vector<Estimate> estimates() const;
+
+  /// What is computed from means, with its standard error: each block is left out in turn.
+  Estimate estimate(const std::function<double(std::span<const double>)>& statistic) const;
+
+ private:
+  std::vector<Block> blocks_;
+};
+
+/// Samples of a stream of unknown length, in blocks of time. When there are 40 blocks, neighbours
+/// are joined: 20 to 39 blocks in the end, whatever the length, and a memory that does not grow.
+class TimeBlocks {
+ public:
+  void add(std::span<const double> sample);
+  /// The blocks; one that is less than half full at the end is joined to the one before.
+  BlockMeans means() const;
+
+ private:
+  std::vector<BlockMeans::Block> blocks_;
+  double samples_per_block_ = 1;
+};
+
+}  // namespace polhode

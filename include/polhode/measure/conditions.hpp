@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Mass density and kinetic temperature along a trajectory.
+#pragma once
+
+#include "polhode/measure/block_means.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// What every frame tells at once.
+class Conditions {
+ public:
+  explicit Conditions(const Topology& topology);
+  void add(const State& state, bool has_velocities);
+
+  Estimate density() const;      ///< [u/nm³]
+  Estimate temperature() const;  ///< of translations and rotations [K]; 0 without velocities
+  Estimate volume() const;       ///< [nm³]
+  /// Blocks of time: density, temperature and volume.
+  BlockMeans blocks() const { return blocks_.means(); }
+
+ private:
+  Bodies bodies_;
+  double mass_;
+  double freedoms_;
+  TimeBlocks blocks_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// How bodies forget their attitude: autocorrelations of directions fixed in the body.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/measure/time_correlation.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// A direction fixed in the body.
+struct BodyAxis {
+  std::string name;        ///< "axis 1", "dipole"
+  Vec3<double> direction;  ///< unit vector, body frame
+};
+
+/// The principal axes and the dipole. A linear body has its own axis alone, an atom none.
+std::vector<BodyAxis> body_axes(const Molecule& molecule);
+
+class Reorientation {
+ public:
+  Reorientation(const Topology& topology, std::size_t lags);
+  void add(const State& state, Workers& workers = Workers::serial());
+
+  const std::vector<BodyAxis>& axes(std::size_t part) const { return parts_[part].axes; }
+
+  /// ⟨P_l(u(t) · u(t + lag))⟩ for an axis u, with Legendre's P₁(x) = x and P₂(x) = (3x² − 1)/2
+  /// [allen2017, section 2.7].
+  /// @param rank  1 or 2
+  BlockMeans legendre(std::size_t part, std::size_t axis, int rank,
+                      Workers& workers = Workers::serial());
+
+ private:
+  struct Part {
+    std::size_t first, count;
+    std::vector<BodyAxis> axes;
+    std::vector<TimeCorrelation> correlations;
+  };
+  std::vector<Part> parts_;
+};
+
+/// Times of a correlation function that begins at 1 and decays [ps].
+struct RelaxationTimes {
+  Estimate integral;  ///< ∫ C dt: to the end of the fit by trapezia, beyond it by the exponential
+  Estimate exponential;  ///< of C ~ exp(−t/τ) between `from` and `to`
+  double from = 0, to = 0;
+};
+
+/// An exponential is fitted where C lies between 1/e and 1/e³: librations are over by then, and
+/// noise is still small; ln C by a line whose weights are C², as errors of C are all alike there.
+/// None if C does not fall to 1/e³ within its lags.
+std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, double interval);
+
+}  // namespace polhode

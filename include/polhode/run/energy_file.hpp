@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The energies of a run as a table that grows with it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "polhode/io/frame_file.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+class EnergyFile {
+ public:
+  /// Begins the file; what was there is lost.
+  EnergyFile(const std::string& path, const Topology& topology, const Provenance& provenance);
+  /// Goes on after the rows of a mark.
+  EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark);
+
+  /// Appends a row, and makes the energies those that will be read from it: only the pressure
+  /// changes, in its last digit, as the file has it in bar.
+  /// @throws RunError  if there is no room
+  void add(Energies& energies);
+  /// Brings all rows to the disk and tells where the file stands.
+  FileMark mark() { return {rows_, table_.mark()}; }
+
+ private:
+  Freedoms freedoms_;
+  std::uint64_t rows_ = 0;
+  GrowingTable table_;
+};
+
+/// The energies in such a file until a mark.
+/// @throws Error  if it is shorter, or holds anything else
+std::vector<Energies> read_energies(const std::string& path, const FileMark& mark);
+
+}  // namespace polhode

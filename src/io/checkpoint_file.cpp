@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/checkpoint_file.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <boost/crc.hpp>
+#include <cstring>
+#include <fstream>
+#include <ostream>
+#include <sstream>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view magic = "polhode restart\n";
+constexpr std::uint64_t format_version = 2;
+constexpr std::size_t length_at = magic.size() + sizeof(std::uint64_t);
+constexpr std::size_t number = sizeof(std::uint64_t);
+
+// The polynomial of ECMA-182, with the rest as in the XZ format (its CRC64).
+using Crc64 = boost::crc_optimal<64, 0x42f0e1eba9ea3693, ~0ull, ~0ull, true, true>;
+
+std::string contents(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (in) bytes << in.rdbuf();
+  if (!in || !bytes)
+    throw DamagedCheckpoint(fmt::format("there is no readable checkpoint '{}'", path));
+  return std::move(bytes).str();
+}
+
+std::uint64_t number_at(std::string_view bytes, std::size_t at) {
+  std::uint64_t n;
+  std::memcpy(&n, bytes.data() + at, number);
+  return n;
+}
+
+}  // namespace
+
+struct CheckpointWriter::Sum {
+  Crc64 crc;
+};
+
+CheckpointWriter::CheckpointWriter(std::ostream& out, const Maker& maker)
+    : out_(out), sum_(std::make_unique<Sum>()) {
+  put(magic.data(), magic.size());
+  (*this)(format_version);
+  const std::uint64_t length = 0;  // known at the end
+  out_.write(reinterpret_cast<const char*>(&length), number);
+  (*this)(maker.version);
+  (*this)(maker.target);
+}
+
+CheckpointWriter::~CheckpointWriter() = default;
+
+void CheckpointWriter::put(const void* bytes, std::size_t n) {
+  sum_->crc.process_bytes(bytes, n);
+  out_.write(static_cast<const char*>(bytes), static_cast<std::streamsize>(n));
+}
+
+void CheckpointWriter::operator()(double x) { put(&x, sizeof x); }
+void CheckpointWriter::operator()(std::uint64_t n) { put(&n, sizeof n); }
+void CheckpointWriter::operator()(bool yes) { (*this)(std::uint64_t{yes}); }
+void CheckpointWriter::operator()(const std::string& text) {
+  (*this)(std::uint64_t{text.size()});
+  put(text.data(), text.size());
+}
+void CheckpointWriter::operator()(const Vec3<double>& v) {
+  for (std::size_t d = 0; d < 3; ++d) (*this)(v[d]);
+}
+void CheckpointWriter::operator()(const Column<double>& column) {
+  (*this)(std::uint64_t{column.size()});
+  put(column.data(), column.size() * sizeof(double));
+}
+
+void CheckpointWriter::end() {
+  const std::uint64_t sum = sum_->crc.checksum();
+  out_.write(reinterpret_cast<const char*>(&sum), number);
+  const auto length = static_cast<std::uint64_t>(out_.tellp());
+  out_.seekp(length_at);
+  out_.write(reinterpret_cast<const char*>(&length), number);
+}
+
+CheckpointReader::CheckpointReader(const std::string& path, const Maker& reader)
+    : CheckpointReader(contents(path), path, reader) {}
+
+CheckpointReader::CheckpointReader(std::string bytes, const std::string& path, const Maker& reader)
+    : bytes_(std::move(bytes)), path_(path), rest_(bytes_) {
+  constexpr std::size_t head = length_at + number;
+  if (bytes_.size() < head + number || !rest_.starts_with(magic))
+    throw DamagedCheckpoint(fmt::format("'{}' does not begin as a checkpoint does", path_));
+  if (const std::uint64_t version = number_at(rest_, magic.size()); version != format_version)
+    throw Error(
+        fmt::format("the checkpoint '{}' is of format {}, and this program reads {}; go on "
+                    "with the program that wrote it, or begin the run anew with --force",
+                    path_, version, format_version));
+  if (const std::uint64_t length = number_at(rest_, length_at); length != rest_.size())
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' is not whole: it has {} bytes of {}",
+                                        path_, rest_.size(), length));
+  const std::size_t sum_at = rest_.size() - number;
+  Crc64 crc;
+  crc.process_bytes(rest_.data(), length_at);
+  crc.process_bytes(rest_.data() + head, sum_at - head);
+  if (crc.checksum() != number_at(rest_, sum_at))
+    throw DamagedCheckpoint(
+        fmt::format("the checkpoint '{}' is damaged: its checksum is wrong", path_));
+  rest_ = rest_.substr(head, sum_at - head);
+  Maker maker;
+  (*this)(maker.version);
+  (*this)(maker.target);
+  if (maker.version != reader.version)
+    throw Error(
+        fmt::format("the checkpoint '{}' was written by polhode {} and this is {}: the run "
+                    "would not go on bit for bit; take that program, or begin the run anew "
+                    "with --force",
+                    path_, maker.version, reader.version));
+  if (maker.target != reader.target)
+    throw Error(
+        fmt::format("the checkpoint '{0}' was written with the instruction set {1}, and "
+                    "this run uses {2}: its sums differ in the last digits; set the "
+                    "environment variable POLHODE_TARGET={1}",
+                    path_, maker.target, reader.target));
+}
+
+std::string_view CheckpointReader::take(std::size_t n) {
+  if (n > rest_.size())
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' holds less than it must", path_));
+  const std::string_view taken = rest_.substr(0, n);
+  rest_.remove_prefix(n);
+  return taken;
+}
+
+void CheckpointReader::operator()(double& x) { std::memcpy(&x, take(sizeof x).data(), sizeof x); }
+void CheckpointReader::operator()(std::uint64_t& n) { n = number_at(take(number), 0); }
+void CheckpointReader::operator()(bool& yes) {
+  std::uint64_t n;
+  (*this)(n);
+  yes = n != 0;
+}
+void CheckpointReader::operator()(std::string& text) {
+  std::uint64_t n;
+  (*this)(n);
+  text = take(n);
+}
+void CheckpointReader::operator()(Vec3<double>& v) {
+  for (std::size_t d = 0; d < 3; ++d) (*this)(v[d]);
+}
+void CheckpointReader::operator()(Column<double>& column) {
+  std::uint64_t n;
+  (*this)(n);
+  const std::string_view values = take(n > rest_.size() ? n : n * sizeof(double));
+  column = Column<double>(n);
+  std::memcpy(column.data(), values.data(), values.size());
+}
+
+void CheckpointReader::end() const {
+  if (!rest_.empty())
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' holds more than it must", path_));
+}
+
+}  // namespace polhode

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/conditions.hpp"
+
+#include <array>
+
+namespace polhode {
+
+Conditions::Conditions(const Topology& topology)
+    : bodies_(topology), mass_(topology.mass()), freedoms_(freedoms(topology).all()) {}
+
+void Conditions::add(const State& state, bool has_velocities) {
+  const double kinetic = has_velocities ? energies(state, bodies_, Load{}).kinetic() : 0;
+  const double volume = state.box.volume();
+  blocks_.add(std::array{mass_ / volume, polhode::temperature(kinetic, freedoms_), volume});
+}
+
+Estimate Conditions::density() const { return blocks_.means().estimates()[0]; }
+Estimate Conditions::temperature() const { return blocks_.means().estimates()[1]; }
+Estimate Conditions::volume() const { return blocks_.means().estimates()[2]; }
+
+}  // namespace polhode

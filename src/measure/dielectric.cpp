@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/dielectric.hpp"
+
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "polhode/base/units.hpp"
+#include "polhode/model/dipole.hpp"
+
+namespace polhode {
+namespace {
+
+enum Mean : std::size_t { Mx, My, Mz, M2, volume };
+
+double variance(std::span<const double> mean) {
+  return mean[M2] - norm2(Vec3<double>{mean[Mx], mean[My], mean[Mz]});
+}
+
+// ε from the means of M, M² and V; not positive where fluctuations are too large for any ε.
+double permittivity(std::span<const double> mean, double temperature, double surrounding) {
+  // 1/ε₀ is 4π times Coulomb's constant.
+  const double g = 4 * units::pi * units::coulomb * variance(mean) /
+                   (3 * mean[volume] * units::boltzmann * temperature);
+  if (std::isinf(surrounding)) return 1 + g;
+  return (1 + 2 * surrounding * (1 + g)) / (1 + 2 * surrounding - g);
+}
+
+}  // namespace
+
+TotalDipole::TotalDipole(const Topology& topology) {
+  for (const auto& [molecule, count] : topology.parts) {
+    dipole_.push_back(dipole_moment(molecule));
+    count_.push_back(count);
+    squares_ += static_cast<double>(count) * norm2(dipole_.back());
+  }
+}
+
+void TotalDipole::add(const State& state) {
+  Vec3<double> M{};
+  std::size_t i = 0;
+  for (std::size_t part = 0; part < count_.size(); ++part)
+    for (const std::size_t end = i + count_[part]; i < end; ++i)
+      M += to_lab(state.attitude[i], dipole_[part]);
+  blocks_.add(std::array{M.x, M.y, M.z, norm2(M), state.box.volume()});
+}
+
+TotalDipole::Result TotalDipole::result(double temperature, double surrounding) const {
+  const BlockMeans means = blocks_.means();
+  const auto epsilon = [&](std::span<const double> mean) {
+    return permittivity(mean, temperature, surrounding);
+  };
+  Result result;
+  result.constant = means.estimate(epsilon);
+  result.kirkwood =
+      means.estimate([&](std::span<const double> mean) { return variance(mean) / squares_; });
+  const std::vector<double> mean = means.mean();
+  result.mean_over_rms = norm(Vec3<double>{mean[Mx], mean[My], mean[Mz]}) / std::sqrt(mean[M2]);
+  std::vector<BlockMeans::Block> first;
+  double frames = 0;
+  for (const BlockMeans::Block& block : means.blocks()) {
+    first.push_back(block);
+    result.stages.push_back(epsilon(BlockMeans(first).mean()));
+    result.frames.push_back(frames += block.weight);
+  }
+  return result;
+}
+
+}  // namespace polhode

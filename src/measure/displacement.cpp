@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/displacement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/base/units.hpp"
+
+namespace polhode {
+
+void Unwrapped::follow(const State& state) {
+  if (q_.size() == 0) {
+    q_ = last_ = state.q;
+    return;
+  }
+  const Vec3<double> edge = state.box.edge;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Vec3<double> step = state.box.minimum_image(state.q[i] - last_[i]);
+    q_.add(i, step);
+    for (std::size_t k = 0; k < 3; ++k)
+      longest_step_ = std::max(longest_step_, std::abs(step[k]) / edge[k]);
+  }
+  last_ = state.q;
+}
+
+Displacement::Displacement(const Topology& topology, std::size_t lags) {
+  for (const auto& part : topology.parts)
+    parts_.emplace_back(part.count, lags, std::vector{Product::displacement});
+}
+
+void Displacement::add(const State& state, Workers& workers) {
+  unwrapped_.follow(state);
+  std::size_t first = 0;
+  for (TimeCorrelation& part : parts_) {
+    part.add([&](std::size_t i) { return unwrapped_.centres()[first + i]; }, workers);
+    first += part.bodies();
+  }
+}
+
+BlockMeans Displacement::squared(std::size_t part, Workers& workers) {
+  return parts_[part].means(0, workers);
+}
+
+Estimate diffusion(const BlockMeans& squared, double interval, const FitWindow& window) {
+  return squared.estimate([&](std::span<const double> means) {
+    std::vector<double> t, y;
+    for (std::size_t lag = 0; lag < means.size(); ++lag) {
+      const double time = static_cast<double>(lag) * interval;
+      if (time < window.from - interval / 2 || time > window.to + interval / 2) continue;
+      t.push_back(time);
+      y.push_back(means[lag]);
+    }
+    return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
+  });
+}
+
+double image_drag(double temperature, double viscosity, double edge) {
+  constexpr double xi = 2.837297;  // of the cubic lattice of images: yeh2004, Eq. 12
+  return xi * units::boltzmann * temperature / (6 * units::pi * viscosity * edge);
+}
+
+}  // namespace polhode

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/time_correlation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t most_groups = 32;
+
+using Waves = Column<std::complex<double>>;
+
+// Functions of a vector whose products, added, make a Product of two vectors.
+std::size_t terms(Product product) {
+  switch (product) {
+    case Product::displacement:
+    case Product::dot:
+      return 3;
+    case Product::dot_squared:
+      return 6;
+    default:
+      return 1;
+  }
+}
+
+// (a · b)² = Σ a_i a_j b_i b_j: three squares, and three mixed terms that occur twice.
+double term(Product product, std::size_t k, const Vec3<double>& a) {
+  switch (product) {
+    case Product::displacement:
+    case Product::dot:
+      return a[k];
+    case Product::dot_squared:
+      return k < 3 ? a[k] * a[k] : std::sqrt(2.0) * a[k % 3] * a[(k + 1) % 3];
+    case Product::x:
+      return a.x;
+    case Product::y:
+      return a.y;
+    case Product::z:
+      return a.z;
+  }
+  return 0;
+}
+
+}  // namespace
+
+struct TimeCorrelation::Scratch {
+  explicit Scratch(const RealTransform& transform)
+      : series(transform.size()), all(transform.waves()), fresh(transform.waves()) {}
+  Column<double> series;
+  Waves all, fresh;
+};
+
+TimeCorrelation::TimeCorrelation(std::size_t bodies, std::size_t lags,
+                                 std::vector<Product> products)
+    : bodies_(bodies),
+      lags_(lags),
+      groups_(std::min(bodies, most_groups)),
+      products_(std::move(products)),
+      transform_(2 * lags),  // lags do not reach around the end of two windows
+      history_(bodies * 3 * 2 * lags),
+      origins_(lags, 0.0),
+      sums_(groups_, std::vector(products_.size(), std::vector<double>(lags, 0.0))) {}
+
+void TimeCorrelation::add(const std::function<Vec3<double>(std::size_t)>& value, Workers& workers) {
+  const std::size_t at = before_ + fresh_, window = 2 * lags_;
+  for (std::size_t i = 0; i < bodies_; ++i) {
+    const Vec3<double> a = value(i);
+    for (std::size_t k = 0; k < 3; ++k) history_[(3 * i + k) * window + at] = a[k];
+  }
+  ++fresh_;
+  ++frames_;
+  if (fresh_ == lags_) sum_up(workers);
+}
+
+// Adds the products of the fresh frames with all that are held, and keeps the last window of them.
+void TimeCorrelation::sum_up(Workers& workers) {
+  if (fresh_ == 0) return;
+  workers.each(groups_, [&](std::size_t group) { sum_up(group); });
+  const std::size_t held = before_ + fresh_, kept = std::min(held, lags_), window = 2 * lags_;
+  for (std::size_t lag = 0; lag < std::min(held, lags_); ++lag)
+    origins_[lag] += static_cast<double>(held - std::max(before_, lag));
+  for (std::size_t row = 0; row < 3 * bodies_; ++row) {
+    double* const series = &history_[row * window];
+    std::copy(series + (held - kept), series + held, series);
+  }
+  before_ = kept;
+  fresh_ = 0;
+}
+
+// Σ_t b(t) a(t − lag) over fresh t, where a is all that is held and b the same with zeros before
+// the fresh frames: the transform of it is that of b times the conjugate of that of a.
+void TimeCorrelation::sum_up(std::size_t group) {
+  const std::size_t held = before_ + fresh_, window = 2 * lags_;
+  Scratch scratch(transform_);
+  for (std::size_t p = 0; p < products_.size(); ++p) {
+    const Product product = products_[p];
+    std::vector<double>& sums = sums_[group][p];
+    Waves correlation(transform_.waves());
+    std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and the frames before
+    for (std::size_t i = group; i < bodies_; i += groups_) {
+      const double* const x = &history_[3 * i * window];
+      const auto vector = [&](std::size_t t) {
+        return Vec3<double>{x[t], x[window + t], x[2 * window + t]};
+      };
+      // Displacements do not depend on the origin: near it, differences of squares keep digits.
+      const Vec3<double> origin = product == Product::displacement ? vector(0) : Vec3<double>{};
+      for (std::size_t k = 0; k < terms(product); ++k) {
+        for (std::size_t t = 0; t < transform_.size(); ++t)
+          scratch.series[t] = t < held ? term(product, k, vector(t) - origin) : 0.0;
+        transform_.forward(scratch.series, scratch.all);
+        for (std::size_t t = 0; t < before_; ++t) scratch.series[t] = 0;
+        transform_.forward(scratch.series, scratch.fresh);
+        for (std::size_t w = 0; w < transform_.waves(); ++w)
+          correlation[w] += scratch.fresh[w] * std::conj(scratch.all[w]);
+      }
+      if (product == Product::displacement)
+        for (std::size_t t = 0; t < held; ++t) squares[t + 1] += norm2(vector(t) - origin);
+    }
+    transform_.backward(correlation, scratch.series);
+    for (std::size_t t = 0; t < held; ++t) squares[t + 1] += squares[t];
+    for (std::size_t lag = 0; lag < std::min(held, lags_); ++lag) {
+      const double products = scratch.series[lag] / static_cast<double>(transform_.size());
+      const std::size_t first = std::max(before_, lag);
+      sums[lag] += product == Product::displacement
+                       ? squares[held] - squares[first] + squares[held - lag] -
+                             squares[first - lag] - 2 * products
+                       : products;
+    }
+  }
+}
+
+BlockMeans TimeCorrelation::means(std::size_t k, Workers& workers) {
+  sum_up(workers);
+  const std::size_t lags = std::min(lags_, frames_ / 2 + 1);
+  std::vector<BlockMeans::Block> blocks;
+  for (std::size_t group = 0; group < groups_; ++group) {
+    BlockMeans::Block block;
+    block.weight = static_cast<double>((bodies_ - group + groups_ - 1) / groups_);
+    for (std::size_t lag = 0; lag < std::min(lags, frames_); ++lag)
+      block.sum.push_back(sums_[group][k][lag] / origins_[lag]);
+    blocks.push_back(std::move(block));
+  }
+  return BlockMeans(std::move(blocks));
+}
+
+}  // namespace polhode

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/velocity_correlation.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "polhode/base/units.hpp"
+
+namespace polhode {
+
+VelocityCorrelation::VelocityCorrelation(const Topology& topology, std::size_t lags)
+    : bodies_(topology) {
+  for (const auto& [molecule, count] : topology.parts) {
+    molecules_.push_back(molecule);
+    linear_.emplace_back(count, lags, std::vector{Product::dot});
+    angular_.emplace_back(count, lags, std::vector{Product::x, Product::y, Product::z});
+  }
+}
+
+void VelocityCorrelation::add(const State& state, Workers& workers) {
+  std::size_t first = 0;
+  for (std::size_t part = 0; part < linear_.size(); ++part) {
+    linear_[part].add(
+        [&](std::size_t i) { return bodies_.inverse_m[first + i] * state.p[first + i]; }, workers);
+    if (!turning_axes(part).empty())
+      angular_[part].add(
+          [&](std::size_t i) {
+            const Vec3<double> L = to_body(state.attitude[first + i], state.ell[first + i]);
+            return scaled(bodies_.inverse_J[first + i], L);
+          },
+          workers);
+    first += linear_[part].bodies();
+  }
+}
+
+BlockMeans VelocityCorrelation::linear(std::size_t part, Workers& workers) {
+  std::vector<BlockMeans::Block> blocks = linear_[part].means(0, workers).blocks();
+  for (BlockMeans::Block& block : blocks)
+    for (double& sum : block.sum) sum /= 3;
+  return BlockMeans(std::move(blocks));
+}
+
+BlockMeans VelocityCorrelation::angular(std::size_t part, std::size_t axis, Workers& workers) {
+  return angular_[part].means(axis, workers);
+}
+
+std::vector<std::size_t> VelocityCorrelation::turning_axes(std::size_t part) const {
+  std::vector<std::size_t> axes;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (molecules_[part].J[k] > 0) axes.push_back(k);
+  return axes;
+}
+
+BlockMeans running_integral(const BlockMeans& correlation, double interval) {
+  std::vector<BlockMeans::Block> blocks = correlation.blocks();
+  for (BlockMeans::Block& block : blocks) {
+    double integral = 0, before = block.sum.front();
+    block.sum.front() = 0;
+    for (std::size_t lag = 1; lag < block.sum.size(); ++lag) {
+      integral += (before + block.sum[lag]) / 2 * interval;
+      before = std::exchange(block.sum[lag], integral);
+    }
+  }
+  return BlockMeans(std::move(blocks));
+}
+
+Spectrum spectrum(const BlockMeans& correlation, double interval) {
+  const std::vector<double> C = correlation.mean();
+  if (C.size() < 2 || C.front() == 0) return {};
+  const double length = static_cast<double>(C.size() - 1) * interval;
+  std::vector<BlockMeans::Block> blocks = correlation.blocks();
+  for (BlockMeans::Block& block : blocks) {
+    for (std::size_t lag = 0; lag < C.size(); ++lag) {
+      const double half_angle = units::pi / 2 * static_cast<double>(lag) * interval / length;
+      block.sum[lag] *= 4 * std::cos(half_angle) * std::cos(half_angle) / C.front();
+    }
+    block.sum = cosine_transform(block.sum, interval);
+  }
+  Spectrum result;
+  for (std::size_t k = 0; k < C.size(); ++k)
+    result.frequency.push_back(static_cast<double>(k) / (2 * length));
+  result.intensity = BlockMeans(std::move(blocks)).estimates();
+  return result;
+}
+
+}  // namespace polhode

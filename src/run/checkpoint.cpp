@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/checkpoint.hpp"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <type_traits>
+
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/run/identity.hpp"
+
+namespace polhode {
+namespace {
+
+// The fields of a checkpoint in their order, for a writer as for a reader.
+
+template <class Archive, class Columns>
+void vectors(Archive& archive, Columns& v) {
+  archive(v.x), archive(v.y), archive(v.z);
+}
+
+template <class Archive, class Counter>
+void counter(Archive& archive, Counter& n) {
+  std::uint64_t value = n;
+  archive(value);
+  if constexpr (!std::is_const_v<Counter>) n = static_cast<Counter>(value);
+}
+
+template <class Archive, class Optional, class Fields>
+void optional(Archive& archive, Optional& value, const Fields& fields) {
+  bool there = value.has_value();
+  archive(there);
+  if constexpr (!std::is_const_v<Optional>) {
+    value.reset();
+    if (there) value.emplace();
+  }
+  if (there) fields(*value);
+}
+
+template <class Archive, class Of>
+void state(Archive& archive, Of& s) {
+  vectors(archive, s.q);
+  vectors(archive, s.p);
+  archive(s.attitude.w), vectors(archive, s.attitude);
+  vectors(archive, s.ell);
+  archive(s.box.edge);
+  archive(s.time);
+}
+
+template <class Archive, class Of>
+void memory(Archive& archive, Of& m) {
+  vectors(archive, m.load.f);
+  vectors(archive, m.load.tau);
+  archive(m.load.lennard_jones), archive(m.load.coulomb), archive(m.load.mesh);
+  for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
+  archive(m.current), archive(m.complete);
+  archive(m.evaluations), archive(m.measurements);
+  std::size_t inner = m.inner.size();
+  counter(archive, inner);
+  if constexpr (!std::is_const_v<Of>) m.inner.resize(inner);
+  for (auto& within : m.inner) memory(archive, within);
+}
+
+template <class Archive, class Of>
+void run_state(Archive& archive, Of& at) {
+  state(archive, at.state);
+  optional(archive, at.equilibrated, [&](auto& time) { archive(time); });
+  counter(archive, at.steps);
+  archive(at.start);
+  memory(archive, at.integrator);
+  for (auto* list : {&at.list, &at.near_list}) {
+    vectors(archive, list->built_at);
+    counter(archive, list->rebuilds);
+  }
+  for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
+                     &at.timings.measurement, &at.timings.near})
+    archive(*part);
+}
+
+template <class Archive, class Of>
+void mark(Archive& archive, Of& m) {
+  archive(m.frames), archive(m.bytes);
+}
+
+template <class Archive, class Of>
+void output_marks(Archive& archive, Of& marks) {
+  mark(archive, marks.energies);
+  std::size_t files = marks.frames.size();
+  counter(archive, files);
+  if constexpr (!std::is_const_v<Of>) marks.frames.resize(files);
+  for (auto& file : marks.frames) mark(archive, file);
+  counter(archive, marks.next_frame);
+}
+
+template <class Archive, class Of>
+void fields(Archive& archive, Of& c) {
+  archive(c.identity);
+  archive(c.command);
+  run_state(archive, c.at);
+  archive(c.noise.power), archive(c.noise.energy);
+  optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
+}
+
+Checkpoint of_this_run(const std::string& path, const std::string& identity, const Maker& reader) {
+  Checkpoint checkpoint = read_checkpoint(path, reader);
+  if (checkpoint.identity != identity)
+    throw Error(fmt::format(
+        "the checkpoint '{}' belongs to another run, which began with '{}': molecules, start, "
+        "forces, scheme, step, equilibration, samples or trajectory differ; give that run file "
+        "with the same options, another --output, or begin anew with --force",
+        path, checkpoint.command));
+  return checkpoint;
+}
+
+}  // namespace
+
+std::string run_identity(const Config& config, const System& system) {
+  std::string all = identity(config, system,
+                             {config.integrator.step, config.run.equilibrate, config.run.sample,
+                              config.output.trajectory_every, config.forces.skin});
+  all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
+  if (config.output.trajectory_every > 0)
+    for (const std::string& format : config.output.formats) all += ' ' + format;
+  return text_hash(all);
+}
+
+void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
+                      const Maker& maker) {
+  write_file(
+      files.newest,
+      [&](std::ostream& out) {
+        CheckpointWriter writer(out, maker);
+        fields(writer, checkpoint);
+        writer.end();
+      },
+      files.previous);
+}
+
+Checkpoint read_checkpoint(const std::string& path, const Maker& reader) {
+  CheckpointReader in(path, reader);
+  Checkpoint checkpoint;
+  fields(in, checkpoint);
+  in.end();
+  return checkpoint;
+}
+
+std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
+                                               const std::string& identity, const Maker& reader) {
+  if (!std::filesystem::exists(files.newest) && !std::filesystem::exists(files.previous))
+    return std::nullopt;
+  std::string damage;
+  try {
+    return FoundCheckpoint{of_this_run(files.newest, identity, reader), {}};
+  } catch (const DamagedCheckpoint& e) {
+    damage = e.what();
+  }
+  try {
+    return FoundCheckpoint{of_this_run(files.previous, identity, reader),
+                           fmt::format("{}; the one before it, '{}', is intact and is gone on "
+                                       "from, with the same results",
+                                       damage, files.previous)};
+  } catch (const DamagedCheckpoint& e) {
+    throw Error(
+        fmt::format("{}; {}; begin the run anew with --force, or start another from its "
+                    "last frame",
+                    damage, e.what()));
+  }
+}
+
+}  // namespace polhode

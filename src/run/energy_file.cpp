@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/energy_file.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <span>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+const std::vector<Table::Column>& columns() {
+  static const std::vector<Table::Column> all = {{"time", "ps"},
+                                                 {"total", "kJ/mol"},
+                                                 {"potential", "kJ/mol"},
+                                                 {"lennard_jones", "kJ/mol"},
+                                                 {"coulomb", "kJ/mol"},
+                                                 {"kinetic_translation", "kJ/mol"},
+                                                 {"kinetic_rotation", "kJ/mol"},
+                                                 {"temperature", "K"},
+                                                 {"pressure", "bar"},
+                                                 {"kinetic_rotation_1", "kJ/mol"},
+                                                 {"kinetic_rotation_2", "kJ/mol"},
+                                                 {"kinetic_rotation_3", "kJ/mol"}};
+  return all;
+}
+
+double bar() { return unit("bar", Dimension::pressure); }
+
+std::array<double, 12> row_of(const Energies& e, const Freedoms& freedoms) {
+  return {e.time,
+          e.total(),
+          e.potential(),
+          e.lennard_jones,
+          e.coulomb,
+          e.translation,
+          e.kinetic() - e.translation,
+          temperature(e.kinetic(), freedoms.all()),
+          e.pressure / bar(),
+          e.rotation[0],
+          e.rotation[1],
+          e.rotation[2]};
+}
+
+Energies energies_of(std::span<const double> row) {
+  return {.time = row[0],
+          .lennard_jones = row[3],
+          .coulomb = row[4],
+          .translation = row[5],
+          .rotation = {row[9], row[10], row[11]},
+          .pressure = row[8] * bar()};
+}
+
+}  // namespace
+
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology,
+                       const Provenance& provenance)
+    : freedoms_(freedoms(topology)), table_(path, columns(), provenance) {}
+
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark)
+    : freedoms_(freedoms(topology)), rows_(mark.frames), table_(path, mark.bytes) {}
+
+void EnergyFile::add(Energies& energies) {
+  const auto row = row_of(energies, freedoms_);
+  table_.add(row);
+  ++rows_;
+  energies = energies_of(row);
+}
+
+std::vector<Energies> read_energies(const std::string& path, const FileMark& mark) {
+  std::vector<Energies> all;
+  each_row(path, mark.bytes, columns(),
+           [&](std::span<const double> row) { all.push_back(energies_of(row)); });
+  if (all.size() != mark.frames)
+    throw Error(
+        fmt::format("'{}' had {} rows when the checkpoint was written, and has {} in as "
+                    "many bytes: it is another file; bring the first one back, or begin "
+                    "the run anew with --force",
+                    path, mark.frames, all.size()));
+  return all;
+}
+
+}  // namespace polhode

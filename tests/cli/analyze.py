@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: MIT
+"""polhode analyze from outside: what it writes, what it refuses, and that threads change nothing."""
+
+import json
+import unittest
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+WATERS = edited(SMALL, ('{ model = "argon", count = 27 }', '{ model = "tip4p", count = 27 }'),
+                ('"100 K"', '"300 K"'), ('"0.02 ps"\n\n[output]', '"0.2 ps"\n\n[output]'),
+                ('plot = "none"', 'plot = "none"\ntrajectory_every = "8 fs"\nformats = ["gro"]'))
+
+
+class Analyze(Sandbox):
+    def setUp(self):
+        super().setUp()
+        self.done("run", WATERS)
+
+    def analyze(self, *options):
+        return self.polhode("analyze", "out-trajectory.gro", *options)
+
+    def test_files_and_numbers(self):
+        process = self.analyze("--run", "run.toml", "--window", "0.1 ps", "--json", "--plot", "none")
+        self.assertEqual(process.returncode, 0, process.err)
+        report = json.loads(process.out)
+        self.assertEqual(report["frames"], 26)
+        self.assertAlmostEqual(report["interval_ps"], 0.008, 9)
+        self.assertEqual([f.rsplit("-", 1)[1] for f in report["files"]],
+                         [f"{n}.csv" for n in ("rdf", "msd", "rotation", "velocity", "spectrum", "density")])
+        self.assertIn("cut off", " ".join(report["notes"]))
+        head, *rows = self.rows("polhode-analysis-msd.csv")
+        self.assertEqual(head, "lag [ps],msd [nm2],msd error [nm2]")
+        self.assertEqual(len(rows), 13)
+        before = self.contents()
+        process = self.analyze("--run", "run.toml")
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("would be overwritten", process.err)
+        self.assertEqual(self.contents(), before)
+        process = self.analyze("--run", "run.toml", "--window", "0.1 ps", "--plot", "none", "--force", "--threads", "1")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertEqual(self.contents(), before)
+
+    def test_wrong_input(self):
+        before = self.contents()
+        for options, said in (((), "--run water.toml"),
+                              (("--molecules", "tip4p 28"), "after 27 of 28 molecules"),
+                              (("--molecules", "tip4p, na-tip4p-ew 2"), "has no count"),
+                              (("--molecules", "tip4p many"), "a model and its count"),
+                              (("--molecules", "tip4p 27", "--what", "rdf,msf"), "did you mean 'msd'"),
+                              (("--molecules", "tip4p 27", "--pairs", "OW"), "two names of sites"),
+                              (("--molecules", "tip4p 27", "--pairs", "OW-OX"), "no site is named 'OX'"),
+                              (("--molecules", "tip4p 27", "--reach", "1.3 nm"), "half of the shortest box edge"),
+                              (("--molecules", "tip4p 27", "--fit", "3 ps"), "must be two lags"),
+                              (("--molecules", "tip4p 27", "--window", "10"), "has no unit"),
+                              (("--molecules", "tip4p 27", "--from", "9 ps"), "no frame at 9 ps"),
+                              (("--molecules", "tip4p 27", "--plot", "pdf"), "svg, png or none")):
+            process = self.analyze(*options)
+            self.assertEqual(process.returncode, 2, (options, process.err))
+            self.assertIn(said, process.err)
+            self.assertEqual(self.contents(), before)
+
+
+if __name__ == "__main__":
+    unittest.TestCase.maxDiff = None
+    sandbox.main()

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+// Trajectories as files hold them: frames of atoms in, observables out.
+#include "polhode/run/analysis_summary.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/flows.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/model/start.hpp"
+
+using namespace polhode;
+
+namespace {
+
+// Frames in memory.
+class Frames : public FrameReader {
+ public:
+  explicit Frames(std::vector<Frame> frames) : frames_(std::move(frames)) {}
+  bool next(Frame& frame) override {
+    if (at_ == frames_.size()) return false;
+    frame = frames_[at_++];
+    return true;
+  }
+
+ private:
+  std::vector<Frame> frames_;
+  std::size_t at_ = 0;
+};
+
+const Topology waters() { return {{{read_molecule("tip4p"), 27}}}; }
+
+// Free molecules: straight flight and free rotation, without forces.
+std::vector<Frame> free_flight(const Topology& topology, int count, MasslessSites massless) {
+  State state = lattice(topology, Box{{2, 2, 2}}, 3);
+  draw_momenta(state, topology, 300, 4);
+  const Bodies bodies(topology);
+  std::vector<Frame> frames;
+  for (int k = 0; k < count; ++k) {
+    frames.push_back(frame_of(state, topology, massless));
+    frames.back().time = 5 + 0.01 * k;
+    drift(state, bodies, 0.01);
+  }
+  return frames;
+}
+
+// What a format without names, and without velocities, leaves: places in thousandths of nm.
+void make_poor(std::vector<Frame>& frames) {
+  for (Frame& frame : frames) {
+    frame.kinds = {AtomKind{}};
+    frame.has_velocities = false;
+    for (Atom& atom : frame.atoms) {
+      atom.kind = 0;
+      atom.v = {};
+      for (std::size_t k = 0; k < 3; ++k) atom.r[k] = std::round(atom.r[k] * 1000) / 1000;
+    }
+  }
+}
+
+}  // namespace
+
+// Without forces MSD = ⟨v²⟩ t² and velocities stay: to the fit's rounding. All observables come,
+// and with the same bits for three threads.
+TEST_CASE("free molecules in memory") {
+  const Topology topology = waters();
+  AnalysisSettings settings;
+  settings.window = 0.1;
+  Frames file(free_flight(topology, 40, MasslessSites::kept));
+  Analysis a = analysis(file, {{{topology.parts[0].molecule, 0}}}, settings);
+  CHECK(a.frames == 40);
+  CHECK(a.topology.size() == 27);
+  CHECK(a.interval == doctest::Approx(0.01).epsilon(1e-9));
+  CHECK(a.deviation < 1e-9);
+  const double v2 = 3 * a.velocity->linear(0).mean()[0];
+  for (std::size_t lag = 0; lag <= 10; ++lag) {
+    const double t = 0.01 * static_cast<double>(lag);
+    CHECK(a.displacement->squared(0).mean()[lag] == doctest::Approx(v2 * t * t).epsilon(1e-7));
+    CHECK(a.velocity->linear(0).mean()[lag] == doctest::Approx(v2 / 3).epsilon(1e-9));
+  }
+  CHECK(a.conditions->temperature().value == doctest::Approx(300).epsilon(1e-6));
+  CHECK(a.conditions->density().value == doctest::Approx(topology.mass() / 8).epsilon(1e-12));
+
+  Workers workers(3);
+  Frames again(free_flight(topology, 40, MasslessSites::kept));
+  Analysis b = analysis(again, topology, settings, {}, workers);
+  for (const int rank : {1, 2})
+    CHECK(a.reorientation->legendre(0, 3, rank).mean() ==
+          b.reorientation->legendre(0, 3, rank, workers).mean());
+  CHECK(a.displacement->squared(0).mean() == b.displacement->squared(0, workers).mean());
+  CHECK(a.radial->coordination(2) == b.radial->coordination(2));
+  const SummarySettings numbers{.fit = FitWindow{0.02, 0.1}, .surrounding = tin_foil};
+  CHECK(summary(a, numbers).dielectric->constant.value ==
+        summary(b, numbers, workers).dielectric->constant.value);
+  CHECK(summary(a, numbers).viscosity_source.find("gonzalez2010") != std::string::npos);
+}
+
+// Rounded to 0.001 nm, atoms lie up to √3/2 of that off, and the fit may add as much again; centres
+// are those of three atoms, so their displacements are right to as much.
+TEST_CASE("files without names, velocities, massless sites or many digits") {
+  const Topology topology = waters();
+  AnalysisSettings settings;
+  settings.window = 0.1;
+  Frames exact(free_flight(topology, 40, MasslessSites::kept));
+  std::vector<Frame> poor = free_flight(topology, 40, MasslessSites::left_out);
+  make_poor(poor);
+  Frames file(poor);
+  Analysis a = analysis(exact, topology, settings), b = analysis(file, topology, settings);
+  CHECK(b.deviation > 1e-4);
+  CHECK(b.deviation < 0.0018);
+  CHECK(!b.velocity);
+  CHECK(b.notes.size() == 1);
+  for (std::size_t lag = 1; lag <= 10; ++lag) {
+    const double far = std::sqrt(a.displacement->squared(0).mean()[lag]);
+    CHECK(std::abs(std::sqrt(b.displacement->squared(0).mean()[lag]) - far) < 0.001);
+    CHECK(b.reorientation->legendre(0, 0, 1).mean()[lag] ==
+          doctest::Approx(a.reorientation->legendre(0, 0, 1).mean()[lag]).epsilon(1e-3));
+  }
+  const AnalysisSummary s = summary(b, {.surrounding = tin_foil});
+  CHECK(!s.dielectric);
+  CHECK(s.viscosity_source.find("--temperature") != std::string::npos);
+
+  settings.what = {Observable::velocity};
+  Frames refused(poor);
+  CHECK_THROWS_WITH_AS(analysis(refused, topology, settings), doctest::Contains("no velocities"),
+                       Error);
+  Frames other(poor);
+  CHECK_THROWS_WITH_AS(analysis(other, {{{topology.parts[0].molecule, 26}}}, {}),
+                       doctest::Contains("81 atoms without names"), Error);
+}
+
+TEST_CASE("frames that are not evenly spaced are refused, unless no correlation is wanted") {
+  std::vector<Frame> frames = free_flight(waters(), 6, MasslessSites::kept);
+  frames[4].time += 0.005;
+  AnalysisSettings settings;
+  Frames uneven(frames), structure(frames), told(frames);
+  CHECK_THROWS_WITH_AS(analysis(uneven, waters(), settings),
+                       doctest::Contains("frame 5 is of 5.045 ps where 5.04 ps must be"), Error);
+  settings.what = {Observable::rdf, Observable::density};
+  CHECK(analysis(structure, waters(), settings).frames == 6);
+  settings.what.clear();
+  settings.interval = 0.02;
+  CHECK(analysis(told, waters(), settings).interval == 0.02);
+  settings.from = 7;
+  Frames late(frames);
+  CHECK_THROWS_WITH_AS(analysis(late, waters(), settings), doctest::Contains("no frame at 7 ps"),
+                       Error);
+}
+
+TEST_CASE("ions have no dielectric constant, and an interrupt leaves what was read") {
+  const Topology brine{{{read_molecule("tip4p"), 20}, {read_molecule("na-tip4p-ew"), 2}}};
+  Frames file(free_flight(brine, 20, MasslessSites::kept));
+  std::size_t batches = 0;
+  Analysis a = analysis(file, brine, {},
+                        {.each_batch = [&](std::size_t, double) { ++batches; },
+                         .stop = [&] { return batches == 3; }});
+  CHECK(a.stopped);
+  CHECK(a.frames == 6);
+  CHECK(!a.dipole);
+  CHECK(a.notes.front().find("carries 1 e") != std::string::npos);
+  CHECK(a.reorientation->axes(1).empty());
+  CHECK(a.displacement->squared(1).mean().size() == 4);
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+// A run that was left at any step and went on from its checkpoint is the run that was never left.
+#include <doctest/doctest.h>
+
+#include <bit>
+#include <cstdint>
+#include <filesystem>
+#include <random>
+
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/run/checkpoint.hpp"
+#include "scenes.hpp"
+
+using namespace polhode;
+
+namespace {
+
+using Bits = std::vector<std::uint64_t>;
+
+void add(Bits& bits, double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); }
+void add(Bits& bits, const Column<double>& column) {
+  for (const double x : column.values()) add(bits, x);
+}
+void add(Bits& bits, const Vec3Column& v) { add(bits, v.x), add(bits, v.y), add(bits, v.z); }
+
+// All that a run leaves behind but its times.
+Bits bits(const State& state, const Trajectory& t) {
+  Bits all{t.steps,        t.force_evaluations, t.near_evaluations,
+           t.measurements, t.list_rebuilds,     t.samples.size()};
+  add(all, state.q), add(all, state.p), add(all, state.ell), add(all, state.time);
+  add(all, state.attitude.w), add(all, state.attitude.x);
+  add(all, state.attitude.y), add(all, state.attitude.z);
+  for (const Energies& e : t.samples)
+    for (const double x : {e.time, e.lennard_jones, e.coulomb, e.translation, e.rotation[0],
+                           e.rotation[1], e.rotation[2], e.pressure})
+      add(all, x);
+  return all;
+}
+
+System mixture(Electrostatics electrostatics, Precision precision) {
+  const scenes::Scene scene = scenes::lattice({{"tip4p", 90}, {"argon", 35}}, 0.4, 2.0, 3);
+  ForceSettings forces{.cutoff = 0.8, .switch_from = 0.65, .skin = 0.01};
+  forces.truncation = Truncation::site_switch;
+  forces.electrostatics = electrostatics;
+  forces.precision = precision;
+  return {scene.topology, scene.bodies, scene.state, forces, 300};
+}
+
+// Through a file, as a run that is continued gets it.
+RunState stored(const RunState& at) {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("polhode-restart-" + std::to_string(reinterpret_cast<std::uintptr_t>(&at)));
+  std::filesystem::create_directories(folder);
+  const CheckpointFiles files{(folder / "a").string(), (folder / "b").string()};
+  Checkpoint checkpoint;
+  checkpoint.at = at;
+  write_checkpoint(files, checkpoint, {});
+  checkpoint = read_checkpoint(files.newest, {});
+  std::filesystem::remove_all(folder);
+  return checkpoint.at;
+}
+
+}  // namespace
+
+TEST_CASE("a run goes on from any step with the same bits, for any number of threads") {
+  std::mt19937_64 random(11);
+  for (const Electrostatics electrostatics :
+       {Electrostatics::reaction_field, Electrostatics::ewald})
+    for (const Precision precision : {Precision::full, Precision::mixed})
+      for (const char* name : {"velocity-verlet", "hoa2", "gier4", "position-verlet",
+                               "hoa2 / velocity-verlet x 2 within 0.5 nm",
+                               "position-verlet / gier4 x 1 within 0.5 nm"}) {
+        CAPTURE(int(electrostatics));
+        CAPTURE(int(precision));
+        CAPTURE(name);
+        // Energies every 3 steps of 25: those of the last step are no part of a longer run.
+        const double step = 0.002;
+        const NestedScheme scheme = nested_scheme_of(name);
+        TrajectorySettings settings{
+            scheme.outer, step, 25 * step, 3 * step, precision == Precision::mixed ? 1 : 1e-4,
+            scheme.inner};
+        std::vector<RunState> kept;
+        System whole = mixture(electrostatics, precision);
+        ForceField forces(whole.topology, whole.forces, whole.state.box);
+        Watch watch;
+        watch.due = [] { return true; };
+        watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
+        const Trajectory t = trajectory(whole, forces, settings, watch);
+        CHECK(t.list_rebuilds > 3);  // or there would be nothing to find out about the list
+        const Bits expected = bits(whole.state, t);
+
+        // Taking checkpoints changes nothing, nor does a length that is reached in two goes.
+        System plain = mixture(electrostatics, precision);
+        ForceField its_forces(plain.topology, plain.forces, plain.state.box);
+        const Trajectory without = trajectory(plain, its_forces, settings);
+        CHECK((bits(plain.state, without) == expected));
+
+        REQUIRE(kept.size() == 26);
+        for (const int threads : {1, 2, 3}) {
+          const RunState from = stored(kept[random() % kept.size()]);
+          CAPTURE(threads);
+          CAPTURE(from.steps);
+          Workers workers(threads);
+          System system = mixture(electrostatics, precision);
+          ForceField again(system.topology, system.forces, system.state.box, workers);
+          std::vector<Energies> samples = t.samples;
+          if (from.integrator.measurements == 0 && from.steps == 0)
+            samples.clear();
+          else
+            samples.resize(from.steps / 3 + 1);
+          const Trajectory rest = trajectory(system, again, settings, {}, workers, &from, samples);
+          CHECK((bits(system.state, rest) == expected));
+        }
+      }
+}
+
+TEST_CASE("a run that ended between two samples is extended as if it had been asked for at once") {
+  const double step = 0.002;
+  TrajectorySettings settings{scheme_of("hoa2"), step, 20 * step, 3 * step};
+  System whole = mixture(Electrostatics::reaction_field, Precision::full);
+  ForceField forces(whole.topology, whole.forces, whole.state.box);
+  const Trajectory at_once = trajectory(whole, forces, settings);
+  const Bits expected = bits(whole.state, at_once);
+
+  settings.length = 10 * step;
+  RunState last;
+  Watch watch;
+  watch.checkpoint = [&](RunState at) { last = std::move(at); };
+  System first = mixture(Electrostatics::reaction_field, Precision::full);
+  ForceField its(first.topology, first.forces, first.state.box);
+  Trajectory half = trajectory(first, its, settings, watch);
+  CHECK(half.samples.size() == 5);  // at steps 0, 3, 6, 9 and 10
+  CHECK(last.steps == 10);
+  half.samples.pop_back();
+
+  settings.length = 20 * step;
+  System second = mixture(Electrostatics::reaction_field, Precision::full);
+  ForceField again(second.topology, second.forces, second.state.box);
+  const Trajectory rest =
+      trajectory(second, again, settings, {}, Workers::serial(), &last, half.samples);
+  CHECK((bits(second.state, rest) == expected));
+}
+
+TEST_CASE("an equilibration that was left goes on with the same bits") {
+  const auto prepared = [](System& system, const RunState* from, const Watch& watch) {
+    ForceField forces(system.topology, system.forces, system.state.box);
+    const bool done = equilibrate(system, forces, 0.11, watch, Workers::serial(), from);
+    const ListMemory list = forces.list_memory();
+    Bits all{done, list.rebuilds};
+    add(all, system.state.q), add(all, system.state.p), add(all, system.state.ell);
+    add(all, list.built_at);
+    return all;
+  };
+  System whole = mixture(Electrostatics::reaction_field, Precision::full);
+  const Bits expected = prepared(whole, nullptr, {});
+  for (const int stop_after : {5, 47, 100}) {
+    CAPTURE(stop_after);
+    RunState left;
+    int steps = 0;
+    Watch watch;
+    watch.stop = [&] { return ++steps == stop_after; };
+    watch.checkpoint = [&](RunState at) { left = std::move(at); };
+    System first = mixture(Electrostatics::reaction_field, Precision::full);
+    prepared(first, nullptr, watch);
+    REQUIRE(left.equilibrated.has_value());
+    CHECK(*left.equilibrated <= 0.001 * stop_after);
+    const RunState from = stored(left);
+    System second = mixture(Electrostatics::reaction_field, Precision::full);
+    CHECK((prepared(second, &from, {}) == expected));
+  }
+}

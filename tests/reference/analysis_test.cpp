@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// The observables of a small trajectory, as MDAnalysis and mdtraj find them: numbers kept in
+// analysis/expected.json with the script that made them, analysis/make.py.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "polhode/base/units.hpp"
+#include "polhode/io/frame_file.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/run/analysis_summary.hpp"
+
+using namespace polhode;
+
+namespace {
+
+const std::string folder = std::string(POLHODE_TEST_DATA) + "/analysis/";
+
+nlohmann::json expected() { return nlohmann::json::parse(std::ifstream(folder + "expected.json")); }
+
+Analysis analysed() {
+  AnalysisSettings settings;
+  settings.window = 2;
+  settings.pairs = {{"OW", "OW"}, {"OW", "HW"}, {"HW", "HW"}};
+  settings.reach = 0.4;
+  settings.bin = 0.02;
+  const auto reader = open_frames(folder + "spce24.gro");
+  return analysis(*reader, {{{read_molecule("spce"), 24}}}, settings);
+}
+
+}  // namespace
+
+// Counts are whole numbers. Both programs hold places as floats, half of a bit of 0.96 nm being
+// 3e-8 nm: of some 10⁴ pairs none may lie so near to the end of a bin of 0.02 nm, or it moves one
+// count of the bin. MDAnalysis counts ordered pairs and divides by those of all sites but a
+// molecule's own.
+TEST_CASE("radial distributions of MDAnalysis and mdtraj") {
+  const Analysis a = analysed();
+  const nlohmann::json numbers = expected();
+  const char* names[] = {"OO", "OH", "HH"};
+  for (std::size_t p = 0; p < 3; ++p) {
+    const std::vector<double> g = numbers["rdf"][names[p]];
+    REQUIRE(g.size() == a.radial->bins());
+    for (std::size_t k = 0; k < g.size(); ++k) {
+      CAPTURE(names[p]);
+      CAPTURE(k);
+      CHECK(a.radial->g(p)[k].value == doctest::Approx(g[k]).epsilon(1e-5));
+    }
+  }
+  const std::vector<double> g = numbers["rdf_mdtraj_OO"];
+  for (std::size_t k = 0; k < g.size(); ++k)
+    CHECK(a.radial->g(0)[k].value == doctest::Approx(g[k]).epsilon(1e-5));
+}
+
+// Places in the file have six decimals, and the fit moves a centre by up to 1e-6 nm beside that of
+// its atoms; floats add 3e-7 of it. Displacements are 0.08 nm and more.
+TEST_CASE("displacements and reorientation of MDAnalysis") {
+  Analysis a = analysed();
+  const nlohmann::json numbers = expected();
+  const std::vector<double> msd = numbers["msd"];
+  const std::vector<double> squared = a.displacement->squared(0).mean();
+  for (std::size_t lag = 0; lag < msd.size(); ++lag)
+    CHECK(squared[lag] == doctest::Approx(msd[lag]).epsilon(2e-5));
+  // Directions are right to 1e-6 nm over 0.06 nm.
+  const auto P2 = [&](std::size_t axis) { return a.reorientation->legendre(0, axis, 2).mean()[1]; };
+  CHECK(a.reorientation->axes(0).back().name == "dipole");
+  CHECK(P2(3) == doctest::Approx(double(numbers["P2"]["dipole"])).epsilon(1e-4));
+  // A water's smallest moment is about the line between its hydrogens.
+  CHECK(P2(0) == doctest::Approx(double(numbers["P2"]["HH"])).epsilon(1e-4));
+}
+
+// Both take the conductor's formula. Charges and constants agree to six digits.
+TEST_CASE("dielectric constant and density of MDAnalysis and mdtraj") {
+  Analysis a = analysed();
+  const nlohmann::json numbers = expected();
+  const AnalysisSummary s = summary(a, {.temperature = 298, .surrounding = tin_foil});
+  REQUIRE(s.dielectric);
+  CHECK(s.dielectric->constant.value ==
+        doctest::Approx(double(numbers["dielectric"]["MDAnalysis"])).epsilon(1e-5));
+  CHECK(s.dielectric->constant.value ==
+        doctest::Approx(double(numbers["dielectric"]["mdtraj"])).epsilon(1e-5));
+  CHECK(a.conditions->density().value / units::gram_per_cm3 ==
+        doctest::Approx(double(numbers["density"]) / 1000).epsilon(1e-6));
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: MIT
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "errors.hpp"
+#include "polhode/run/checkpoint.hpp"
+
+using namespace polhode;
+namespace fs = std::filesystem;
+
+namespace {
+
+const Maker maker{"1.2.3", "avx2"};
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() /
+                  ("polhode-checkpoint-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  CheckpointFiles files() const {
+    return {(path / "newest.bin").string(), (path / "previous.bin").string()};
+  }
+};
+
+void fill(Column<double>& column, std::mt19937_64& random) {
+  for (std::size_t i = 0; i < column.size(); ++i)
+    column[i] = std::uniform_real_distribution<double>(-1, 1)(random);
+}
+void fill(Vec3Column& v, std::mt19937_64& random) {
+  fill(v.x, random), fill(v.y, random), fill(v.z, random);
+}
+
+// Numbers of all kinds, each another.
+Checkpoint example(std::size_t bodies = 2) {
+  std::mt19937_64 random(7);
+  Checkpoint c;
+  c.identity = "of this run";
+  c.command = "polhode run a.toml";
+  c.at.state = State(bodies, {{1.5, 2.5, 3.5}});
+  fill(c.at.state.q, random), fill(c.at.state.p, random), fill(c.at.state.ell, random);
+  fill(c.at.state.attitude.w, random), fill(c.at.state.attitude.x, random);
+  fill(c.at.state.attitude.y, random), fill(c.at.state.attitude.z, random);
+  c.at.state.time = 0.1;
+  c.at.equilibrated = 0.3;
+  c.at.steps = 17, c.at.start = 0.7;
+  c.at.integrator.load = Load(bodies);
+  fill(c.at.integrator.load.f, random), fill(c.at.integrator.load.tau, random);
+  c.at.integrator.load.lennard_jones = -1, c.at.integrator.load.coulomb = -2;
+  c.at.integrator.load.mesh = -3;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) c.at.integrator.load.virial[i][k] = double(3 * i + k);
+  c.at.integrator.current = true;
+  c.at.integrator.evaluations = 5, c.at.integrator.measurements = 6;
+  c.at.list.built_at = Vec3Column(bodies);
+  fill(c.at.list.built_at, random);
+  c.at.list.rebuilds = 8;
+  c.at.near_list.built_at = Vec3Column(bodies);
+  fill(c.at.near_list.built_at, random);
+  c.at.near_list.rebuilds = 9;
+  c.at.integrator.inner = {c.at.integrator};
+  c.at.integrator.inner[0].evaluations = 7;
+  c.at.timings = {1, 2, 3, 4, 5};
+  c.noise = {0.5, 0.25};
+  c.outputs = OutputMarks{{9, 900}, {{1, 100}, {2, 200}}, 12};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("a checkpoint gives back every number that was put into it") {
+  const Folder folder;
+  for (const std::size_t bodies : {0, 1, 2, 17}) {
+    Checkpoint c = example(bodies);
+    if (bodies == 17) c.at.equilibrated.reset(), c.outputs.reset();
+    write_checkpoint(folder.files(), c, maker);
+    const Checkpoint back = read_checkpoint(folder.files().newest, maker);
+    const auto same = [](const Vec3Column& a, const Vec3Column& b) {
+      REQUIRE(a.size() == b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == b[i]);
+    };
+    same(back.at.state.q, c.at.state.q);
+    same(back.at.state.p, c.at.state.p);
+    same(back.at.state.ell, c.at.state.ell);
+    REQUIRE(back.at.state.attitude.size() == bodies);
+    for (std::size_t i = 0; i < bodies; ++i)
+      CHECK(back.at.state.attitude[i] == c.at.state.attitude[i]);
+    CHECK(back.at.state.box.edge == c.at.state.box.edge);
+    CHECK(back.at.state.time == c.at.state.time);
+    CHECK(back.at.equilibrated == c.at.equilibrated);
+    CHECK(back.at.steps == 17);
+    CHECK(back.at.start == 0.7);
+    const IntegratorMemory &m = back.at.integrator, &n = c.at.integrator;
+    same(m.load.f, n.load.f);
+    same(m.load.tau, n.load.tau);
+    CHECK(m.load.potential() == -3);
+    CHECK(m.load.mesh == -3);
+    for (std::size_t k = 0; k < 3; ++k) CHECK(m.load.virial[k] == n.load.virial[k]);
+    CHECK(m.current);
+    CHECK(!m.complete);
+    CHECK(m.evaluations == 5);
+    CHECK(m.measurements == 6);
+    same(back.at.list.built_at, c.at.list.built_at);
+    CHECK(back.at.list.rebuilds == 8);
+    CHECK(back.at.timings.list == 2);
+    same(back.at.near_list.built_at, c.at.near_list.built_at);
+    CHECK(back.at.near_list.rebuilds == 9);
+    REQUIRE(m.inner.size() == 1);
+    same(m.inner[0].load.f, n.load.f);
+    CHECK(m.inner[0].evaluations == 7);
+    CHECK(back.at.timings.near == 5);
+    CHECK(back.at.timings.all() == 15);
+    CHECK(back.noise.power == 0.5);
+    CHECK(back.noise.energy == 0.25);
+    CHECK(back.identity == c.identity);
+    CHECK(back.command == c.command);
+    REQUIRE(back.outputs.has_value() == c.outputs.has_value());
+    if (!back.outputs) continue;
+    CHECK(back.outputs->energies.frames == 9);
+    CHECK(back.outputs->energies.bytes == 900);
+    REQUIRE(back.outputs->frames.size() == 2);
+    CHECK(back.outputs->frames[1].frames == 2);
+    CHECK(back.outputs->frames[1].bytes == 200);
+    CHECK(back.outputs->next_frame == 12);
+  }
+}
+
+TEST_CASE("a checkpoint with one wrong bit, or cut short anywhere, is refused") {
+  const Folder folder;
+  const std::string path = folder.files().newest;
+  write_checkpoint(folder.files(), example(1), maker);
+  const std::string intact = text_of(path);
+  CheckpointReader(intact, path, maker);
+  for (std::size_t bit = 0; bit < 8 * intact.size(); ++bit) {
+    CAPTURE(bit);
+    std::string flipped = intact;
+    flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
+    CHECK_THROWS_AS(CheckpointReader(flipped, path, maker), Error);
+  }
+  for (std::size_t n = 0; n < intact.size(); ++n) {
+    CAPTURE(n);
+    CHECK_THROWS_AS(CheckpointReader(intact.substr(0, n), path, maker), DamagedCheckpoint);
+  }
+  CHECK_THROWS_AS(CheckpointReader(intact + '\0', path, maker), DamagedCheckpoint);
+}
+
+TEST_CASE("a checkpoint of another program, instruction set or run is refused with what to do") {
+  const Folder folder;
+  const CheckpointFiles files = folder.files();
+  CHECK(!last_checkpoint(files, "of this run", maker));
+  write_checkpoint(files, example(), maker);
+  CHECK(last_checkpoint(files, "of this run", maker)->note.empty());
+  check_error(
+      [&] {
+        last_checkpoint(files, "of this run", {"1.2.4", "avx2"});
+      },
+      {"newest.bin", "polhode 1.2.3", "1.2.4", "bit for bit"});
+  check_error(
+      [&] {
+        last_checkpoint(files, "of this run", {"1.2.3", "sse4"});
+      },
+      {"newest.bin", "avx2", "sse4", "POLHODE_TARGET=avx2"});
+  check_error([&] { last_checkpoint(files, "of that run", maker); },
+              {"newest.bin", "another run", "polhode run a.toml", "--output", "--force"});
+}
+
+TEST_CASE("the checkpoint before the newest serves where the newest is damaged or missing") {
+  const Folder folder;
+  const CheckpointFiles files = folder.files();
+  Checkpoint c = example();
+  for (c.at.steps = 10; c.at.steps <= 30; c.at.steps += 10) write_checkpoint(files, c, maker);
+  CHECK(last_checkpoint(files, c.identity, maker)->checkpoint.at.steps == 30);
+  const std::string newest = text_of(files.newest);
+
+  std::string damaged = newest;
+  damaged[damaged.size() / 2] ^= 1;
+  write(files.newest, damaged);
+  auto found = last_checkpoint(files, c.identity, maker);
+  CHECK(found->checkpoint.at.steps == 20);
+  for (const char* word : {"newest.bin", "checksum", "previous.bin", "intact"})
+    CHECK(found->note.find(word) != std::string::npos);
+
+  fs::remove(files.newest);
+  CHECK(last_checkpoint(files, c.identity, maker)->checkpoint.at.steps == 20);
+  write(files.newest, newest.substr(0, 100));
+  write(files.previous, damaged);
+  check_error([&] { last_checkpoint(files, c.identity, maker); },
+              {"newest.bin", "100 bytes", "previous.bin", "checksum", "--force"});
+}
