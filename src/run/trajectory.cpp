@@ -34,8 +34,6 @@ class Stopwatch {
 struct TimedForces {
   ForceField& forces;
   double seconds = 0;  // with the list
-  double list_before = forces.neighbours().seconds();
-  double list() const { return forces.neighbours().seconds() - list_before; }
   void operator()(const State& state, Load& load) {
     Stopwatch watch;
     forces(state, load);
@@ -67,7 +65,11 @@ class Clocks {
  public:
   /// @param near  of an inner scheme, if there is one
   Clocks(const TimedForces& whole, const TimedForces* near, const Timings& earlier)
-      : whole_(whole), near_(near), earlier_(earlier) {}
+      : whole_(whole),
+        near_(near),
+        earlier_(earlier),
+        list_before_(in_list(&whole)),
+        near_list_before_(in_list(near)) {}
   double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
   /// What has passed since the last call of this or skip() was drifts, kicks and forces.
   void moved() { motion_ += part_.lap(); }
@@ -75,18 +77,24 @@ class Clocks {
   void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
   Timings timings() {
     all_ += run_.lap();
-    const double near_list = near_ ? near_->list() : 0;
+    const double list = in_list(&whole_) - list_before_;
+    const double near_list = in_list(near_) - near_list_before_;
     const double motion = motion_ - (in_forces() - forces_of_samples_);
-    return {earlier_.forces + whole_.seconds - whole_.list(),
-            earlier_.list + whole_.list() + near_list, earlier_.motion + motion,
+    return {earlier_.forces + whole_.seconds - list, earlier_.list + list + near_list,
+            earlier_.motion + motion,
             earlier_.measurement + std::max(0.0, all_ - in_forces() - motion),
             earlier_.near + (near_ ? near_->seconds : 0) - near_list};
   }
 
  private:
+  static double in_list(const TimedForces* timed) {
+    return timed ? timed->forces.neighbours().seconds() : 0;
+  }
+
   const TimedForces& whole_;
   const TimedForces* near_;
   Timings earlier_;
+  double list_before_, near_list_before_;
   double all_ = 0, motion_ = 0;
   double forces_of_samples_ = 0;  // schemes that end with a drift need forces for the energy
   Stopwatch run_, part_;
