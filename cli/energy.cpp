@@ -10,6 +10,7 @@
 
 #include "force_notes.hpp"
 #include "polhode/base/target.hpp"
+#include "polhode/integrate/flows.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/system.hpp"
@@ -22,18 +23,6 @@ struct Options {
   std::string file;
   bool forces = false, gradient = false, json = false;
 };
-
-/// The displacement of the gradient kick: f/m of each body and J⁻¹ S τ, so that grad W = 2 D(f, τ)
-/// along it.
-void gradient_direction(const System& system, const Load& load, Vec3Column& dq,
-                        Vec3Column& dtheta) {
-  dq = dtheta = Vec3Column(system.state.size());
-  for (std::size_t i = 0; i < system.state.size(); ++i) {
-    dq.set(i, system.bodies.inverse_m[i] * load.f[i]);
-    dtheta.set(i,
-               scaled(system.bodies.inverse_J[i], to_body(system.state.attitude[i], load.tau[i])));
-  }
-}
 
 /// What the energies of a law consist of beside sums over pairs within the cutoff [kJ/mol].
 std::vector<std::pair<std::string, double>> terms_of(const ForceField& forces, const Load& load) {
@@ -114,8 +103,9 @@ int energy(const Options& o) {
     return 0;
   }
   Vec3Column dq, dtheta;
-  gradient_direction(system, load, dq, dtheta);
-  const Load slope = forces.directional_derivative(system.state, dq, dtheta);
+  gradient_direction(system.state, system.bodies, load, dq, dtheta);
+  Load slope;
+  forces.directional_derivative(system.state, dq, dtheta, slope);
   print_csv(system, load, &slope);
   return 0;
 }

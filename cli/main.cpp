@@ -33,6 +33,7 @@ const std::vector<Verb> verbs = {
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
     {"top", "one free top, exact against NO_SQUISH, or a table of tops", top_verb},
     {"verify", "measure the order of a scheme", verify_verb},
+    {"tune-scheme", "find the scheme parameters that suit a system and step", tune_scheme_verb},
     {"bench", "measure how fast this computer runs water, and why not faster", bench_verb},
 };
 

@@ -59,13 +59,19 @@ std::string typed(const Options& o) {
 
 TrajectorySettings trajectory_settings(const Config& config) {
   const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
-  const TrajectorySettings settings{scheme.outer,      config.integrator.step,   config.run.length,
-                                    config.run.sample, config.integrator.lambda, scheme.inner};
+  const TrajectorySettings settings{.scheme = scheme.outer,
+                                    .step = config.integrator.step,
+                                    .length = config.run.length,
+                                    .sample = config.run.sample,
+                                    .lambda = config.integrator.lambda,
+                                    .shadow_sample = config.run.shadow_sample,
+                                    .inner = scheme.inner};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
                     settings.length * 1000, settings.step * 1000),
         config.source);
+  settings.check_shadow();
   return settings;
 }
 

@@ -35,12 +35,19 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
                    : "");
   fmt::print("drift                 {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g})\n",
              s.drift.rate.value, s.drift.rate.error, verdict(s.drift), s.drift.chance);
+  if (s.shadow)
+    fmt::print(
+        "drift of the shadow   {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g}), which shows {:.2g} "
+        "times sooner; its rms is {:.3g} kJ/mol\n",
+        s.shadow->drift.rate.value, s.shadow->drift.rate.error, verdict(s.shadow->drift),
+        s.shadow->drift.chance, s.shadow->sooner, s.shadow->fluctuation);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
   fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
-  fmt::print("temperature           {:.2f} K: translation {:.2f}, rotation", s.temperature,
-             s.translation);
+  fmt::print("temperature           {:.2f} K: translation {:.2f}, rotation", s.temperatures.all,
+             s.temperatures.translation);
   for (std::size_t k = 0; k < 3; ++k)
-    fmt::print(" {}", s.freedoms.rotation[k] > 0 ? fmt::format("{:.2f}", s.rotation[k]) : "-");
+    fmt::print(" {}", s.freedoms.rotation[k] > 0 ? fmt::format("{:.2f}", s.temperatures.rotation[k])
+                                                 : "-");
   const Freedoms& n = s.freedoms;
   fmt::print(" K\nfreedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
              n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
@@ -49,9 +56,12 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
   fmt::print("\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
   fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
              static_cast<double>(s.force_evaluations) / s.length);
-  if (t.inner)
+  if (s.derivatives > 0) fmt::print(", and {} of their derivative", s.derivatives);
+  if (t.inner) {
     fmt::print(", of near forces {} ({:.4g} per ps)", s.near_evaluations,
                static_cast<double>(s.near_evaluations) / s.length);
+    if (s.near_derivatives > 0) fmt::print(", and {} of their derivative", s.near_derivatives);
+  }
   if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
   const double all = s.timings.all();
@@ -69,47 +79,56 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
 
 void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
                 const RunFileNames& files, bool stopped) {
-  const nlohmann::json report = {{"molecules", s.molecules},
-                                 {"scheme", text_of({t.scheme, t.inner})},
-                                 {"step_fs", t.step * 1000},
-                                 {"steps", s.steps},
-                                 {"length_ps", s.length},
-                                 {"sample_fs", s.sample * 1000},
-                                 {"interrupted", stopped},
-                                 {"R", s.ratio.value},
-                                 {"R_error", s.ratio.error},
-                                 {"R_rounding", s.rounding},
-                                 {"rms_total_kJ_per_mol", s.total_fluctuation},
-                                 {"rms_potential_kJ_per_mol", s.potential_fluctuation},
-                                 {"drift_kJ_per_mol_ps", s.drift.rate.value},
-                                 {"drift_error", s.drift.rate.error},
-                                 {"drift_chance", s.drift.chance},
-                                 {"drift_significant", s.drift.chance < significance},
-                                 {"potential_kJ_per_mol", s.potential},
-                                 {"total_kJ_per_mol", s.total},
-                                 {"temperature_K", s.temperature},
-                                 {"temperature_translation_K", s.translation},
-                                 {"temperature_rotation_K", s.rotation},
-                                 {"freedoms_translation", s.freedoms.translation},
-                                 {"freedoms_rotation", s.freedoms.rotation},
-                                 {"pressure_bar", in_bar(s.pressure.value)},
-                                 {"pressure_error_bar", in_bar(s.pressure.error)},
-                                 {"momentum", s.momentum},
-                                 {"force_evaluations", s.force_evaluations},
-                                 {"near_evaluations", s.near_evaluations},
-                                 {"force_evaluations_for_energies", s.measurements},
-                                 {"list_rebuilds", s.list_rebuilds},
-                                 {"seconds",
-                                  {{"all", s.timings.all()},
-                                   {"forces", s.timings.forces},
-                                   {"near", s.timings.near},
-                                   {"list", s.timings.list},
-                                   {"motion", s.timings.motion},
-                                   {"energies_and_output", s.timings.measurement}}},
-                                 {"ns_per_day", s.ns_per_day},
-                                 {"threads", means.threads},
-                                 {"target", means.target},
-                                 {"files", files.all()}};
+  nlohmann::json report = {{"molecules", s.molecules},
+                           {"scheme", text_of({t.scheme, t.inner})},
+                           {"step_fs", t.step * 1000},
+                           {"steps", s.steps},
+                           {"length_ps", s.length},
+                           {"sample_fs", s.sample * 1000},
+                           {"interrupted", stopped},
+                           {"R", s.ratio.value},
+                           {"R_error", s.ratio.error},
+                           {"R_rounding", s.rounding},
+                           {"rms_total_kJ_per_mol", s.total_fluctuation},
+                           {"rms_potential_kJ_per_mol", s.potential_fluctuation},
+                           {"drift_kJ_per_mol_ps", s.drift.rate.value},
+                           {"drift_error", s.drift.rate.error},
+                           {"drift_chance", s.drift.chance},
+                           {"drift_significant", s.drift.chance < significance},
+                           {"potential_kJ_per_mol", s.potential},
+                           {"total_kJ_per_mol", s.total},
+                           {"temperature_K", s.temperatures.all},
+                           {"temperature_translation_K", s.temperatures.translation},
+                           {"temperature_rotation_K", s.temperatures.rotation},
+                           {"freedoms_translation", s.freedoms.translation},
+                           {"freedoms_rotation", s.freedoms.rotation},
+                           {"pressure_bar", in_bar(s.pressure.value)},
+                           {"pressure_error_bar", in_bar(s.pressure.error)},
+                           {"momentum", s.momentum},
+                           {"force_evaluations", s.force_evaluations},
+                           {"derivative_evaluations", s.derivatives},
+                           {"near_evaluations", s.near_evaluations},
+                           {"near_derivative_evaluations", s.near_derivatives},
+                           {"force_evaluations_for_energies", s.measurements},
+                           {"list_rebuilds", s.list_rebuilds},
+                           {"seconds",
+                            {{"all", s.timings.all()},
+                             {"forces", s.timings.forces},
+                             {"near", s.timings.near},
+                             {"list", s.timings.list},
+                             {"motion", s.timings.motion},
+                             {"energies_and_output", s.timings.measurement}}},
+                           {"ns_per_day", s.ns_per_day},
+                           {"threads", means.threads},
+                           {"target", means.target},
+                           {"files", files.all()}};
+  if (s.shadow)
+    report["shadow"] = {{"rms_kJ_per_mol", s.shadow->fluctuation},
+                        {"drift_kJ_per_mol_ps", s.shadow->drift.rate.value},
+                        {"drift_error", s.shadow->drift.rate.error},
+                        {"drift_chance", s.shadow->drift.chance},
+                        {"drift_significant", s.shadow->drift.chance < significance},
+                        {"times_sooner", s.shadow->sooner}};
   fmt::print("{}\n", report.dump(2));
 }
 

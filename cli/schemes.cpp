@@ -2,10 +2,12 @@
 // polhode schemes [NAME]: the table of splitting schemes.
 #include <fmt/core.h>
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "verbs.hpp"
@@ -18,23 +20,51 @@ nlohmann::json as_json(const Scheme& scheme) {
   for (const Stage& s : scheme.stages())
     stages.push_back({{"flow", s.flow == Flow::drift ? "drift" : "kick"},
                       {"fraction", s.fraction},
-                      {"xi", s.xi}});
-  return {{"name", scheme.name()},     {"order", scheme.order()},
-          {"stages", stages},          {"force_evaluations", scheme.force_evaluations()},
-          {"source", scheme.source()}, {"text", text_of(scheme)}};
+                      {"xi", s.xi},
+                      {"gradient", s.xi == 0                            ? ""
+                                   : s.has(Gradient::finite_difference) ? "finite difference"
+                                                                        : "exact"}});
+  return {{"name", scheme.name()},
+          {"order", scheme.order()},
+          {"stages", stages},
+          {"force_evaluations", scheme.force_evaluations()},
+          {"gradient_kicks", scheme.gradient_kicks()},
+          {"derivatives", scheme.derivatives()},
+          {"cost", scheme.cost()},
+          {"source", scheme.source()},
+          {"text", text_of(scheme)}};
+}
+
+/// The flows in order: A drifts, B kicks, G kicks with a gradient.
+std::string flows(const Scheme& scheme) {
+  std::string letters;
+  for (const Stage& s : scheme.stages())
+    letters += s.flow == Flow::drift ? 'A' : s.xi == 0 ? 'B' : 'G';
+  return letters;
 }
 
 void print_one(const Scheme& scheme) {
   fmt::print(
-      "{}\n  order              {}\n  force evaluations  {} per step\n  source             {}\n"
-      "  stages\n",
+      "{}\n  order              {}\n  force evaluations  {} per step\n  gradient kicks     {} per "
+      "step\n  cost               {:g} force evaluations per step\n  source             {}\n",
       scheme.name(), scheme.order() ? fmt::format("{}", scheme.order()) : "unknown",
-      scheme.force_evaluations(), scheme.source().empty() ? "-" : scheme.source());
+      scheme.force_evaluations(), scheme.gradient_kicks(), scheme.cost(),
+      scheme.source().empty() ? "-" : scheme.source());
+  if (scheme.palindromic()) {
+    const ErrorTerms error = error_terms(scheme);
+    constexpr double rounding = 1e-14;  // of coefficients with 15 digits
+    fmt::print("  error of order h²  {}\n",
+               std::hypot(error.alpha, error.beta) < rounding
+                   ? "none"
+                   : fmt::format("alpha {:.6g}, beta {:.6g}", error.alpha, error.beta));
+  }
+  fmt::print("  stages\n");
   for (const Stage& s : scheme.stages())
     fmt::print("    {}\n",
                s.flow == Flow::drift ? fmt::format("A({:<20})  drift", s.fraction)
                : s.xi == 0           ? fmt::format("B({:<20})  kick", s.fraction)
-                           : fmt::format("B({:<20}, xi = {})  gradient kick", s.fraction, s.xi));
+                           : fmt::format("B({:<20}, xi = {})  gradient kick, {}", s.fraction, s.xi,
+                                         s.has(Gradient::exact) ? "exact" : "finite difference"));
   fmt::print("  as text\n    \"{}\"\n", text_of(scheme));
 }
 
@@ -63,11 +93,11 @@ Action schemes_verb(CLI::App& app) {
       fmt::print("{}\n", all.dump(2));
       return 0;
     }
-    fmt::print("{:<16} {:>5}  {:>17}  {:<12} {}\n", "name", "order", "force evaluations", "source",
-               "stages");
+    fmt::print("{:<16} {:>5}  {:>17}  {:>14}  {:>5}  {:<13}  {}\n", "name", "order",
+               "force evaluations", "gradient kicks", "cost", "source", "flows");
     for (const Scheme& s : schemes)
-      fmt::print("{:<16} {:>5}  {:>17}  {:<12} {}\n", s.name(), s.order(), s.force_evaluations(),
-                 s.source(), text_of(s));
+      fmt::print("{:<16} {:>5}  {:>17}  {:>14}  {:>5}  {:<13}  {}\n", s.name(), s.order(),
+                 s.force_evaluations(), s.gradient_kicks(), s.cost(), s.source(), flows(s));
     return 0;
   };
 }

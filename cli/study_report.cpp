@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -32,6 +34,10 @@ Table point_table(const StudyReport& report) {
                    {"R_rounding", "1"},
                    {"rounded", "1"},
                    {"near_weight", "1"}};
+  for (const char* axis : {"1", "2", "3"}) {
+    table.columns.push_back({fmt::format("excess_{}", axis), "K"});
+    table.columns.push_back({fmt::format("excess_{}_error", axis), "K"});
+  }
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
@@ -39,6 +45,10 @@ Table point_table(const StudyReport& report) {
                             p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
                             p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.chance,
                             p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
+      for (const auto& excess : p.excess) {
+        const Estimate known = excess.value_or(Estimate{std::nan(""), std::nan("")});
+        table.rows.back().insert(table.rows.back().end(), {known.value, known.error});
+      }
     }
   return table;
 }
@@ -67,7 +77,8 @@ StudyReport::StudyReport(const Config& config_used,
       points(points_found),
       curves(polhode::curves(points)),
       guidelines(polhode::guidelines(curves, table_ratios)),
-      claims(paper_claims(curves)) {}
+      claims(paper_claims(curves)),
+      equipartition(polhode::equipartition(curves)) {}
 
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
@@ -105,7 +116,21 @@ std::string study_json(const StudyReport& report) {
                                 {"R_rounding", p.rounding},
                                 {"rounded", p.at_rounding()},
                                 {"near_weight", p.near_weight}});
+      for (const auto& excess : p.excess)
+        json["points"].back()["excess_K"].push_back(
+            excess ? nlohmann::json{{"value", excess->value}, {"error", excess->error}}
+                   : nlohmann::json());
     }
+  for (const EquipartitionFit& fit : report.equipartition)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const auto& line = fit.axes[k])
+        json["equipartition"].push_back({{"scheme", fit.scheme},
+                                         {"axis", k + 1},
+                                         {"order", fit.order},
+                                         {"without_step_K", line->intercept.value},
+                                         {"without_step_error", line->intercept.error},
+                                         {"slope_K_per_ps_to_the_order", line->slope.value},
+                                         {"slope_error", line->slope.error}});
   for (const Guideline& line : report.guidelines) {
     nlohmann::json row{{"R", line.ratio}};
     for (std::size_t c = 0; c < line.costs.size(); ++c)
@@ -142,6 +167,42 @@ void write_study(const StudyFiles& files, const StudyReport& report, const Prove
   }
   for (const char* format : {"svg", "png"}) efficiency_plot(files.prefix, drawn, format, std::cerr);
 }
+
+namespace {
+
+/// Temperature of rotation about each axis less that of translation, by scheme and step.
+void print_equipartition(const StudyReport& report) {
+  const auto text = [](const std::optional<Estimate>& e) {
+    return e ? fmt::format("{:.2f} ± {:.2f}", e->value, e->error) : "-";
+  };
+  const auto print = [](const std::string& scheme, const std::string& step,
+                        const std::array<std::string, 3>& axes) {
+    fmt::print("{:<18} {:>8} {:>16} {:>16} {:>16}\n", scheme, step, axes[0], axes[1], axes[2]);
+  };
+  const auto known = [](const EfficiencyPoint& p) {
+    return p.excess[0] || p.excess[1] || p.excess[2];
+  };
+  if (std::none_of(report.points.begin(), report.points.end(), known)) return;
+  fmt::print(
+      "\ntemperature of rotation about each principal axis less that of translation [K], and "
+      "without a step by a + b h^k\n");
+  print("scheme", "step fs", {"axis 1", "axis 2", "axis 3"});
+  for (std::size_t c = 0; c < report.curves.size(); ++c) {
+    const Curve& curve = report.curves[c];
+    for (std::size_t i = 0; i < curve.usable; ++i) {
+      const EfficiencyPoint& p = curve.points[i];
+      print(p.scheme, fmt::format("{:.3g}", p.step * 1000),
+            {text(p.excess[0]), text(p.excess[1]), text(p.excess[2])});
+    }
+    const EquipartitionFit& fit = report.equipartition[c];
+    const auto limit = [&](std::size_t k) {
+      return text(fit.axes[k] ? std::optional(fit.axes[k]->intercept) : std::nullopt);
+    };
+    print("", fmt::format("0, k = {}", fit.order), {limit(0), limit(1), limit(2)});
+  }
+}
+
+}  // namespace
 
 void print_study(const StudyReport& report, const StudyFiles& files) {
   fmt::print("{}\n\n", conditions(report.config));
@@ -188,6 +249,7 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
     }
     fmt::print("  {}\n", line.best ? report.curves[*line.best].scheme : "none");
   }
+  print_equipartition(report);
   const auto& molecules = report.config.system.molecules;
   const bool of_the_paper =
       molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;

@@ -7,6 +7,7 @@
 
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/claims.hpp"
+#include "polhode/run/equipartition.hpp"
 
 namespace polhode::cli {
 
@@ -30,6 +31,7 @@ struct StudyReport {
   std::vector<Curve> curves;
   std::vector<Guideline> guidelines;
   std::vector<Claim> claims;
+  std::vector<EquipartitionFit> equipartition;
 
   StudyReport(const Config& config, const std::vector<EfficiencyPoint>& points);
 };

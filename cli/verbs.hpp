@@ -19,6 +19,7 @@ Action molecules_verb(CLI::App& app);
 Action schemes_verb(CLI::App& app);
 Action study_verb(CLI::App& app);
 Action top_verb(CLI::App& app);
+Action tune_scheme_verb(CLI::App& app);
 Action verify_verb(CLI::App& app);
 
 }  // namespace polhode::cli

@@ -18,7 +18,7 @@ cutoff = "0.9 nm"
 dispersion_correction = true
 precision = "mixed"
 [integrator]
-scheme = "gier4"
+scheme = "gier4-fd"
 step = "4 fs"
 [run]
 equilibrate = "{equilibrate:g} ps"

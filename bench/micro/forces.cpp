@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // One complete force evaluation of 512 TIP4P waters, list valid, on every instruction set, in both
 // precisions, for each law; and a step of HOA2, which adds drifts, kicks and the upkeep of the
-// list. For the molecule switch, the fill of the lanes and what the arithmetic of the pairs alone
-// would take stand beside it.
+// list. The derivative of forces stands beside a force evaluation. For the molecule switch, the
+// fill of the lanes and what the arithmetic of the pairs alone would take stand beside it.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <string>
 
 #include "polhode/base/target.hpp"
@@ -45,6 +47,37 @@ void force_evaluation(benchmark::State& loop, Target target, Truncation truncati
       1e6 * measured_limit(precision, 0.05).seconds(whole, pairs - whole, energies);
 }
 
+/// The derivative of forces along the direction of a gradient kick, in turn with force evaluations:
+/// their least times, so that the ratio does not depend on what else the processor does.
+void derivative(benchmark::State& loop, Target target, Precision precision,
+                const ForceSettings& settings) {
+  force_target(target);
+  const System water = assembled(default_config());
+  ForceSettings with_precision = settings;
+  with_precision.precision = precision;
+  ForceField forces(water.topology, with_precision, water.state.box);
+  Load load, slope;
+  forces(water.state, load);
+  Vec3Column dq, dtheta;
+  gradient_direction(water.state, water.bodies, load, dq, dtheta);
+  double derivative = 1, evaluation = 1;  // [s]
+  const auto timed = [](double& least, const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    least = std::min(least, taken.count());
+    return taken.count();
+  };
+  for (auto _ : loop) {
+    timed(evaluation, [&] { forces.forces_alone(water.state, load); });
+    loop.SetIterationTime(
+        timed(derivative, [&] { forces.directional_derivative(water.state, dq, dtheta, slope); }));
+  }
+  loop.counters["least_us"] = 1e6 * derivative;
+  loop.counters["force_us"] = 1e6 * evaluation;
+  loop.counters["ratio"] = derivative / evaluation;
+}
+
 void hoa2_step(benchmark::State& loop, Target target, Precision precision, double skin) {
   force_target(target);
   System water = assembled(default_config());
@@ -78,6 +111,18 @@ int main(int argc, char** argv) {
         add("site_shift" + what, force_evaluation, target, Truncation::site_shift, precision,
             energies);
       }
+      const auto add_derivative = [&](const std::string& name, const ForceSettings& settings) {
+        benchmark::RegisterBenchmark(("derivative/" + name + on).c_str(), derivative, target,
+                                     precision, settings)
+            ->UseManualTime()
+            ->Unit(benchmark::kMicrosecond);
+      };
+      add_derivative("molecule_switch", law(Truncation::molecule_switch, precision, 0.04));
+      add_derivative("site_switch", law(Truncation::site_switch, precision, 0.04));
+      add_derivative("site_shift", law(Truncation::site_shift, precision, 0.04));
+      ForceSettings ewald = law(Truncation::site_switch, precision, 0.04);
+      ewald.electrostatics = Electrostatics::ewald;
+      add_derivative("ewald", ewald);
       for (const double skin : {0.03, 0.05, 0.07})
         add("hoa2_step/skin=" + std::to_string(skin).substr(0, 4), hoa2_step, target, precision,
             skin);

@@ -91,9 +91,9 @@ class Engine:
 
 class Polhode(Engine):
     ladders = {"velocity-verlet": Engine.ladder, "hoa2": (1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0),
-               "gier4": (3.0, 4.0, 5.0, 6.0, 7.0, 8.0)}
-    start_steps = {"velocity-verlet": 2.0, "hoa2": 4.0, "gier4": 5.0}
-    costs = {"velocity-verlet": 1, "hoa2": 2, "gier4": 3}
+               "gier4-fd": (3.0, 4.0, 5.0, 6.0, 7.0, 8.0)}
+    start_steps = {"velocity-verlet": 2.0, "hoa2": 4.0, "gier4-fd": 5.0}
+    costs = {"velocity-verlet": 1, "hoa2": 2, "gier4-fd": 3}
 
     def __init__(self, options, scheme):
         self.name, self.scheme = f"polhode {scheme}", scheme

@@ -13,8 +13,8 @@ import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 # Okabe and Ito's colours, as in all figures here.
-COLOURS = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4": "#009E73"}
-SYMBOLS = {"velocity-verlet": (7, 6), "hoa2": (5, 4), "gier4": (9, 8)}
+COLOURS = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4-fd": "#009E73"}
+SYMBOLS = {"velocity-verlet": (7, 6), "hoa2": (5, 4), "gier4-fd": (9, 8)}
 GREY = "#404040"
 
 
@@ -58,9 +58,9 @@ def script(result, image):
             growth.append(f'{name} using 1:2 with linespoints linewidth 1.6 dashtype {2 if k else 1} pointsize '
                           f'{1.2 if k else 0.8} pointtype {SYMBOLS[s][k]} linecolor "{COLOURS[s]}" '
                           f'title "{s} {h:g} fs, {precision}"')
-    walk = result["c_kJ_per_mol_ps"] ** 2 * 1e-3 * result["weights"]["gier4"] / 6  # gier4 at 1 fs
+    walk = result["c_kJ_per_mol_ps"] ** 2 * 1e-3 * result["weights"]["gier4-fd"] / 6  # gier4-fd at 1 fs
     growth.append(f'sqrt({a**2:.6g} + {walk:.6g}*x) with lines linewidth 1.2 dashtype 3 linecolor "{GREY}" '
-                  'title "rounding of gier4"')
+                  'title "rounding of gier4-fd"')
     if walk > 0:  # a short run does not show it
         growth.append(f'sqrt({walk:.6g}*x) with lines linewidth 1.2 dashtype 4 linecolor "{GREY}" title "its walk"')
     shown = [100 * r["R"] for r in result["runs"] if r["kind"] == "short" and r["lambda"] == ""]

@@ -36,8 +36,8 @@ plot = "none"
 SAMPLE = 2.0  # [fs]
 ETA = 0.1931833275037836
 # Sums of the squared weights of a step's force evaluations; GIER4 with lambda = 1.
-WEIGHTS = {"velocity-verlet": 1.0, "hoa2": (2 * ETA) ** 2 + (1 - 2 * ETA) ** 2, "gier4": 5 / 9}
-LONG = (("gier4", 1), ("hoa2", 3))  # the first one's truncation is far below rounding
+WEIGHTS = {"velocity-verlet": 1.0, "hoa2": (2 * ETA) ** 2 + (1 - 2 * ETA) ** 2, "gier4-fd": 5 / 9}
+LONG = (("gier4-fd", 1), ("hoa2", 3))  # the first one's truncation is far below rounding
 
 
 class Case(NamedTuple):
@@ -133,11 +133,11 @@ def measured(o, folder):
     """Short runs over the ladders, and long ones with their energies."""
     starts = prepared(o.polhode, folder, 1 if o.quick else o.starts)
     length = 0.5 if o.quick else o.length
-    ladders = [(Case(s, p), [1, 2, 4] if o.quick else [0.5, 1, 2, 3, 4] + [5] * (s == "gier4"))
-               for s in ("gier4", "hoa2", "velocity-verlet") for p in ("mixed", "double")]
+    ladders = [(Case(s, p), [1, 2, 4] if o.quick else [0.5, 1, 2, 3, 4] + [5] * (s == "gier4-fd"))
+               for s in ("gier4-fd", "hoa2", "velocity-verlet") for p in ("mixed", "double")]
     others = [1, 4] if o.quick else [1, 2, 3, 4, 5]
-    ladders += [(Case("gier4", "mixed", 0.1), others), (Case("gier4", "double", 1), others)]
-    ladders += [(Case("gier4", p, None, "reaction-field"), [1, 3]) for p in ("mixed", "double")]
+    ladders += [(Case("gier4-fd", "mixed", 0.1), others), (Case("gier4-fd", "double", 1), others)]
+    ladders += [(Case("gier4-fd", p, None, "reaction-field"), [1, 3]) for p in ("mixed", "double")]
     rows, growth = [], []
     for case, steps in ladders:
         own = starts if case.electrostatics == "coulomb" and not case.lam else starts[:1]

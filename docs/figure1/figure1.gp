@@ -28,7 +28,7 @@ $curve1 << EOD
 1000 0.083632331 0.00202 0
 EOD
 
-# gier4: force evaluations per ps, R [%], its standard error, last stable
+# gier4-fd: force evaluations per ps, R [%], its standard error, last stable
 $curve2 << EOD
 500 0.21589684 0.00939 1
 600 0.051269737 0.00184 0
@@ -64,7 +64,7 @@ plot \
   '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 9 pointsize 0.9 linecolor "#009E73" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 9 pointsize 1.26 linewidth 0 linecolor "white" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 8 pointsize 1.26 linewidth 1.6 linecolor "#009E73" notitle, \
-  NaN with linespoints linewidth 1.6 pointtype 9 pointsize 0.9 linecolor "#009E73" title "gier4", \
+  NaN with linespoints linewidth 1.6 pointtype 9 pointsize 0.9 linecolor "#009E73" title "gier4-fd", \
   NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor "#404040" title "end of stability"
 
 #Everything, on logarithmic axes.

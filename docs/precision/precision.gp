@@ -109,7 +109,7 @@ plot $velocity_verlet_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 
   $velocity_verlet_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 6 linecolor "#0072B2" notitle, \
   $hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2", \
   $hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" notitle, \
-  $gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4", \
+  $gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4-fd", \
   $gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" notitle, \
   0.00336947 with lines linewidth 1.2 dashtype 3 linecolor "#404040" title "rounding alone"
 
@@ -122,10 +122,10 @@ set xtics (0.25, 0.5, 1, 2, 4, 8, 16, 32)
 set xrange [0.2:20]
 set yrange [1e-05:10]
 set key top center maxrows 3 samplen 1.6 width -1
-plot $growth_gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4 1 fs, mixed", \
-  $growth_gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" title "gier4 1 fs, double", \
+plot $growth_gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4-fd 1 fs, mixed", \
+  $growth_gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" title "gier4-fd 1 fs, double", \
   $growth_hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2 3 fs, mixed", \
   $growth_hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" title "hoa2 3 fs, double", \
-  sqrt(6.79722e-06 + 2.0842e-08*x) with lines linewidth 1.2 dashtype 3 linecolor "#404040" title "rounding of gier4", \
+  sqrt(6.79722e-06 + 2.0842e-08*x) with lines linewidth 1.2 dashtype 3 linecolor "#404040" title "rounding of gier4-fd", \
   sqrt(2.0842e-08*x) with lines linewidth 1.2 dashtype 4 linecolor "#404040" title "its walk"
 unset multiplot

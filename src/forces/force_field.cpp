@@ -10,9 +10,7 @@
 #include "polhode/forces/mesh_choice.hpp"
 #include "polhode/forces/molecule_pair.hpp"
 #include "polhode/forces/own_charges.hpp"
-#include "polhode/forces/reference.hpp"
 #include "polhode/forces/tail.hpp"
-#include "polhode/math/dual.hpp"
 
 namespace polhode {
 namespace {
@@ -105,6 +103,11 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
   for (std::size_t d = 0; d < 3; ++d) load.virial[d] += constant_.virial[d];
 }
 
+void ForceField::directional_derivative(const State& state, const Vec3Column& dq,
+                                        const Vec3Column& dtheta, Load& slope) {
+  std::visit([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); }, engine_);
+}
+
 ListMemory ForceField::list_memory() const {
   ListMemory memory{{}, list_rebuilds()};
   if (neighbours().width() == 0) return memory;
@@ -122,36 +125,6 @@ void ForceField::take_over(const ListMemory& memory) {
   state.q = memory.built_at;
   std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
   earlier_rebuilds_ = memory.rebuilds - neighbours().rebuilds();
-}
-
-Load ForceField::directional_derivative(const State& state, const Vec3Column& dq,
-                                        const Vec3Column& dtheta) const {
-  if (settings_.electrostatics == Electrostatics::ewald)
-    throw Error(
-        "the exact directional derivative is not there for Ewald's sum; use the finite difference "
-        "of two evaluations, or electrostatics \"reaction-field\"");
-  std::vector<Pose<Dual>> poses(state.size());
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Quaternion<double> a = state.attitude[i];
-    const Vec3<double> q = state.q[i], u = dq[i], v = dtheta[i];
-    const Quaternion<double> da = scaled(a * Quaternion<double>{0, v.x, v.y, v.z}, 0.5);
-    poses[i] = {{{q.x, u.x}, {q.y, u.y}, {q.z, u.z}},
-                {{a.w, da.w}, {a.x, da.x}, {a.y, da.y}, {a.z, da.z}}};
-  }
-  const ReferenceLoad<Dual> exact = reference_load(topology_, settings_, state.box, poses);
-  Load slope(state.size());
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const auto slopes = [](const Vec3<Dual>& v) {
-      return Vec3<double>{v.x.slope, v.y.slope, v.z.slope};
-    };
-    slope.f.set(i, slopes(exact.f[i]));
-    slope.tau.set(i, slopes(exact.tau[i]));
-  }
-  slope.lennard_jones = exact.lennard_jones.slope;
-  slope.coulomb = exact.coulomb.slope;
-  for (std::size_t k = 0; k < 3; ++k)
-    slope.virial[k] = {exact.virial[k].x.slope, exact.virial[k].y.slope, exact.virial[k].z.slope};
-  return slope;
 }
 
 }  // namespace polhode

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <utility>
 
 #include "polhode/base/blocks.hpp"
 
@@ -48,25 +50,72 @@ PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& setting
 
 template <class T>
 void PairEngine<T>::operator()(const State& state, Load& load, bool energies) {
-  if (list_.width() != lanes<T>() || !(place(state) < list_.allowed2())) {
-    build_list(state);
-    place(state);
-  }
-  if (load.f.size() != state.size()) load = Load(state.size());
-  load.lennard_jones = load.coulomb = load.mesh = 0;
-  load.virial = {};
+  update(state);
+  clear(state, load);
   if (mesh_) {
-    std::fill_n(mesh_sums_.data(), mesh_sums_.size(), T{});
     const MeshLoad mesh = (*mesh_)(list_.slots(), records_, mesh_sums_.data(), energies);
     load.coulomb = load.mesh = mesh.energy;
     load.virial = mesh.virial;
   }
-  workers_.each(sums_.size(), [&](std::size_t c) { sum_chunk(c, energies); });
+  sum_pairs(POLHODE_CURRENT_OVERLOAD(pair_forces, PairLoop), energies, nullptr, load);
+}
+
+template <class T>
+void PairEngine<T>::derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                               Load& slope) {
+  if (displacements_.stride == 0) displacements_ = records_before_ = records_;
+  if (mesh_) std::swap(records_, records_before_);
+  update(state);
+  displace(state, dq, dtheta);
+  clear(state, slope);
+  if (mesh_) {
+    const auto now = records_.values.values(), before = records_before_.values.values();
+    const bool moved = std::memcmp(now.data(), before.data(), now.size_bytes()) != 0;
+    mesh_->derivative(list_.slots(), records_, displacements_, mesh_sums_.data(), moved);
+  }
+  sum_pairs(POLHODE_CURRENT_OVERLOAD(pair_derivative, PairLoop), false, &displacements_, slope);
+}
+
+/// Brings the list and the records to a state.
+template <class T>
+void PairEngine<T>::update(const State& state) {
+  if (list_.width() == lanes<T>() && place(state) < list_.allowed2()) return;
+  build_list(state);
+  place(state);
+}
+
+/// Sets a Load to 0, and what the mesh does to bodies.
+template <class T>
+void PairEngine<T>::clear(const State& state, Load& load) {
+  if (load.f.size() != state.size()) load = Load(state.size());
+  load.lennard_jones = load.coulomb = load.mesh = 0;
+  load.virial = {};
+  std::fill_n(mesh_sums_.data(), mesh_sums_.size(), T{});
+}
+
+/// Sums what a loop over pairs does, with what the mesh did, to a Load.
+template <class T>
+void PairEngine<T>::sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>* displacements,
+                              Load& load) {
+  workers_.each(sums_.size(), [&](std::size_t c) { sum_chunk(c, loop, energies, displacements); });
   workers_.each(sums_.size(), [&](std::size_t c) { collect(c, load); });
   for (const ChunkSums<T>& sums : sums_) {
     load.lennard_jones += sums.lennard_jones;
     load.coulomb += sums.coulomb;
     for (std::size_t k = 0; k < 3; ++k) load.virial[k] += sums.virial[k];
+  }
+}
+
+/// body(part, task, first, end) for the slots of each task.
+template <class T>
+template <class Body>
+void PairEngine<T>::each_task_of_slots(const Body& body) {
+  for (std::size_t p = 0; p < sites_.size(); ++p) {
+    const Slots::Part& part = list_.slots().parts[p];
+    const std::size_t slots = blocks(part.count, slot_block) * slot_block;
+    each_block(slots, slots_at_once, workers_, [&](std::size_t first, std::size_t end) {
+      body(p, (part.first + first) / slot_block, part.first + first, part.first + end);
+    });
   }
 }
 
@@ -80,19 +129,21 @@ void PairEngine<T>::build_list(const State& state) {
 template <class T>
 double PairEngine<T>::place(const State& state) {
   const auto place_sites = POLHODE_CURRENT_OVERLOAD(place_sites, double (*)(const PlaceJob<T>&));
-  double moved2 = 0;
-  for (std::size_t p = 0; p < sites_.size(); ++p) {
-    const Slots::Part& part = list_.slots().parts[p];
-    const std::size_t slots = blocks(part.count, slot_block) * slot_block;
-    moved2_.resize(std::max(moved2_.size(), blocks(slots, slots_at_once)));
-    each_block(slots, slots_at_once, workers_, [&](std::size_t first, std::size_t end) {
-      moved2_[first / slots_at_once] = place_sites(
-          {state, list_.slots(), sites_[p], part.first + first, part.first + end, records_});
-    });
-    for (std::size_t k = 0; k < blocks(slots, slots_at_once); ++k)
-      moved2 = std::max(moved2, moved2_[k]);
-  }
-  return moved2;
+  moved2_.assign(list_.slots().size() / slot_block, 0);
+  each_task_of_slots([&](std::size_t part, std::size_t task, std::size_t first, std::size_t end) {
+    moved2_[task] = place_sites({state, list_.slots(), sites_[part], first, end, records_});
+  });
+  return *std::max_element(moved2_.begin(), moved2_.end());
+}
+
+/// Fills the records of displacements.
+template <class T>
+void PairEngine<T>::displace(const State& state, const Vec3Column& dq, const Vec3Column& dtheta) {
+  const auto displace_sites =
+      POLHODE_CURRENT_OVERLOAD(displace_sites, void (*)(const DisplaceJob<T>&));
+  each_task_of_slots([&](std::size_t part, std::size_t, std::size_t first, std::size_t end) {
+    displace_sites({state, list_.slots(), sites_[part], first, end, dq, dtheta, displacements_});
+  });
 }
 
 template <class T>
@@ -110,16 +161,16 @@ void PairEngine<T>::prepare_sums() {
 }
 
 template <class T>
-void PairEngine<T>::sum_chunk(std::size_t c, bool energies) {
+void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
+                              const SiteRecords<T>* displacements) {
   const ListChunk& chunk = list_.chunks()[c];
   ChunkSums<T>& sums = sums_[c];
   std::fill_n(sums.values.data(), sums.values.size(), T{});
   sums.lennard_jones = sums.coulomb = 0;
   sums.virial = {};
-  const auto pair_forces = POLHODE_CURRENT_OVERLOAD(pair_forces, void (*)(const PairJob<T>&));
   for (std::size_t partner = chunk.part; partner < sites_.size(); ++partner)
-    pair_forces({tables_(chunk.part, partner), laws_, ending_, energies, list_, chunk, partner,
-                 records_, sums});
+    loop({tables_(chunk.part, partner), laws_, ending_, energies, list_, chunk, partner, records_,
+          sums, displacements});
 }
 
 /// Adds what all chunks did to the slots of one of them, in the order of the chunks.

@@ -79,6 +79,13 @@ MeshConstant::MeshConstant(const Topology& topology, const CompactSplit& split, 
 }
 
 template <class T>
+struct ParticleMesh<T>::Field {
+  MeshGrid<T> grid;
+  GridTransform<T> transform;
+  explicit Field(const MeshSettings& settings) : grid(settings.points), transform(grid) {}
+};
+
+template <class T>
 ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& settings,
                               const Box& box, Workers& workers)
     : workers_(workers), settings_(settings), box_(box) {
@@ -89,8 +96,7 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
     for (std::size_t k = 0; k < sites.charged; ++k)
       parts_.back().charges.push_back(sites.sites[k].charge);
   }
-  grid_ = MeshGrid<T>(settings.points);
-  transform_ = std::make_unique<GridTransform<T>>(grid_);
+  field_ = std::make_unique<Field>(settings);
   make_influence();
 
   // Work is cut by the number of threads: what a grid point gets, it gets in the order of slots.
@@ -119,12 +125,12 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
       slab.first = std::min(slab.first, z), slab.end = z + 1;
     }
     for (std::size_t z = 0; z < slab.plane_at.size(); ++z)
-      if (z % nz >= slab.first && z % nz < slab.end) slab.plane_at[z] = grid_.plane_at[z];
+      if (z % nz >= slab.first && z % nz < slab.end) slab.plane_at[z] = field_->grid.plane_at[z];
     slabs_.push_back(std::move(slab));
   }
   const std::size_t tasks = threads == 1 ? 1 : std::min(ny, 4 * threads);
   for (std::size_t k = 0; k < tasks; ++k)
-    spaces_.push_back({Column<T>(transform_->row() * nz), std::vector<const T*>(2 * nz),
+    spaces_.push_back({Column<T>(field_->transform.row() * nz), std::vector<const T*>(2 * nz),
                        std::vector<WaveSums>(nz)});
   loads_.resize(ny);
 }
@@ -135,7 +141,7 @@ ParticleMesh<T>::~ParticleMesh() = default;
 template <class T>
 void ParticleMesh<T>::make_influence() {
   const Influence influence(settings_, box_);
-  const std::size_t row = transform_->row(), waves_x = settings_.points[0] / 2 + 1;
+  const std::size_t row = field_->transform.row(), waves_x = settings_.points[0] / 2 + 1;
   weight_ = kx_ = kx_squared_ = Column<T>(row);
   for (std::size_t d = 0; d < 3; ++d)
     for (std::size_t n = 0; n < settings_.points[d]; ++n) {
@@ -174,8 +180,15 @@ MeshLoad ParticleMesh<T>::operator()(const Slots& slots, const SiteRecords<T>& r
 
 template <class T>
 void ParticleMesh<T>::spread(const Slots& slots, const SiteRecords<T>& records) {
+  spread_on(*field_, slots, records, nullptr);
+}
+
+template <class T>
+void ParticleMesh<T>::spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
+                                const SiteRecords<T>* displacements) {
   if (slabs_.size() > 1) find_extents(slots, records);
-  workers_.each(slabs_.size(), [&](std::size_t s) { spread_to(s, slots, records); });
+  workers_.each(slabs_.size(),
+                [&](std::size_t s) { spread_to(field, s, slots, records, displacements); });
 }
 
 /// Finds which planes the charges of each block of slots may reach.
@@ -205,22 +218,30 @@ void ParticleMesh<T>::find_extents(const Slots& slots, const SiteRecords<T>& rec
 }
 
 template <class T>
-void ParticleMesh<T>::spread_to(std::size_t s, const Slots& slots, const SiteRecords<T>& records) {
+void ParticleMesh<T>::spread_to(Field& field, std::size_t s, const Slots& slots,
+                                const SiteRecords<T>& records,
+                                const SiteRecords<T>* displacements) {
   const Slab& slab = slabs_[s];
-  std::fill(&grid_.values[slab.first * grid_.plane], grid_.values.data() + slab.end * grid_.plane,
-            T{});
+  MeshGrid<T>& grid = field.grid;
+  std::fill(&grid.values[slab.first * grid.plane], grid.values.data() + slab.end * grid.plane, T{});
   const auto spread_charges =
       POLHODE_CURRENT_OVERLOAD(spread_charges, void (*)(const SpreadJob<T>&));
+  const auto spread_dipoles =
+      POLHODE_CURRENT_OVERLOAD(spread_dipoles, void (*)(const SpreadDipolesJob<T>&));
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     if (parts_[p].charges.empty()) continue;
     const Slots::Part& part = slots.parts[p];
     const auto spread_slots = [&](std::size_t first, std::size_t end) {
-      spread_charges({box_,
-                      records,
-                      {parts_[p].charges, first, std::min<std::size_t>(end, part.end())},
-                      settings_.order,
-                      grid_,
-                      slab.plane_at.data()});
+      const SpreadJob<T> job{box_,
+                             records,
+                             {parts_[p].charges, first, std::min<std::size_t>(end, part.end())},
+                             settings_.order,
+                             grid,
+                             slab.plane_at.data()};
+      if (displacements)
+        spread_dipoles({job, *displacements});
+      else
+        spread_charges(job);
     };
     if (slabs_.size() == 1) {
       spread_slots(part.first, part.end());
@@ -233,20 +254,26 @@ void ParticleMesh<T>::spread_to(std::size_t s, const Slots& slots, const SiteRec
 
 template <class T>
 MeshLoad ParticleMesh<T>::convolve(bool energies) {
+  has_potential_ = true;
+  return convolve_on(*field_, energies);
+}
+
+template <class T>
+MeshLoad ParticleMesh<T>::convolve_on(Field& field, bool energies) {
   const auto [nx, ny, nz] = settings_.points;
   workers_.each(nz, [&](std::size_t z) {
-    fold(grid_, z, static_cast<std::size_t>(settings_.order - 1));
-    transform_->plane(z);
+    fold(field.grid, z, static_cast<std::size_t>(settings_.order - 1));
+    field.transform.plane(z);
   });
   workers_.each(spaces_.size(), [&](std::size_t task) {
     Space& space = spaces_[task];
     for (std::size_t y = task; y < settings_.points[1]; y += spaces_.size())
-      convolve_row(y, space.waves.data(), space.rows.data(),
+      convolve_row(field, y, space.waves.data(), space.rows.data(),
                    energies ? space.sums.data() : nullptr);
   });
   workers_.each(nz, [&](std::size_t z) {
-    transform_->plane_back(z);
-    unfold(grid_, z);
+    field.transform.plane_back(z);
+    unfold(field.grid, z);
   });
   MeshLoad load;
   if (energies)
@@ -259,18 +286,19 @@ MeshLoad ParticleMesh<T>::convolve(bool energies) {
 
 /// Waves of one k_y: to waves along z, times the influence function, and back.
 template <class T>
-void ParticleMesh<T>::convolve_row(std::size_t y, T* waves, const T** rows, WaveSums* sums) {
+void ParticleMesh<T>::convolve_row(Field& field, std::size_t y, T* waves, const T** rows,
+                                   WaveSums* sums) {
   const auto [nx, ny, nz] = settings_.points;
-  const std::size_t row = transform_->row(), half_z = nz / 2 + 1, row_y = std::min(y, ny - y);
+  const std::size_t row = field.transform.row(), half_z = nz / 2 + 1, row_y = std::min(y, ny - y);
   for (std::size_t z = 0; z < nz; ++z) {
     const std::size_t at = (row_y * half_z + std::min(z, nz - z)) * row;
     rows[z] = &influence_[at];
     rows[nz + z] = &slope_[at];
   }
-  transform_->columns(y, waves);
+  field.transform.columns(y, waves);
   POLHODE_CURRENT_OVERLOAD(convolve, void (*)(const ConvolveJob<T>&, WaveSums*))
   ({waves, row, nz, rows, rows + nz, weight_.data(), kx_.data(), kx_squared_.data()}, sums);
-  transform_->columns_back(y, waves);
+  field.transform.columns_back(y, waves);
   if (!sums) return;
   MeshLoad load;
   Mat3<double>& virial = load.virial;
@@ -289,30 +317,51 @@ void ParticleMesh<T>::convolve_row(std::size_t y, T* waves, const T** rows, Wave
   loads_[y] = load;
 }
 
+/// gather(block, bodies) for the bodies of each task.
+template <class T>
+template <class Gather>
+void ParticleMesh<T>::each_charged_block(const Slots& slots, const Gather& gather) {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (parts_[p].charges.empty()) continue;
+    const Slots::Part& part = slots.parts[p];
+    each_block(part.count, slots_at_once, workers_, [&](std::size_t first, std::size_t end) {
+      gather((part.first + first) / slot_block,
+             MeshBodies{parts_[p].charges, part.first + first, part.first + end});
+    });
+  }
+}
+
 template <class T>
 Mat3<double> ParticleMesh<T>::gather(const Slots& slots, const SiteRecords<T>& records, T* sums,
                                      bool arms) {
   const auto gather_forces = POLHODE_CURRENT_OVERLOAD(gather_forces, void (*)(const GatherJob<T>&));
+  arms_.assign(arms ? blocks(slots.size(), slot_block) : 0, {});
+  each_charged_block(slots, [&](std::size_t block, const MeshBodies& bodies) {
+    gather_forces({box_, records, bodies, settings_.order, field_->grid, sums,
+                   arms ? &arms_[block] : nullptr});
+  });
   Mat3<double> total{};
-  for (std::size_t p = 0; p < parts_.size(); ++p) {
-    if (parts_[p].charges.empty()) continue;
-    const Slots::Part& part = slots.parts[p];
-    arms_.resize(std::max(arms_.size(), blocks(part.count, slots_at_once)));
-    each_block(part.count, slots_at_once, workers_, [&](std::size_t first, std::size_t end) {
-      Mat3<double>& own = arms_[first / slots_at_once] = {};
-      gather_forces({box_,
-                     records,
-                     {parts_[p].charges, part.first + first, part.first + end},
-                     settings_.order,
-                     grid_,
-                     sums,
-                     arms ? &own : nullptr});
-    });
-    if (arms)
-      for (std::size_t k = 0; k < blocks(part.count, slots_at_once); ++k)
-        add_scaled(total, arms_[k], 1);
-  }
+  for (const Mat3<double>& own : arms_) add_scaled(total, own, 1);
   return total;
+}
+
+template <class T>
+void ParticleMesh<T>::derivative(const Slots& slots, const SiteRecords<T>& records,
+                                 const SiteRecords<T>& displacements, T* sums, bool charges_moved) {
+  if (charges_moved || !has_potential_) {
+    spread(slots, records);
+    convolve(false);
+  }
+  if (!derivative_) derivative_ = std::make_unique<Field>(settings_);
+  spread_on(*derivative_, slots, records, &displacements);
+  convolve_on(*derivative_, false);
+  const auto gather_derivative =
+      POLHODE_CURRENT_OVERLOAD(gather_derivative, void (*)(const GatherDerivativeJob<T>&));
+  each_charged_block(slots, [&](std::size_t, const MeshBodies& bodies) {
+    gather_derivative({{box_, records, bodies, settings_.order, field_->grid, sums, nullptr},
+                       displacements,
+                       derivative_->grid});
+  });
 }
 
 template struct MeshGrid<double>;

@@ -8,6 +8,8 @@ namespace polhode {
 
 POLHODE_DECLARE_LOOPS(void drift(State&, const Bodies&, double, std::size_t, std::size_t);
                       void kick(State&, const Load&, double, std::size_t, std::size_t);
+                      void gradient_direction(const State&, const Bodies&, const Load&, Vec3Column&,
+                                              Vec3Column&, std::size_t, std::size_t);
                       void displace(State&, const Bodies&, const Load&, double, std::size_t,
                                     std::size_t);)
 
@@ -28,6 +30,15 @@ void kick(State& state, const Load& load, double t, Workers& workers) {
   const auto loop = POLHODE_CURRENT_LOOPS(kick);
   each_block(state.size(), kick_block, workers,
              [&](std::size_t first, std::size_t end) { loop(state, load, t, first, end); });
+}
+
+void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
+                        Vec3Column& dtheta, Workers& workers) {
+  if (dq.size() != state.size()) dq = dtheta = Vec3Column(state.size());
+  const auto loop = POLHODE_CURRENT_LOOPS(gradient_direction);
+  each_block(state.size(), displace_block, workers, [&](std::size_t first, std::size_t end) {
+    loop(state, bodies, load, dq, dtheta, first, end);
+  });
 }
 
 void displace(State& state, const Bodies& bodies, const Load& load, double c, Workers& workers) {

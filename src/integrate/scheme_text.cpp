@@ -50,6 +50,15 @@ class Reader {
         expect('=');
       }
       result.xi = number();
+      skip_space();
+      if (at_ < text_.size() && text_[at_] == ',') {
+        ++at_;
+        skip_space();
+        if (!text_.substr(at_).starts_with("fd"))
+          refuse("'fd', for the gradient by finite difference,");
+        at_ += 2;
+        result.gradient = Gradient::finite_difference;
+      }
     }
     expect(')');
     return result;
@@ -125,7 +134,8 @@ std::string text_of(const Scheme& scheme) {
   for (const Stage& stage : scheme.stages()) {
     text += text.empty() ? "" : " ";
     text += fmt::format("{}({}", stage.flow == Flow::drift ? 'A' : 'B', stage.fraction);
-    text += stage.xi != 0 ? fmt::format(", {})", stage.xi) : ")";
+    if (stage.xi != 0) text += fmt::format(", {}", stage.xi);
+    text += stage.has(Gradient::finite_difference) ? ", fd)" : ")";
   }
   return text;
 }

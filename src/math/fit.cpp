@@ -38,6 +38,23 @@ Estimate slope(std::span<const double> x, std::span<const double> y) {
   return {b, n > 2 ? std::sqrt(residual / (n - 2) / xx) : 0.0};
 }
 
+Line weighted_line(std::span<const double> x, std::span<const Estimate> y) {
+  double w = 0, wx = 0, wy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double weight = 1 / (y[i].error * y[i].error);
+    w += weight, wx += weight * x[i], wy += weight * y[i].value;
+  }
+  const double x0 = wx / w, y0 = wy / w;
+  double xx = 0, xy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const double weight = 1 / (y[i].error * y[i].error);
+    xx += weight * (x[i] - x0) * (x[i] - x0);
+    xy += weight * (x[i] - x0) * (y[i].value - y0);
+  }
+  const double b = xy / xx;
+  return {{y0 - b * x0, std::sqrt(1 / w + x0 * x0 / xx)}, {b, std::sqrt(1 / xx)}};
+}
+
 double chance(const Estimate& estimate, double degrees_of_freedom) {
   if (estimate.value == 0) return 1;
   if (estimate.error == 0) return 0;

@@ -69,15 +69,16 @@ double drift_rate(std::span<const Energies> samples) {
   return slope(times(samples), totals(samples)).value;
 }
 
-Drift drift(std::span<const Energies> samples) {
-  const std::size_t n = std::min(blocks, samples.size());
+Drift drift(std::span<const Energies> samples) { return drift(times(samples), totals(samples)); }
+
+Drift drift(std::span<const double> t, std::span<const double> e) {
+  const std::size_t n = std::min(blocks, e.size());
   if (n < 3) return {};
-  const std::vector<double> t = times(samples), e = totals(samples);
   std::vector<double> t_mean, e_mean;
   for (std::size_t b = 0; b < n; ++b) {
-    const std::size_t first = samples.size() * b / n, end = samples.size() * (b + 1) / n;
-    t_mean.push_back(mean(std::span(t).subspan(first, end - first)).value);
-    e_mean.push_back(mean(std::span(e).subspan(first, end - first)).value);
+    const std::size_t first = e.size() * b / n, end = e.size() * (b + 1) / n;
+    t_mean.push_back(mean(t.subspan(first, end - first)).value);
+    e_mean.push_back(mean(e.subspan(first, end - first)).value);
   }
   const Estimate rate = slope(t_mean, e_mean);
   return {rate, chance(rate, static_cast<double>(n - 2))};

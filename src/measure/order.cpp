@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "polhode/integrate/nested_forces.hpp"
+#include "polhode/math/dual.hpp"
 #include "polhode/measure/energy.hpp"
 
 namespace polhode {
@@ -25,25 +26,48 @@ class Field {
       : sites_(molecule.sites), cubic_(900 * anharmonic), quartic_(5000 * anharmonic) {}
 
   void operator()(const State& state, Load& load) const {
-    Vec3<double> f{}, tau{};
-    load.lennard_jones = load.coulomb = 0;
-    for (std::size_t k = 0; k < sites_.size(); ++k) {
-      const double weight = 1 + 0.3 * static_cast<double>(k);
-      const Vec3<double> arm = to_lab(state.attitude[0], sites_[k].r);
-      const Vec3<double> x = state.q[0] + arm;
-      const double along = dot(x, skew_), x2 = norm2(x);
-      load.lennard_jones += weight * (dot(x, scaled(stiffness_, x)) / 2 +
-                                      cubic_ * along * along * along / 3 + quartic_ * x2 * x2 / 4);
-      const Vec3<double> force = -weight * (scaled(stiffness_, x) +
-                                            (cubic_ * along * along) * skew_ + (quartic_ * x2) * x);
-      f += force;
-      tau += cross(arm, force);
-    }
-    load.f.set(0, f);
-    load.tau.set(0, tau);
+    const Felt<double> felt = of(state.q[0], state.attitude[0]);
+    load.lennard_jones = felt.energy;
+    load.coulomb = 0;
+    load.f.set(0, felt.f);
+    load.tau.set(0, felt.tau);
+  }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& derivative) const {
+    const Quaternion<double> a = state.attitude[0];
+    const Vec3<double> v = dtheta[0];
+    const Quaternion<double> da = scaled(a * Quaternion<double>{0, v.x, v.y, v.z}, 0.5);
+    const Felt<Dual<double>> felt = of<Dual<double>>(
+        dual(state.q[0], dq[0]), {{a.w, da.w}, {a.x, da.x}, {a.y, da.y}, {a.z, da.z}});
+    derivative.f.set(0, slope(felt.f));
+    derivative.tau.set(0, slope(felt.tau));
   }
 
  private:
+  template <class Real>
+  struct Felt {
+    Vec3<Real> f{}, tau{};
+    Real energy{};
+  };
+  template <class Real>
+  Felt<Real> of(const Vec3<Real>& q, const Quaternion<Real>& attitude) const {
+    const auto as_real = [](const Vec3<double>& v) { return Vec3<Real>{v.x, v.y, v.z}; };
+    const Vec3<Real> stiffness = as_real(stiffness_), skew = as_real(skew_);
+    Felt<Real> felt;
+    for (std::size_t k = 0; k < sites_.size(); ++k) {
+      const Real weight = 1 + 0.3 * static_cast<double>(k);
+      const Vec3<Real> arm = to_lab(attitude, as_real(sites_[k].r));
+      const Vec3<Real> x = q + arm;
+      const Real along = dot(x, skew), x2 = norm2(x);
+      felt.energy += weight * (dot(x, scaled(stiffness, x)) / 2.0 +
+                               cubic_ * along * along * along / 3.0 + quartic_ * x2 * x2 / 4.0);
+      const Vec3<Real> force =
+          -weight * (scaled(stiffness, x) + (cubic_ * along * along) * skew + (quartic_ * x2) * x);
+      felt.f += force;
+      felt.tau += cross(arm, force);
+    }
+    return felt;
+  }
   std::vector<Site> sites_;
   Vec3<double> stiffness_{900, 1400, 600};  // [kJ/mol/nm²]
   Vec3<double> skew_{0.6, -0.5, 0.62};
@@ -87,14 +111,16 @@ double energy_error(const NestedScheme& scheme, double lambda, double h, std::si
 }  // namespace
 
 OrderMeasurement measured_order(const NestedScheme& scheme, double lambda) {
-  constexpr double length = 0.64, longest = 0.02;  // [ps]: several periods, coarse for any scheme
-  // A finite difference divides rounding by λ; without one, rounding is a few units of 2⁻⁵³ a step.
-  const bool gradient =
-      scheme.outer.has_gradient() || (scheme.inner && scheme.inner->scheme.has_gradient());
-  const double rounding = gradient ? 1e-15 / lambda : 1e-13;
+  // Several periods, with steps that are coarse for the scheme [ps]; those of many stages are good
+  // at 20 fs already.
+  constexpr double length = 0.64;
+  const double longest = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
+  // A finite difference divides rounding by λ; without one, a few units of 2⁻⁵³ a step add up as
+  // a random walk over some hundred to some ten thousand steps.
+  const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;
-  std::size_t steps = 32;
+  auto steps = static_cast<std::size_t>(std::llround(length / longest));
   for (double h = longest; h > length / 20000; h /= 2, steps *= 2) {
     const double error = energy_error(scheme, lambda, h, steps);
     result.points.push_back({h, error});

@@ -25,7 +25,7 @@ struct Motion {
   double step;  // [ps]
 };
 constexpr std::array motions = {Motion{"hoa2", 0.004}, Motion{"velocity-verlet", 0.002},
-                                Motion{"gier4", 0.005}};
+                                Motion{"gier4-fd", 0.005}};
 
 class Clock {
  public:
@@ -127,6 +127,12 @@ struct TimedForces {
   void forces_alone(const State& state, Load& load) {
     const Clock clock;
     forces.forces_alone(state, load);
+    seconds += clock.seconds();
+  }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& slope) {
+    const Clock clock;
+    forces.directional_derivative(state, dq, dtheta, slope);
     seconds += clock.seconds();
   }
 };

@@ -55,7 +55,7 @@ void memory(Archive& archive, Of& m) {
   archive(m.load.lennard_jones), archive(m.load.coulomb), archive(m.load.mesh);
   for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
   archive(m.current), archive(m.complete);
-  archive(m.evaluations), archive(m.measurements);
+  archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
   std::size_t inner = m.inner.size();
   counter(archive, inner);
   if constexpr (!std::is_const_v<Of>) m.inner.resize(inner);

@@ -20,7 +20,7 @@ const Curve* find(const std::vector<Curve>& curves, const std::string& scheme) {
 std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
   const Curve* const verlet = find(curves, "velocity-verlet");
   const Curve* const hoa2 = find(curves, "hoa2");
-  const Curve* const gier4 = find(curves, "gier4");
+  const Curve* const gier4 = find(curves, "gier4-fd");
   if (!verlet || !hoa2 || !gier4) return {};
   std::vector<Claim> claims;
   const auto decide = [](bool holds) { return holds ? "reproduced" : "not reproduced"; };

@@ -75,7 +75,7 @@ double kick_weights(const Scheme& scheme, double lambda) {
   };
   for (const Stage& stage : stages) {
     if (stage.flow == Flow::kick) {
-      const bool gradient = stage.xi != 0;
+      const bool gradient = stage.has(Gradient::finite_difference);
       plain += stage.fraction * (gradient ? 1 - 1 / lambda : 1);
       shifted += gradient ? stage.fraction / lambda : 0;
     } else if (first) {

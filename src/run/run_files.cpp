@@ -11,7 +11,7 @@ namespace polhode {
 namespace {
 
 /// What observers of a run see of its energies beside the atoms.
-std::vector<Observable> observables(const Energies& e) {
+std::vector<FrameNumber> observables(const Energies& e) {
   return {{"potential_energy", "kJ mol-1", e.potential()},
           {"kinetic_energy", "kJ mol-1", e.kinetic()},
           {"total_energy", "kJ mol-1", e.total()}};

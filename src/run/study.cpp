@@ -30,7 +30,9 @@ std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
                 : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
   else
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8} : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
-  for (double& h : fs) h /= 1000;
+  // Schemes with more stages than those of the paper are for longer steps, at equal cost.
+  const double stretch = std::max(1.0, scheme.force_evaluations() / 3.0);
+  for (double& h : fs) h *= stretch / 1000;
   return fs;
 }
 
@@ -39,9 +41,6 @@ constexpr double typical_near_weight = 0.3;
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 
-/// The energies several times per 10 fs: the fast librations alias otherwise.
-constexpr double longest_sample = 0.0025;  // [ps]
-
 StudyRun one_run(const System& start, int index, const StudyPoint& point, const Config& config,
                  double near_weight, const StudyProgress& progress) {
   StudyRun run{
@@ -49,23 +48,26 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
   System system = start;
   ForceField forces(system.topology, system.forces, system.state.box);
   const Trajectory t = trajectory(system, forces,
-                                  {point.scheme.outer, point.step, config.study.length,
-                                   longest_sample, config.integrator.lambda, point.scheme.inner},
+                                  {.scheme = point.scheme.outer,
+                                   .step = point.step,
+                                   .length = config.study.length,
+                                   .sample = longest_sample,
+                                   .lambda = config.integrator.lambda,
+                                   .inner = point.scheme.inner},
                                   {nullptr, progress.stop});
   run.stable = t.failure.empty();
   if (!run.stable) return run;
   std::vector<double> total, potential;
-  double kinetic = 0;
   for (const Energies& e : t.samples) {
     total.push_back(e.total());
     potential.push_back(e.potential());
-    kinetic += e.kinetic() / static_cast<double>(t.samples.size());
   }
   run.ratio = fluctuation_ratio(t.samples);
   run.drift = drift_rate(t.samples);
   run.total = fluctuation(total);
   run.potential = fluctuation(potential);
-  run.temperature = temperature(kinetic, freedoms(system.topology).all());
+  run.parts = mean_temperatures(t.samples, freedoms(system.topology));
+  run.temperature = run.parts->all;
   if (run.potential > 0)
     run.rounding = rounding_fluctuation(force_noise(start), point.scheme, config.integrator.lambda,
                                         point.step, config.study.length) /
@@ -87,7 +89,16 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
 }
 
 double StudyPoint::cost(double near_weight) const {
-  return (scheme.outer.force_evaluations() + near_weight * scheme.near_evaluations()) / step;
+  return (scheme.outer.cost() + near_weight * scheme.near_cost()) / step;
+}
+
+System decorrelated_start(const System& base, const Config& config, std::size_t index,
+                          double length, const std::function<bool()>& stop) {
+  System start = base;
+  draw_momenta(start, config.system.seed + 1 + index);
+  ForceField forces(start.topology, start.forces, start.state.box);
+  equilibrate(start, forces, length, {nullptr, stop});
+  return start;
 }
 
 void run_study(const Config& config, const std::vector<StudyRun>& known,
@@ -133,9 +144,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   const auto stopped = [&] { return progress.stop && progress.stop(); };
   workers.each(starts.size(), [&](std::size_t r) {
     if (!needed[r] || stopped()) return;
-    draw_momenta(starts[r], config.system.seed + 1 + r);
-    ForceField forces(base.topology, base.forces, base.state.box);
-    equilibrate(starts[r], forces, config.study.decorrelate, {nullptr, progress.stop});
+    starts[r] = decorrelated_start(base, config, r, config.study.decorrelate, progress.stop);
     advance(1000 * config.study.decorrelate, "preparing starts");
   });
   if (stopped()) return;
@@ -187,6 +196,13 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     if (e.runs == 0) continue;
     e.near_weight = mean(weights).value;
     e.cost = point.cost(e.near_weight);
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::vector<double> excess;
+      for (const StudyRun& run : own)
+        if (run.stable && run.parts && run.parts->rotation[k] > 0)
+          excess.push_back(run.parts->rotation[k] - run.parts->translation);
+      if (excess.size() > 1) e.excess[k] = mean(excess);
+    }
     if (!ratios.empty()) {
       e.ratio = mean(ratios);
       e.drift = drift_of_series(drifts);

@@ -16,17 +16,37 @@
 namespace polhode {
 namespace {
 
-constexpr const char* record_names = "scheme;step";
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
-    "rms potential [kJ/mol];temperature [K];R of rounding;weight of near forces";
-/// Of records that know nothing of the last fields.
-constexpr std::size_t least_fields = 9, fields = 11;
+    "rms potential [kJ/mol];temperature [K];R of rounding;"
+    "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K];weight of near forces";
+/// Columns of records: without rounding, without the temperatures of parts, without the weight of
+/// near forces, and whole.
+constexpr std::size_t first_fields = 9, second_fields = 10, third_fields = 14, fields = 15;
 
 std::string record_line(const StudyRun& run) {
-  return fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}",
-                     run.scheme, run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift,
-                     run.total, run.potential, run.temperature, run.rounding, run.near_weight);
+  std::string line =
+      fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
+                  run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
+                  run.potential, run.temperature, run.rounding);
+  if (run.parts) {
+    const auto& [x, y, z] = run.parts->rotation;
+    line += fmt::format(";{:.17g};{:.17g};{:.17g};{:.17g}", run.parts->translation, x, y, z);
+  } else {
+    line += ";;;;";
+  }
+  return line + fmt::format(";{:.17g}", run.near_weight);
+}
+
+/// How many columns a record has by its head.
+std::size_t columns(const std::string& head, const std::string& path) {
+  const auto count = static_cast<std::size_t>(std::count(head.begin(), head.end(), ';')) + 1;
+  if (count == first_fields || count == second_fields || count == third_fields || count == fields)
+    return count;
+  throw Error(
+      fmt::format("'{}' has {} columns, but records of runs have {}, {}, {} or {}; it is of a "
+                  "later version, so give another --output, or --force to start anew",
+                  path, count, first_fields, second_fields, third_fields, fields));
 }
 
 /// Nothing if the line is not whole: the last one of a record may have been cut short.
@@ -34,20 +54,25 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
   std::istringstream in(line);
   StudyRun run;
   std::array<std::string, fields> field;
-  for (std::size_t k = 0; k < count; ++k)
-    if (!std::getline(in, field[k], ';')) return std::nullopt;
+  if (static_cast<std::size_t>(std::count(line.begin(), line.end(), ';')) + 1 < count)
+    return std::nullopt;
+  for (std::size_t k = 0; k < count; ++k) std::getline(in, field[k], ';');
+  const auto number = [&](std::size_t k) { return std::stod(field[k]); };
   try {
-    run = {field[0],
-           std::stod(field[1]),
-           std::stoi(field[2]),
-           field[3] == "1",
-           std::stod(field[4]),
-           std::stod(field[5]),
-           std::stod(field[6]),
-           std::stod(field[7]),
-           std::stod(field[8]),
-           count > 9 ? std::stod(field[9]) : 0,
-           count > 10 ? std::stod(field[10]) : 0};
+    run = {.scheme = field[0],
+           .step = number(1),
+           .start = std::stoi(field[2]),
+           .stable = field[3] == "1",
+           .ratio = number(4),
+           .drift = number(5),
+           .total = number(6),
+           .potential = number(7),
+           .temperature = number(8),
+           .rounding = count >= second_fields ? number(9) : 0,
+           .parts = {},
+           .near_weight = count == fields ? number(14) : 0};
+    if (count >= third_fields && !field[10].empty())
+      run.parts = Temperatures{run.temperature, number(10), {number(11), number(12), number(13)}};
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -74,10 +99,10 @@ StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, 
           fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
                       "start anew",
                       path));
-    std::size_t count = least_fields;
+    std::size_t count = fields;
     while (std::getline(in, line))
-      if (line.starts_with(record_names))
-        count = 1 + static_cast<std::size_t>(std::count(line.begin(), line.end(), ';'));
+      if (line.starts_with("scheme;"))
+        count = columns(line, path);
       else if (const auto run = record_run(line, count))
         known_.push_back(*run);
     for (const StudyRun& run : known_) head += record_line(run) + "\n";

@@ -8,7 +8,6 @@ namespace polhode {
 RunSummary summary(const System& system, const TrajectorySettings& settings,
                    const Trajectory& trajectory, const ForceNoise& noise) {
   RunSummary s;
-  const auto n = static_cast<double>(trajectory.samples.size());
   s.molecules = system.topology.size();
   s.steps = trajectory.steps;
   s.length = static_cast<double>(trajectory.steps) * settings.step;
@@ -16,19 +15,13 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.freedoms = freedoms(system.topology);
 
   std::vector<double> total, potential;
-  Energies sum{};
   for (const Energies& e : trajectory.samples) {
     total.push_back(e.total());
     potential.push_back(e.potential());
-    sum.translation += e.translation / n;
-    for (std::size_t k = 0; k < 3; ++k) sum.rotation[k] += e.rotation[k] / n;
   }
   s.total = mean(total).value / static_cast<double>(s.molecules);
   s.potential = mean(potential).value / static_cast<double>(s.molecules);
-  s.translation = temperature(sum.translation, s.freedoms.translation);
-  for (std::size_t k = 0; k < 3; ++k)
-    s.rotation[k] = temperature(sum.rotation[k], s.freedoms.rotation[k]);
-  s.temperature = temperature(sum.kinetic(), s.freedoms.all());
+  s.temperatures = mean_temperatures(trajectory.samples, s.freedoms);
   std::vector<double> pressures;
   for (const Energies& e : trajectory.samples) pressures.push_back(e.pressure);
   s.pressure = block_mean(pressures);
@@ -39,13 +32,16 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
     s.potential_fluctuation = fluctuation(potential);
     s.ratio = fluctuation_ratio_with_error(trajectory.samples);
     s.drift = drift(trajectory.samples);
+    s.shadow = shadow_summary(trajectory.brackets, settings.scheme, settings.step, s.drift);
     if (s.potential_fluctuation > 0)
       s.rounding = rounding_fluctuation(noise, {settings.scheme, settings.inner}, settings.lambda,
                                         settings.step, s.length) /
                    s.potential_fluctuation;
   }
   s.force_evaluations = trajectory.force_evaluations;
+  s.derivatives = trajectory.derivatives;
   s.near_evaluations = trajectory.near_evaluations;
+  s.near_derivatives = trajectory.near_derivatives;
   s.measurements = trajectory.measurements;
   s.list_rebuilds = trajectory.list_rebuilds;
   s.timings = trajectory.timings;

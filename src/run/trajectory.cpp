@@ -44,6 +44,12 @@ struct TimedForces {
     forces.forces_alone(state, load);
     seconds += watch.lap();
   }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& slope) {
+    Stopwatch watch;
+    forces.directional_derivative(state, dq, dtheta, slope);
+    seconds += watch.lap();
+  }
 };
 
 /// It ends the trajectory, which keeps what was computed.
@@ -117,6 +123,31 @@ std::size_t TrajectorySettings::steps_per_sample() const {
   return std::max<std::size_t>(1, static_cast<std::size_t>(sample / step * (1 + 1e-12)));
 }
 
+std::size_t TrajectorySettings::samples_per_shadow() const {
+  return std::max<std::size_t>(
+      1, static_cast<std::size_t>(shadow_sample / (static_cast<double>(steps_per_sample()) * step) *
+                                  (1 + 1e-12)));
+}
+
+void TrajectorySettings::check_shadow() const {
+  if (shadow_sample == 0) return;
+  if (inner)
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but the shadow energy of {} has brackets of near and slow "
+        "forces, which are not measured; leave it out, or take a single scheme, as hoa2",
+        shadow_sample * 1000, name_of({scheme, inner})));
+  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
+  const ErrorTerms terms = error_terms(scheme);
+  if (scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding) return;
+  throw Error(fmt::format(
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, as "
+      "hoa2",
+      shadow_sample * 1000, scheme.name(),
+      scheme.palindromic()
+          ? "no error of order h², so its shadow energy is the energy itself to that order"
+          : "an error of order h, since its stages are no palindrome"));
+}
+
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                       const Watch& watch, Workers& workers, const RunState* from,
                       std::vector<Energies> samples) {
@@ -135,6 +166,7 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers, from,
                                std::move(samples));
   result.near_evaluations = nested.near_evaluations();
+  result.near_derivatives = nested.near_derivatives();
   return result;
 }
 
@@ -179,6 +211,9 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     if (watch.sample) watch.sample(result.steps, system.state, now);
+    if (settings.shadow_sample > 0 && result.samples.size() % settings.samples_per_shadow() == 0)
+      result.brackets.push_back(
+          {now, error_brackets(system.state, system.bodies, integrator.last_load(), forces)});
     result.samples.push_back(now);
     const Energies& first = result.samples.front();
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
@@ -220,6 +255,7 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
   clocks.moved();
 
   result.force_evaluations = integrator.force_evaluations();
+  result.derivatives = integrator.derivatives();
   result.measurements = integrator.measurements();
   result.list_rebuilds = whole.forces.list_rebuilds();
   result.timings = clocks.timings();

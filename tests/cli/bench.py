@@ -35,7 +35,7 @@ class Bench(Sandbox):
                 for key in ("forces_us", "energies_us", "list_us"):
                     self.assertTrue(0 < e[key]["best"] <= e[key]["median"], key)
             self.assertEqual([(t["scheme"], t["step_fs"]) for t in system["steps"]],
-                             [("hoa2", 4), ("velocity-verlet", 2), ("gier4", 5)])
+                             [("hoa2", 4), ("velocity-verlet", 2), ("gier4-fd", 5)])
             for t in system["steps"]:
                 self.assertEqual(set(t["parts_us"]), PARTS)
                 self.assertAlmostEqual(sum(t["parts_us"].values()) / t["step_us"]["best"], 1, 9)

@@ -18,7 +18,7 @@ def help_text(program, *verb):
 
 def verbs(program):
     listed = help_text(program).partition("Subcommands:\n")[2]
-    return re.findall(r"^  (\w+)", listed, re.M)
+    return re.findall(r"^  ([\w-]+)", listed, re.M)
 
 
 def main():

@@ -104,7 +104,7 @@ Run run(const Crowd& made, const Scheme& scheme, double length, std::size_t step
   // Every kick rounds the momenta of all bodies, and their forces are sums over all others; a
   // finite difference divides that by λ.
   const double n = double(state.size()), kicks = double(integrator.force_evaluations());
-  const double gain = scheme.has_gradient() ? 1 / lambda : 1;
+  const double gain = scheme.has(Gradient::finite_difference) ? 1 / lambda : 1;
   result.rounding =
       kicks * n * 0x1p-53 * (largest(state.p) + n * gain * force * length / double(8 * steps));
   return result;

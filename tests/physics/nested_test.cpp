@@ -28,11 +28,12 @@ const char* const texts[] = {
     "forest-ruth / forest-ruth x 2 within 0.2 to 0.35 nm",
     "gier4 / forest-ruth x 2 within 0.2 to 0.35 nm",
     "gier4 / gier4 x 2 within 0.2 to 0.35 nm",
+    "chin-4b / gier4 x 1 within 0.2 to 0.35 nm",
+    "gier4-fd / gier4-fd x 2 within 0.2 to 0.35 nm",
 };
 
-bool has_gradient(const NestedScheme& scheme) {
-  return scheme.outer.has_gradient() || scheme.inner->scheme.has_gradient();
-}
+// Their differences of forces bring rounding by 1/λ.
+bool by_difference(const NestedScheme& scheme) { return scheme.has(Gradient::finite_difference); }
 
 double largest_difference(const Vec3Column& a, const Vec3Column& b) {
   double largest = 0;
@@ -85,8 +86,8 @@ TEST_CASE("nested schemes are reversible") {
     CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // it did move
     CHECK(scene.state.time == doctest::Approx(0.2).epsilon(1e-14));
     split.integrator.advance(scene.state, -0.002, 100);
-    CHECK(largest_difference(scene.state.q, start.q) < (has_gradient(scheme) ? 2e-9 : 1.2e-11));
-    CHECK(largest_difference(scene.state.ell, start.ell) < (has_gradient(scheme) ? 2e-8 : 1.2e-11));
+    CHECK(largest_difference(scene.state.q, start.q) < (by_difference(scheme) ? 2e-9 : 1.2e-11));
+    CHECK(largest_difference(scene.state.ell, start.ell) < (by_difference(scheme) ? 2e-8 : 1.2e-11));
   }
 }
 
@@ -99,7 +100,7 @@ TEST_CASE("nested schemes keep the total momentum") {
     Split split(scene, {.cutoff = 0.9, .switch_from = 0.75}, scheme);
     const Vec3<double> before = total_momentum(scene.state);
     split.integrator.advance(scene.state, 0.001, 50);
-    CHECK(norm(total_momentum(scene.state) - before) < (has_gradient(scheme) ? 2e-8 : 2e-12));
+    CHECK(norm(total_momentum(scene.state) - before) < (by_difference(scheme) ? 2e-8 : 2e-12));
   }
 }
 
@@ -112,10 +113,15 @@ TEST_CASE("a nested scheme costs as many evaluations of both kinds as it says") 
     Split split(scene, scenes::no_truncation(), scheme);
     split.integrator.advance(scene.state, 0.001, 5);
     const std::uint64_t whole = split.whole.evaluations(), near = split.near.evaluations();
+    const std::uint64_t slopes = split.integrator.derivatives();
+    const std::uint64_t near_slopes = split.nested.near_derivatives();
     CHECK(near == split.nested.near_evaluations());
     for (int k = 0; k < 5; ++k) split.integrator.advance(scene.state, 0.001);
     CHECK(split.whole.evaluations() - whole == 5u * unsigned(scheme.outer.force_evaluations()));
     CHECK(split.near.evaluations() - near == 5u * unsigned(scheme.near_evaluations()));
+    CHECK(split.integrator.derivatives() - slopes == 5u * unsigned(scheme.outer.derivatives()));
+    CHECK(split.nested.near_derivatives() - near_slopes ==
+          5u * unsigned(scheme.near_derivatives()));
   }
 }
 
@@ -269,7 +275,8 @@ Trajectory followed(System& system, const NestedScheme& scheme, int threads) {
 TEST_CASE(
     "a nested trajectory has the same bits for any number of threads, and energies of all forces") {
   for (const char* text :
-       {"hoa2 / velocity-verlet x 2 within 0.5 nm", "gier4 / gier4 x 1 within 0.5 nm"})
+       {"hoa2 / velocity-verlet x 2 within 0.5 nm", "gier4 / gier4 x 1 within 0.5 nm",
+        "gier4-fd / gier4-fd x 1 within 0.5 nm"})
     for (const Precision precision : {Precision::full, Precision::mixed}) {
       CAPTURE(std::string(text));
       CAPTURE(int(precision));

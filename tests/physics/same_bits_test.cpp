@@ -7,6 +7,7 @@
 
 #include "physics/force_laws.hpp"
 #include "polhode/base/workers.hpp"
+#include "polhode/integrate/flows.hpp"
 
 using namespace polhode;
 
@@ -32,7 +33,8 @@ std::vector<std::vector<std::uint64_t>> history(const scenes::Scene& scene,
   Workers workers(threads);
   ForceField forces(scene.topology, settings, scene.state.box, workers);
   State state = scene.state;
-  Load load;
+  Load load, slope;
+  Vec3Column dq, dtheta;
   std::vector<std::vector<std::uint64_t>> all;
   for (const double t : {0.0, 0.001, 0.2}) {
     for (std::size_t i = 0; i < state.size(); ++i)
@@ -43,10 +45,13 @@ std::vector<std::vector<std::uint64_t>> history(const scenes::Scene& scene,
     CHECK((bits(load) == all.back()));
     forces.forces_alone(state, load);
     all.push_back(bits(load));
+    gradient_direction(state, scene.bodies, load, dq, dtheta);
+    forces.directional_derivative(state, dq, dtheta, slope);
+    all.push_back(bits(slope));
     forces.forces_alone(state, load);
-    CHECK((bits(load) == all.back()));
-    forces(state, load);
     CHECK((bits(load) == all[all.size() - 2]));
+    forces(state, load);
+    CHECK((bits(load) == all[all.size() - 3]));
   }
   CHECK(forces.neighbours().rebuilds() == 2);
   return all;

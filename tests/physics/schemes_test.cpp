@@ -12,6 +12,7 @@
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/order.hpp"
 #include "scenes.hpp"
+#include "unit/errors.hpp"
 
 using namespace polhode;
 
@@ -26,7 +27,7 @@ double largest_difference(const Vec3Column& a, const Vec3Column& b) {
 // What one force evaluation of a gradient kick by finite difference adds to momenta: rounding of
 // the forces, 2⁻⁵³ of the largest in the pair sums (some 10⁴ kJ/mol/nm at contact), divided by λ.
 double rounding_gain(const Scheme& scheme, double lambda) {
-  return scheme.has_gradient() ? 1 / lambda : 1;
+  return scheme.has(Gradient::finite_difference) ? 1 / lambda : 1;
 }
 
 }  // namespace
@@ -70,8 +71,10 @@ TEST_CASE("every scheme is reversible") {
     integrator.advance(scene.state, 0.002, 100);
     CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // it did move
     integrator.advance(scene.state, -0.002, 100);
-    CHECK(largest_difference(scene.state.q, start.q) < (scheme.has_gradient() ? 1e-9 : 6e-12));
-    CHECK(largest_difference(scene.state.ell, start.ell) < (scheme.has_gradient() ? 1e-8 : 6e-12));
+    CHECK(largest_difference(scene.state.q, start.q) <
+          (scheme.has(Gradient::finite_difference) ? 1e-9 : 6e-12));
+    CHECK(largest_difference(scene.state.ell, start.ell) <
+          (scheme.has(Gradient::finite_difference) ? 1e-8 : 6e-12));
   }
 }
 
@@ -94,10 +97,11 @@ TEST_CASE("every scheme keeps the total momentum") {
 }
 
 // Without a boundary the torques on a cluster cancel: Σ q × f + τ = 0 for pair forces along any
-// direction that act at common points. Plain kicks keep Σ q × p + ℓ to rounding.
-TEST_CASE("plain kicks keep the angular momentum of an isolated cluster") {
+// direction that act at common points. Plain kicks keep Σ q × p + ℓ to rounding, and so do exact
+// gradient kicks: W does not change when the world is turned.
+TEST_CASE("plain kicks and exact gradients keep the angular momentum of an isolated cluster") {
   for (const Scheme& scheme : schemes) {
-    if (scheme.has_gradient()) continue;
+    if (scheme.has(Gradient::finite_difference)) continue;
     CAPTURE(std::string(scheme.name()));
     scenes::Scene scene = scenes::water_cluster();
     ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
@@ -118,7 +122,7 @@ TEST_CASE("gradient kicks by finite difference lose angular momentum in proporti
     scenes::Scene scene = scenes::water_cluster();
     ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
     const Vec3<double> before = total_angular_momentum(scene.state);
-    Integrator integrator(scheme_of("gier4"), scene.bodies, forces, lambdas[k]);
+    Integrator integrator(scheme_of("gier4-fd"), scene.bodies, forces, lambdas[k]);
     integrator.advance(scene.state, 0.004, 5);
     loss[k] = norm(total_angular_momentum(scene.state) - before);
   }
@@ -136,6 +140,7 @@ TEST_CASE("a scheme costs as many force evaluations as its line says") {
     integrator.advance(scene.state, 0.001, 10);
     CHECK(integrator.force_evaluations() - first ==
           10 * static_cast<std::uint64_t>(scheme.force_evaluations()));
+    CHECK(integrator.derivatives() == 20 * static_cast<std::uint64_t>(scheme.derivatives()));
     CHECK(forces.evaluations() == integrator.force_evaluations());
   }
 }
@@ -170,6 +175,10 @@ struct Spring {
     pull(state, load);
     load.lennard_jones = 0;
   }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column&,
+                              Load& slope) const {
+    for (std::size_t i = 0; i < state.size(); ++i) slope.f.set(i, -1.0 * dq[i]);
+  }
   static double pull(const State& state, Load& load) {
     double energy = 0;
     for (std::size_t i = 0; i < state.size(); ++i) {
@@ -180,7 +189,22 @@ struct Spring {
   }
 };
 
+// The same, with nothing to offer to gradient kicks.
+struct PlainSpring {
+  void operator()(const State& state, Load& load) {
+    load.lennard_jones = Spring::pull(state, load);
+  }
+};
+
 }  // namespace
+
+TEST_CASE("a scheme with exact gradients refuses forces that offer no derivative") {
+  const scenes::Scene scene = scenes::water_cluster();
+  PlainSpring spring;
+  check_error([&] { Integrator(scheme_of("gier4"), scene.bodies, spring); },
+              {"these forces offer no derivative", "gier4-fd"});
+  Integrator(scheme_of("gier4-fd"), scene.bodies, spring);
+}
 
 // Energies are computed where a state is sampled and nowhere else: by the last kick of a scheme
 // that ends in one, else by a measurement of its own, which is not counted as part of the

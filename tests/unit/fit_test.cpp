@@ -49,3 +49,18 @@ TEST_CASE("noise is called significant as often as it should be") {
   }
   CHECK(std::abs(significant - 100) < 39);
 }
+
+// Two points with errors e: the line goes through both; its slope errs by √2 e/Δx and its value at
+// x = 0 by e √(x₁² + x₂²)/Δx. Equal points with unequal errors weigh as 1/e².
+TEST_CASE("a weighted line has the errors of its points") {
+  const std::vector<double> x{1, 3};
+  const std::vector<Estimate> y{{2, 0.1}, {8, 0.1}};
+  const Line line = weighted_line(x, y);
+  CHECK(line.slope.value == doctest::Approx(3));
+  CHECK(line.intercept.value == doctest::Approx(-1));
+  CHECK(line.slope.error == doctest::Approx(std::sqrt(2.0) * 0.1 / 2));
+  CHECK(line.intercept.error == doctest::Approx(0.1 * std::sqrt(10.0) / 2));
+  const std::vector<double> twice{1, 3, 3};
+  const std::vector<Estimate> unequal{{2, 0.1}, {8, 0.1}, {13, 0.2}};  // weights 4 to 1: 9
+  CHECK(weighted_line(twice, unequal).slope.value == doctest::Approx(3.5));
+}

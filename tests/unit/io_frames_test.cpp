@@ -117,7 +117,7 @@ TEST_CASE("a file goes on after its mark as if it had never been left") {
     const std::string whole = folder / ("whole." + std::string(format));
     const std::string parts = folder / ("parts." + std::string(format));
     const auto write = [&](FrameWriter& writer, double time) {
-      const std::vector<Observable> energies = {{"potential_energy", "kJ mol-1", -time}};
+      const std::vector<FrameNumber> energies = {{"potential_energy", "kJ mol-1", -time}};
       writer.write(some_state(topology, time), energies);
     };
     {

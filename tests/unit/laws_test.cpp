@@ -36,15 +36,16 @@ TEST_CASE("the switch is of the class it says at both ends") {
 TEST_CASE("slopes and forces of the laws are the derivatives of their energies") {
   for (double r = 0.25; r < 1.1; r += 0.0371) {
     CAPTURE(r);
-    const Dual x(r, 1.0);
+    const Dual<double> x(r, 1.0);
     for (const int n : {1, 2, 3}) {
       const auto w = Switch<>(0.8, 1.0, n)(x);
       CHECK(w.slope.value == doctest::Approx(w.w.slope).epsilon(1e-12));
     }
-    const auto lj = LennardJones::of(Dual(1.1e-3), Dual(0.9e-6), Dual(1.0) / (x * x));
+    const auto lj = LennardJones::of(1.1e-3, 0.9e-6, 1.0 / (x * x));
     CHECK(lj.s.value == doctest::Approx(-lj.u.slope / r).epsilon(1e-13));
     for (const double dielectric : {1.0, 78.5, double(INFINITY)}) {
-      const auto rf = ReactionField<>::of(dielectric, 1.0)(InversePowers<Dual>(x * x), x * x);
+      const auto rf =
+          ReactionField<>::of(dielectric, 1.0)(InversePowers<Dual<double>>(x * x), x * x);
       CHECK(rf.s.value == doctest::Approx(-rf.u.slope / r).epsilon(1e-12));
     }
   }

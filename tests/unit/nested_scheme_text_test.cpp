@@ -25,7 +25,8 @@ TEST_CASE("a text names a scheme, or one within another") {
   CHECK(nested.inner->switch_from == doctest::Approx(0.35).epsilon(1e-15));
   CHECK(nested.inner->cutoff == doctest::Approx(0.5).epsilon(1e-15));
   CHECK(nested.order() == 2);
-  CHECK(nested.near_evaluations() == 2 * 3 * 3);  // drifts, inner steps, evaluations of each
+  CHECK(nested.near_evaluations() == 2 * 3 * 2);  // drifts, inner steps, evaluations of each
+  CHECK(nested.near_derivatives() == 2 * 3);
   CHECK(name_of(nested) == "hoa2 / gier4 x 3 within 0.35 to 0.5 nm");
 
   CHECK(nested_scheme_of("hoa2/hoa2 x 1 within 0.5nm").inner->switch_from ==
@@ -33,11 +34,17 @@ TEST_CASE("a text names a scheme, or one within another") {
   // A slash within brackets is a fraction; a displaced evaluation of the outer gradient is one
   // more.
   const NestedScheme text = nested_scheme_of(
-      "B(1/6) A(1/2) B(2/3, 1/48) A(1/2) B(1/6) / B(1/2) A(1) B(1/2) x 2 within 0.4 to 0.6 nm");
+      "B(1/6) A(1/2) B(2/3, 1/48, fd) A(1/2) B(1/6) / B(1/2) A(1) B(1/2) x 2 within 0.4 to 0.6 nm");
   CHECK(text.near_evaluations() == 2 * 2 + 1);
+  CHECK(text.near_derivatives() == 0);
   const NestedScheme again = nested_scheme_of(text_of(text));
   CHECK(text_of(again) == text_of(text));
   CHECK(again.outer.stages()[2].xi == 1.0 / 48);
+  // With the exact gradient, a derivative of both forces where they are known.
+  const NestedScheme exact = nested_scheme_of("gier4 / gier4 x 2 within 0.5 nm");
+  CHECK(exact.near_evaluations() == 2 * 2 * 2);
+  CHECK(exact.near_derivatives() == 2 * 2 + 1);
+  CHECK(exact.near_cost() == 8 + 5 * derivative_cost);
   // An inner scheme between drifts knows no forces at outer kicks.
   CHECK(nested_scheme_of("hoa2 / position-verlet x 2 within 0.5 nm").near_evaluations() == 4 + 2);
 }

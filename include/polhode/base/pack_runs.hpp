@@ -70,6 +70,12 @@ struct RunPair {
     else
       return v.first;
   }
+  Run<T> second() const {
+#if HWY_TARGET != HWY_SCALAR
+    if constexpr (joined) return {{hn::UpperHalf(typename Run<T>::Tag(), v)}};
+#endif
+    if constexpr (!joined) return v.second;
+  }
   /// The first, then the second.
   void store(T* p) const {
     if constexpr (joined)

@@ -23,13 +23,34 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
 /// Whether a comparison holds in any lane; a number has one.
 constexpr bool any(bool mask) { return mask; }
 
-/// A number of the text as a Real of any precision.
+/// The type of numbers that multiply Reals and are the same for all of them: the Real itself, but
+/// for dual numbers a plain one, which has no slope to be computed.
 template <class Real>
-constexpr Real constant(double x) {
-  if constexpr (requires { typename Real::value_type; })
-    return Real(static_cast<typename Real::value_type>(x));
+struct ConstantOf {
+  using type = Real;
+};
+template <class Real>
+using Constant = typename ConstantOf<Real>::type;
+
+/// A number of the text, or of a law, as a Constant of Reals of any precision.
+template <class Real, class T>
+constexpr Constant<Real> constant(T x) {
+  using C = Constant<Real>;
+  if constexpr (requires { typename C::value_type; })
+    return C(static_cast<typename C::value_type>(x));
   else
-    return static_cast<Real>(x);
+    return static_cast<C>(x);
+}
+
+/// sum += a b.
+template <class Real>
+constexpr void add_product(Real& sum, const Real& a, const Real& b) {
+  sum += a * b;
+}
+/// sum −= a b.
+template <class Real>
+constexpr void subtract_product(Real& sum, const Real& a, const Real& b) {
+  sum -= a * b;
 }
 
 using std::abs;

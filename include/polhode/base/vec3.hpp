@@ -45,12 +45,20 @@ constexpr Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
 /// sum += a × b, in the order that multiply-adds take.
 template <class Real>
 constexpr void add_cross(Vec3<Real>& sum, const Vec3<Real>& a, const Vec3<Real>& b) {
-  sum.x += a.y * b.z;
-  sum.y += a.z * b.x;
-  sum.z += a.x * b.y;
-  sum.x -= a.z * b.y;
-  sum.y -= a.x * b.z;
-  sum.z -= a.y * b.x;
+  add_product(sum.x, a.y, b.z);
+  add_product(sum.y, a.z, b.x);
+  add_product(sum.z, a.x, b.y);
+  subtract_product(sum.x, a.z, b.y);
+  subtract_product(sum.y, a.x, b.z);
+  subtract_product(sum.z, a.y, b.x);
+}
+
+/// sum += s a.
+template <class Real>
+constexpr void add_scaled(Vec3<Real>& sum, const Real& s, const Vec3<Real>& a) {
+  add_product(sum.x, s, a.x);
+  add_product(sum.y, s, a.y);
+  add_product(sum.z, s, a.z);
 }
 
 /// Entry by entry: J⁻¹ L and the like, for diagonal tensors held as a Vec3.

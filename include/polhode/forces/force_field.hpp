@@ -41,12 +41,12 @@ class ForceField {
   void forces_alone(const State& state, Load& load) { evaluate(state, load, false); }
 
   /// The exact derivative of forces and torques along a displacement of all bodies: centres move by
-  /// dq [nm], attitudes turn by the body-frame vectors dtheta [rad]. The result is a Load whose f
-  /// and tau are per unit of the displacement, and whose energies are their derivatives.
-  /// Computed over all pairs with dual numbers: for checks and single points.
-  /// @throws Error  with Ewald's sum, whose mesh has no derivative yet
-  Load directional_derivative(const State& state, const Vec3Column& dq,
-                              const Vec3Column& dtheta) const;
+  /// dq [nm], attitudes turn by the body-frame vectors dtheta [rad]. f and tau of the result are
+  /// per unit of the displacement, in the lab frame; its energies and virial are 0. Over the same
+  /// list in the same loops as the forces; cheapest at the state of the last evaluation, whose
+  /// potential on the mesh serves again. Does not allocate after the first call.
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& slope);
 
   ListMemory list_memory() const;
   /// Builds the list as it was: from here on the forces are those of the field that it belonged to,

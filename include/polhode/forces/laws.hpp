@@ -32,7 +32,7 @@ struct LennardJones {
 
   /// @param inverse_r2  1/r² [1/nm²]
   template <class Real>
-  static PairValue<Real> of(Real c6, Real c12, Real inverse_r2) {
+  static PairValue<Real> of(Constant<Real> c6, Constant<Real> c12, Real inverse_r2) {
     const Real x = inverse_r2 * inverse_r2 * inverse_r2;
     const Real repulsion = c12 * x;
     return {(repulsion - c6) * x,
@@ -57,7 +57,8 @@ struct ReactionField {
 
   template <class Real>
   PairValue<Real> operator()(const InversePowers<Real>& inverse_r, Real r2) const {
-    return {inverse_r.first() + (Real(k) * r2 - Real(c)), inverse_r.third() - Real(2 * k)};
+    return {inverse_r.first() + (constant<Real>(k) * r2 - constant<Real>(c)),
+            inverse_r.third() - constant<Real>(2 * k)};
   }
 };
 
@@ -79,11 +80,11 @@ class Switch {
 
   template <class Real>
   Value<Real> operator()(Real r) const {
-    Real x = (r - Real(from_)) * Real(inverse_width_);
+    Real x = (r - constant<Real>(from_)) * constant<Real>(inverse_width_);
     x = select(x < Real(0), Real(0), x);
     x = select(x > Real(1), Real(1), x);
     const Value<Real> step = smoothness_ == 1 ? C1(x) : smoothness_ == 2 ? C2(x) : C3(x);
-    return {step.w, step.slope * Real(inverse_width_)};
+    return {step.w, step.slope * constant<Real>(inverse_width_)};
   }
 
  private:
@@ -91,19 +92,22 @@ class Switch {
   // dw/dx = −c xⁿ (1 − x)ⁿ.
   template <class Real>
   static Value<Real> C1(Real x) {
-    const Real p = Real(3) - Real(2) * x;
-    return {Real(1) - x * x * p, Real(-6) * (x * (Real(1) - x))};
+    using C = Constant<Real>;
+    const Real p = C(3) - C(2) * x;
+    return {C(1) - x * x * p, C(-6) * (x * (C(1) - x))};
   }
   template <class Real>
   static Value<Real> C2(Real x) {
-    const Real p = Real(10) + x * (Real(-15) + x * Real(6)), bump = x * (Real(1) - x);
-    return {Real(1) - x * x * x * p, Real(-30) * (bump * bump)};
+    using C = Constant<Real>;
+    const Real p = C(10) + x * (C(-15) + x * C(6)), bump = x * (C(1) - x);
+    return {C(1) - x * x * x * p, C(-30) * (bump * bump)};
   }
   template <class Real>
   static Value<Real> C3(Real x) {
-    const Real p = Real(35) + x * (Real(-84) + x * (Real(70) + x * Real(-20)));
-    const Real x2 = x * x, bump = x * (Real(1) - x);
-    return {Real(1) - x2 * x2 * p, Real(-140) * (bump * bump * bump)};
+    using C = Constant<Real>;
+    const Real p = C(35) + x * (C(-84) + x * (C(70) + x * C(-20)));
+    const Real x2 = x * x, bump = x * (C(1) - x);
+    return {C(1) - x2 * x2 * p, C(-140) * (bump * bump * bump)};
   }
 
   T from_, inverse_width_;

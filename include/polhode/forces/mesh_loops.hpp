@@ -59,6 +59,21 @@ struct GatherJob {
   Mat3<double>* arms;       ///< Σ arm ⊗ force over sites, to be added to; null if not wanted
 };
 
+/// Bodies whose charges are displaced: each becomes a dipole, the derivative of its shares.
+template <class T>
+struct SpreadDipolesJob {
+  SpreadJob<T> charges;
+  const SiteRecords<T>& displacements;
+};
+
+/// Bodies that are displaced while the potential changes.
+template <class T>
+struct GatherDerivativeJob {
+  GatherJob<T> forces;  ///< without arms
+  const SiteRecords<T>& displacements;
+  const MeshGrid<T>& derivative;  ///< of the grid, along the displacements of all charges
+};
+
 /// Waves of one k_y: rows along k_x, one for each k_z, real and imaginary parts in turn.
 template <class T>
 struct ConvolveJob {
@@ -81,6 +96,12 @@ POLHODE_DECLARE_LOOPS(
     /// Adds forces and torques on some bodies to their sums.
     void gather_forces(const GatherJob<double>& job);
     void gather_forces(const GatherJob<float>& job);
+    /// Adds the derivative of the charges along displacements to the grid.
+    void spread_dipoles(const SpreadDipolesJob<double>& job);
+    void spread_dipoles(const SpreadDipolesJob<float>& job);
+    /// Adds the derivatives of forces and torques on some bodies to their sums.
+    void gather_derivative(const GatherDerivativeJob<double>& job);
+    void gather_derivative(const GatherDerivativeJob<float>& job);
     /// Multiplies waves by the influence function; with `sums`, of each row, the energies too.
     void convolve(const ConvolveJob<double>& job, WaveSums* sums);
     void convolve(const ConvolveJob<float>& job, WaveSums* sums);)

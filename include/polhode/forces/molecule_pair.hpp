@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The interaction of two rigid molecules: all pairs of their sites, ended smoothly at the cutoff.
-// Written once for numbers, packs (one molecule with several partners) and dual numbers.
+// Written once for numbers, packs (one molecule with several partners) and dual numbers of either,
+// which yield the derivative of forces and torques along a displacement of the molecules.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +10,7 @@
 #include "polhode/base/unroll.hpp"
 #include "polhode/forces/laws.hpp"
 #include "polhode/forces/pair_table.hpp"
+#include "polhode/math/polynomial.hpp"
 
 namespace polhode {
 
@@ -58,15 +60,20 @@ struct FixedShape {
   static constexpr Count<sites_b_> sites_b{};
   static constexpr std::size_t most_a = sites_a_, most_b = sites_b_;
   /// Sites of b whose pairs are computed step by step together: enough that a step need not wait
-  /// for the one before, and few enough for the registers.
-  static constexpr std::size_t at_once = std::min<std::size_t>(2, sites_b_);
+  /// for the one before, and few enough for the registers, of which dual numbers take twice as
+  /// many.
+  template <class Real>
+  static constexpr std::size_t at_once = is_dual<Real> ? 1 : std::min<std::size_t>(2, sites_b_);
   static constexpr bool coulomb(std::size_t a, std::size_t b) {
     return a < charged_a_ && b < charged_b_;
   }
   static constexpr bool lennard_jones(std::size_t a, std::size_t b) {
     return a >= sites_a_ - dispersive_a_ && b >= sites_b_ - dispersive_b_;
   }
-  static constexpr Count<(sites_b_ + at_once - 1) / at_once> groups_b() { return {}; }
+  template <std::size_t size>
+  static constexpr Count<(sites_b_ + size - 1) / size> groups_b(Count<size>) {
+    return {};
+  }
   explicit FixedShape(const PairTable&) {}
   static bool fits(const PairTable& t) {
     return t.sites_a == sites_a_ && t.sites_b == sites_b_ && t.charged_a == charged_a_ &&
@@ -77,7 +84,9 @@ struct FixedShape {
 
 /// Any numbers of sites.
 struct AnyShape {
-  static constexpr std::size_t most_a = most_sites, most_b = most_sites, at_once = 1;
+  static constexpr std::size_t most_a = most_sites, most_b = most_sites;
+  template <class Real>
+  static constexpr std::size_t at_once = 1;
   std::size_t sites_a, sites_b, charged_a, charged_b, first_dispersive_a, first_dispersive_b;
   explicit AnyShape(const PairTable& t)
       : sites_a(t.sites_a),
@@ -86,7 +95,7 @@ struct AnyShape {
         charged_b(t.charged_b),
         first_dispersive_a(t.sites_a - t.dispersive_a),
         first_dispersive_b(t.sites_b - t.dispersive_b) {}
-  std::size_t groups_b() const { return sites_b; }
+  std::size_t groups_b(Count<1>) const { return sites_b; }
   bool coulomb(std::size_t a, std::size_t b) const { return a < charged_a && b < charged_b; }
   bool lennard_jones(std::size_t a, std::size_t b) const {
     return a >= first_dispersive_a && b >= first_dispersive_b;
@@ -96,10 +105,10 @@ struct AnyShape {
 /// Energy and force of a pair of sites, less what they are at the cutoff: u(r) − u(r_c) −
 /// (r − r_c) u'(r_c), and nothing beyond it [toxvaerd2011].
 template <class Real>
-PairValue<Real> shifted(const PairValue<Real>& at_r, const PairValue<Real>& at_cutoff, Real r,
-                        Real inverse_r, Real rc) {
-  const auto within = r < rc;
-  const Real f = at_cutoff.s * rc;  // −u'(r_c)
+PairValue<Real> shifted(const PairValue<Real>& at_r, const PairValue<Constant<Real>>& at_cutoff,
+                        Real r, Real inverse_r, Constant<Real> rc) {
+  const auto within = r < Real(rc);
+  const Constant<Real> f = at_cutoff.s * rc;  // −u'(r_c)
   return {select(within, at_r.u - at_cutoff.u + (r - rc) * f, Real(0)),
           select(within, at_r.s - f * inverse_r, Real(0))};
 }
@@ -123,6 +132,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
 [[gnu::always_inline]] inline PairLoad<Real> molecule_pair(
     const Shape& shape, const PairStrengths<T>& strengths, const PairLaws<T>& laws,
     const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b) {
+  using C = Constant<Real>;
   constexpr bool by_molecule = ending == Ending::molecule_switch;
   constexpr bool by_site = ending == Ending::site_switch || ending == Ending::smooth;
   constexpr bool need_u = energies || ending == Ending::molecule_switch;
@@ -136,9 +146,9 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
   }
 
   // Sites of b some at a time: for each of them, body(k, b), and for each pair, body(k, a, b).
-  constexpr std::size_t at_once = Shape::at_once;
+  constexpr std::size_t at_once = Shape::template at_once<Real>;
   each(
-      shape.groups_b(), [&](auto group) __attribute__((always_inline)) {
+      shape.groups_b(Count<at_once>{}), [&](auto group) __attribute__((always_inline)) {
         std::array<Vec3<Real>, at_once> arm, f_b;
         std::array<std::array<Vec3<Real>, Shape::most_a>, at_once> r;  // from a's site to b's
         std::array<std::array<Real, Shape::most_a>, at_once> r2, s;
@@ -164,9 +174,10 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
         each_pair([&](auto k, auto a, std::size_t) __attribute__((always_inline)) {
           inverse_r[k][a] = InversePowers<Real>(r2[k][a]);
         });
-        std::array<std::array<PairValue<Real>, Shape::most_a>, at_once> smooth;
+        std::array<std::array<Real, Shape::most_a>, at_once> y;
+        std::array<std::array<Polynomial<Real>, Shape::most_a>, at_once> smooth_u,
+            smooth_s;  // of y
         if constexpr (is_smooth(ending)) {
-          std::array<std::array<Real, Shape::most_a>, at_once> y;
           const SmoothPart<T>& law = laws.smooth;
           const auto each_charged = [&](const auto& body) __attribute__((always_inline)) {
             each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
@@ -174,17 +185,18 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
             });
           };
           each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-            y[k][a] = Real(1) - r2[k][a] * Real(law.inverse_a2);
-            smooth[k][a] = {Real(law.u[law.degree + 1]), Real(law.s[law.degree])};
+            y[k][a] = C(1) - r2[k][a] * C(law.inverse_a2);
+            smooth_u[k][a] = Polynomial<Real>(C(law.u[law.degree + 1]));
+            smooth_s[k][a] = Polynomial<Real>(C(law.s[law.degree]));
           });
           for (int n = law.degree; n-- > 0;)
             each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-              smooth[k][a].s = smooth[k][a].s * y[k][a] + Real(law.s[n]);
+              smooth_s[k][a].step(y[k][a], C(law.s[n]));
             });
           if constexpr (need_u)
             for (int n = law.degree + 1; n-- > 0;)
               each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-                smooth[k][a].u = smooth[k][a].u * y[k][a] + Real(law.u[n]);
+                smooth_u[k][a].step(y[k][a], C(law.u[n]));
               });
         }
         each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
@@ -200,16 +212,16 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
               at_r.u = site_end.w * at_r.u;
             } else if constexpr (ending == Ending::site_shift) {
               const Real one_over_r = inverse.first();
-              at_r = shifted(at_r, at_cutoff(), square * one_over_r, one_over_r, Real(laws.cutoff));
+              at_r = shifted(at_r, at_cutoff(), square * one_over_r, one_over_r, C(laws.cutoff));
             }
             return at_r;
           };
-          const Real cutoff2(laws.cutoff * laws.cutoff);
+          const C cutoff2(laws.cutoff * laws.cutoff);
           const auto coulomb = [&]() __attribute__((always_inline)) {
-            const Real charge(strengths.charge[pair]);
+            const C charge(strengths.charge[pair]);
             if constexpr (is_smooth(ending)) {
-              PairValue<Real> value{inverse.first() - smooth[k][a].u,
-                                    inverse.third() - smooth[k][a].s};
+              PairValue<Real> value{inverse.first() - smooth_u[k][a].value(y[k][a]),
+                                    inverse.third() - smooth_s[k][a].value(y[k][a])};
               if constexpr (ending == Ending::smooth) {
                 const auto within = square < Real(laws.cutoff * laws.cutoff);
                 value = {select(within, value.u, Real(0)), select(within, value.s, Real(0))};
@@ -217,21 +229,21 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
               if constexpr (need_u) load.coulomb += charge * value.u;
               return charge * value.s;
             } else {
-              const auto law = [&](const InversePowers<Real>& powers, Real r_squared)
-                  __attribute__((always_inline)) {
-                const PairValue<Real> unit = laws.reaction_field(powers, r_squared);
-                return PairValue<Real>{charge * unit.u, charge * unit.s};
+              const auto law = [&]<class Number>(const InversePowers<Number>& powers,
+                                                 Number r_squared) __attribute__((always_inline)) {
+                const PairValue<Number> unit = laws.reaction_field(powers, r_squared);
+                return PairValue<Number>{charge * unit.u, charge * unit.s};
               };
               const PairValue<Real> value = ended(
-                  law(inverse, square), [&] { return law(InversePowers<Real>(cutoff2), cutoff2); });
+                  law(inverse, square), [&] { return law(InversePowers<C>(cutoff2), cutoff2); });
               if constexpr (need_u) load.coulomb += value.u;
               return value.s;
             }
           };
           const auto lennard_jones = [&]() __attribute__((always_inline)) {
-            const Real c6(strengths.c6[pair]), c12(strengths.c12[pair]);
+            const C c6(strengths.c6[pair]), c12(strengths.c12[pair]);
             const PairValue<Real> value = ended(LennardJones::of(c6, c12, inverse.second()), [&] {
-              return LennardJones::of(c6, c12, Real(1 / (laws.cutoff * laws.cutoff)));
+              return LennardJones::of(c6, c12, C(1 / (laws.cutoff * laws.cutoff)));
             });
             if constexpr (need_u) load.lennard_jones += value.u;
             return value.s;
@@ -241,7 +253,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
                                                : coulomb() + lennard_jones();
         });
         each_pair([&](auto k, auto a, std::size_t)
-                      __attribute__((always_inline)) { f_b[k] += s[k][a] * r[k][a]; });
+                      __attribute__((always_inline)) { add_scaled(f_b[k], s[k][a], r[k][a]); });
         each_b([&](auto k, std::size_t) __attribute__((always_inline)) {
           load.f += f_b[k];
           add_cross(load.tau_b, arm[k], f_b[k]);

@@ -27,14 +27,27 @@ class PairEngine {
   /// sum the settings hold a mesh; what does not depend on places is left out.
   void operator()(const State& state, Load& load, bool energies);
 
+  /// The derivative of forces and torques along a displacement of all bodies: centres move by dq
+  /// [nm], attitudes turn by dtheta [rad], body frame. Energies and virial become 0. The list, and
+  /// the mesh's potential if this state was the last one, serve again.
+  void derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta, Load& slope);
+
   const NeighbourList& neighbours() const { return list_; }
   /// Builds the list for the places of a state.
   void build_list(const State& state);
 
  private:
+  void update(const State& state);
   double place(const State& state);
+  void displace(const State& state, const Vec3Column& dq, const Vec3Column& dtheta);
+  template <class Body>
+  void each_task_of_slots(const Body& body);
   void prepare_sums();
-  void sum_chunk(std::size_t chunk, bool energies);
+  void clear(const State& state, Load& load);
+  using PairLoop = void (*)(const PairJob<T>&);
+  void sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>* displacements, Load& load);
+  void sum_chunk(std::size_t chunk, PairLoop loop, bool energies,
+                 const SiteRecords<T>* displacements);
   void collect(std::size_t chunk, Load& load) const;
 
   Workers& workers_;
@@ -44,10 +57,11 @@ class PairEngine {
   NeighbourList list_;
   std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
   SiteRecords<T> records_;
-  std::unique_ptr<ParticleMesh<T>> mesh_;  // if there is one
-  Column<T> mesh_sums_;                    // as in ChunkSums, of all slots
-  std::vector<ChunkSums<T>> sums_;         // of each chunk
-  std::vector<double> moved2_;             // of each task of place()
+  SiteRecords<T> displacements_, records_before_;  // once derivatives are asked for
+  std::unique_ptr<ParticleMesh<T>> mesh_;          // if there is one
+  Column<T> mesh_sums_;                            // as in ChunkSums, of all slots
+  std::vector<ChunkSums<T>> sums_;                 // of each chunk
+  std::vector<double> moved2_;                     // of each task of place()
 };
 
 }  // namespace polhode

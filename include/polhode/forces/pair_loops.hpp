@@ -51,6 +51,8 @@ struct PairJob {
   std::size_t partner_part;
   const SiteRecords<T>& records;
   ChunkSums<T>& sums;
+  /// For derivatives: how centres and sites relative to them move, in the order of the records.
+  const SiteRecords<T>* displacements = nullptr;
 };
 
 /// Bodies of one molecule type to be placed.
@@ -63,12 +65,30 @@ struct PlaceJob {
   SiteRecords<T>& records;
 };
 
+/// How they are displaced.
+template <class T>
+struct DisplaceJob {
+  const State& state;
+  const Slots& slots;
+  const std::vector<Vec3<double>>& sites;  ///< as in PlaceJob
+  std::size_t first, end;
+  const Vec3Column &dq, &dtheta;  ///< of centres [nm], lab; of attitudes [rad], body frame
+  SiteRecords<T>& displacements;
+};
+
 POLHODE_DECLARE_LOOPS(
     /// Fills the records of a job's slots; the square of the largest displacement since the list
     /// was built [nm²].
     double place_sites(const PlaceJob<double>& job); double place_sites(const PlaceJob<float>& job);
+    /// Fills the records of displacements of a job's slots.
+    void displace_sites(const DisplaceJob<double>& job);
+    void displace_sites(const DisplaceJob<float>& job);
     /// Adds the forces, torques and, if wanted, energies and virial of a job's pairs to its sums.
     void pair_forces(const PairJob<double>& job); void pair_forces(const PairJob<float>& job);
+    /// Adds the derivatives of forces and torques of a job's pairs along its displacements to its
+    /// sums.
+    void pair_derivative(const PairJob<double>& job);
+    void pair_derivative(const PairJob<float>& job);
     /// How many pairs stand in a pack.
     std::size_t pair_lanes(const PairJob<double>*); std::size_t pair_lanes(const PairJob<float>*);)
 

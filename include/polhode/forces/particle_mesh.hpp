@@ -15,9 +15,6 @@
 
 namespace polhode {
 
-template <class T>
-class GridTransform;
-
 /// What the mesh does as a whole; 0 where energies are not asked for.
 struct MeshLoad {
   double energy = 0;      ///< of the smooth part, over wave vectors [kJ/mol]
@@ -58,9 +55,17 @@ class ParticleMesh {
   /// Forces and torques to `sums`; Σ arm ⊗ force over all sites if wanted.
   Mat3<double> gather(const Slots& slots, const SiteRecords<T>& records, T* sums, bool arms);
 
+  /// Adds the derivatives of forces and torques along a displacement to `sums`.
+  /// @param displacements  of centres and sites, as records
+  /// @param charges_moved  whether charges moved since their potential was computed: then it is
+  ///                       computed anew
+  void derivative(const Slots& slots, const SiteRecords<T>& records,
+                  const SiteRecords<T>& displacements, T* sums, bool charges_moved);
+
   const MeshSettings& settings() const { return settings_; }
 
  private:
+  struct Field;  // a grid that holds charges at first, then their potential; and its transform
   struct Part {
     std::vector<double> charges;
     double reach;                        // of a charge from its centre [nm]
@@ -71,15 +76,23 @@ class ParticleMesh {
   };
   void make_influence();
   void find_extents(const Slots& slots, const SiteRecords<T>& records);
-  void spread_to(std::size_t slab, const Slots& slots, const SiteRecords<T>& records);
-  void convolve_row(std::size_t y, T* waves, const T** rows, WaveSums* sums);
+  // With displacements, their derivative.
+  void spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
+                 const SiteRecords<T>* displacements);
+  void spread_to(Field& field, std::size_t slab, const Slots& slots, const SiteRecords<T>& records,
+                 const SiteRecords<T>* displacements);
+  MeshLoad convolve_on(Field& field, bool energies);
+  void convolve_row(Field& field, std::size_t y, T* waves, const T** rows, WaveSums* sums);
+  template <class Gather>
+  void each_charged_block(const Slots& slots, const Gather& gather);
 
   Workers& workers_;
   MeshSettings settings_;
   Box box_;
   std::vector<Part> parts_;
-  MeshGrid<T> grid_;
-  std::unique_ptr<GridTransform<T>> transform_;
+  std::unique_ptr<Field> field_;
+  std::unique_ptr<Field> derivative_;  // of the field; once it is asked for
+  bool has_potential_ = false;
   std::array<Axis, 3> axes_;
   // Of a row of waves: as in ConvolveJob.
   Column<T> weight_, kx_, kx_squared_;

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "polhode/forces/molecule_pair.hpp"
+#include "polhode/math/dual.hpp"
+#include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
 
 namespace polhode {
 
-/// Where a body is; Real = Dual carries a displacement along.
+/// Where a body is; with dual numbers, and how it is displaced.
 template <class Real>
 struct Pose {
   Vec3<Real> q;
@@ -93,6 +95,30 @@ ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings
     default:
       return all_pairs_load<Ending::site_shift>(topology, settings, box, poses);
   }
+}
+
+/// The derivative of all that along a displacement: centres move by dq, attitudes turn by dtheta,
+/// body frame.
+inline Load reference_derivative(const Topology& topology, const ForceSettings& settings,
+                                 const State& state, const Vec3Column& dq,
+                                 const Vec3Column& dtheta) {
+  std::vector<Pose<Dual<double>>> poses(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Quaternion<double> a = state.attitude[i];
+    const Vec3<double> v = dtheta[i];
+    const Quaternion<double> da = scaled(a * Quaternion<double>{0, v.x, v.y, v.z}, 0.5);
+    poses[i] = {dual(state.q[i], dq[i]), {{a.w, da.w}, {a.x, da.x}, {a.y, da.y}, {a.z, da.z}}};
+  }
+  const ReferenceLoad<Dual<double>> exact = reference_load(topology, settings, state.box, poses);
+  Load derivative(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    derivative.f.set(i, slope(exact.f[i]));
+    derivative.tau.set(i, slope(exact.tau[i]));
+  }
+  derivative.lennard_jones = exact.lennard_jones.slope;
+  derivative.coulomb = exact.coulomb.slope;
+  for (std::size_t k = 0; k < 3; ++k) derivative.virial[k] = slope(exact.virial[k]);
+  return derivative;
 }
 
 }  // namespace polhode

@@ -29,6 +29,11 @@ inline Quaternion<double> rodrigues(const Vec3<double>& v) {
   return {std::cos(half), s * v.x, s * v.y, s * v.z};
 }
 
+/// The displacement that a gradient kick asks the derivative of forces along: f/m of each centre
+/// and J⁻¹ S τ of each attitude, body frame. ∇W is twice the derivative of f and τ along it.
+void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
+                        Vec3Column& dtheta, Workers& workers = Workers::serial());
+
 /// Moves every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
 /// (vanzon2008, Eq. 7 with c = 2 ξ λ h²).
 void displace(State& state, const Bodies& bodies, const Load& load, double c,

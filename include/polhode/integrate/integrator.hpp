@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/base/error.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/scheme.hpp"
@@ -22,13 +23,21 @@ concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
 };
 
+/// A force model with the exact derivative of its forces and torques along a displacement of the
+/// bodies, which gradient kicks ask for.
+template <class F>
+concept OffersDerivative = requires(F& forces, const State& state, const Vec3Column& displacement,
+                                    Load& slope) {
+  {forces.directional_derivative(state, displacement, displacement, slope)};
+};
+
 /// What an integrator carries from step to step: another one that takes it over goes on with the
 /// same bits.
 struct IntegratorMemory {
   Load load;              ///< the last one
   bool current = false;   ///< it belongs to the positions
   bool complete = false;  ///< it holds energies
-  std::uint64_t evaluations = 0, measurements = 0;
+  std::uint64_t evaluations = 0, derivatives = 0, measurements = 0;
   std::vector<IntegratorMemory> inner;  ///< of the scheme within its drifts, if there is one
 };
 
@@ -50,8 +59,9 @@ template <ForceModel Forces>
 class Integrator {
  public:
   /// @param forces  kept by reference
-  /// @param lambda  of the finite difference in gradient kicks (vanzon2008, Eq. 6)
+  /// @param lambda  of gradient kicks by finite difference (vanzon2008, Eq. 6)
   /// @param workers  for drifts and kicks, kept by reference; the forces have their own
+  /// @throws Error  if the scheme has exact gradients and the forces offer no derivative
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4,
              Workers& workers = Workers::serial())
       : scheme_(scheme),
@@ -60,8 +70,16 @@ class Integrator {
         lambda_(lambda),
         workers_(workers),
         load_(bodies.size()) {
-    for (const Stage& stage : scheme.stages())
-      if (stage.xi != 0) gradient_load_ = Load(bodies.size()), shifted_ = State(bodies.size(), {});
+    if (scheme.has(Gradient::finite_difference)) shifted_ = State(bodies.size(), {});
+    if (scheme.has(Gradient::exact)) {
+      if (!OffersDerivative<Forces>)
+        throw Error(
+            "the scheme has exact gradient kicks and these forces offer no derivative; give them a "
+            "directional_derivative, or take finite differences as in \"gier4-fd\"");
+      dq_ = dtheta_ = Vec3Column(bodies.size());
+    }
+    if (scheme.has(Gradient::finite_difference) || scheme.has(Gradient::exact))
+      gradient_load_ = Load(bodies.size());
   }
 
   /// Steps e^{Lh}, `steps` times (vanzon2008, Eq. 1). Between two steps the last stage of one and
@@ -119,19 +137,22 @@ class Integrator {
   }
 
   IntegratorMemory memory() const {
-    IntegratorMemory memory{load_, current_, complete_, evaluations_, measurements_, {}};
+    IntegratorMemory memory{load_,        current_,      complete_, evaluations_,
+                            derivatives_, measurements_, {}};
     if constexpr (requires { forces_.memory(); }) memory.inner.push_back(forces_.memory());
     return memory;
   }
   void take_over(const IntegratorMemory& memory) {
     load_ = memory.load;
     current_ = memory.current, complete_ = memory.complete;
-    evaluations_ = memory.evaluations, measurements_ = memory.measurements;
+    evaluations_ = memory.evaluations, derivatives_ = memory.derivatives;
+    measurements_ = memory.measurements;
     if constexpr (requires { forces_.take_over(memory); }) forces_.take_over(memory.inner.at(0));
   }
 
   const Scheme& scheme() const { return scheme_; }
   std::uint64_t force_evaluations() const { return evaluations_; }  ///< by steps
+  std::uint64_t derivatives() const { return derivatives_; }        ///< of forces, by steps
   std::uint64_t measurements() const { return measurements_; }      ///< for load() alone
 
  private:
@@ -158,13 +179,24 @@ class Integrator {
       return;
     }
     kick(state, forces(state, energies), stage.fraction * h, workers_);  // f, τ
-    if (stage.xi != 0) gradient_kick(stage, state, h);
+    if constexpr (OffersDerivative<Forces>)
+      if (stage.has(Gradient::exact)) exact_gradient_kick(stage, state, h);
+    if (stage.has(Gradient::finite_difference)) finite_difference_kick(stage, state, h);
   }
 
-  /// The part of e^{B̂(ξ)} beyond e^B: Δf = [f(q̃, S̃) − f(q, S)]/λ and the same of τ, both in the lab
-  /// frame (vanzon2008, Eqs. 6 and 7). The step h in 2 ξ λ h² is the whole one, whatever the kick's
-  /// weight.
-  void gradient_kick(const Stage& stage, State& state, double h) {
+  /// The part of e^{B̂(ξ)} beyond e^B: ξ h² ∇W (vanzon2008, Eq. 5), ∇W being twice the derivative of
+  /// f and τ along the displacement that they would make (docs/theory.md, "The gradient kick"). The
+  /// step h in ξ h² is the whole one, whatever the kick's weight.
+  void exact_gradient_kick(const Stage& stage, State& state, double h) {
+    gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
+    forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);
+    ++derivatives_;
+    kick(state, gradient_load_, stage.fraction * h * 2 * stage.xi * h * h, workers_);
+  }
+
+  /// The same by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ and the same of τ, both in the lab
+  /// frame (vanzon2008, Eqs. 6 and 7).
+  void finite_difference_kick(const Stage& stage, State& state, double h) {
     shifted_.q = state.q;
     shifted_.attitude = state.attitude;
     shifted_.box = state.box;
@@ -184,10 +216,11 @@ class Integrator {
   double lambda_;
   Workers& workers_;
   Load load_, gradient_load_;
-  State shifted_;          // q̃, S̃
-  bool current_ = false;   // load_ belongs to the positions
-  bool complete_ = false;  // and holds energies
-  std::uint64_t evaluations_ = 0, measurements_ = 0;
+  Vec3Column dq_, dtheta_;  // direction of the derivative
+  State shifted_;           // q̃, S̃
+  bool current_ = false;    // load_ belongs to the positions
+  bool complete_ = false;   // and holds energies
+  std::uint64_t evaluations_ = 0, derivatives_ = 0, measurements_ = 0;
 };
 
 }  // namespace polhode

@@ -23,7 +23,7 @@ class NestedForces {
         full_(full),
         near_(near),
         inner_(inner, bodies, near, lambda, workers),
-        near_elsewhere_(bodies.size()) {}
+        part_(bodies.size()) {}
 
   /// Slow forces and torques; the energies and the virial are those of all forces.
   void operator()(const State& state, Load& load) {
@@ -34,6 +34,16 @@ class NestedForces {
   void forces_alone(const State& state, Load& load) {
     polhode::forces_alone(full_, state, load);
     take_near(state, load);
+  }
+  /// The derivative of slow forces and torques: that of all forces less that of the near ones.
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& derivative)
+    requires OffersDerivative<Full> && OffersDerivative<Near>
+  {
+    full_.directional_derivative(state, dq, dtheta, derivative);
+    near_.directional_derivative(state, dq, dtheta, part_);
+    ++outer_derivatives_;
+    subtract(derivative, part_);
   }
 
   /// e^{(A + B_near)t}, to the order of the inner scheme.
@@ -47,43 +57,46 @@ class NestedForces {
   IntegratorMemory memory() const {
     IntegratorMemory memory = inner_.memory();
     memory.evaluations = near_evaluations();
+    memory.derivatives = near_derivatives();
     return memory;
   }
   void take_over(const IntegratorMemory& memory) {
     inner_.take_over(memory);
-    elsewhere_ = 0;
+    elsewhere_ = outer_derivatives_ = 0;
   }
 
   std::uint64_t near_evaluations() const { return inner_.force_evaluations() + elsewhere_; }
+  std::uint64_t near_derivatives() const { return inner_.derivatives() + outer_derivatives_; }
 
  private:
-  void take_near(const State& state, Load& load) {
-    const Load& near = near_load(state);
-    const auto subtract = [](Column<double>& all, const Column<double>& part) {
-      for (std::size_t i = 0; i < all.size(); ++i) all[i] -= part[i];
+  void take_near(const State& state, Load& load) { subtract(load, near_load(state)); }
+
+  static void subtract(Load& all, const Load& part) {
+    const auto less = [](Column<double>& a, const Column<double>& b) {
+      for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
     };
     for (const auto axis : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {
-      subtract(load.f.*axis, near.f.*axis);
-      subtract(load.tau.*axis, near.tau.*axis);
+      less(all.f.*axis, part.f.*axis);
+      less(all.tau.*axis, part.tau.*axis);
     }
   }
 
-  /// Of the state that is moved: those of the inner scheme. A gradient kick asks for displaced
+  /// Of the state that is moved: those of the inner scheme. A finite difference asks for displaced
   /// positions too, which the inner scheme must not take for its own.
   const Load& near_load(const State& state) {
     if (&state == moved_) return inner_.forces(state);
-    polhode::forces_alone(near_, state, near_elsewhere_);
+    polhode::forces_alone(near_, state, part_);
     ++elsewhere_;
-    return near_elsewhere_;
+    return part_;
   }
 
   int steps_;
   Full& full_;
   Near& near_;
   Integrator<Near> inner_;
-  Load near_elsewhere_;
+  Load part_;  // of the near forces, where the inner scheme has none
   const State* moved_ = nullptr;
-  std::uint64_t elsewhere_ = 0;
+  std::uint64_t elsewhere_ = 0, outer_derivatives_ = 0;
 };
 
 }  // namespace polhode

@@ -32,17 +32,36 @@ struct NestedScheme {
     return inner ? std::min(outer.order(), inner->scheme.order()) : outer.order();
   }
 
+  bool has(Gradient gradient) const {
+    return outer.has(gradient) || (inner && inner->scheme.has(gradient));
+  }
+
   /// Evaluations of the near forces in a step of the outer scheme, which has force_evaluations() of
   /// the whole ones beside. Outer and inner kicks at the same positions share one; the displaced
-  /// positions of a gradient kick have one of their own.
+  /// positions of a finite difference have one of their own.
   int near_evaluations() const {
     if (!inner) return 0;
-    const auto is_drift = [](const Stage& stage) { return stage.flow == Flow::drift; };
-    const auto stages = outer.stages(), within = inner->scheme.stages();
-    const auto drifts = static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));
+    const auto within = inner->scheme.stages();
     const bool shared = !is_drift(within.front()) || !is_drift(within.back());
-    return drifts * inner->steps * inner->scheme.force_evaluations() +
-           (shared ? outer.gradient_kicks() : outer.force_evaluations());
+    const int displaced = outer.gradient_kicks() - outer.derivatives();
+    return inner_steps() * inner->scheme.force_evaluations() +
+           (shared ? displaced : outer.force_evaluations());
+  }
+  /// Evaluations of the derivative of the near forces in a step of the outer scheme: one for each
+  /// exact gradient kick of either.
+  int near_derivatives() const {
+    return inner ? inner_steps() * inner->scheme.derivatives() + outer.derivatives() : 0;
+  }
+  /// Both together, in evaluations of the near forces.
+  double near_cost() const { return near_evaluations() + derivative_cost * near_derivatives(); }
+
+ private:
+  static bool is_drift(const Stage& stage) { return stage.flow == Flow::drift; }
+  /// In a step of the outer scheme.
+  int inner_steps() const {
+    const auto stages = outer.stages();
+    return inner->steps *
+           static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));
   }
 };
 

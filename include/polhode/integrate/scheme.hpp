@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -13,16 +14,33 @@ namespace polhode {
 
 enum class Flow { drift, kick };
 
+/// How a gradient kick gets ∇W.
+enum class Gradient {
+  exact,              ///< from the derivative of the forces: the scheme is symplectic
+  finite_difference,  ///< from forces at displaced positions (vanzon2008, Eqs. 6 and 7)
+};
+
 /// One factor of the propagator.
 struct Stage {
   Flow flow = Flow::drift;
   double fraction = 0;  ///< of the step h
   double xi = 0;        ///< ξ of a gradient kick (vanzon2008, Eqs. 4 to 7); 0 for a plain one
+  Gradient gradient = Gradient::exact;
+  constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
   friend constexpr bool operator==(const Stage&, const Stage&) = default;
 };
 
 constexpr Stage A(double a) { return {Flow::drift, a, 0}; }
-constexpr Stage B(double b, double xi = 0) { return {Flow::kick, b, xi}; }
+constexpr Stage B(double b, double xi = 0, Gradient gradient = Gradient::exact) {
+  return {Flow::kick, b, xi, gradient};
+}
+
+/// What the derivative of the forces costs, in force evaluations: as measured for 512 four-site
+/// waters by bench/micro/forces.cpp (docs/gradient.md).
+inline constexpr double derivative_cost = 2.0;
+
+/// The fraction of a stage that is whatever makes its flow advance by one step in all.
+inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
 /// A scheme. Anyone's line in a table is checked when it is compiled: the constructor runs at
 /// compile time and refuses one whose drifts or kicks do not sum to one step.
@@ -30,12 +48,14 @@ class Scheme {
  public:
   static constexpr std::size_t most_stages = 64;
 
-  /// @param half    the stages up to and including the middle one; the rest is their mirror image
+  /// @param half    the stages up to and including the middle one; the others are their mirror
+  ///                image. One stage of each flow may have `rest` as its fraction
   /// @param source  key in docs/references.bib
   consteval Scheme(std::string_view name, int order, std::initializer_list<Stage> half,
                    std::string_view source)
       : name_(name), source_(source), order_(order) {
     for (const Stage& stage : half) stages_[count_++] = stage;
+    complete(Flow::drift), complete(Flow::kick);
     for (std::size_t i = count_ - 1; i-- > 0;) stages_[count_++] = stages_[i];
     if (!consistent()) throw "the drifts or the kicks of a scheme do not sum to one";
   }
@@ -53,24 +73,20 @@ class Scheme {
 
   /// Force evaluations per step when steps follow each other: a kick whose positions are still
   /// those of the kick before costs nothing, a gradient kick by finite difference costs one more.
-  constexpr int force_evaluations() const {
-    int n = 0;
-    bool known = stages_[count_ - 1].flow == Flow::kick;  // by the end of the step before
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (stages_[i].flow == Flow::drift) {
-        known = false;
-        continue;
-      }
-      const bool merged = i + 1 == count_ && mergeable();  // with the next step's first kick
-      n += (known ? 0 : 1) + (stages_[i].xi != 0 && !merged ? 1 : 0);
-      known = true;
-    }
-    return n;
-  }
+  constexpr int force_evaluations() const { return evaluations().forces; }
+  /// Evaluations of the forces' derivative per step: one for each exact gradient kick.
+  constexpr int derivatives() const { return evaluations().derivatives; }
+  /// Both together, in force evaluations.
+  constexpr double cost() const { return force_evaluations() + derivative_cost * derivatives(); }
 
   /// The last stage of one step and the first of the next are one flow.
   constexpr bool mergeable() const { return count_ > 1 && palindromic(); }
 
+  constexpr bool has(Gradient gradient) const {
+    for (const Stage& stage : stages())
+      if (stage.has(gradient)) return true;
+    return false;
+  }
   /// Gradient kicks per step.
   constexpr int gradient_kicks() const {
     int n = 0;
@@ -102,6 +118,41 @@ class Scheme {
   }
 
  private:
+  struct Evaluations {
+    int forces = 0, derivatives = 0;
+  };
+  constexpr Evaluations evaluations() const {
+    Evaluations n;
+    bool known = stages_[count_ - 1].flow == Flow::kick;  // by the end of the step before
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (stages_[i].flow == Flow::drift) {
+        known = false;
+        continue;
+      }
+      const bool merged = i + 1 == count_ && mergeable();  // with the next step's first kick
+      n.forces += known ? 0 : 1;
+      n.forces += stages_[i].has(Gradient::finite_difference) && !merged ? 1 : 0;
+      n.derivatives += stages_[i].has(Gradient::exact) && !merged ? 1 : 0;
+      known = true;
+    }
+    return n;
+  }
+
+  /// Gives the `rest` of a flow its value, while stages_ holds the half up to the middle.
+  constexpr void complete(Flow flow) {
+    double left = 1, share = 0;
+    std::size_t open = count_;
+    for (std::size_t i = 0; i < count_; ++i) {
+      if (stages_[i].flow != flow) continue;
+      const double copies = i + 1 == count_ ? 1 : 2;
+      if (stages_[i].fraction != stages_[i].fraction)
+        open = i, share = copies;
+      else
+        left -= copies * stages_[i].fraction;
+    }
+    if (open < count_) stages_[open].fraction = left / share;
+  }
+
   std::string_view name_, source_;
   int order_;
   std::array<Stage, most_stages> stages_{};

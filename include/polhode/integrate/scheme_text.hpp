@@ -12,7 +12,8 @@ namespace polhode {
 /// The scheme of that name in the table, or the one that the text spells.
 ///
 /// A text lists all stages: A(a) drifts and B(b) or B(b, xi) kicks, with a number or a fraction of
-/// numbers for each argument; "xi=" before the second is allowed.
+/// numbers for each argument; "xi=" before the second is allowed, and B(b, xi, fd) takes the
+/// gradient by finite difference.
 /// @throws Error  if there is no such name (with the nearest one), if the text cannot be read (with
 ///                the place), or if its drifts or kicks do not sum to one
 Scheme scheme_of(std::string_view name_or_text);

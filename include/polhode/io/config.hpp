@@ -39,9 +39,10 @@ struct IntegratorSettings {
 };
 
 struct RunSettings {
-  double equilibrate = 0;  ///< [ps], with velocity rescaling
-  double length = 15;      ///< [ps]
-  double sample = 0.004;   ///< between samples of the energies [ps]
+  double equilibrate = 0;    ///< [ps], with velocity rescaling
+  double length = 15;        ///< [ps]
+  double sample = 0.004;     ///< between samples of the energies [ps]
+  double shadow_sample = 0;  ///< between those of the shadow energy [ps]; 0: none
 };
 
 struct OutputSettings {

@@ -49,7 +49,7 @@ struct FileMark {
 };
 
 /// A number of a frame, for formats that hold such beside the atoms.
-struct Observable {
+struct FrameNumber {
   std::string_view name;  ///< "potential_energy"
   std::string_view unit;  ///< as H5MD writes it: "kJ mol-1"
   double value;
@@ -64,7 +64,7 @@ class FrameWriter {
   virtual void write(const State& state) = 0;
   /// The same with observables, which must be the same ones at each frame; formats that hold none
   /// leave them out.
-  virtual void write(const State& state, std::span<const Observable> /*observables*/) {
+  virtual void write(const State& state, std::span<const FrameNumber> /*observables*/) {
     write(state);
   }
   /// Appends a frame as another file gave it.

@@ -10,12 +10,18 @@ namespace polhode {
 /// at a distance u, from 0 to 1, beyond a grid point gives to p points in a row. By the recursion
 /// M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k − 1) and M_k'(x) = M_(k−1)(x) − M_(k−1)(x −
 /// 1) [essmann1995, Eqs. 4.1 and 4.2].
+/// @param curvature  if wanted: the second derivatives, by the second of them twice
 template <int order, class Real>
-inline void b_spline(Real u, Real* w, Real* slope) {
-  static_assert(order >= 3);
+inline void b_spline(Real u, Real* w, Real* slope, Real* curvature = nullptr) {
+  static_assert(order >= 3);  // 4 with second derivatives
   w[0] = Real(1) - u;
   w[1] = u;
   for (int k = 3; k <= order; ++k) {
+    if (curvature && k + 1 == order) {  // w has order − 2 weights
+      const auto weight = [&](int j) { return j < 0 || j >= k - 1 ? Real(0) : w[j]; };
+      for (int j = 0; j < order; ++j)
+        curvature[j] = (weight(j - 2) - weight(j - 1)) - (weight(j - 1) - weight(j));
+    }
     if (k == order) {
       slope[0] = -w[0];
       for (int j = 1; j < k - 1; ++j) slope[j] = w[j - 1] - w[j];

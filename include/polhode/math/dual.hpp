@@ -1,18 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Dual numbers a + b ε with ε² = 0: a formula evaluated on them yields its value and its derivative
-// along one direction, both exact to rounding.
+// along one direction, both exact to rounding. Over packs they are the derivative of the pair
+// loops: what is constant multiplies as a plain number, sums of products and powers of distances
+// take the short ways, and values that nobody asks for are not computed, so that little remains
+// beyond what one would write down by hand.
 #pragma once
 
-#include "polhode/base/real.hpp"
+#include <type_traits>
+
+#include "polhode/base/vec3.hpp"
 
 namespace polhode {
 
+/// @tparam Real  a number or a pack
+template <class Real>
 struct Dual {
-  double value = 0;
-  double slope = 0;  ///< derivative along the direction chosen
+  Real value{};
+  Real slope{};  ///< derivative along the direction chosen
 
   constexpr Dual() = default;
-  constexpr Dual(double v, double s = 0) : value(v), slope(s) {}  // implicit: constants are Reals
+  constexpr Dual(Real v, Real s = Real(0)) : value(v), slope(s) {}  // implicit, as a Real is
 
   friend constexpr Dual operator+(Dual a, Dual b) { return {a.value + b.value, a.slope + b.slope}; }
   friend constexpr Dual operator-(Dual a, Dual b) { return {a.value - b.value, a.slope - b.slope}; }
@@ -21,18 +28,105 @@ struct Dual {
     return {a.value * b.value, a.slope * b.value + a.value * b.slope};
   }
   friend constexpr Dual operator/(Dual a, Dual b) {
-    const double quotient = a.value / b.value;
+    const Real quotient = a.value / b.value;
     return {quotient, (a.slope - quotient * b.slope) / b.value};
   }
   constexpr Dual& operator+=(Dual b) { return *this = *this + b; }
   constexpr Dual& operator-=(Dual b) { return *this = *this - b; }
-  friend constexpr bool operator<(Dual a, Dual b) { return a.value < b.value; }
-  friend constexpr bool operator>(Dual a, Dual b) { return a.value > b.value; }
+
+  // With constants.
+  friend constexpr Dual operator+(Dual a, Real c) { return {a.value + c, a.slope}; }
+  friend constexpr Dual operator+(Real c, Dual a) { return {c + a.value, a.slope}; }
+  friend constexpr Dual operator-(Dual a, Real c) { return {a.value - c, a.slope}; }
+  friend constexpr Dual operator-(Real c, Dual a) { return {c - a.value, -a.slope}; }
+  friend constexpr Dual operator*(Dual a, Real c) { return {a.value * c, a.slope * c}; }
+  friend constexpr Dual operator*(Real c, Dual a) { return {c * a.value, c * a.slope}; }
+  friend constexpr Dual operator/(Dual a, Real c) { return {a.value / c, a.slope / c}; }
+  friend constexpr Dual operator/(Real c, Dual a) { return Dual(c) / a; }
+
+  friend constexpr auto operator<(Dual a, Dual b) { return a.value < b.value; }
+  friend constexpr auto operator>(Dual a, Dual b) { return a.value > b.value; }
+
+  friend Dual sqrt(Dual a) {
+    const Real root = sqrt(a.value);
+    return {root, a.slope / (root + root)};
+  }
 };
 
-inline Dual sqrt(Dual a) {
-  const double root = std::sqrt(a.value);
-  return {root, a.slope / (2 * root)};
+template <class Real>
+inline constexpr bool is_dual = false;
+template <class Real>
+inline constexpr bool is_dual<Dual<Real>> = true;
+
+template <class Real>
+struct ConstantOf<Dual<Real>> {
+  using type = Real;
+};
+template <class Real>
+struct MaskOf<Dual<Real>> : MaskOf<Real> {};
+
+template <class Real>
+requires(!std::is_same_v<Mask<Real>, bool>)  // else the general one does
+    Dual<Real> select(Mask<Real> mask, Dual<Real> if_true, Dual<Real> if_false) {
+  return {select(mask, if_true.value, if_false.value), select(mask, if_true.slope, if_false.slope)};
+}
+
+// As sums of single products, each a multiply-add.
+template <class Real>
+constexpr void add_product(Dual<Real>& sum, const Dual<Real>& a, const Dual<Real>& b) {
+  sum.value += a.value * b.value;
+  sum.slope += a.slope * b.value;
+  sum.slope += a.value * b.slope;
+}
+template <class Real>
+constexpr void subtract_product(Dual<Real>& sum, const Dual<Real>& a, const Dual<Real>& b) {
+  sum.value -= a.value * b.value;
+  sum.slope -= a.slope * b.value;
+  sum.slope -= a.value * b.slope;
+}
+
+template <class Real>
+constexpr Vec3<Real> value(const Vec3<Dual<Real>>& v) {
+  return {v.x.value, v.y.value, v.z.value};
+}
+template <class Real>
+constexpr Vec3<Real> slope(const Vec3<Dual<Real>>& v) {
+  return {v.x.slope, v.y.slope, v.z.slope};
+}
+/// A vector and its derivative.
+template <class Real>
+constexpr Vec3<Dual<Real>> dual(const Vec3<Real>& v, const Vec3<Real>& s) {
+  return {{v.x, s.x}, {v.y, s.y}, {v.z, s.z}};
+}
+
+template <class Real>
+constexpr Dual<Real> norm2(const Vec3<Dual<Real>>& a) {
+  const Real half_slope = dot(value(a), slope(a));
+  return {norm2(value(a)), half_slope + half_slope};
+}
+
+/// d r⁻ⁿ = −(n/2) r⁻ⁿ d(r²)/r².
+template <class Real>
+class InversePowers<Dual<Real>> {
+ public:
+  InversePowers() = default;
+  explicit InversePowers(const Dual<Real>& r2)
+      : powers_(r2.value), relative_(r2.slope * powers_.second()) {}
+  Dual<Real> first() const { return with_slope(powers_.first(), -0.5); }
+  Dual<Real> second() const { return with_slope(powers_.second(), -1); }
+  Dual<Real> third() const { return with_slope(powers_.third(), -1.5); }
+
+ private:
+  Dual<Real> with_slope(Real power, double factor) const {
+    return {power, power * (constant<Real>(factor) * relative_)};
+  }
+  InversePowers<Real> powers_;
+  Real relative_;
+};
+
+template <class Real>
+Dual<Real> inverse_sqrt(Dual<Real> a) {
+  return InversePowers<Dual<Real>>(a).first();
 }
 
 }  // namespace polhode

@@ -22,6 +22,15 @@ double jackknife_error(std::span<const double> without);
 /// which are taken as independent.
 Estimate slope(std::span<const double> x, std::span<const double> y);
 
+/// A straight line a + b x.
+struct Line {
+  Estimate intercept, slope;
+};
+
+/// The line through points with known standard errors of y, all positive, by weighted least
+/// squares; the errors of its parameters follow from those of y.
+Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
+
 /// The probability that chance alone moves an estimate as far from zero as this one: two-sided
 /// Student t with as many degrees of freedom. 1 if value and error are 0.
 double chance(const Estimate& estimate, double degrees_of_freedom);

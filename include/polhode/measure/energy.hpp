@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 #include "polhode/base/workers.hpp"
 #include "polhode/model/load.hpp"
@@ -51,5 +52,15 @@ Freedoms freedoms(const Topology& topology);
 
 /// 2 E/(n k_B) [K]; 0 without freedoms.
 double temperature(double kinetic_energy, double freedoms);
+
+/// Temperatures of kinds of motion [K]; 0 without freedoms.
+struct Temperatures {
+  double all = 0;
+  double translation = 0;
+  std::array<double, 3> rotation{};  ///< about each principal axis
+};
+
+/// From the mean kinetic energies of samples.
+Temperatures mean_temperatures(std::span<const Energies> samples, const Freedoms& freedoms);
 
 }  // namespace polhode

@@ -34,6 +34,8 @@ struct Drift {
 /// The drift of one trajectory. Neighbouring samples are correlated, so the line is fitted through
 /// the means of blocks and its error taken from their scatter.
 Drift drift(std::span<const Energies> samples);
+/// The same of any energies [kJ/mol] at their times [ps].
+Drift drift(std::span<const double> times, std::span<const double> energies);
 
 /// The drift over a series of independent runs: the mean of their slopes and its standard error.
 Drift drift_of_series(std::span<const double> rates);

@@ -3,7 +3,9 @@
 // runs (vanzon2008, Fig. 1).
 #pragma once
 
+#include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,8 +14,12 @@
 #include "polhode/io/config.hpp"
 #include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/rounding.hpp"
+#include "polhode/run/system.hpp"
 
 namespace polhode {
+
+/// Between energies [ps]: several times per 10 fs, as the fast librations alias otherwise.
+inline constexpr double longest_sample = 0.0025;
 
 /// One run: a scheme with a step from one of the starts.
 struct StudyRun {
@@ -27,6 +33,8 @@ struct StudyRun {
   double potential = 0;    ///< rms fluctuation of the potential energy [kJ/mol]
   double temperature = 0;  ///< mean over the run [K]
   double rounding = 0;     ///< R of rounding alone, estimated; 0 in double precision
+  /// Means over the run of kinds of motion; nothing in records that do not know them.
+  std::optional<Temperatures> parts;
   double near_weight = 0;  ///< time of near forces over all forces; 0 without an inner scheme
 };
 
@@ -44,6 +52,9 @@ struct EfficiencyPoint {
   Drift drift;             ///< of the series, as the paper has it
   double temperature = 0;  ///< [K]
   double rounding = 0;     ///< R of rounding alone, mean; 0 in double precision
+  /// T of rotation about each principal axis less that of translation, over the runs that know
+  /// them [K]; nothing without such freedoms.
+  std::array<std::optional<Estimate>, 3> excess;
   /// No run blew up, and the drift is not significant.
   bool usable() const { return stable && drift.chance >= significance; }
   /// R is no longer that of the scheme.
@@ -65,6 +76,11 @@ struct StudyProgress {
   std::function<void(double done, const std::string& what)> report;  ///< fraction of the work
   std::function<bool()> stop;
 };
+
+/// One of a series of starts: the system with momenta of its own, drawn from the run file's seed +
+/// 1 + index, equilibrated for `length` [ps]. Void where `stop` ended it.
+System decorrelated_start(const System& base, const Config& config, std::size_t index,
+                          double length, const std::function<bool()>& stop);
 
 /// Runs what is not in `known` yet, as many runs at once as there are workers, and reports each run
 /// as it ends. A run is one thread's.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/rounding.hpp"
@@ -13,22 +14,22 @@ namespace polhode {
 struct RunSummary {
   std::size_t molecules = 0;
   std::size_t steps = 0;
-  double length = 0;                 ///< simulated [ps]
-  double sample = 0;                 ///< between energies [ps]
-  Estimate ratio;                    ///< R
-  double total_fluctuation = 0;      ///< [kJ/mol]
-  double potential_fluctuation = 0;  ///< [kJ/mol]
-  double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
-  Drift drift;                       ///< [kJ/mol/ps]
-  double potential = 0;              ///< mean per molecule [kJ/mol]
-  double total = 0;                  ///< mean per molecule [kJ/mol]
-  Estimate pressure;                 ///< mean, with the error of block averages [kJ/mol/nm³]
-  double momentum = 0;               ///< |Σ p| at the end [u nm/ps]
-  double temperature = 0;            ///< mean over the run, all freedoms [K]
-  double translation = 0;            ///< [K]
-  std::array<double, 3> rotation{};  ///< about each principal axis [K]; 0 without freedoms
+  double length = 0;                    ///< simulated [ps]
+  double sample = 0;                    ///< between energies [ps]
+  Estimate ratio;                       ///< R
+  double total_fluctuation = 0;         ///< [kJ/mol]
+  double potential_fluctuation = 0;     ///< [kJ/mol]
+  double rounding = 0;                  ///< R of rounding alone, estimated; 0 in double precision
+  Drift drift;                          ///< [kJ/mol/ps]
+  std::optional<ShadowSummary> shadow;  ///< if it was asked for
+  double potential = 0;                 ///< mean per molecule [kJ/mol]
+  double total = 0;                     ///< mean per molecule [kJ/mol]
+  Estimate pressure;                    ///< mean, with the error of block averages [kJ/mol/nm³]
+  double momentum = 0;                  ///< |Σ p| at the end [u nm/ps]
+  Temperatures temperatures;            ///< means over the run [K]
   Freedoms freedoms;
-  std::uint64_t force_evaluations = 0, near_evaluations = 0, measurements = 0;
+  std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
+  std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if there are
   std::size_t list_rebuilds = 0;
   Timings timings;
   double ns_per_day = 0;

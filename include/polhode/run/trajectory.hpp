@@ -11,6 +11,7 @@
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/measure/energy.hpp"
+#include "polhode/measure/shadow.hpp"
 #include "polhode/run/system.hpp"
 
 namespace polhode {
@@ -21,10 +22,15 @@ struct TrajectorySettings {
   double length = 0;                   ///< [ps]
   double sample = 0;                   ///< between energies [ps]; at least one step
   double lambda = 1e-4;                ///< of finite-difference gradients
+  double shadow_sample = 0;            ///< between error brackets [ps], at some samples; 0: none
   std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
+  std::size_t samples_per_shadow() const;
+
+  /// @throws Error  if a shadow energy is wanted of a scheme that has none of order h²
+  void check_shadow() const;
 };
 
 /// Seconds of wall-clock time by part.
@@ -61,10 +67,13 @@ struct Watch {
 };
 
 struct Trajectory {
-  std::vector<Energies> samples;  ///< the first at the start
+  std::vector<Energies> samples;        ///< the first at the start
+  std::vector<BracketSample> brackets;  ///< of some of them, if asked for
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
+  std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
   std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme
+  std::uint64_t near_derivatives = 0;
   std::uint64_t measurements = 0;       ///< force evaluations for energies alone
   bool stopped = false;                 ///< by the watch
   std::string failure;                  ///< why it blew up; empty if it did not

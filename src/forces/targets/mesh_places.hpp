@@ -25,8 +25,16 @@ class Places {
       transpose<T>([&](std::size_t lane) { return Real::load(records.of(slot + lane) + k); },
                    column_.data() + k);
   }
+  Vec3<Real> centre() const { return {column_[0], column_[1], column_[2]}; }
   Vec3<Real> arm(std::size_t site) const {
     return {column_[3 + 3 * site], column_[4 + 3 * site], column_[5 + 3 * site]};
+  }
+  // From the records of displacements: how far a site moves in spacings of the grid.
+  Vec3<Real> in_spacings(std::size_t site) const {
+    Vec3<Real> move = centre() + arm(site);
+    for (std::size_t d = 0; d < 3; ++d)
+      move[d] *= Real(static_cast<T>(static_cast<double>(points_[d]) / box_.edge[d]));
+    return move;
   }
   // The grid point before a site along one edge; the distance beyond it.
   Real place(std::size_t site, std::size_t d, std::int32_t* index) const {

@@ -11,6 +11,7 @@
 #include "polhode/base/pack_places.hpp"
 #include "polhode/forces/molecule_pair.hpp"
 #include "polhode/forces/pair_loops.hpp"
+#include "polhode/math/dual.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
@@ -39,10 +40,15 @@ inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d
 // before did, whose results are there: these two steps mostly shuffle and move, and pairs multiply.
 // These steps are functions of their own: within the loops over pairs they would be compiled anew
 // for each law and kind of result, which takes long and gains nothing that lasts.
-template <class T, class Shape>
+//
+// With dual numbers as the Number of the pairs, records of displacements are read beside the
+// others, and the slopes of forces and torques are added up.
+template <class Number, class Shape>
 class PairRows {
  public:
-  using Real = Pack<T>;
+  using Real = Constant<Number>;
+  using T = typename Real::value_type;
+  static constexpr bool slopes = is_dual<Number>;
 
   explicit PairRows(const PairJob<T>& job)
       : job_(job),
@@ -55,6 +61,12 @@ class PairRows {
         far_apart_(job.list.slots().size() > 8192 && job.list.slots().parts.size() == 1) {
     for (std::size_t d = 0; d < 3; ++d)
       unit_[d] = static_cast<T>(edge_[d] / static_cast<double>(fixed_point_edge));
+  }
+
+  // Dual numbers make functions longer than the compiler would write out by itself.
+  template <Ending ending>
+  [[gnu::flatten]] void run_with_slopes() {
+    run<ending, false>();
   }
 
   template <Ending ending, bool energies>
@@ -106,7 +118,9 @@ class PairRows {
 
   // What a pack's way through the steps leaves in memory; two packs are on their way at a time.
   struct Stage {
-    alignas(pack_bytes) T partners[(3 + 3 * Shape::most_b + Real::width) * Real::width];
+    static constexpr std::size_t numbers = (3 + 3 * Shape::most_b + Real::width) * Real::width;
+    alignas(pack_bytes) T partners[numbers];
+    alignas(pack_bytes) T displacements[slopes ? numbers : 1];
     alignas(pack_bytes) T loads[6 * Real::width] = {};  // forces and torques on the partners
     std::int32_t places[Real::width] = {};              // of their sums in the window
   };
@@ -153,9 +167,20 @@ class PairRows {
     Stage& to = stage(pack);
     const auto words = PackIndex<T>::load(entry);
     ((words & Neighbour::slot_mask) - partner_.first).wrapped(partner_.count).store(to.places);
+    turn(job_.records, entry, to.partners, [&](Real number, std::size_t k) {
+      return k < 3 ? in_image(number, words, k, edge_[k]) : number;
+    });
+    if constexpr (slopes)
+      turn(*job_.displacements, entry, to.displacements, [](Real number, auto) { return number; });
+  }
+
+  // Records of partners into packs, a pack for each number k of theirs: as(pack, k).
+  template <class As>
+  [[gnu::always_inline]] void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
+                                   const As& as) const {
     const T* record[Real::width];
     for (std::size_t lane = 0; lane < Real::width; ++lane)
-      record[lane] = job_.records.of(Neighbour(entry[lane]).slot());
+      record[lane] = records.of(Neighbour(entry[lane]).slot());
     for (std::size_t k = 0; k < numbers_; k += Real::width) {
       Real column[Real::width];
       transpose<T>(
@@ -163,37 +188,57 @@ class PairRows {
               __attribute__((always_inline)) { return Real::load(record[lane] + k); },
           column);
       for (std::size_t i = 0; i < Real::width; ++i)
-        (k + i < 3 ? in_image(column[i], words, k + i, edge_[k + i]) : column[i])
-            .store(to.partners + (k + i) * Real::width);
+        as(column[i], k + i).store(to + (k + i) * Real::width);
     }
   }
 
   template <Ending ending, bool energies>
   [[gnu::always_inline]] void compute(std::uint32_t slot, std::size_t pack, RowSums& sums) {
     Stage& at = stage(pack);
-    const T* const own = job_.records.of(slot);
-    const auto column = [&](std::size_t k) { return Real::load(at.partners + k * Real::width); };
-    Vec3<Real> R;
-    for (std::size_t d = 0; d < 3; ++d) R[d] = coordinate_difference(column(d), own[d], unit_[d]);
-    const PairLoad<Real> pair = molecule_pair<ending, energies>(
-        shape_, strengths_, job_.laws, R,
-        [&](std::size_t a) {
-          const T* const site = own + 3 + 3 * a;
-          return Vec3<Real>{Real(site[0]), Real(site[1]), Real(site[2])};
-        },
-        [&](std::size_t b) {
-          return Vec3<Real>{column(3 + 3 * b), column(4 + 3 * b), column(5 + 3 * b)};
-        });
-    sums.f -= pair.f;
-    sums.tau += pair.tau_a(R);
+    const T* const own_record = job_.records.of(slot);
+    [[maybe_unused]] const T* const own_displacement =
+        slopes ? job_.displacements->of(slot) : nullptr;
+    // Number k of the body's record, and of its partners' records.
+    const auto own = [&](std::size_t k) -> Number {
+      if constexpr (slopes)
+        return {Real(own_record[k]), Real(own_displacement[k])};
+      else
+        return Real(own_record[k]);
+    };
+    const auto partner = [&](std::size_t k) -> Number {
+      const Real number = Real::load(at.partners + k * Real::width);
+      if constexpr (slopes)
+        return {number, Real::load(at.displacements + k * Real::width)};
+      else
+        return number;
+    };
+    Vec3<Number> R;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Real partners = Real::load(at.partners + d * Real::width);
+      const Real difference = coordinate_difference(partners, own_record[d], unit_[d]);
+      if constexpr (slopes)
+        R[d] = {difference, (partner(d) - own(d)).slope};
+      else
+        R[d] = difference;
+    }
+    const auto site_of = [](const auto& number, std::size_t k) {
+      return Vec3<Number>{number(3 + 3 * k), number(4 + 3 * k), number(5 + 3 * k)};
+    };
+    const PairLoad<Number> pair = molecule_pair<ending, energies>(
+        shape_, strengths_, job_.laws, R, [&](std::size_t a) { return site_of(own, a); },
+        [&](std::size_t b) { return site_of(partner, b); });
+    sums.f -= wanted(pair.f);
+    sums.tau += wanted(pair.tau_a(R));
     if constexpr (energies) {
       sums.lennard_jones += pair.lennard_jones;
       sums.coulomb += pair.coulomb;
       for (std::size_t d = 0; d < 3; ++d) sums.virial[d] += R[d] * pair.f;
     }
-    store(pair.f, at.loads);
-    store(pair.tau_b, at.loads + 3 * Real::width);
+    store(wanted(pair.f), at.loads);
+    store(wanted(pair.tau_b), at.loads + 3 * Real::width);
   }
+  static Vec3<Real> wanted(const Vec3<Real>& v) { return v; }
+  static Vec3<Real> wanted(const Vec3<Dual<Real>>& v) { return slope(v); }
 
   // Forces and torques on the partners in a pack, to their sums. Before the first pack there are
   // none, on whichever partner.
@@ -235,11 +280,13 @@ class PairRows {
   Mat3<Pack<double>> virial_;
 };
 
-template <class T, class Shape>
+template <class Number, class Shape, class T>
 void run(const PairJob<T>& job) {
-  PairRows<T, Shape> rows(job);
+  PairRows<Number, Shape> rows(job);
   const auto with = [&]<Ending ending>() {
-    if (job.energies)
+    if constexpr (is_dual<Number>)
+      rows.template run_with_slopes<ending>();
+    else if (job.energies)
       rows.template run<ending, true>();
     else
       rows.template run<ending, false>();
@@ -257,17 +304,19 @@ void run(const PairJob<T>& job) {
 }
 
 // The first of the shapes that fits, or the general path.
-template <class T, class... Shapes>
+template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {
-  if (!((Shapes::fits(job.table) && (run<T, Shapes>(job), true)) || ...)) run<T, AnyShape>(job);
+  if (!((Shapes::fits(job.table) && (run<Number, Shapes>(job), true)) || ...))
+    run<Number, AnyShape>(job);
 }
+
+using FourSiteWater = FixedShape<4, 3, 1>;  // sites, charged, dispersive
+using ThreeSiteWater = FixedShape<3, 3, 1>;
+using FiveSiteWater = FixedShape<5, 4, 1>;
 
 template <class T>
 void pair_forces_of(const PairJob<T>& job) {
-  run_fitting<T,                             // sites, charged, dispersive
-              FixedShape<4, 3, 1>,           // four-site water
-              FixedShape<3, 3, 1>,           // three-site water
-              FixedShape<5, 4, 1>,           // five-site water
+  run_fitting<Pack<T>, FourSiteWater, ThreeSiteWater, FiveSiteWater,
               FixedShape<1, 0, 1>,           // noble gases
               FixedShape<1, 1, 1>,           // ions
               FixedShape<2, 2, 2>,           // linear, two sites
@@ -275,6 +324,12 @@ void pair_forces_of(const PairJob<T>& job) {
               FixedShape<3, 3, 2>,           // and with a charge between them
               FixedShape<4, 3, 1, 1, 1, 1>,  // ions in water
               FixedShape<1, 1, 1, 4, 3, 1>>(job);
+}
+
+// Derivatives are asked for less often, and of fewer kinds of molecules.
+template <class T>
+void pair_derivative_of(const PairJob<T>& job) {
+  run_fitting<Dual<Pack<T>>, FourSiteWater, ThreeSiteWater, FiveSiteWater>(job);
 }
 
 }  // namespace

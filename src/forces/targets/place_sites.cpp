@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where bodies and their sites are: records for the loops over pairs.
+// Where bodies and their sites are, and how they are displaced: records for the loops over pairs.
 #include <algorithm>
 #include <array>
 
@@ -9,17 +9,38 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
+// Doubles of as many packs as it takes, as one pack.
+template <class T, std::size_t parts>
+Pack<T> packed(const std::array<Pack<double>, parts>& a) {
+  if constexpr (parts == 1 && sizeof(T) == 8)
+    return a[0];
+  else
+    return narrowed(a);
+}
+
+// Columns of numbers to the records of a pack of slots.
+template <class T>
+void store_records(const Pack<T>* column, std::size_t numbers, std::size_t slot,
+                   SiteRecords<T>& records) {
+  constexpr std::size_t width = Pack<T>::width;
+  for (std::size_t k = 0; k < numbers; k += width) {
+    Pack<T> row[width];
+    transpose<T>([&](std::size_t i) { return column[k + i]; }, row);
+    for (std::size_t i = 0; i < width; ++i) row[i].store(records.of(slot + i) + k);
+  }
+}
+
+// S of a pack of bodies.
+inline Mat3<Pack<double>> attitudes(const QuaternionColumn& a, const std::uint32_t* body) {
+  return matrix_S(Quaternion<Pack<double>>{gathered(a.w.data(), body), gathered(a.x.data(), body),
+                                           gathered(a.y.data(), body), gathered(a.z.data(), body)});
+}
+
 template <class T>
 double place(const PlaceJob<T>& job) {
   using Real = Pack<T>;
   using Double = Pack<double>;
   constexpr std::size_t parts = Real::width / Double::width;
-  const auto packed = [](const std::array<Double, parts>& a) {
-    if constexpr (parts == 1 && sizeof(T) == 8)
-      return a[0];
-    else
-      return narrowed(a);
-  };
   const State& state = job.state;
   const std::size_t numbers = 3 + 3 * job.sites.size();
   std::array<Real, 3 + 3 * most_sites + Real::width> column;
@@ -42,9 +63,7 @@ double place(const PlaceJob<T>& job) {
       centre[2][h] = place(state.q.z, job.slots.built_at.z, job.slots.place.z);
       largest = select(largest < moved2, moved2, largest);
       all += moved2;
-      const QuaternionColumn& a = state.attitude;
-      S[h] = matrix_S(Quaternion<Double>{gathered(a.w.data(), body), gathered(a.x.data(), body),
-                                         gathered(a.y.data(), body), gathered(a.z.data(), body)});
+      S[h] = attitudes(state.attitude, body);
     }
     for (std::size_t d = 0; d < 3; ++d) {
       if constexpr (sizeof(T) == 4) {
@@ -63,13 +82,9 @@ double place(const PlaceJob<T>& job) {
             S[h].row0 * Double(r.x) + S[h].row1 * Double(r.y) + S[h].row2 * Double(r.z);
         for (std::size_t d = 0; d < 3; ++d) arm[d][h] = site[d];
       }
-      for (std::size_t d = 0; d < 3; ++d) column[3 + 3 * k + d] = packed(arm[d]);
+      for (std::size_t d = 0; d < 3; ++d) column[3 + 3 * k + d] = packed<T>(arm[d]);
     }
-    for (std::size_t k = 0; k < numbers; k += Real::width) {
-      Real row[Real::width];
-      transpose<T>([&](std::size_t i) { return column[k + i]; }, row);
-      for (std::size_t i = 0; i < Real::width; ++i) row[i].store(job.records.of(s + i) + k);
-    }
+    store_records<T>(column.data(), numbers, s, job.records);
   }
   alignas(pack_bytes) double lane[Double::width];
   largest.store(lane);
@@ -77,8 +92,47 @@ double place(const PlaceJob<T>& job) {
   return sum(all) < 1e300 ? moved2 : 1e300;  // not where a position is no number
 }
 
+// Centres move by dq; a site at r in the body frame moves by Sᵀ (dθ × r) relative to its centre.
+template <class T>
+void displace(const DisplaceJob<T>& job) {
+  using Real = Pack<T>;
+  using Double = Pack<double>;
+  constexpr std::size_t parts = Real::width / Double::width;
+  std::array<Real, 3 + 3 * most_sites + Real::width> column;
+  for (std::size_t s = job.first; s < job.end; s += Real::width) {
+    std::array<Vec3<Double>, parts> dtheta;
+    std::array<Mat3<Double>, parts> S;
+    std::array<Double, parts> move[3];
+    const auto put = [&](std::size_t k) {
+      for (std::size_t d = 0; d < 3; ++d) column[k + d] = packed<T>(move[d]);
+    };
+    for (std::size_t h = 0; h < parts; ++h) {
+      const std::uint32_t* const body = &job.slots.body[s + h * Double::width];
+      const auto of = [&](const Column<double>& c) { return gathered(c.data(), body); };
+      move[0][h] = of(job.dq.x), move[1][h] = of(job.dq.y), move[2][h] = of(job.dq.z);
+      dtheta[h] = {of(job.dtheta.x), of(job.dtheta.y), of(job.dtheta.z)};
+      S[h] = attitudes(job.state.attitude, body);
+    }
+    put(0);
+    for (std::size_t k = 0; k < job.sites.size(); ++k) {
+      const Vec3<double>& r = job.sites[k];
+      for (std::size_t h = 0; h < parts; ++h) {
+        const Vec3<Double> turned =
+            cross(dtheta[h], Vec3<Double>{Double(r.x), Double(r.y), Double(r.z)});
+        const Vec3<Double> in_lab =
+            S[h].row0 * turned.x + S[h].row1 * turned.y + S[h].row2 * turned.z;
+        for (std::size_t d = 0; d < 3; ++d) move[d][h] = in_lab[d];
+      }
+      put(3 + 3 * k);
+    }
+    store_records<T>(column.data(), 3 + 3 * job.sites.size(), s, job.displacements);
+  }
+}
+
 }  // namespace
 
+void displace_sites(const DisplaceJob<double>& job) { displace(job); }
+void displace_sites(const DisplaceJob<float>& job) { displace(job); }
 double place_sites(const PlaceJob<double>& job) { return place(job); }
 double place_sites(const PlaceJob<float>& job) { return place(job); }
 

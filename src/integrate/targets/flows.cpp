@@ -95,6 +95,16 @@ void kick(State& state, const Load& load, double t, std::size_t first, std::size
   }
 }
 
+void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
+                        Vec3Column& dtheta, std::size_t first, std::size_t end) {
+  for (std::size_t i = first; i < end; i += Real::width) {
+    store_pack(Real::load(&bodies.inverse_m[i]) * load_pack<Real>(load.f, i), dq, i);
+    const Vec3<Real> torque =
+        to_body(load_pack<Real>(state.attitude, i), load_pack<Real>(load.tau, i));  // S tau
+    store_pack(scaled(load_pack<Real>(bodies.inverse_J, i), torque), dtheta, i);
+  }
+}
+
 void displace(State& state, const Bodies& bodies, const Load& load, double c, std::size_t first,
               std::size_t end) {
   for (std::size_t i = first; i < end; i += Real::width) {

@@ -40,12 +40,12 @@ class H5mdWriter : public FrameWriter {
   }
 
   void write(const State& state) override { write(state, {}); }
-  void write(const State& state, std::span<const Observable> observables) override {
+  void write(const State& state, std::span<const FrameNumber> observables) override {
     const FrameView frame = view_of(state, topology_, choice_);
     if (!started_) begin(frame, &state, observables);
     append(frame);
     append(state);
-    for (const Observable& observable : observables) {
+    for (const FrameNumber& observable : observables) {
       const auto series = series_.find("observables/" + std::string(observable.name));
       if (series != series_.end()) put(series->second, H5T_NATIVE_DOUBLE, &observable.value);
     }
@@ -237,7 +237,7 @@ class H5mdWriter : public FrameWriter {
   }
 
   // What stays the same, and the places of what follows: none can be added while others read.
-  void begin(const FrameView& frame, const State* state, std::span<const Observable> observables) {
+  void begin(const FrameView& frame, const State* state, std::span<const FrameNumber> observables) {
     attribute(new_group("h5md"), "version", std::vector<int>{1, 1});
     attribute(new_group("h5md/author"), "name", "unknown");
     const Handle creator = new_group("h5md/creator");
@@ -267,7 +267,7 @@ class H5mdWriter : public FrameWriter {
       begin_series("particles/bodies/angular_momentum", H5T_IEEE_F64LE, {n, 3}, "u nm2 ps-1");
     }
     if (!observables.empty()) new_group("observables");
-    for (const Observable& o : observables)
+    for (const FrameNumber& o : observables)
       begin_series("observables/" + std::string(o.name), H5T_IEEE_F64LE, {}, std::string(o.unit));
     start();
   }

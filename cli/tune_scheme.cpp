@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// polhode tune-scheme [FILE]: η of hoa2's family and η, ξ of gier4's for one system and step.
+#include <fmt/core.h>
+
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "force_notes.hpp"
+#include "interrupt.hpp"
+#include "option_values.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/target.hpp"
+#include "polhode/base/threads.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/run/tune.hpp"
+#include "progress.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::string file, step, length, decorrelate, sample, threads;
+  int runs = TuneSettings{}.runs;
+  bool json = false;
+};
+
+TuneSettings configured(const Options& o, const Config& config) {
+  if (nested_scheme_of(config.integrator.scheme).inner)
+    throw Error(fmt::format("scheme \"{}\" has another one in its drifts, and what is tuned are "
+                            "single schemes, by brackets of undivided forces; name a single one, as "
+                            "hoa2",
+                            config.integrator.scheme),
+                config.source);
+  TuneSettings settings;
+  settings.step = o.step.empty() ? config.integrator.step : positive_time(o.step, "--step");
+  settings.runs = o.runs;
+  if (!o.length.empty()) settings.length = positive_time(o.length, "--length");
+  if (!o.decorrelate.empty()) settings.decorrelate = positive_time(o.decorrelate, "--decorrelate");
+  if (!o.sample.empty()) settings.sample = positive_time(o.sample, "--sample");
+  constexpr double fewest = 20;  // for covariances of three quantities
+  if (settings.length < fewest * settings.sample)
+    throw Error(
+        fmt::format("length {:g} fs holds fewer than {:g} samples of the brackets, {:g} fs "
+                    "apart; ask for longer runs, or for a shorter --sample",
+                    settings.length * 1000, fewest, settings.sample * 1000));
+  return settings;
+}
+
+double correlation(const ErrorCovariance& c) { return c.ab / std::sqrt(c.aa * c.bb); }
+
+nlohmann::json as_json(const Tuned& t) {
+  return {{"reference", t.reference.name()},
+          {"scheme", text_of(t.scheme)},
+          {"eta", t.member.eta},
+          {"eta_error", t.error.eta},
+          {"xi", t.member.xi},
+          {"xi_error", t.error.xi},
+          {"predicted_gain", t.predicted_gain},
+          {"R_reference", t.reference_ratio.value},
+          {"R_reference_error", t.reference_ratio.error},
+          {"R", t.ratio.value},
+          {"R_error", t.ratio.error},
+          {"gain", t.gain.value},
+          {"gain_error", t.gain.error}};
+}
+
+void print(const Tuned& t) {
+  const auto ratio = [](const Estimate& R) {
+    return fmt::format("{:.4g} ± {:.2g}", 100 * R.value, 100 * R.error);
+  };
+  fmt::print("\nfamily of {}\n", t.reference.name());
+  fmt::print("  eta               {:.5f} ± {:.2g}\n", t.member.eta, t.error.eta);
+  if (t.member.xi != 0)
+    fmt::print("  xi                {:.5f} ± {:.2g}\n", t.member.xi, t.error.xi);
+  fmt::print("  R                 {} %, {} for {}\n", ratio(t.ratio), ratio(t.reference_ratio),
+             t.reference.name());
+  fmt::print("  gain              {:.3f} ± {:.2g} measured, {:.3f} predicted\n", t.gain.value,
+             t.gain.error, t.predicted_gain);
+  fmt::print("  as text           \"{}\"\n", text_of(t.scheme));
+}
+
+int tune_scheme(const Options& o) {
+  const Config config = o.file.empty() ? default_config() : read_config(o.file);
+  const TuneSettings settings = configured(o, config);
+  Workers workers(threads_wanted(o.threads));
+  const System system = assembled(config);
+  fmt::print(stderr,
+             "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and "
+             "{} that confirm, target {}, threads {}\n",
+             POLHODE_VERSION, system.topology.size(), settings.step * 1000, settings.runs,
+             settings.length, settings.runs, name(current_target()), workers.threads());
+  note_forces(system);
+
+  catch_interrupts();
+  TuneResult result = [&] {
+    Progress progress("tuning");
+    return tune(
+        config, settings,
+        {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted},
+        workers);
+  }();
+  if (interrupted()) {
+    fmt::print(stderr, "interrupted; nothing was found\n");
+    return 130;
+  }
+
+  const ErrorCovariance& c = result.covariance;
+  const auto rms = [&](double squares) { return std::sqrt(squares / settings.runs); };
+  if (o.json) {
+    fmt::print("{}\n", nlohmann::json{{"molecules", system.topology.size()},
+                                      {"step_fs", settings.step * 1000},
+                                      {"runs", settings.runs},
+                                      {"length_ps", settings.length},
+                                      {"rms_first_bracket_kJ_per_mol", rms(c.aa)},
+                                      {"rms_second_bracket_kJ_per_mol", rms(c.bb)},
+                                      {"correlation", correlation(c)},
+                                      {"eta_of_short_steps", result.short_steps},
+                                      {"plain", as_json(result.plain)},
+                                      {"gradient", as_json(result.gradient)}}
+                           .dump(2));
+    return 0;
+  }
+  fmt::print("error brackets, times h²: rms {:.4g} and {:.4g} kJ/mol, correlation {:.3f}\n",
+             rms(c.aa), rms(c.bb), correlation(c));
+  fmt::print("eta of short steps: {:.5f}\n", result.short_steps);
+  print(result.plain);
+  print(result.gradient);
+  return 0;
+}
+
+}  // namespace
+
+Action tune_scheme_verb(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  app.add_option("--step", o->step, "to tune for, instead of the run file's: \"5 fs\"");
+  app.add_option("--runs", o->runs, "that measure, and as many that confirm")
+      ->check(CLI::Range(2, 1000))
+      ->capture_default_str();
+  app.add_option("--length", o->length, "of each run; without it: \"2 ps\"");
+  app.add_option("--decorrelate", o->decorrelate,
+                 "preparation of each start; without it: \"2 ps\"");
+  app.add_option("--sample", o->sample, "between error brackets; without it: \"20 fs\"");
+  app.add_option("--threads", o->threads,
+                 "so many runs at once; without it: one for each core allowed");
+  app.add_flag("--json", o->json, "print the results as JSON");
+  return [o] { return tune_scheme(*o); };
+}
+
+}  // namespace polhode::cli

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The error of order h² of a palindromic scheme, from its stages (docs/theory.md, "The shadow
+// energy").
+#pragma once
+
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+/// The prefactors in H̃ = H + h² (α V̈ + β W) + O(h⁴), the Hamiltonian that a palindrome follows:
+/// V̈ = {T,{T,V}}, W = {V,{V,T}}.
+struct ErrorTerms {
+  double alpha = 0, beta = 0;
+};
+
+/// From the middle stage outwards, each pair of stages e^{X/2} · e^{X/2} around what is inside by
+/// the symmetric Campbell-Baker-Hausdorff formula [parisi1988].
+/// @param scheme  a palindrome: any other has an error of order h, which is not told
+constexpr ErrorTerms error_terms(const Scheme& scheme) {
+  const auto stages = scheme.stages();
+  double a = 0, b = 0;  // of the drift and of the kick, so far
+  ErrorTerms error;
+  const std::size_t middle = stages.size() / 2;
+  for (std::size_t i = middle; i < stages.size(); ++i) {
+    const double t = stages[i].fraction;
+    const bool pair = i > middle;
+    if (stages[i].flow == Flow::drift) {
+      if (pair) error.alpha -= t * b * (t + a) / 6, error.beta += t * b * b / 6;
+      a += pair ? 2 * t : t;
+    } else {
+      if (pair) error.alpha += t * a * a / 6, error.beta -= t * a * (t + b) / 6;
+      error.beta -= (pair ? 2 * t : t) * stages[i].xi;
+      b += pair ? 2 * t : t;
+    }
+  }
+  return error;
+}
+
+}  // namespace polhode

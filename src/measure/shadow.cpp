@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/shadow.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace polhode {
+
+double squared_force(const State& state, const Bodies& bodies, const Load& load) {
+  double sum = 0;
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Vec3<double> tau = to_body(state.attitude[i], load.tau[i]);
+    sum += bodies.inverse_m[i] * norm2(load.f[i]) + dot(tau, scaled(bodies.inverse_J[i], tau));
+  }
+  return sum;
+}
+
+ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Load& load,
+                             ForceField& forces) {
+  Vec3Column v(state.size()), omega(state.size());  // omega in the body frame
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    v.set(i, bodies.inverse_m[i] * state.p[i]);
+    omega.set(i, scaled(bodies.inverse_J[i], to_body(state.attitude[i], state.ell[i])));
+  }
+  Load slope;
+  forces.directional_derivative(state, v, omega, slope);
+  ErrorBrackets brackets{0, squared_force(state, bodies, load)};
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Quaternion<double> a = state.attitude[i];
+    const Vec3<double> acceleration =  // of a free body: J⁻¹ (L × ω)
+        scaled(bodies.inverse_J[i], cross(to_body(a, state.ell[i]), omega[i]));
+    brackets.second_derivative -= dot(v[i], slope.f[i]) + dot(omega[i], to_body(a, slope.tau[i])) +
+                                  dot(acceleration, to_body(a, load.tau[i]));
+  }
+  return brackets;
+}
+
+std::optional<ShadowSummary> shadow_summary(std::span<const BracketSample> samples,
+                                            const Scheme& scheme, double h, const Drift& raw) {
+  if (samples.size() < 3) return std::nullopt;
+  const ErrorTerms terms = error_terms(scheme);
+  std::vector<double> times, values;
+  for (const BracketSample& sample : samples) {
+    times.push_back(sample.energies.time);
+    values.push_back(shadow_energy(sample, terms, h));
+  }
+  ShadowSummary s{fluctuation(values), drift(times, values), 0};
+  if (s.drift.rate.error > 0) s.sooner = std::pow(raw.rate.error / s.drift.rate.error, 2.0 / 3);
+  return s;
+}
+
+}  // namespace polhode

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// Tuned schemes: systems whose best parameters are known, and one where they are looked for.
+#include "polhode/run/tune.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/run/trajectory.hpp"
+
+using namespace polhode;
+
+namespace {
+
+constexpr double step = 0.01;
+
+// Two oscillators of unit mass with incommensurate frequencies: V = ω²q²/2, V̈ = ω²p², W = ω⁴q²,
+// with E − ⟨E⟩ given as a combination of h² V̈ and h² W and a third frequency.
+ErrorCovariance oscillators(double in_V, double in_W, double beside) {
+  std::vector<BracketSample> samples;
+  for (int n = 0; n < 20000; ++n) {
+    const double t = 0.0137 * n;
+    BracketSample sample{};
+    for (const double omega : {3.0, 4.7}) {
+      const double q = std::cos(omega * t), p = -omega * std::sin(omega * t);
+      sample.energies.lennard_jones += omega * omega * q * q / 2;
+      sample.brackets.second_derivative += omega * omega * p * p;
+      sample.brackets.W += std::pow(omega, 4) * q * q;
+    }
+    sample.energies.translation =
+        step * step * (in_V * sample.brackets.second_derivative + in_W * sample.brackets.W) +
+        beside * std::cos(11.3 * t) - sample.energies.lennard_jones;
+    samples.push_back(sample);
+  }
+  return error_covariance(samples, step);
+}
+
+}  // namespace
+
+// Harmonic motion keeps V̈ + W, so only α − β counts: it vanishes at η = (3 − √5)/4. The variance is
+// zero there, and a search by values alone finds a minimum of c x² to the root of rounding of c,
+// 1e-8.
+TEST_CASE("the best scheme of the plain family for harmonic motion is known") {
+  const double best = (3 - std::sqrt(5.0)) / 4;
+  CHECK(std::abs(best_plain_at_short_steps(oscillators(0, 0, 0)).eta - best) < 1e-7);
+  // and from a run with hoa2, whose energy errs by −h² (α V̈ + β W)
+  const Scheme hoa2 = scheme_of("hoa2");
+  const ErrorTerms terms = error_terms(hoa2);
+  const ErrorCovariance c = oscillators(-terms.alpha, -terms.beta, 0);
+  CHECK(std::abs(best_plain(c, hoa2).eta - best) < 1e-7);
+}
+
+// What the energy has of one bracket is found back, and what goes along with none is left: its
+// correlation with the brackets over 270 periods or more is below 1/270.
+TEST_CASE("the best scheme of the gradient family takes out what goes along with the brackets") {
+  const Scheme gier4 = scheme_of("gier4");
+  const ErrorCovariance c = oscillators(0.002, 0, 1e-5);
+  const FamilyMember found = best_gradient(c, gier4);
+  const ErrorTerms terms = error_terms(family_scheme(found.eta, found.xi));
+  // V̈ + W is constant: 0.002 of V̈, −0.002 of W and any mixture are the same
+  CHECK(terms.alpha - terms.beta == doctest::Approx(0.002).epsilon(0.01));
+  CHECK(c.variance(terms) == doctest::Approx(1e-10 / 2).epsilon(0.02));
+  CHECK(c.variance({}) > 2 * c.variance(terms));
+}
+
+// Liquid argon: R² of members of the family, predicted from one run with hoa2, against their own
+// runs from the same start. The prediction leaves out how the term of order h⁴ changes with η,
+// (ω h)² ≈ (10/ps × 0.01 ps)² = 1 % relative, and the covariances come from every second energy;
+// trajectories stay together over the 2 ps. Both sides of the minimum are there.
+TEST_CASE("fluctuations of a liquid are those that were predicted from one run") {
+  const Config config = parse_config(R"(
+[system]
+molecules = [{ model = "argon", count = 64 }]
+density = "1.2 g/cm3"
+temperature = "110 K"
+seed = 3
+[forces]
+cutoff = "0.75 nm"
+)",
+                                     "argon.toml");
+  const System start = decorrelated_start(assembled(config), config, 0, 2, {});
+  const Scheme hoa2 = scheme_of("hoa2");
+  const auto run = [&](const Scheme& scheme, double shadow_sample) {
+    System system = start;
+    ForceField forces(system.topology, system.forces, system.state.box);
+    return trajectory(system, forces, {scheme, step, 2, step, 1e-4, shadow_sample});
+  };
+  const Trajectory reference = run(hoa2, 2 * step);
+  const ErrorCovariance c = error_covariance(reference.brackets, step);
+  double least = INFINITY, at = 0;
+  for (const double eta : {0.15, 0.17, 0.18, 0.185, 0.19, 0.195, 0.2, 0.21, 0.23}) {
+    CAPTURE(eta);
+    const ErrorTerms terms = error_terms(family_scheme(eta, 0)), from = error_terms(hoa2);
+    const double predicted =
+        std::sqrt(c.variance({terms.alpha - from.alpha, terms.beta - from.beta}) / c.VV);
+    const double measured = fluctuation_ratio(run(family_scheme(eta, 0), 0).samples);
+    CHECK(measured == doctest::Approx(predicted).epsilon(0.1));
+    if (measured < least) least = measured, at = eta;
+  }
+  CHECK(std::abs(best_plain(c, hoa2).eta - at) <= 0.006);  // the spacing of the grid there
+}
