@@ -120,8 +120,10 @@ int convert(const Options& o) {
 
 Action convert_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("IN", o->in, "file to read: .gro .pdb .xyz .xtc .trr .dcd .h5md")->required();
-  app.add_option("OUT", o->out, "file to write, of any of these formats")->required();
+  app.add_option("IN", o->in,
+                 "file to read: .gro .pdb .xyz .xtc .trr .dcd .h5md, or a LAMMPS .data file")
+      ->required();
+  app.add_option("OUT", o->out, "file to write, of any of these formats but the last")->required();
   app.add_option("--names", o->names,
                  "file that names the atoms, where IN has no names: XTC, TRR, DCD");
   app.add_option("--every", o->every, "take only one of so many frames");

@@ -8,12 +8,12 @@
 #include <utility>
 #include <vector>
 
-#include "force_notes.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/system.hpp"
+#include "system_notes.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -60,6 +60,7 @@ void print_csv(const System& system, const Load& load, const Load* slope) {
 int energy(const Options& o) {
   const Config config = o.file.empty() ? default_config() : read_config(o.file);
   const System system = assembled(config);
+  note_molecules(system);
   note_forces(system);
   ForceField forces(system.topology, system.forces, system.state.box);
   Load load;

@@ -11,6 +11,7 @@
 
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/io/topology_file.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -48,13 +49,24 @@ void print_one(const Molecule& m) {
       "nm²\n"
       "  top          {}\n  charge       {:.6g} e\n  dipole       {:.4g} D\n  source       {}\n",
       m.name, m.description.empty() ? "-" : m.description, m.mass, m.J.x, m.J.y, m.J.z, name(m.top),
-      rounded(m.charge()), in_debye(m.dipole()), m.source);
+      rounded(m.charge()), in_debye(m.dipole()), m.source.empty() ? "-" : m.source);
   fmt::print(
       "  sites, in the principal frame\n    {:<6}{:>11}{:>11}{:>11}{:>10}{:>11}{:>11}{:>17}\n",
       "name", "x [nm]", "y [nm]", "z [nm]", "mass [u]", "q [e]", "sigma [nm]", "epsilon [kJ/mol]");
   for (const Site& s : m.sites)
     fmt::print("    {:<6}{:11.6f}{:11.6f}{:11.6f}{:10.4f}{:11.6f}{:11.6f}{:17.6f}\n", s.name, s.r.x,
                s.r.y, s.r.z, s.mass, s.charge, s.sigma, s.epsilon);
+}
+
+// The molecules that a name means: a model's, or those of a topology file, each once.
+std::vector<Molecule> named(const std::string& name) {
+  if (!name.ends_with(".top") && !is_data_file(name)) return {read_molecule(name)};
+  std::vector<Molecule> molecules;
+  for (const auto& part : read_topology({.file = name}, nullptr).topology.parts)
+    if (std::none_of(molecules.begin(), molecules.end(),
+                     [&](const Molecule& m) { return m.name == part.molecule.name; }))
+      molecules.push_back(part.molecule);
+  return molecules;
 }
 
 void print_all() {
@@ -80,19 +92,20 @@ Action molecules_verb(CLI::App& app) {
   };
   auto o = std::make_shared<Options>();
   app.add_option("NAME", o->name,
-                 "a model's name, or the path of a molecule file; without it: all");
+                 "a model's name, or the path of a molecule file, a GROMACS topology (.top) or a "
+                 "LAMMPS data file; without it: all");
   app.add_flag("--json", o->json, "print JSON");
   return [o] {
     if (o->json) {
       nlohmann::json list = nlohmann::json::array();
-      if (o->name.empty())
-        for (const std::string& model : molecule_names())
-          list.push_back(as_json(read_molecule(model)));
-      fmt::print("{}\n", (o->name.empty() ? list : as_json(read_molecule(o->name))).dump(2));
+      for (const std::string& name : o->name.empty() ? molecule_names() : std::vector{o->name})
+        for (const Molecule& molecule : named(name)) list.push_back(as_json(molecule));
+      const bool one = !o->name.empty() && list.size() == 1;
+      fmt::print("{}\n", (one ? list[0] : list).dump(2));
     } else if (o->name.empty()) {
       print_all();
     } else {
-      print_one(read_molecule(o->name));
+      for (const Molecule& molecule : named(o->name)) print_one(molecule);
     }
     return 0;
   };

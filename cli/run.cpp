@@ -9,7 +9,6 @@
 #include <string>
 #include <utility>
 
-#include "force_notes.hpp"
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
@@ -24,6 +23,7 @@
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
 #include "run_report.hpp"
+#include "system_notes.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -131,10 +131,8 @@ int run(const Options& o) {
              POLHODE_VERSION, system.topology.size(), config.source,
              name_of({settings.scheme, settings.inner}), settings.step * 1000, means.target,
              means.threads);
+  note_molecules(system);
   note_forces(system);
-  if (system.fit_deviation > 1e-4)
-    fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
-               system.fit_deviation);
 
   catch_interrupts();
   const auto due = [&] { return files.due(); };

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "force_notes.hpp"
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
@@ -21,6 +20,7 @@
 #include "polhode/run/system.hpp"
 #include "progress.hpp"
 #include "study_report.hpp"
+#include "system_notes.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -87,6 +87,7 @@ int study(const Options& o) {
              "threads {}\n",
              POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
              config.study.length, provenance.target, workers.threads());
+  note_molecules(system);
   note_forces(system);
   if (!runs.empty()) fmt::print(stderr, "{} runs are known from {}\n", runs.size(), files.runs);
 
@@ -103,7 +104,9 @@ int study(const Options& o) {
         workers);
   }
 
-  const StudyReport report(config, efficiency_points(points, runs));
+  Config reported = config;
+  reported.forces.mixing = system.forces.mixing;  // a topology file tells it
+  const StudyReport report(reported, efficiency_points(points, runs));
   write_study(files, report, provenance);
   if (o.json)
     fmt::print("{}\n", study_json(report));

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "force_notes.hpp"
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
@@ -17,6 +16,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/tune.hpp"
 #include "progress.hpp"
+#include "system_notes.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -30,11 +30,12 @@ struct Options {
 
 TuneSettings configured(const Options& o, const Config& config) {
   if (nested_scheme_of(config.integrator.scheme).inner)
-    throw Error(fmt::format("scheme \"{}\" has another one in its drifts, and what is tuned are "
-                            "single schemes, by brackets of undivided forces; name a single one, as "
-                            "hoa2",
-                            config.integrator.scheme),
-                config.source);
+    throw Error(
+        fmt::format("scheme \"{}\" has another one in its drifts, and what is tuned are "
+                    "single schemes, by brackets of undivided forces; name a single one, as "
+                    "hoa2",
+                    config.integrator.scheme),
+        config.source);
   TuneSettings settings;
   settings.step = o.step.empty() ? config.integrator.step : positive_time(o.step, "--step");
   settings.runs = o.runs;
@@ -93,6 +94,7 @@ int tune_scheme(const Options& o) {
              "{} that confirm, target {}, threads {}\n",
              POLHODE_VERSION, system.topology.size(), settings.step * 1000, settings.runs,
              settings.length, settings.runs, name(current_target()), workers.threads());
+  note_molecules(system);
   note_forces(system);
 
   catch_interrupts();

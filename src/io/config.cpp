@@ -118,8 +118,41 @@ void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
   system.start = std::move(file);
 }
 
-void read_system(TomlTable table, const path& folder, SystemSettings& system) {
-  read_start(table, folder, system);
+std::vector<std::string> folders_beside(const path& folder, std::vector<std::string> names) {
+  for (std::string& name : names) name = beside(folder, name);
+  return names;
+}
+
+// The file that says which molecules there are. A data file is both topology and start.
+void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& system) {
+  TopologySettings& topology = system.topology;
+  topology.file = table.text("topology").value_or("");
+  const bool given = !topology.file.empty();
+  if (given) {
+    topology.file = beside(folder, topology.file);
+    table.require(!table.has("molecules"), "topology",
+                  "stands beside molecules, which it brings itself; leave one out");
+    table.require(std::filesystem::is_regular_file(topology.file), "topology",
+                  fmt::format("is no file; it would be '{}'", topology.file));
+  } else if (is_data_file(system.start) && !table.has("molecules")) {
+    topology.file = system.start;
+  }
+  if (given && system.start.empty() && is_data_file(topology.file)) system.start = topology.file;
+  if (given && system.start.empty())
+    table.refuse("topology",
+                 "has no start beside it, whose atoms must stand in its order; write for example "
+                 "start = \"conf.gro\"");
+  const bool gromacs = given && !is_data_file(topology.file);
+  for (const char* key : {"include", "define", "rigid"})
+    table.require(gromacs || !table.has(key), key,
+                  "has no meaning without a GROMACS topology; leave it out");
+  take(topology.include, table.texts("include"));
+  take(topology.define, table.texts("define"));
+  take(topology.rigid, table.texts("rigid"));
+  topology.include = folders_beside(folder, std::move(topology.include));
+}
+
+void read_molecules(TomlTable& table, const path& folder, SystemSettings& system) {
   const auto components = table.tables("molecules");
   if (!components || components->empty())
     table.refuse("",
@@ -133,6 +166,12 @@ void read_system(TomlTable table, const path& folder, SystemSettings& system) {
     table.refuse("molecules",
                  "has several models, of which one has no count; only a single model "
                  "can be counted in the start configuration");
+}
+
+void read_system(TomlTable table, const path& folder, SystemSettings& system) {
+  read_start(table, folder, system);
+  read_topology_keys(table, folder, system);
+  if (system.topology.file.empty()) read_molecules(table, folder, system);
   read_extent(table, system);
   take(system.temperature, table.quantity("temperature", Dimension::temperature));
   table.require(system.temperature > 0, "temperature", "must be above 0 K; molecules move");
@@ -262,6 +301,7 @@ void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& syst
     topology.parts.push_back({read_molecule(component.model), component.count});
   for (TomlTable table : tables) {
     mixing.pairs.push_back(read_pair(table));
+    if (!system.topology.file.empty()) continue;  // checked where the topology is read
     try {
       check(mixing, topology);
     } catch (const Error& e) {
@@ -374,6 +414,10 @@ Config parse_config(std::string_view text, const std::string& file) {
   read_system(*system, path(file).parent_path(), config.system);
   config.cutoff_place = file;
   if (forces) {
+    config.mixing_given = forces->has("mixing");
+    const std::string& topology = config.system.topology.file;
+    forces->require(!config.mixing_given || topology.empty() || is_data_file(topology), "mixing",
+                    "stands beside a GROMACS topology, which tells the rule; leave it out");
     read_forces(*forces, config.forces);
     config.cutoff_place = forces->where("cutoff");
   }

@@ -105,7 +105,7 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
     if (match[k] == nullptr) continue;
     const double off = norm(whole(*match[k]) - q - to_lab(attitude, sites[k].r));
     fitted.deviation = std::max(fitted.deviation, off);
-    if (!(off <= fit_tolerance))
+    if (sites[k].mass > 0 && !(off <= fit_tolerance))
       throw Error(
           fmt::format("atom '{}' of molecule {} ({} {}) lies {:.4f} nm from its site in the "
                       "rigid model '{}'; it must lie within {} nm: another model or another "
@@ -136,6 +136,12 @@ void check_size(const Molecule& molecule, const Frame& frame) {
 }  // namespace
 
 FittedState fitted_state(const Frame& frame, const Topology& topology) {
+  if (topology.size() > frame.atoms.size())
+    throw Error(
+        fmt::format("there are {} atoms, too few for {} molecules; give the count of molecules "
+                    "that the file holds",
+                    frame.atoms.size(), topology.size()),
+        frame.source);
   FittedState fitted;
   fitted.state = State(topology.size(), frame.box);
   fitted.has_velocities = frame.has_velocities;

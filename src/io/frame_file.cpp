@@ -14,6 +14,8 @@
 #include "formats/format.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/io/embedded.hpp"
+#include "polhode/io/gro.hpp"
 #include "text_file.hpp"
 
 namespace polhode {
@@ -35,6 +37,8 @@ constexpr std::array formats = {
     Format{"trr",  false, true,  trr_reader,  appended<append_trr>},
     Format{"dcd",  false, false, dcd_reader,  appended<append_dcd>},
     Format{"h5md", false, true,  h5md_reader, h5md_writer, open_h5md},
+    Format{"data", true,  true,  lammps_data_reader, nullptr},
+    Format{"lmp",  true,  true,  lammps_data_reader, nullptr},
 };
 // clang-format on
 
@@ -45,6 +49,15 @@ const Format& format_named(std::string_view ending, const std::string& file) {
   for (const Format& f : formats) known.emplace_back(f.ending);
   throw Error(fmt::format("'{}' ends in none of the formats that are known{}; there are: {}", file,
                           did_you_mean(std::string(ending), known), listed(known)));
+}
+
+const Format& written_format(const std::string& path) {
+  const Format& format = format_of(path);
+  if (format.write != nullptr) return format;
+  const auto written = writable_formats();
+  throw Error(
+      fmt::format("files that end in '.{}' are read alone; those that are written end in {}",
+                  format.ending, listed(std::vector<std::string>(written.begin(), written.end()))));
 }
 
 // Kinds and residues of atoms, from another file.
@@ -134,12 +147,12 @@ std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view form
 
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice) {
-  return format_of(path).write(path, topology, choice, nullptr);
+  return written_format(path).write(path, topology, choice, nullptr);
 }
 
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice) {
-  return format_of(path).write(path, topology, choice, &mark);
+  return written_format(path).write(path, topology, choice, &mark);
 }
 
 FormatTraits format_traits(const std::string& path) {
@@ -153,6 +166,26 @@ std::vector<std::string_view> readable_formats() {
   return endings;
 }
 
-std::vector<std::string_view> writable_formats() { return readable_formats(); }
+std::vector<std::string_view> writable_formats() {
+  std::vector<std::string_view> endings;
+  for (const Format& format : formats)
+    if (format.write != nullptr) endings.push_back(format.ending);
+  return endings;
+}
+
+Frame read_start(const std::string& name_or_path) {
+  const std::string path = "start/" + name_or_path + ".gro";
+  if (const auto text = embedded_text(path)) return parse_gro(*text, path);
+  opened(name_or_path);  // or an error that tells what is there instead
+  if (!format_of(name_or_path).has_names)
+    throw Error(
+        fmt::format("'{0}' is of a format without names of atoms, which a start needs; "
+                    "give it names: polhode convert {0} start.gro --names conf.gro",
+                    name_or_path));
+  Frame frame;
+  if (!open_frames(name_or_path)->next(frame))
+    throw Error("the file ends where its first frame must stand", name_or_path + ":1");
+  return frame;
+}
 
 }  // namespace polhode

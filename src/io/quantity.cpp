@@ -12,6 +12,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
+#include "words.hpp"
 
 namespace polhode {
 namespace {
@@ -112,12 +113,6 @@ std::vector<std::string> symbols(Dimension dimension) {
   for (const Unit& u : all_units)
     if (u.dimension == dimension) names.emplace_back(u.symbol);
   return names;
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  return text;
 }
 
 // The name, the text and what to write: everything that complaints about a quantity share.

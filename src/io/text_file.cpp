@@ -39,21 +39,25 @@ std::optional<std::string> odd_byte(std::string_view text, const std::string& fi
 
 std::string file_text(const std::string& path) {
   std::ifstream file = opened(path);
+  std::error_code unknown;
+  const auto size = std::filesystem::file_size(path, unknown);
+  return stream_text(file, path, unknown ? 0 : size);  // what has no size, a pipe, grows
+}
+
+std::string stream_text(std::istream& in, const std::string& file, std::size_t expected) {
   std::string read;
   constexpr std::size_t piece = 1 << 16;
-  std::error_code unknown;
-  if (const auto size = std::filesystem::file_size(path, unknown); !unknown)
-    read.reserve(size + piece);  // what has no size, a pipe, grows
-  while (file) {
+  read.reserve(expected + piece);
+  while (in) {
     const std::size_t before = read.size();
     read.resize(before + piece);
-    file.read(read.data() + before, piece);
-    read.resize(before + static_cast<std::size_t>(file.gcount()));
+    in.read(read.data() + before, piece);
+    read.resize(before + static_cast<std::size_t>(in.gcount()));
   }
-  if (!file.eof() || file.bad()) throw unreadable(path);
-  if (const auto what = odd_byte(read, path)) {
+  if (!in.eof() || in.bad()) throw unreadable(file);
+  if (const auto what = odd_byte(read, file)) {
     const auto odd = std::find_if(read.begin(), read.end(), is_odd);
-    throw Error(*what, fmt::format("{}:{}", path, 1 + std::count(read.begin(), odd, '\n')));
+    throw Error(*what, fmt::format("{}:{}", file, 1 + std::count(read.begin(), odd, '\n')));
   }
   return read;
 }

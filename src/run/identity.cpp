@@ -32,7 +32,8 @@ std::string identity(const Config& config, const System& system,
   if (f.electrostatics == Electrostatics::ewald) id << " pme " << f.accuracy;
   if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
   if (f.dispersion_correction) id << " dispersion";
-  if (const std::string mixing = described(f.mixing); !mixing.empty()) id << ' ' << mixing;
+  if (const std::string mixing = described(system.forces.mixing); !mixing.empty())
+    id << ' ' << mixing;
   return id.str();
 }
 

@@ -7,13 +7,34 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/overlap.hpp"
-#include "polhode/io/gro.hpp"
+#include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/start.hpp"
 
 namespace polhode {
 namespace {
+
+// Molecules and mixing as a topology file tells them; pairs of the run file come behind its own.
+void take_topology_file(const Config& config, const Frame& start, System& system) {
+  RigidTopology read = read_topology(config.system.topology, &start);
+  system.topology = std::move(read.topology);
+  system.origins = std::move(read.origins);
+  if (read.rule_matters && !config.mixing_given)
+    throw Error(
+        "the file leaves pairs of unlike sites to a rule that it does not tell; write for example "
+        "mixing = \"geometric\" in [forces], which is LAMMPS's default",
+        config.system.topology.file);
+  if (read.rule_is_open) read.mixing.rule = config.forces.mixing.rule;
+  std::vector<PairOverride>& pairs = read.mixing.pairs;
+  pairs.insert(pairs.end(), config.forces.mixing.pairs.begin(), config.forces.mixing.pairs.end());
+  system.forces.mixing = std::move(read.mixing);
+  try {
+    check(system.forces.mixing, system.topology);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+}
 
 void scale(Vec3Column& v, double factor) {
   for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
@@ -22,6 +43,10 @@ void scale(Vec3Column& v, double factor) {
 }  // namespace
 
 Topology described(const SystemSettings& settings) {
+  if (!settings.topology.file.empty()) {
+    const Frame start = read_start(settings.start);
+    return read_topology(settings.topology, &start).topology;
+  }
   Topology topology;
   for (const auto& component : settings.molecules)
     topology.parts.push_back({read_molecule(component.model), component.count});
@@ -29,21 +54,28 @@ Topology described(const SystemSettings& settings) {
 }
 
 System assembled(const Config& config) {
-  Topology topology = described(config.system);
-  System system{topology, Bodies(topology), {}, config.forces, config.system.temperature};
+  const bool from_file = !config.system.topology.file.empty();
+  System system{from_file ? Topology{} : described(config.system),
+                Bodies({}),
+                {},
+                config.forces,
+                config.system.temperature};
   if (config.system.start.empty()) {
     const SystemSettings& s = config.system;
-    const Box box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
-    system.state = lattice(topology, box, s.seed);
+    const Box box = s.box ? Box{*s.box} : cubic_box(system.topology, s.density.value());
+    system.state = lattice(system.topology, box, s.seed);
   } else {
     const Frame frame = read_start(config.system.start);
-    system.topology = completed(topology, frame);
-    system.bodies = Bodies(system.topology);
+    if (from_file)
+      take_topology_file(config, frame, system);
+    else
+      system.topology = completed(std::move(system.topology), frame);
     FittedState fitted = fitted_state(frame, system.topology);
     system.state = std::move(fitted.state);
     system.fit_deviation = fitted.deviation;
     system.new_velocities = !fitted.has_velocities;
   }
+  system.bodies = Bodies(system.topology);
   try {
     check_overlap(system.topology, system.state);
   } catch (const Error& e) {

@@ -3,7 +3,7 @@
 
 Per document, in order, in an empty folder where `polhode` and `./polhode` are the built program:
 a block fenced as ```sh is run by bash and stops at the first command that fails; ```sh no-run is
-left out (set-up, long studies); a ```toml block below `<!-- file: NAME -->` is written to NAME.
+left out (set-up, long studies); a ```toml or ```text block below `<!-- file: NAME -->` is written to NAME.
 """
 
 import argparse
@@ -64,7 +64,7 @@ def run_document(document, shown, program):
         (folder / "here/polhode").symlink_to(program)
         count = wrong = 0
         for block in blocks(document):
-            if block.kind == "toml" and block.file:
+            if block.kind in ("toml", "text") and block.file:
                 (folder / "here" / block.file).write_text(block.text, encoding="utf-8")
             elif block.kind == "sh":
                 count += 1

@@ -87,7 +87,8 @@ TEST_CASE("nested schemes are reversible") {
     CHECK(scene.state.time == doctest::Approx(0.2).epsilon(1e-14));
     split.integrator.advance(scene.state, -0.002, 100);
     CHECK(largest_difference(scene.state.q, start.q) < (by_difference(scheme) ? 2e-9 : 1.2e-11));
-    CHECK(largest_difference(scene.state.ell, start.ell) < (by_difference(scheme) ? 2e-8 : 1.2e-11));
+    CHECK(largest_difference(scene.state.ell, start.ell) <
+          (by_difference(scheme) ? 2e-8 : 1.2e-11));
   }
 }
 

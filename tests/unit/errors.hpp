@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of what an error says and where.
+// Checks of what an error says and where, and texts with a fault.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -30,6 +30,13 @@ void check_error(Action action, std::initializer_list<const char*> parts) {
     CHECK(text.back() != '.');
     CHECK((text.front() < 'A' || text.front() > 'Z'));
   }
+}
+
+/// A text with the first place of a word replaced, which must be there.
+inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != text.npos);
+  return text.replace(at, from.size(), to);
 }
 
 }  // namespace polhode

@@ -6,6 +6,7 @@
 
 #include "errors.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
 
 using namespace polhode;
@@ -18,12 +19,6 @@ const std::string atoms =
     "    1SOL    HW2    3   0.067   0.294   0.300\n";
 const std::string box = "   2.00000   2.00000   2.00000\n";
 const std::string water = "water\n3\n" + atoms + box;
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  const auto at = text.find(from);
-  REQUIRE(at != text.npos);
-  return text.replace(at, from.size(), to);
-}
 
 void check_text(const std::string& text, std::initializer_list<const char*> parts) {
   check_error([&] { parse_gro(text, "a.gro"); }, parts);

@@ -37,9 +37,8 @@ class NestedForces {
   }
   /// The derivative of slow forces and torques: that of all forces less that of the near ones.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
-                              Load& derivative)
-    requires OffersDerivative<Full> && OffersDerivative<Near>
-  {
+                              Load& derivative) requires OffersDerivative<Full> &&
+      OffersDerivative<Near> {
     full_.directional_derivative(state, dq, dtheta, derivative);
     near_.directional_derivative(state, dq, dtheta, part_);
     ++outer_derivatives_;

@@ -60,8 +60,7 @@ struct NestedScheme {
   /// In a step of the outer scheme.
   int inner_steps() const {
     const auto stages = outer.stages();
-    return inner->steps *
-           static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));
+    return inner->steps * static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));
   }
 };
 

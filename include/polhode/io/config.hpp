@@ -11,6 +11,7 @@
 #include "polhode/base/vec3.hpp"
 #include "polhode/forces/settings.hpp"
 #include "polhode/io/frame_file.hpp"
+#include "polhode/io/topology_file.hpp"
 
 namespace polhode {
 
@@ -20,11 +21,13 @@ struct SystemSettings {
     std::size_t count = 0;  ///< 0: as many as the start configuration holds
   };
   std::vector<Component> molecules;
+  TopologySettings topology;        ///< in place of `molecules`
   std::optional<double> density;    ///< [u/nm³], without a start configuration
   std::optional<Vec3<double>> box;  ///< [nm], without a start configuration
   double temperature = 297;         ///< [K]
   std::uint64_t seed = 1;
-  std::string start;  ///< path of a .gro file; "w512" is the one within the program; empty: lattice
+  /// Path of a coordinate file; "w512" is the one within the program; empty: lattice.
+  std::string start;
 };
 
 struct IntegratorSettings {
@@ -75,9 +78,10 @@ struct Config {
   RunSettings run;
   OutputSettings output;
   StudySettings study;
-  std::string source;        ///< path of the file, or "default"
-  std::string text;          ///< as read: its hash names outputs
-  std::string cutoff_place;  ///< "water.toml:9, forces.cutoff": only the box tells if it fits
+  std::string source;         ///< path of the file, or "default"
+  std::string text;           ///< as read: its hash names outputs
+  bool mixing_given = false;  ///< whether the file has a mixing rule
+  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff": only the box tells if it fits
 };
 
 /// The smallest lambda that is accepted in mixed precision.

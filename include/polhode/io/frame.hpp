@@ -64,14 +64,16 @@ std::string title_of(const State& state);  ///< of that frame: it tells the time
 struct FittedState {
   State state;                  ///< at time 0
   bool has_velocities = false;  ///< else all momenta are zero
-  double deviation = 0;         ///< largest distance of an atom from its site [nm]
+  /// Largest distance of an atom from its site [nm]. Massless sites may lie anywhere: their places
+  /// follow from the others, whatever the file says.
+  double deviation = 0;
 };
 
 /// Rigid bodies fitted to atoms. Atoms belong to the topology's bodies in order; sites without mass
 /// may be missing. Molecules broken across the boundary are made whole; attitudes minimise Σ m
 /// |Δr|² (horn1987), and momenta are those of the atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
-/// @throws Error  if atoms do not match sites, are too few or too many, or lie further than
-///                `fit_tolerance` from the model
+/// @throws Error  if atoms do not match sites, are too few or too many, or if those with mass lie
+///                further than `fit_tolerance` from the model
 FittedState fitted_state(const Frame& frame, const Topology& topology);
 
 /// Atoms may lie this far from the sites of a rigid model [nm]: the geometries of water models

@@ -97,8 +97,13 @@ struct FormatTraits {
 };
 FormatTraits format_traits(const std::string& path);
 
-/// Endings without their dot: "gro", "pdb", "xyz", "xtc", "trr", "dcd", "h5md".
+/// Endings without their dot: "gro", "pdb", "xyz", "xtc", "trr", "dcd", "h5md"; and read alone,
+/// LAMMPS data files: "data", "lmp".
 std::vector<std::string_view> readable_formats();
 std::vector<std::string_view> writable_formats();
+
+/// A start configuration: "w512", which is within the program, or the first frame of a file of any
+/// format that names atoms.
+Frame read_start(const std::string& name_or_path);
 
 }  // namespace polhode

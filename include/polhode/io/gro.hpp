@@ -18,9 +18,6 @@ Frame read_gro(const std::string& path);
 /// The first frame in a text; `file` is its name in errors.
 Frame parse_gro(std::string_view text, const std::string& file);
 
-/// A start configuration: "w512", which is within the program, or the path of a GRO file.
-Frame read_start(const std::string& name_or_path);
-
 /// Writes a frame; positions have `decimals` decimals, velocities one more, as GROMACS has it.
 void write_gro(std::ostream& out, const Frame& frame, int decimals = 10);
 

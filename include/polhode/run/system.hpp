@@ -2,6 +2,9 @@
 // Everything that a run file describes, put together and ready to move.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/io/config.hpp"
@@ -18,6 +21,8 @@ struct System {
   double temperature;          ///< wanted [K]
   double fit_deviation = 0;    ///< of a start configuration from the rigid models [nm]
   bool new_velocities = true;  ///< the start had none, or it is a lattice
+  /// Of each part of the topology, where a topology file told it: how its shape was found.
+  std::vector<std::string> origins{};
 };
 
 /// The molecules of a run file; a count that is left to the start configuration is 0.

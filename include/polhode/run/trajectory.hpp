@@ -74,10 +74,10 @@ struct Trajectory {
   std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
   std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme
   std::uint64_t near_derivatives = 0;
-  std::uint64_t measurements = 0;       ///< force evaluations for energies alone
-  bool stopped = false;                 ///< by the watch
-  std::string failure;                  ///< why it blew up; empty if it did not
-  std::size_t list_rebuilds = 0;        ///< of the neighbour list, with those before the start
+  std::uint64_t measurements = 0;  ///< force evaluations for energies alone
+  bool stopped = false;            ///< by the watch
+  std::string failure;             ///< why it blew up; empty if it did not
+  std::size_t list_rebuilds = 0;   ///< of the neighbour list, with those before the start
   Timings timings;
 };
 

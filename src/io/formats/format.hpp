@@ -21,7 +21,7 @@ struct Format {
   /// A reader of a stream, which must outlive it; `file` is its name in errors.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
 
-  /// Begins a file, or goes on after a mark.
+  /// Begins a file, or goes on after a mark; null where a format is read alone.
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 
@@ -40,6 +40,7 @@ std::unique_ptr<FrameReader> xtc_reader(std::istream& in, const std::string& fil
 std::unique_ptr<FrameReader> trr_reader(std::istream& in, const std::string& file);
 std::unique_ptr<FrameReader> dcd_reader(std::istream& in, const std::string& file);
 std::unique_ptr<FrameReader> h5md_reader(std::istream& in, const std::string& file);
+std::unique_ptr<FrameReader> lammps_data_reader(std::istream& in, const std::string& file);
 
 std::unique_ptr<FrameReader> open_h5md(const std::string& path);
 

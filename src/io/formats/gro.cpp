@@ -11,7 +11,6 @@
 #include "atom_kinds.hpp"
 #include "format.hpp"
 #include "lines.hpp"
-#include "polhode/io/embedded.hpp"
 #include "text_buffer.hpp"
 
 namespace polhode {
@@ -245,12 +244,6 @@ Frame parse_gro(std::string_view text, const std::string& file) {
 Frame read_gro(const std::string& path) {
   std::ifstream in = opened(path);
   return first_frame(in, path);
-}
-
-Frame read_start(const std::string& name_or_path) {
-  const std::string path = "start/" + name_or_path + ".gro";
-  if (const auto text = embedded_text(path)) return parse_gro(*text, path);
-  return read_gro(name_or_path);
 }
 
 void write_gro(std::ostream& out, const Frame& frame, int decimals) {

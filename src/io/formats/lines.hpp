@@ -14,23 +14,10 @@
 #include <utility>
 
 #include "../text_file.hpp"
+#include "../words.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
-
-inline std::string_view trimmed(std::string_view text) {
-  const auto begin = text.find_first_not_of(" \t");
-  if (begin == text.npos) return {};
-  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
-}
-
-/// Takes the first word, up to a blank, away from the front of a text; empty at its end.
-inline std::string_view take_word(std::string_view& text) {
-  text = trimmed(text);
-  const std::string_view word = text.substr(0, text.find_first_of(" \t"));
-  text.remove_prefix(word.size());
-  return word;
-}
 
 /// The number that a field holds, blanks around it aside.
 template <class Number>

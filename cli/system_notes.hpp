@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Lines in the log about forces that are not what everybody expects: how Lennard-Jones parameters
-// are mixed, and the mesh of Ewald's sum.
+// Lines in the log about a system: its molecules where a file told them, and forces that are not
+// what everybody expects.
 #pragma once
 
 #include <fmt/core.h>
@@ -11,6 +11,19 @@
 #include "polhode/run/system.hpp"
 
 namespace polhode::cli {
+
+/// On standard error: molecules that a topology file told, and how they became rigid; how far atoms
+/// of the start lay from rigid bodies, if that is more than rounding.
+inline void note_molecules(const System& system) {
+  for (std::size_t k = 0; k < system.origins.size(); ++k) {
+    const auto& [molecule, count] = system.topology.parts[k];
+    fmt::print(stderr, "{}: {} of {} sites, {}\n", molecule.name, count, molecule.sites.size(),
+               system.origins[k]);
+  }
+  if (system.fit_deviation > 1e-4)
+    fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
+               system.fit_deviation);
+}
 
 /// On standard error: the mixing rule and the pairs that are given, unless the usual rule holds for
 /// all; grid, order and split of a mesh; a net charge.

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Chemical elements, as far as files of other programs leave it to the reader to know them.
+#pragma once
+
+#include <string>
+
+namespace polhode {
+
+/// The symbol of an atomic number, 1 to 118; empty for all others.
+std::string element_of_number(int number);
+
+/// The symbol of the element whose standard mass [u] is nearest; empty if none up to radon lies
+/// within 0.1 u.
+std::string element_of_mass(double mass);
+
+}  // namespace polhode

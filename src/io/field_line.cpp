@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "field_line.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "words.hpp"
+
+namespace polhode {
+namespace {
+
+// A text of a message, short enough to be read.
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
+}
+
+}  // namespace
+
+std::string text_of(const TextPlace& place) {
+  return fmt::format("{}:{}", place.file ? *place.file : "", place.line);
+}
+
+FieldLine::FieldLine(std::string_view text, TextPlace place) : place_(std::move(place)) {
+  for (std::string_view word = take_word(text); !word.empty(); word = take_word(text))
+    fields_.push_back(word);
+}
+
+void FieldLine::refuse(const std::string& what) const { throw Error(what, text_of(place_)); }
+
+void FieldLine::require(std::size_t least, std::string_view what) const {
+  if (size() < least)
+    refuse(
+        fmt::format("the line has {} fields; it must have {} at least: {}", size(), least, what));
+}
+
+std::string FieldLine::word(std::size_t k) const {
+  const std::string_view field = fields_[k];
+  if (field.size() > longest_name)
+    refuse(fmt::format("the name '{}' has {} characters; it must have {} at most", shown(field),
+                       field.size(), longest_name));
+  return std::string(field);
+}
+
+double FieldLine::number(std::size_t k, std::string_view what) const {
+  std::string_view field = fields_[k];
+  if (field.size() > 1 && field.front() == '+' && field[1] != '-') field.remove_prefix(1);
+  double value = 0;
+  const char* const last = field.data() + field.size();
+  const auto [end, status] = std::from_chars(field.data(), last, value);
+  if (status == std::errc::result_out_of_range || (status == std::errc() && !std::isfinite(value)))
+    refuse(fmt::format("the {} is {}; it must be a finite number", what, shown(field)));
+  if (status != std::errc() || end != last)
+    refuse(fmt::format("'{}' stands where the {} must be a number", shown(field), what));
+  return value;
+}
+
+std::int64_t FieldLine::integer(std::size_t k, std::string_view what, std::int64_t least,
+                                std::int64_t most) const {
+  const std::string_view field = fields_[k];
+  std::int64_t value = 0;
+  const char* const last = field.data() + field.size();
+  const auto [end, status] = std::from_chars(field.data(), last, value);
+  if (status != std::errc() || end != last || value < least || value > most)
+    refuse(fmt::format("'{}' stands where the {} must be a whole number from {} to {}",
+                       shown(field), what, least, most));
+  return value;
+}
+
+}  // namespace polhode

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// A line of a text file as fields between blanks, with the place that its errors tell.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/io/text_place.hpp"
+
+namespace polhode {
+
+inline constexpr std::size_t longest_name = 63;
+
+class FieldLine {
+ public:
+  /// @param text  must outlive this
+  FieldLine(std::string_view text, TextPlace place);
+
+  std::size_t size() const { return fields_.size(); }
+  std::string_view operator[](std::size_t k) const { return fields_[k]; }
+  /// The name in field k, to be kept.
+  /// @throws Error  if it is longer than `longest_name`: macros can make a short file long
+  std::string word(std::size_t k) const;
+  const TextPlace& place() const { return place_; }
+
+  /// The number in field k; `what` says what it is, "charge".
+  /// @throws Error  if it is none, or not finite
+  double number(std::size_t k, std::string_view what) const;
+  /// @throws Error  if it is no whole number from `least` to `most`
+  std::int64_t integer(std::size_t k, std::string_view what, std::int64_t least,
+                       std::int64_t most) const;
+  /// @param what  names the fields that must be there
+  /// @throws Error  if there are less than `least`
+  void require(std::size_t least, std::string_view what) const;
+
+  [[noreturn]] void refuse(const std::string& what) const;
+
+ private:
+  std::vector<std::string_view> fields_;
+  TextPlace place_;
+};
+
+}  // namespace polhode

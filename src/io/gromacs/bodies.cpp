@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// The molecules of a GROMACS topology as rigid bodies.
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "polhode/io/topology_file.hpp"
+#include "polhode/io/type_pairs.hpp"
+
+namespace polhode {
+namespace {
+
+// More atoms than a rigid molecule has: the pair loops take 64 interacting sites.
+constexpr std::size_t most_atoms = 256;
+
+// The molecules of one type in the start, as far as it has an atom for each of the topology.
+class Copies {
+ public:
+  Copies(const GromacsTopology& gromacs, std::size_t molecule, const Frame& start)
+      : start_(start), real_(real_atoms(gromacs.molecules[molecule])) {
+    std::size_t first = 0;
+    for (const auto& block : gromacs.blocks) {
+      const std::size_t size = gromacs.molecules[block.molecule].atoms.size();
+      if (size > 0 && block.count > (start.atoms.size() - first) / size)
+        throw Error(
+            fmt::format("the start ends after {} atoms, within molecules '{}' of the topology; "
+                        "it must have all atoms of all molecules",
+                        start.atoms.size(), gromacs.molecules[block.molecule].name),
+            start.source);
+      if (block.molecule == molecule)
+        for (std::size_t k = 0; k < block.count; ++k) firsts_.push_back(first + k * size);
+      first += block.count * size;
+    }
+  }
+  std::size_t size() const { return firsts_.size(); }
+  // Places of the real atoms of one copy, whole where the box cuts it.
+  Shape operator()(std::size_t k) const {
+    Shape shape;
+    const Vec3<double> base = start_.atoms[firsts_[k] + real_.front()].r;
+    for (const std::size_t atom : real_)
+      shape.push_back(start_.box.minimum_image(start_.atoms[firsts_[k] + atom].r - base));
+    return shape;
+  }
+
+ private:
+  const Frame& start_;
+  std::vector<std::size_t> real_;  // indices within a copy
+  std::vector<std::size_t> firsts_;
+};
+
+struct FoundShape {
+  Shape shape;
+  std::string origin;
+};
+
+class Shapes {
+ public:
+  Shapes(const GromacsTopology& gromacs, const std::vector<std::string>& rigid, const Frame* start)
+      : gromacs_(gromacs), rigid_(rigid), start_(start) {}
+
+  FoundShape of(std::size_t index) const {
+    const GromacsMolecule& molecule = gromacs_.molecules[index];
+    const std::size_t atoms = real_atoms(molecule).size();
+    const bool declared = std::find(rigid_.begin(), rigid_.end(), molecule.name) != rigid_.end();
+    if (atoms == 0)
+      throw Error(
+          fmt::format("molecule type '{}' has no atoms; it must have one at least", molecule.name),
+          text_of(molecule.place));
+    if (!molecule.obstacle.empty())
+      throw Error(
+          fmt::format("molecule type '{}' has [ {} ], which no rigid body can have; delete it, "
+                      "or take another model",
+                      molecule.name, molecule.obstacle),
+          text_of(molecule.obstacle_place));
+    if (atoms > most_atoms)
+      throw Error(
+          fmt::format("molecule type '{}' has {} atoms; a rigid molecule may have {} at most",
+                      molecule.name, atoms, most_atoms),
+          text_of(molecule.place));
+    if (atoms == 1) return {{Vec3<double>{}}, "one atom"};
+    try {
+      const auto held = declared ? Held::by_bonds : Held::by_constraints;
+      return {placed(index, held_distances(gromacs_, molecule, held), atoms),
+              declared ? "declared rigid, shape of bonds and angles" : by_what(molecule)};
+    } catch (const Error& e) {
+      if (!e.where().empty()) throw;
+      if (declared) return mean(index);
+      throw refusal(molecule, e);
+    }
+  }
+
+ private:
+  Shape placed(std::size_t index, const std::vector<Distance>& distances, std::size_t atoms) const {
+    PlacedPoints found = placed_points(atoms, distances);
+    if (found.dimension < 3 || start_ == nullptr) return std::move(found.points);
+    // Distances do not tell a shape from its mirror image; the first molecule in the start does.
+    const Shape there = Copies(gromacs_, index, *start_)(0);
+    Shape mirror = mirrored(found.points);
+    return difference(mirror, there) < difference(found.points, there) ? std::move(mirror)
+                                                                       : std::move(found.points);
+  }
+
+  FoundShape mean(std::size_t index) const {
+    const GromacsMolecule& molecule = gromacs_.molecules[index];
+    if (start_ == nullptr)
+      throw Error(
+          fmt::format("molecule type '{}' is declared rigid, but its bonds and angles do not fix "
+                      "a shape and there is no start to take it from; name a start",
+                      molecule.name),
+          text_of(molecule.place));
+    const Copies copies(gromacs_, index, *start_);
+    Shape shape = mean_shape(copies.size(), [&](std::size_t k) { return copies(k); });
+    return {straightened(std::move(shape)), "declared rigid, mean shape in the start"};
+  }
+
+  static std::string by_what(const GromacsMolecule& molecule) {
+    const bool settled = std::any_of(
+        molecule.relations.begin(), molecule.relations.end(),
+        [](const GromacsRelation& r) { return r.kind == GromacsRelation::Kind::settle; });
+    return settled ? "rigid by settles" : "rigid by constraints";
+  }
+
+  // Why a molecule that nobody declared rigid cannot be: what moves in it.
+  static Error refusal(const GromacsMolecule& molecule, const Error& reason) {
+    const auto moving = std::find_if(
+        molecule.relations.begin(), molecule.relations.end(), [](const GromacsRelation& r) {
+          return r.kind == GromacsRelation::Kind::bond || r.kind == GromacsRelation::Kind::angle;
+        });
+    const bool elastic = moving != molecule.relations.end();
+    return Error(
+        fmt::format("molecule type '{0}' is not held rigid by settles or constraints: {1}{2}; "
+                    "rigid = [\"{0}\"] in the run file makes it so",
+                    molecule.name, reason.what(),
+                    elastic ? ", and bonds or angles begin here" : ""),
+        text_of(elastic ? moving->place : molecule.place));
+  }
+
+  const GromacsTopology& gromacs_;
+  const std::vector<std::string>& rigid_;
+  const Frame* start_;
+};
+
+void check_names(const GromacsTopology& gromacs, const std::vector<std::string>& rigid) {
+  std::vector<std::string> names;
+  for (const auto& block : gromacs.blocks) names.push_back(gromacs.molecules[block.molecule].name);
+  for (const std::string& name : rigid)
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      throw Error(
+          fmt::format("'{}' is declared rigid and no molecule of the topology has that name; "
+                      "there are: {}",
+                      name, listed(names)),
+          gromacs.file);
+}
+
+std::vector<TypedSite> typed_sites(const GromacsTopology& gromacs) {
+  std::vector<TypedSite> sites;
+  for (const auto& block : gromacs.blocks) {
+    const GromacsMolecule& molecule = gromacs.molecules[block.molecule];
+    for (const GromacsAtom& atom : molecule.atoms)
+      sites.push_back(
+          {molecule.name + '.' + atom.name, atom.type, gromacs.types.at(atom.type).epsilon});
+  }
+  return sites;
+}
+
+}  // namespace
+
+RigidTopology rigid_topology(const GromacsTopology& gromacs, const std::vector<std::string>& rigid,
+                             const Frame* start) {
+  check_names(gromacs, rigid);
+  const Shapes shapes(gromacs, rigid, start);
+  std::map<std::size_t, std::pair<Molecule, std::string>> made;
+  RigidTopology result;
+  for (const auto& block : gromacs.blocks) {
+    auto known = made.find(block.molecule);
+    if (known == made.end()) {
+      const FoundShape found = shapes.of(block.molecule);
+      known =
+          made.emplace(
+                  block.molecule,
+                  std::pair{rigid_molecule(gromacs, gromacs.molecules[block.molecule], found.shape),
+                            found.origin})
+              .first;
+    }
+    result.topology.parts.push_back({known->second.first, block.count});
+    result.origins.push_back(known->second.second);
+  }
+  result.mixing = {gromacs.rule, overrides(typed_sites(gromacs), gromacs.pairs)};
+  return result;
+}
+
+}  // namespace polhode

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "preprocessor.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "../field_line.hpp"
+#include "../words.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode::gromacs {
+namespace {
+
+// Bounds that no topology comes near to, so that a hostile one ends: of files within files, of
+// files and characters read in all, of macros within macros, of conditions within conditions, and
+// of a line, in characters and in words that are looked at.
+constexpr std::size_t deepest_include = 32, most_includes = 10'000, most_characters = 1 << 25;
+constexpr std::size_t deepest_macro = 16, deepest_condition = 256, longest_line = 1 << 16;
+
+}  // namespace
+
+Preprocessor::Preprocessor(std::string_view text, const std::string& file,
+                           const IncludeLoader& loader, const std::vector<std::string>& defines)
+    : loader_(loader) {
+  sources_.push_back({std::make_shared<const std::string>(file), std::string(text)});
+  for (const std::string& definition : defines) {
+    const auto equals = definition.find('=');
+    define(definition.substr(0, equals) + ' ' +
+           (equals == definition.npos ? "" : definition.substr(equals + 1)));
+  }
+}
+
+std::optional<Line> Preprocessor::next() {
+  while (!sources_.empty()) {
+    const auto line = logical_line();
+    if (!line) {
+      end_source();
+      continue;
+    }
+    const std::string_view text = trimmed(*line);
+    if (text.empty() || text.front() == '*') continue;  // '*': a whole line of comment
+    if (text.front() == '#') {
+      directive(text.substr(1));
+    } else if (!skipped()) {
+      std::string whole = expanded(text);
+      if (!whole.empty()) return Line{std::move(whole), place()};
+    }
+  }
+  return std::nullopt;
+}
+
+bool Preprocessor::skipped() const {
+  return std::any_of(conditions_.begin(), conditions_.end(),
+                     [](const Condition& c) { return !c.taken; });
+}
+
+// The next line, joined with those that it is continued by, without comments.
+std::optional<std::string> Preprocessor::logical_line() {
+  Source& source = sources_.back();
+  const std::string_view text = source.text;
+  if (source.at >= text.size()) return std::nullopt;
+  std::string joined;
+  line_ = source.line + 1;
+  for (bool continued = true; continued && source.at < text.size();) {
+    const auto end = std::min(text.find('\n', source.at), text.size());
+    std::string_view line = text.substr(source.at, end - source.at);
+    source.at = end + 1;
+    ++source.line;
+    line = trimmed(line);
+    continued = line.ends_with('\\');
+    if (continued) line.remove_suffix(1);
+    joined += line.substr(0, line.find(';'));
+    if (continued) joined += ' ';
+    characters_ += line.size() + 1;
+  }
+  return joined;
+}
+
+void Preprocessor::directive(std::string_view line) {
+  const std::string_view word = take_word(line);
+  const bool is_condition = word == "ifdef" || word == "ifndef";
+  if (is_condition) {
+    const std::string_view name = take_word(line);
+    if (name.empty()) refuse(fmt::format("#{} names no macro; write its name behind it", word));
+    if (conditions_.size() >= deepest_condition)
+      refuse(
+          fmt::format("conditions lie {} deep in each other, which must be the deepest; end some "
+                      "with #endif",
+                      deepest_condition));
+    conditions_.push_back(
+        {(macros_.find(name) != macros_.end()) == (word == "ifdef"), false, place()});
+    return;
+  }
+  if (word == "else" || word == "endif") {
+    if (conditions_.size() == sources_.back().conditions)
+      refuse(
+          fmt::format("#{} stands without an #ifdef or #ifndef before it in this file; delete it "
+                      "or begin the condition",
+                      word));
+    Condition& last = conditions_.back();
+    if (word == "endif") {
+      conditions_.pop_back();
+      return;
+    }
+    if (last.otherwise)
+      refuse(fmt::format("#else stands twice for the condition of line {}; delete one",
+                         last.place.line));
+    last.otherwise = true;
+    last.taken = !last.taken;
+    return;
+  }
+  if (skipped()) return;
+  if (word == "include") {
+    include(trimmed(line));
+  } else if (word == "define") {
+    define(line);
+  } else if (word == "undef") {
+    const auto known = macros_.find(take_word(line));
+    if (known != macros_.end()) macros_.erase(known);
+  } else if (word == "error") {
+    refuse(fmt::format("#error is reached: {}", trimmed(line)));
+  } else {
+    refuse(
+        fmt::format("there is no directive '#{}'; there are: include, define, undef, ifdef, "
+                    "ifndef, else, endif, error",
+                    word));
+  }
+}
+
+void Preprocessor::include(std::string_view name) {
+  const auto quoted = [&](char open, char close) {
+    return name.size() > 2 && name.front() == open && name.back() == close;
+  };
+  if (!quoted('"', '"') && !quoted('<', '>'))
+    refuse(
+        fmt::format("#include is followed by '{}' where a file name in quotes must stand", name));
+  const std::string wanted(name.substr(1, name.size() - 2));
+  if (sources_.size() >= deepest_include)
+    refuse(
+        fmt::format("files include each other {} deep, which must be the deepest; does one include "
+                    "itself?",
+                    deepest_include));
+  if (++includes_ > most_includes || characters_ > most_characters)
+    refuse(
+        fmt::format("{} files were included, {} characters; at most {} files and {} characters "
+                    "are read",
+                    includes_, characters_, most_includes, most_characters));
+  auto loaded = loader_(wanted, *sources_.back().file);
+  if (!loaded)
+    refuse(
+        fmt::format("there is no file '{}', neither beside this one nor in the folders of "
+                    "'include', GMXLIB, GMXDATA or GROMACS's own data; check its path",
+                    wanted));
+  for (const Source& open : sources_)
+    if (*open.file == loaded->file)
+      refuse(fmt::format("'{}' includes itself, which has no end; delete one #include", wanted));
+  sources_.push_back({std::make_shared<const std::string>(std::move(loaded->file)),
+                      std::move(loaded->text), 0, 0, conditions_.size()});
+}
+
+void Preprocessor::define(std::string_view definition) {
+  const std::string name(take_word(definition));
+  if (name.empty()) refuse("#define names no macro; write its name behind it");
+  macros_[name] = trimmed(definition);
+}
+
+std::string Preprocessor::expanded(std::string_view text) const {
+  std::string out;
+  Expansion e{{}, out, 0};
+  expand(text, e);
+  return out;
+}
+
+// Words that are macros are replaced, and macros within these, but never one by itself.
+void Preprocessor::expand(std::string_view text, Expansion& e) const {
+  for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
+    const auto macro = macros_.find(word);
+    const bool plain = macro == macros_.end() ||
+                       std::find(e.within.begin(), e.within.end(), word) != e.within.end();
+    if (++e.words > longest_line || e.out.size() + (plain ? word.size() : 0) > longest_line)
+      refuse(
+          fmt::format("the line is longer than {} characters when macros are replaced; write it "
+                      "shorter",
+                      longest_line));
+    if (plain) {
+      if (!e.out.empty()) e.out += ' ';
+      e.out += word;
+      continue;
+    }
+    if (e.within.size() >= deepest_macro)
+      refuse(
+          fmt::format("macro '{}' lies {} macros deep, which must be the deepest; write its value",
+                      word, deepest_macro));
+    e.within.push_back(macro->first);
+    expand(macro->second, e);
+    e.within.pop_back();
+  }
+}
+
+void Preprocessor::end_source() {
+  if (conditions_.size() > sources_.back().conditions) {
+    const Condition& open = conditions_.back();
+    throw Error(
+        "the file ends before the #endif of this condition; write it where the condition ends",
+        text_of(open.place));
+  }
+  sources_.pop_back();
+}
+
+void Preprocessor::refuse(const std::string& what) const { throw Error(what, text_of(place())); }
+
+}  // namespace polhode::gromacs

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// The preprocessor of GROMACS topologies: comments, continued lines, includes, conditions, macros.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/io/gromacs.hpp"
+
+namespace polhode::gromacs {
+
+/// A line that is left when the preprocessor has done its work: without comment, not empty.
+struct Line {
+  std::string text;
+  TextPlace place;
+};
+
+/// Gives the lines of a text and of all that it includes, one after another.
+class Preprocessor {
+ public:
+  Preprocessor(std::string_view text, const std::string& file, const IncludeLoader& loader,
+               const std::vector<std::string>& defines);
+  std::optional<Line> next();
+
+ private:
+  struct Source {
+    std::shared_ptr<const std::string> file;
+    std::string text;
+    std::size_t at = 0;          // first character that is not read
+    std::size_t line = 0;        // number of the last line read
+    std::size_t conditions = 0;  // that were open where it begins
+  };
+  struct Condition {
+    bool taken, otherwise;  // whether its lines count; whether #else has been met
+    TextPlace place;
+  };
+  struct Expansion {
+    std::vector<std::string_view> within;  // macros that are being replaced
+    std::string& out;
+    std::size_t words;  // looked at so far
+  };
+
+  bool skipped() const;
+  TextPlace place() const { return {sources_.back().file, line_}; }
+  std::optional<std::string> logical_line();
+  void directive(std::string_view line);
+  void include(std::string_view name);
+  void define(std::string_view definition);
+  std::string expanded(std::string_view text) const;
+  void expand(std::string_view text, Expansion& expansion) const;
+  void end_source();
+  [[noreturn]] void refuse(const std::string& what) const;
+
+  const IncludeLoader& loader_;
+  std::vector<Source> sources_;  // each includes the next
+  std::vector<Condition> conditions_;
+  std::map<std::string, std::string, std::less<>> macros_;
+  std::size_t line_ = 0;  // where the logical line begins
+  std::size_t includes_ = 0, characters_ = 0;
+};
+
+}  // namespace polhode::gromacs

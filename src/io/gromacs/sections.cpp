@@ -1,0 +1,357 @@
+// SPDX-License-Identifier: MIT
+// The sections of a GROMACS topology.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+
+#include "../field_line.hpp"
+#include "../words.hpp"
+#include "bonded_key.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "preprocessor.hpp"
+
+namespace polhode {
+namespace {
+
+using gromacs::Line;
+using Kind = GromacsRelation::Kind;
+
+// More than any rigid body needs: a file cannot ask for memory without bound.
+constexpr std::size_t most_relations = 1'000'000, most_blocks = 64;
+constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
+
+class Parser {
+ public:
+  explicit Parser(const std::string& file) { topology_.file = file; }
+  void take(const Line& line);
+  GromacsTopology result() &&;
+
+ private:
+  using Reader = void (Parser::*)(const FieldLine&);
+  static const std::map<std::string, Reader, std::less<>>& readers();
+
+  void begin_section(const FieldLine& line, std::string_view text);
+
+  void defaults(const FieldLine&);
+  void atom_type(const FieldLine&);
+  void nonbond_pair(const FieldLine&);
+  void bond_type(const FieldLine& l) { equilibrium(l, 2, topology_.equilibrium.bonds); }
+  void constraint_type(const FieldLine& l) { equilibrium(l, 2, topology_.equilibrium.constraints); }
+  void angle_type(const FieldLine& l) { equilibrium(l, 3, topology_.equilibrium.angles); }
+  void molecule_type(const FieldLine&);
+  void atom(const FieldLine&);
+  void settle(const FieldLine& l) { relation(l, Kind::settle, 1, 2); }
+  void constraint(const FieldLine& l) { relation(l, Kind::constraint, 2, 1); }
+  void bond(const FieldLine& l) { relation(l, Kind::bond, 2, 1); }
+  void angle(const FieldLine& l) { relation(l, Kind::angle, 3, 1); }
+  void virtual_site2(const FieldLine& l) { relation(l, Kind::virtual2, 3, 1); }
+  void virtual_site3(const FieldLine& l) { relation(l, Kind::virtual3, 4, 3); }
+  void system(const FieldLine&) {}
+  void block(const FieldLine&);
+  void inside(const FieldLine& line) { current(line); }  // constant within a rigid body
+  void ignored(const FieldLine&) {}                      // of no meaning for rigid bodies
+  void obstacle(const FieldLine&);
+  void between(const FieldLine& line);
+
+  GromacsMolecule& current(const FieldLine& line);
+  std::pair<double, double> lennard_jones(const FieldLine& line, std::size_t first) const;
+  void equilibrium(const FieldLine& line, std::size_t atoms, std::map<std::string, double>& values);
+  void relation(const FieldLine& line, Kind kind, std::size_t atoms, std::size_t numbers);
+
+  GromacsTopology topology_;
+  std::map<std::string, std::size_t> molecule_index_;
+  std::string section_;
+  Reader reader_ = nullptr;
+  int combination_ = 0;
+  std::size_t relations_ = 0;
+};
+
+const std::map<std::string, Parser::Reader, std::less<>>& Parser::readers() {
+  static const std::map<std::string, Reader, std::less<>> all = {
+      {"defaults", &Parser::defaults},
+      {"atomtypes", &Parser::atom_type},
+      {"nonbond_params", &Parser::nonbond_pair},
+      {"bondtypes", &Parser::bond_type},
+      {"constrainttypes", &Parser::constraint_type},
+      {"angletypes", &Parser::angle_type},
+      {"moleculetype", &Parser::molecule_type},
+      {"atoms", &Parser::atom},
+      {"settles", &Parser::settle},
+      {"constraints", &Parser::constraint},
+      {"bonds", &Parser::bond},
+      {"angles", &Parser::angle},
+      {"virtual_sites2", &Parser::virtual_site2},
+      {"dummies2", &Parser::virtual_site2},
+      {"virtual_sites3", &Parser::virtual_site3},
+      {"dummies3", &Parser::virtual_site3},
+      {"system", &Parser::system},
+      {"molecules", &Parser::block},
+      {"exclusions", &Parser::inside},
+      {"pairs", &Parser::inside},
+      {"pairs_nb", &Parser::inside},
+      {"dihedrals", &Parser::inside},
+      {"cmap", &Parser::inside},
+      {"angle_restraints", &Parser::inside},
+      {"dihedral_restraints", &Parser::inside},
+      {"pairtypes", &Parser::ignored},
+      {"dihedraltypes", &Parser::ignored},
+      {"cmaptypes", &Parser::ignored},
+      {"implicit_genborn_params", &Parser::ignored},
+      {"virtual_sites1", &Parser::obstacle},
+      {"virtual_sites4", &Parser::obstacle},
+      {"dummies4", &Parser::obstacle},
+      {"virtual_sitesn", &Parser::obstacle},
+      {"polarization", &Parser::obstacle},
+      {"thole_polarization", &Parser::obstacle},
+      {"water_polarization", &Parser::obstacle},
+      {"position_restraints", &Parser::obstacle},
+      {"distance_restraints", &Parser::obstacle},
+      {"orientation_restraints", &Parser::obstacle},
+      {"angle_restraints_z", &Parser::obstacle},
+      {"intermolecular_interactions", &Parser::between},
+  };
+  return all;
+}
+
+void Parser::take(const Line& line) {
+  const FieldLine fields(line.text, line.place);
+  if (line.text.front() == '[') {
+    begin_section(fields, line.text);
+  } else if (section_ == "system" && topology_.title.empty()) {
+    topology_.title = line.text;
+  } else if (reader_ == nullptr) {
+    fields.refuse(
+        fmt::format("'{}' stands before any section; a topology begins with [ defaults ], or with "
+                    "an #include of a force field that does",
+                    line.text.substr(0, 40)));
+  } else {
+    (this->*reader_)(fields);
+  }
+}
+
+void Parser::begin_section(const FieldLine& line, std::string_view text) {
+  const auto close = text.find(']');
+  if (close == text.npos || close + 1 != text.size())
+    line.refuse("the line begins a section with '[' and must end it with ']', as in [ atoms ]");
+  section_ = trimmed(text.substr(1, close - 1));
+  const auto known = readers().find(section_);
+  if (known == readers().end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, reader] : readers()) names.push_back(name);
+    line.refuse(fmt::format("there is no section [ {} ]{}", section_.substr(0, 40),
+                            did_you_mean(section_.substr(0, 40), names)));
+  }
+  reader_ = known->second;
+  if (reader_ == &Parser::between) between(line);
+}
+
+void Parser::between(const FieldLine& line) {
+  line.refuse(
+      "[ intermolecular_interactions ] join molecules, and rigid bodies have no such bonds; delete "
+      "the section");
+}
+
+void Parser::defaults(const FieldLine& line) {
+  line.require(2, "nbfunc and comb-rule");
+  if (combination_ != 0)
+    line.refuse("[ defaults ] stands twice; a topology has one force field, so include one alone");
+  const auto function = line.integer(0, "nbfunc", 1, any);
+  if (function != 1)
+    line.refuse(
+        fmt::format("nbfunc is {}; it must be 1, Lennard-Jones: there is no Buckingham "
+                    "potential here",
+                    function));
+  combination_ = static_cast<int>(line.integer(1, "comb-rule", 1, 3));
+  topology_.rule = combination_ == 2 ? MixingRule::lorentz_berthelot : MixingRule::geometric;
+}
+
+// σ and ε from two fields: themselves, or C6 and C12 with combination rule 1. Where one of C6 and
+// C12 alone is 0, ε is negative.
+std::pair<double, double> Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
+  if (combination_ == 0)
+    line.refuse("parameters stand before [ defaults ], which says what they mean; begin with it");
+  const bool powers = combination_ == 1;
+  const double a = line.number(first, powers ? "C6" : "sigma");
+  const double b = line.number(first + 1, powers ? "C12" : "epsilon");
+  if (a < 0 || b < 0)
+    line.refuse(fmt::format("{} = {} and {} = {}; both must be 0 or more", powers ? "C6" : "sigma",
+                            a, powers ? "C12" : "epsilon", b));
+  if (!powers) return {a, b};
+  if (a == 0 && b == 0) return {0, 0};
+  if (a == 0 || b == 0) return {0, -1};
+  return {std::pow(b / a, 1.0 / 6), a * a / (4 * b)};
+}
+
+// name [bonded type] [atomic number] mass charge particle V W: the particle, a letter by itself,
+// tells which of the two are there.
+void Parser::atom_type(const FieldLine& line) {
+  constexpr std::string_view columns =
+      "name, bonded type and atomic number where there are any, mass, charge, particle type, and "
+      "two "
+      "Lennard-Jones parameters";
+  line.require(6, columns);
+  const auto is_particle = [&](std::size_t k) {
+    return k + 2 < line.size() && line[k].size() == 1 &&
+           std::isalpha(static_cast<unsigned char>(line[k].front()));
+  };
+  const std::size_t particle = is_particle(5) ? 5 : is_particle(3) ? 3 : 4;
+  if (!is_particle(particle))
+    line.refuse(
+        fmt::format("there is no particle type, a letter A, V, D or S, in the fourth to sixth "
+                    "field; the fields must be: {}",
+                    columns));
+  GromacsAtomType type{.name = line.word(0), .bonded = line.word(0), .place = line.place()};
+  const bool letter = std::isalpha(static_cast<unsigned char>(line[1].front()));
+  if (particle == 5 || (particle == 4 && letter)) type.bonded = line.word(1);
+  if (particle == 5 || (particle == 4 && !letter))
+    type.atomic_number = static_cast<int>(line.integer(particle - 3, "atomic number", -1, 1000));
+  type.mass = line.number(particle - 2, "mass");
+  type.charge = line.number(particle - 1, "charge");
+  std::tie(type.sigma, type.epsilon) = lennard_jones(line, particle + 1);
+  if (type.epsilon < 0) type.one_sided = true, type.epsilon = 0;
+  topology_.types[type.name] = std::move(type);  // as in GROMACS, the last one holds
+}
+
+void Parser::nonbond_pair(const FieldLine& line) {
+  line.require(5, "two atom types, function, and two Lennard-Jones parameters");
+  if (line.integer(2, "function", 1, any) != 1)
+    line.refuse(fmt::format("the function is {}; it must be 1, Lennard-Jones", line[2]));
+  const auto [sigma, epsilon] = lennard_jones(line, 3);
+  topology_.pairs.push_back({line.word(0), line.word(1), sigma, epsilon, line.place()});
+}
+
+void Parser::equilibrium(const FieldLine& line, std::size_t atoms,
+                         std::map<std::string, double>& values) {
+  if (line.size() < atoms + 2) return;  // a function without parameters
+  std::vector<std::string> types;
+  for (std::size_t k = 0; k < atoms; ++k) types.push_back(line.word(k));
+  values[gromacs::bonded_key(types)] = line.number(atoms + 1, atoms == 2 ? "length" : "angle");
+}
+
+void Parser::molecule_type(const FieldLine& line) {
+  line.require(2, "name and nrexcl");
+  const auto [known, is_new] =
+      molecule_index_.try_emplace(line.word(0), topology_.molecules.size());
+  if (!is_new)
+    line.refuse(fmt::format("molecule type '{}' stands in {} already; rename or delete one",
+                            line[0], text_of(topology_.molecules[known->second].place)));
+  topology_.molecules.push_back({.name = line.word(0), .place = line.place()});
+}
+
+GromacsMolecule& Parser::current(const FieldLine& line) {
+  if (topology_.molecules.empty())
+    line.refuse(fmt::format("[ {} ] stands before any [ moleculetype ], to which it must belong",
+                            section_));
+  return topology_.molecules.back();
+}
+
+void Parser::obstacle(const FieldLine& line) {
+  GromacsMolecule& molecule = current(line);
+  if (!molecule.obstacle.empty()) return;
+  molecule.obstacle = section_;
+  molecule.obstacle_place = line.place();
+}
+
+void Parser::atom(const FieldLine& line) {
+  GromacsMolecule& molecule = current(line);
+  line.require(6, "number, type, residue number, residue, atom name, charge group");
+  const auto expected = static_cast<std::int64_t>(molecule.atoms.size()) + 1;
+  if (line.integer(0, "atom number", 1, any) != expected)
+    line.refuse(
+        fmt::format("atom {} stands where atom {} must be: atoms are numbered from 1 in their "
+                    "order",
+                    line[0], expected));
+  const auto type = topology_.types.find(line.word(1));
+  if (type == topology_.types.end())
+    line.refuse(
+        fmt::format("there is no atom type '{}' before this line; [ atomtypes ] must have it: "
+                    "include the force field that does",
+                    line[1].substr(0, 40)));
+  GromacsAtom atom{line.word(1), line.word(4), type->second.charge, type->second.mass,
+                   line.place()};
+  if (line.size() > 6) atom.charge = line.number(6, "charge");
+  if (line.size() > 7) atom.mass = line.number(7, "mass");
+  if (atom.mass < 0) line.refuse(fmt::format("the mass is {} u; it must be 0 or more", atom.mass));
+  molecule.atoms.push_back(std::move(atom));
+}
+
+// atoms function numbers; more numbers than are asked for are those of a perturbed state, or force
+// constants, and have no meaning here.
+void Parser::relation(const FieldLine& line, Kind kind, std::size_t atoms, std::size_t numbers) {
+  GromacsMolecule& molecule = current(line);
+  line.require(atoms, fmt::format("{} atoms, a function and its parameters", atoms));
+  if (++relations_ > most_relations)
+    line.refuse(
+        fmt::format("there are more than {} bonds, constraints and the like, more than rigid "
+                    "molecules need; delete molecule types that are not there",
+                    most_relations));
+  GromacsRelation relation{.kind = kind, .place = line.place()};
+  for (std::size_t k = 0; k < atoms; ++k)
+    relation.atoms[k] = static_cast<std::uint32_t>(
+        line.integer(k, "atom number", 1, static_cast<std::int64_t>(molecule.atoms.size())) - 1);
+  if (kind == Kind::settle && relation.atoms[0] + 3 > molecule.atoms.size())
+    line.refuse(fmt::format("atom {} has no two hydrogen atoms behind it, which [ settles ] hold",
+                            relation.atoms[0] + 1));
+  if (line.size() > atoms)
+    relation.function = static_cast<std::uint8_t>(line.integer(atoms, "function", 1, 255));
+  if (kind == Kind::settle || kind == Kind::virtual2 || kind == Kind::virtual3) {
+    if (kind == Kind::virtual3 && relation.function != 4) numbers = 2;
+    line.require(atoms + 1 + numbers,
+                 fmt::format("{} atoms, a function and {} numbers", atoms, numbers));
+  }
+  for (std::size_t k = 0; k < numbers && atoms + 1 + k < line.size(); ++k)
+    relation.numbers[relation.given++] = line.number(atoms + 1 + k, "parameter");
+  molecule.relations.push_back(std::move(relation));
+}
+
+void Parser::block(const FieldLine& line) {
+  line.require(2, "name and count");
+  const auto known = molecule_index_.find(line.word(0));
+  if (known == molecule_index_.end()) {
+    std::vector<std::string> names;
+    for (const auto& [name, index] : molecule_index_) names.push_back(name);
+    line.refuse(fmt::format("there is no molecule type '{}' before this line{}",
+                            line[0].substr(0, 40), did_you_mean(line[0].substr(0, 40), names)));
+  }
+  const auto count = static_cast<std::size_t>(line.integer(1, "count", 0, 1'000'000'000));
+  if (count == 0) return;
+  auto& blocks = topology_.blocks;
+  if (!blocks.empty() && blocks.back().molecule == known->second) {
+    blocks.back().count += count;
+    return;
+  }
+  if (blocks.size() == most_blocks)
+    line.refuse(
+        fmt::format("[ molecules ] has more than {} blocks of different molecules; sort the "
+                    "molecules, here and in the coordinates",
+                    most_blocks));
+  blocks.push_back({known->second, count});
+}
+
+GromacsTopology Parser::result() && {
+  if (topology_.blocks.empty())
+    throw Error(
+        "the topology ends without any molecule; it must end with [ molecules ], a name and a "
+        "count "
+        "on each line",
+        topology_.file);
+  return std::move(topology_);
+}
+
+}  // namespace
+
+GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
+                              const IncludeLoader& loader,
+                              const std::vector<std::string>& defines) {
+  gromacs::Preprocessor lines(text, file, loader, defines);
+  Parser parser(file);
+  while (const auto line = lines.next()) parser.take(*line);
+  return std::move(parser).result();
+}
+
+}  // namespace polhode

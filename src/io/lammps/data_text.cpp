@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+// The text of a LAMMPS data file.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "../field_line.hpp"
+#include "../text_file.hpp"
+#include "../words.hpp"
+#include "kinds.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "polhode/io/lammps_data.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
+
+// Units real.
+const double angstrom = unit("A", Dimension::length);
+const double angstrom_per_fs = angstrom / unit("fs", Dimension::time);
+const double kcal = unit("kcal/mol", Dimension::energy);
+
+class Parser {
+ public:
+  Parser(std::string_view text, const std::string& file)
+      : rest_(text), file_(std::make_shared<const std::string>(file)) {
+    data_.file = file;
+  }
+  LammpsData result();
+
+ private:
+  using Reader = void (Parser::*)(const FieldLine&);
+  static const std::map<std::string, Reader, std::less<>>& readers();
+
+  TextPlace place() const { return {file_, line_}; }
+  // The next line, in two: what stands before a '#', and behind it.
+  std::optional<std::pair<std::string_view, std::string_view>> next();
+  void begin(std::string_view name, std::string_view comment);
+  void header(const FieldLine&);
+  void edge(const FieldLine&, std::size_t axis);
+
+  void mass(const FieldLine&);
+  void pair_coefficients(const FieldLine&);
+  void pair_ij(const FieldLine&);
+  void atom(const FieldLine&);
+  void velocity(const FieldLine&);
+  void ignored(const FieldLine&) {}  // constant within rigid bodies
+
+  int type(const FieldLine&, std::size_t k) const;
+  std::pair<double, double> lennard_jones(const FieldLine&, std::size_t k) const;
+  void finish();
+
+  std::string_view rest_;
+  std::shared_ptr<const std::string> file_;
+  std::size_t line_ = 0;
+  Reader reader_ = &Parser::header;
+  std::string section_ = "header";
+  std::optional<std::int64_t> atoms_;
+  std::int64_t types_ = 0;
+  std::array<bool, 3> edges_{};
+  Vec3<double> low_{};
+  std::vector<std::pair<std::int64_t, Vec3<double>>> velocities_;
+  LammpsData data_;
+};
+
+const std::map<std::string, Parser::Reader, std::less<>>& Parser::readers() {
+  static const std::map<std::string, Reader, std::less<>> all = {
+      {"Masses", &Parser::mass},
+      {"Atoms", &Parser::atom},
+      {"Velocities", &Parser::velocity},
+      {"Pair Coeffs", &Parser::pair_coefficients},
+      {"PairIJ Coeffs", &Parser::pair_ij},
+      {"Bond Coeffs", &Parser::ignored},
+      {"Angle Coeffs", &Parser::ignored},
+      {"Dihedral Coeffs", &Parser::ignored},
+      {"Improper Coeffs", &Parser::ignored},
+      {"BondBond Coeffs", &Parser::ignored},
+      {"BondAngle Coeffs", &Parser::ignored},
+      {"Bonds", &Parser::ignored},
+      {"Angles", &Parser::ignored},
+      {"Dihedrals", &Parser::ignored},
+      {"Impropers", &Parser::ignored},
+  };
+  return all;
+}
+
+std::optional<std::pair<std::string_view, std::string_view>> Parser::next() {
+  if (rest_.empty()) return std::nullopt;
+  ++line_;
+  const auto end = std::min(rest_.find('\n'), rest_.size());
+  const std::string_view line = rest_.substr(0, end);
+  rest_.remove_prefix(std::min(end + 1, rest_.size()));
+  const auto hash = line.find('#');
+  return std::pair{trimmed(line.substr(0, hash)),
+                   hash == line.npos ? "" : trimmed(line.substr(hash + 1))};
+}
+
+void Parser::begin(std::string_view name, std::string_view comment) {
+  const FieldLine here(name, place());
+  const auto known = readers().find(name);
+  if (known == readers().end()) {
+    std::vector<std::string> names;
+    for (const auto& [section, reader] : readers()) names.push_back(section);
+    here.refuse(fmt::format("there is no section '{}' here{}; those that are read are: {}",
+                            name.substr(0, 40), did_you_mean(name.substr(0, 40), names),
+                            listed(names)));
+  }
+  if (name == "Atoms" && !comment.empty() && comment != "full")
+    here.refuse(
+        fmt::format("atoms are of style '{}'; they must be of style full: molecule, type and "
+                    "charge",
+                    comment.substr(0, 40)));
+  if (name == "Pair Coeffs" || name == "PairIJ Coeffs") data_.pair_style = comment;
+  if (name == "Atoms" && !(edges_[0] && edges_[1] && edges_[2]))
+    here.refuse(
+        "atoms stand before the box is known; its edges 'xlo xhi', 'ylo yhi' and 'zlo zhi' must "
+        "stand in the header");
+  section_ = name;
+  reader_ = known->second;
+}
+
+// A number and what it counts; only atoms, their types and the box matter.
+void Parser::header(const FieldLine& line) {
+  const auto ends_with = [&](std::initializer_list<std::string_view> words) {
+    if (line.size() < words.size()) return false;
+    std::size_t k = line.size() - words.size();
+    for (const std::string_view word : words)
+      if (line[k++] != word) return false;
+    return true;
+  };
+  if (ends_with({"xlo", "xhi"})) return edge(line, 0);
+  if (ends_with({"ylo", "yhi"})) return edge(line, 1);
+  if (ends_with({"zlo", "zhi"})) return edge(line, 2);
+  if (ends_with({"xy", "xz", "yz"})) {
+    line.require(6, "three tilts, and xy xz yz");
+    for (std::size_t k = 0; k < 3; ++k)
+      if (line.number(k, "tilt") != 0)
+        line.refuse("the box is triclinic; it must be a cuboid, with tilts of 0");
+    return;
+  }
+  if (ends_with({"avec"}) || ends_with({"bvec"}) || ends_with({"cvec"}))
+    line.refuse("the box is a general triclinic one; it must be a cuboid, given by 'xlo xhi'");
+  if (line.size() == 2 && line[1] == "atoms")
+    atoms_ = line.integer(0, "number of atoms", 0, any);
+  else if (ends_with({"atom", "types"}))
+    types_ = line.integer(0, "number of atom types", 0, any);
+  else if (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[0].front())) == 0)
+    line.refuse(
+        fmt::format("'{}' stands in the header, where a number and what it counts must stand, "
+                    "or the name of a section",
+                    line[0].substr(0, 40)));
+}
+
+void Parser::edge(const FieldLine& line, std::size_t axis) {
+  line.require(4, "lower and upper end, and their names");
+  const double low = line.number(0, "lower end"), high = line.number(1, "upper end");
+  const double edge = (high - low) * angstrom;
+  if (!(edge > 0) || !std::isfinite(edge))
+    line.refuse(
+        fmt::format("the box reaches from {} to {} Å; its edges must be longer than 0", low, high));
+  low_[axis] = low;
+  data_.box.edge[axis] = edge;
+  edges_[axis] = true;
+}
+
+int Parser::type(const FieldLine& line, std::size_t k) const {
+  return static_cast<int>(line.integer(k, "atom type", 1, types_));
+}
+
+void Parser::mass(const FieldLine& line) {
+  line.require(2, "atom type and mass");
+  const double mass = line.number(1, "mass");
+  if (mass <= 0) line.refuse(fmt::format("the mass is {} u; it must be above 0 u", mass));
+  data_.types[type(line, 0)].mass = mass;
+}
+
+std::pair<double, double> Parser::lennard_jones(const FieldLine& line, std::size_t k) const {
+  const double epsilon = line.number(k, "epsilon"), sigma = line.number(k + 1, "sigma");
+  if (epsilon < 0 || sigma < 0)
+    line.refuse(fmt::format("epsilon is {} kcal/mol and sigma {} Å; both must be 0 or more",
+                            epsilon, sigma));
+  return {sigma * angstrom, epsilon * kcal};
+}
+
+void Parser::pair_coefficients(const FieldLine& line) {
+  line.require(3, "atom type, epsilon and sigma");
+  LammpsData::AtomType& t = data_.types[type(line, 0)];
+  std::tie(t.sigma, t.epsilon) = lennard_jones(line, 1);
+  t.has_pair_coefficients = true;
+}
+
+void Parser::pair_ij(const FieldLine& line) {
+  line.require(4, "two atom types, epsilon and sigma");
+  const int first = type(line, 0), second = type(line, 1);
+  const auto [sigma, epsilon] = lennard_jones(line, 2);
+  if (first == second) {
+    LammpsData::AtomType& t = data_.types[first];
+    t.sigma = sigma, t.epsilon = epsilon, t.has_pair_coefficients = true;
+  } else {
+    data_.pairs.push_back(
+        {std::to_string(first), std::to_string(second), sigma, epsilon, line.place()});
+  }
+}
+
+void Parser::atom(const FieldLine& line) {
+  line.require(7, "id, molecule, type, charge, x, y, z");
+  LammpsData::Atom atom{};
+  atom.id = line.integer(0, "atom id", 1, std::numeric_limits<std::int64_t>::max());
+  atom.molecule = line.integer(1, "molecule id", 0, std::numeric_limits<std::int64_t>::max());
+  atom.type = type(line, 2);
+  atom.charge = line.number(3, "charge");
+  if (line.size() != 7 && line.size() != 10)
+    line.refuse(
+        fmt::format("the line has {} fields; it must have 7, or 10 with image flags: id, "
+                    "molecule, type, charge, x, y, z, nx, ny, nz",
+                    line.size()));
+  for (std::size_t k = 0; k < 3; ++k) {
+    static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate"};
+    atom.r[k] = (line.number(4 + k, names[k]) - low_[k]) * angstrom;
+    if (line.size() == 10)
+      atom.r[k] +=
+          data_.box.edge[k] * static_cast<double>(line.integer(7 + k, "image flag", -any, any));
+  }
+  data_.atoms.push_back(atom);
+}
+
+void Parser::velocity(const FieldLine& line) {
+  line.require(4, "atom id, and the velocity along x, y and z");
+  Vec3<double> v{};
+  for (std::size_t k = 0; k < 3; ++k) v[k] = line.number(1 + k, "velocity") * angstrom_per_fs;
+  velocities_.emplace_back(line.integer(0, "atom id", 1, std::numeric_limits<std::int64_t>::max()),
+                           v);
+}
+
+// What must hold of the file as a whole.
+void Parser::finish() {
+  const auto refuse = [&](const std::string& what) { throw Error(what, data_.file); };
+  if (!atoms_) refuse("the header has no number of atoms; write it as in '648 atoms'");
+  auto& atoms = data_.atoms;
+  if (static_cast<std::int64_t>(atoms.size()) != *atoms_)
+    refuse(fmt::format("the header tells {} atoms and the section Atoms has {}; both must be equal",
+                       *atoms_, atoms.size()));
+  if (atoms.empty()) refuse("there are no atoms; there must be one at least");
+  for (const LammpsData::Atom& atom : atoms)
+    if (const auto known = data_.types.find(atom.type);
+        known == data_.types.end() || known->second.mass == 0)
+      refuse(fmt::format("atom type {} has no mass; the section Masses must have it", atom.type));
+  std::sort(atoms.begin(), atoms.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  for (std::size_t k = 1; k < atoms.size(); ++k)
+    if (atoms[k].id == atoms[k - 1].id)
+      refuse(fmt::format("there are two atoms with the id {}; ids must differ", atoms[k].id));
+  data_.has_velocities = !velocities_.empty();
+  for (const auto& [id, v] : velocities_) {
+    const auto atom = std::lower_bound(atoms.begin(), atoms.end(), id,
+                                       [](const auto& a, std::int64_t i) { return a.id < i; });
+    if (atom == atoms.end() || atom->id != id)
+      refuse(fmt::format("there is a velocity of atom {} and no such atom; delete it", id));
+    atom->v = v;
+  }
+}
+
+LammpsData Parser::result() {
+  if (const auto title = next()) data_.title = title->first.empty() ? title->second : title->first;
+  constexpr std::string_view units = "units = ";
+  if (const auto at = data_.title.find(units); at != data_.title.npos) {
+    std::string_view told = std::string_view(data_.title).substr(at + units.size());
+    const std::string_view name = take_word(told);
+    if (name != "real")
+      throw Error(fmt::format("the units are '{}'; they must be 'real': Å, fs, kcal/mol",
+                              name.substr(0, 40)),
+                  text_of(place()));
+  }
+  while (const auto line = next()) {
+    const auto& [text, comment] = *line;
+    if (text.empty()) continue;
+    if (std::isupper(static_cast<unsigned char>(text.front())))
+      begin(text, comment);
+    else
+      (this->*reader_)(FieldLine(text, place()));
+  }
+  finish();
+  sort_into_kinds(data_);
+  return std::move(data_);
+}
+
+}  // namespace
+
+LammpsData parse_lammps_data(std::string_view text, const std::string& file) {
+  return Parser(text, file).result();
+}
+
+LammpsData read_lammps_data(const std::string& path) {
+  return parse_lammps_data(file_text(path), path);
+}
+
+}  // namespace polhode

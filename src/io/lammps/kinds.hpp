@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Which molecules of a LAMMPS data file are of one kind.
+#pragma once
+
+#include "polhode/io/lammps_data.hpp"
+
+namespace polhode {
+
+/// Puts the atoms in the order of kinds, and names kinds and sites.
+/// @throws Error  if there are more kinds than a topology may have
+void sort_into_kinds(LammpsData& data);
+
+/// The places of one copy's atoms, relative to its first [nm].
+Shape shape_of(const LammpsData& data, const LammpsData::Kind& kind, std::size_t copy);
+
+}  // namespace polhode

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/type_pairs.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t most_pairs = 10'000;
+
+struct Type {
+  double epsilon = 0;
+  std::set<std::string> sites;
+};
+
+}  // namespace
+
+std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
+                                    std::span<const TypePair> pairs) {
+  std::map<std::string, Type> types;
+  std::map<std::string, std::set<std::string>> types_of;  // of a site's name
+  for (const TypedSite& site : sites) {
+    types[site.type].epsilon = site.epsilon;
+    types[site.type].sites.insert(site.name);
+    types_of[site.name].insert(site.type);
+  }
+  std::map<std::pair<std::string, std::string>, PairOverride> given;
+  for (const TypePair& pair : pairs) {
+    const auto first = types.find(pair.first), second = types.find(pair.second);
+    if (first == types.end() || second == types.end()) continue;
+    const auto refuse = [&](const std::string& what) { throw Error(what, text_of(pair.place)); };
+    const bool bare = first->second.epsilon == 0 || second->second.epsilon == 0;
+    if (bare && pair.epsilon == 0) continue;
+    if (pair.epsilon < 0)
+      refuse(
+          "the pair has only one of C6 and C12; pairs here have sigma and epsilon, which need both "
+          "or none");
+    if (bare)
+      refuse(fmt::format(
+          "atom types '{}' and '{}' are given a Lennard-Jones term, but one of them has "
+          "none of its own; both must have one",
+          pair.first, pair.second));
+    for (const std::string& a : first->second.sites)
+      for (const std::string& b : second->second.sites) {
+        for (const std::string& site : {a, b})
+          if (types_of.at(site).size() > 1)
+            refuse(
+                fmt::format("atoms '{}' are of several types, of which this pair means one; give "
+                            "them different names",
+                            site));
+        given[std::minmax(a, b)] = {a, b, pair.sigma, pair.epsilon};
+      }
+    if (given.size() > most_pairs)
+      refuse(
+          fmt::format("more than {} pairs of sites are given; there must be less, since each is "
+                      "looked for among all",
+                      most_pairs));
+  }
+  std::vector<PairOverride> list;
+  for (const auto& [names, pair] : given) list.push_back(pair);
+  return list;
+}
+
+}  // namespace polhode

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Words of a line, between blanks.
+#pragma once
+
+#include <string_view>
+
+namespace polhode {
+
+inline constexpr std::string_view blanks = " \t\r\f\v";
+
+/// Without blanks at both ends.
+inline std::string_view trimmed(std::string_view text) {
+  const auto begin = text.find_first_not_of(blanks);
+  if (begin == text.npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+/// Takes the first word, with the blanks around it, away from the front of a text; empty at its
+/// end.
+inline std::string_view take_word(std::string_view& text) {
+  text = trimmed(text);
+  const std::string_view word = text.substr(0, text.find_first_of(blanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+}  // namespace polhode

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/math/distances.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+struct Neighbour {
+  std::size_t point;
+  double length;
+};
+using Neighbours = std::vector<std::vector<Neighbour>>;
+
+// An origin and up to three orthonormal directions.
+struct Frame {
+  Vec3<double> origin;
+  std::array<Vec3<double>, 3> axes{};
+  int dimension = 0;
+  double largest = 0;  // distance of the points that spanned it
+
+  Vec3<double> rest(const Vec3<double>& r) const {
+    Vec3<double> off = r - origin;
+    for (int k = 0; k < dimension; ++k) {
+      const Vec3<double>& axis = axes[static_cast<std::size_t>(k)];
+      off -= dot(off, axis) * axis;
+    }
+    return off;
+  }
+  void add(const Vec3<double>& direction) {
+    axes[static_cast<std::size_t>(dimension++)] = direction / norm(direction);
+  }
+};
+
+// Distances d that are rounded lift a point out of what others span: by h with h² about 2 d times
+// the rounding. One that breaks the triangle inequality has h² < 0, and is found by its distance.
+bool is_flat(double height2, double length) {
+  return height2 < 2 * std::max(length, distance_rounding) * distance_rounding;
+}
+
+// The known neighbours of one point, with directions in which they lie far apart first.
+struct Support {
+  Frame frame;
+  std::vector<Neighbour> spanning;  // frame.dimension + 1 of them
+};
+
+class Placing {
+ public:
+  Placing(std::size_t count, const Neighbours& neighbours)
+      : neighbours_(neighbours), points_(count), placed_(count, false) {}
+
+  // Whether all points could be placed from that first one.
+  bool from(std::size_t first) {
+    std::fill(placed_.begin(), placed_.end(), false);
+    space_ = {};
+    points_[first] = space_.origin = {};
+    placed_[first] = true;
+    left_ = points_.size() - 1;
+    for (bool moved = true; moved && left_ > 0;) {
+      moved = false;
+      for (std::size_t i = 0; i < points_.size(); ++i)
+        if (!placed_[i] && place(i)) moved = true;
+    }
+    return left_ == 0;
+  }
+  // A point that the last attempt could not place.
+  std::size_t loose() const {
+    return static_cast<std::size_t>(std::find(placed_.begin(), placed_.end(), false) -
+                                    placed_.begin());
+  }
+  PlacedPoints result() && { return {std::move(points_), space_.dimension}; }
+
+ private:
+  Support support(std::size_t i) const {
+    Support s;
+    std::vector<Neighbour> known;
+    for (const Neighbour& n : neighbours_[i])
+      if (placed_[n.point]) known.push_back(n);
+    if (known.empty()) return s;
+    s.frame.origin = points_[known.front().point];
+    s.spanning.push_back(known.front());
+    while (s.frame.dimension < 3) {
+      const Neighbour* farthest = nullptr;
+      Vec3<double> direction{};
+      for (const Neighbour& n : known) {
+        const Vec3<double> rest = s.frame.rest(points_[n.point]);
+        if (norm2(rest) > norm2(direction)) farthest = &n, direction = rest;
+      }
+      if (farthest == nullptr ||
+          is_flat(norm2(direction), norm(points_[farthest->point] - s.frame.origin)))
+        break;
+      s.frame.add(direction);
+      s.spanning.push_back(*farthest);
+    }
+    return s;
+  }
+
+  bool place(std::size_t i) {
+    const Support s = support(i);
+    if (s.spanning.empty()) return false;
+    // |r − b|² − |r|² is linear in r: one equation for every axis, triangular by construction.
+    const double d2 = s.spanning[0].length * s.spanning[0].length;
+    std::array<double, 3> c{};
+    for (int k = 0; k < s.frame.dimension; ++k) {
+      const Neighbour& n = s.spanning[static_cast<std::size_t>(k) + 1];
+      const Vec3<double> b = points_[n.point] - s.frame.origin;
+      double right = (d2 - n.length * n.length + norm2(b)) / 2;
+      for (int m = 0; m < k; ++m)
+        right -= dot(b, s.frame.axes[static_cast<std::size_t>(m)]) * c[static_cast<std::size_t>(m)];
+      c[static_cast<std::size_t>(k)] = right / dot(b, s.frame.axes[static_cast<std::size_t>(k)]);
+    }
+    Vec3<double> r = s.frame.origin;
+    double height2 = d2;
+    for (std::size_t k = 0; k < 3; ++k) r += c[k] * s.frame.axes[k], height2 -= c[k] * c[k];
+    if (s.frame.dimension < 3 && !is_flat(height2, s.spanning[0].length)) {
+      if (s.frame.dimension < space_.dimension) return false;
+      static constexpr std::array<Vec3<double>, 3> unit = {
+          Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}};
+      // Out of what all points span so far: the next axis of space.
+      const Vec3<double> up = unit[static_cast<std::size_t>(space_.dimension)];
+      space_.add(up);
+      r += std::sqrt(height2) * up;
+    }
+    for (const Neighbour& n : neighbours_[i])
+      if (placed_[n.point]) check(i, n, norm(r - points_[n.point]));
+    points_[i] = r;
+    placed_[i] = true;
+    --left_;
+    return true;
+  }
+
+  void check(std::size_t i, const Neighbour& n, double found) const {
+    if (std::abs(found - n.length) > distance_tolerance)
+      throw Error(fmt::format(
+          "the distance of points {} and {} is {} nm where all others make it {:.6f} nm; they must "
+          "agree to {} nm, or no shape has them all",
+          i + 1, n.point + 1, n.length, found, distance_tolerance));
+  }
+
+  const Neighbours& neighbours_;
+  std::vector<Vec3<double>> points_;
+  std::vector<bool> placed_;
+  Frame space_;  // what all placed points span
+  std::size_t left_ = 0;
+};
+
+Neighbours neighbours_of(std::size_t count, std::span<const Distance> distances) {
+  Neighbours neighbours(count);
+  for (const Distance& d : distances) {
+    if (!(d.length > 0) || !std::isfinite(d.length))
+      throw Error(fmt::format("the distance of points {} and {} is {} nm; it must be above 0 nm",
+                              d.first + 1, d.second + 1, d.length));
+    neighbours[d.first].push_back({d.second, d.length});
+    neighbours[d.second].push_back({d.first, d.length});
+  }
+  return neighbours;
+}
+
+}  // namespace
+
+PlacedPoints placed_points(std::size_t count, std::span<const Distance> distances) {
+  const Neighbours neighbours = neighbours_of(count, distances);
+  Placing placing(count, neighbours);
+  for (std::size_t first = 0; first < count; ++first)
+    if (placing.from(first)) return std::move(placing).result();
+  if (count == 0) return {};
+  throw Error(fmt::format("{} distances do not fix {} points: point {}, for one, stays loose",
+                          distances.size(), count, placing.loose() + 1));
+}
+
+}  // namespace polhode

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#include "fuzz.hpp"
+#include "polhode/io/lammps_data.hpp"
+
+void polhode::fuzz::read(std::string_view text) {
+  const LammpsData data = parse_lammps_data(text, "fuzz.data");
+  frame_of(data);
+  rigid_topology(data);
+}

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The same system in GROMACS and here: same files, same energies
+// (tests/reference/gromacs/README.md).
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "polhode/io/gromacs.hpp"
+#include "polhode/run/system.hpp"
+
+using namespace polhode;
+
+namespace {
+
+const std::string folder = POLHODE_TEST_DATA "/gromacs/";
+
+struct GromacsEnergies {
+  double lennard_jones = 0, coulomb = 0;  // [kJ/mol]
+};
+
+GromacsEnergies gromacs_energies() {
+  std::ifstream in(folder + "energies.txt");
+  std::string head;
+  std::getline(in, head);
+  double time = 0, real_space = 0, mesh = 0;
+  GromacsEnergies e;
+  in >> time >> e.lennard_jones >> real_space >> mesh;
+  REQUIRE(bool(in));
+  e.coulomb = real_space + mesh;
+  return e;
+}
+
+}  // namespace
+
+TEST_CASE("salt water made by GROMACS's tools has the energies that GROMACS finds") {
+  if (!gromacs_data_folder()) {
+    MESSAGE("GROMACS's data is not installed; nothing is checked");
+    return;
+  }
+  const System system = assembled(
+      parse_config("[system]\ntopology = \"topol.top\"\nstart = "
+                   "\"conf.gro\"\n[forces]\nelectrostatics = \"pme\"\n"
+                   "accuracy = 1e-6\ncutoff = \"0.9 nm\"\nswitch = \"0.75 nm\"\nsmoothness = 2\n",
+                   folder + "system.toml"));
+  REQUIRE(system.topology.parts.size() == 3);
+  CHECK(system.topology.parts[0].count == 215);
+  CHECK(system.origins[0] == "rigid by settles");
+  // SETTLE holds distances to single precision, 1e-7 nm, and the file rounds to as much.
+  CHECK(system.fit_deviation < 1e-6);
+  ForceField forces(system.topology, system.forces, system.state.box);
+  Load load;
+  forces(system.state, load);
+  const GromacsEnergies gromacs = gromacs_energies();
+  // GROMACS sums some 1e5 pairs of up to 1e2 kJ/mol in single precision, whose rounding is 6e-8,
+  // and its PME leaves 1e-6 of real space; the coordinates are off by 1e-7 nm in 0.1 nm. Charges
+  // with themselves and within molecules are 1e5 kJ/mol each, seven times what is left of both.
+  CAPTURE(load.lennard_jones);
+  CAPTURE(load.coulomb);
+  CHECK(std::abs(load.lennard_jones / gromacs.lennard_jones - 1) < 1e-5);
+  CHECK(std::abs(load.coulomb / gromacs.coulomb - 1) < 1e-5);
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/lammps_data.hpp"
+
+#include <cmath>
+
+#include "errors.hpp"
+
+using namespace polhode;
+
+namespace {
+
+// Two waters, whose atoms stand in no order and cross the boundary, and a sodium ion.
+const std::string good =
+    "LAMMPS data file via write_data, units = real\n"
+    "\n"
+    "7 atoms\n"
+    "3 atom types\n"
+    "4 bonds\n"
+    "-10 10 xlo xhi\n"
+    "-10 10 ylo yhi\n"
+    "0 20 zlo zhi\n"
+    "\n"
+    "Masses\n"
+    "\n"
+    "1 15.9994\n"
+    "2 1.008 # hydrogen\n"
+    "3 22.99\n"
+    "\n"
+    "Pair Coeffs # lj/cut/coul/long\n"
+    "\n"
+    "1 0.1553 3.166\n"
+    "2 0 0\n"
+    "3 0.1 2.5\n"
+    "\n"
+    "Atoms # full\n"
+    "\n"
+    "3 1 2 0.4238 -0.333 0.943 1 0 0 0\n"
+    "1 1 1 -0.8476 0 0 1 0 0 0\n"
+    "2 1 2 0.4238 1 0 1 0 0 0\n"
+    "9 0 3 1 5 5 5 0 0 0\n"
+    "4 2 1 -0.8476 9.5 5 1 0 0 0\n"
+    "5 2 2 0.4238 -9.5 5 1 1 0 0\n"
+    "6 2 2 0.4238 9.167 5.943 1 0 0 0\n"
+    "\n"
+    "Velocities\n"
+    "\n"
+    "9 0.01 0 0\n"
+    "\n"
+    "Bonds\n"
+    "\n"
+    "1 1 1 2\n";
+
+void refused(const std::string& text, std::initializer_list<const char*> parts) {
+  check_error([&] { rigid_topology(parse_lammps_data(text, "a.data")); }, parts);
+}
+
+}  // namespace
+
+TEST_CASE("molecule ids of a LAMMPS data file are bodies, and equal ones are of one kind") {
+  const LammpsData read = parse_lammps_data(good, "a.data");
+  REQUIRE(read.kinds.size() == 2);
+  CHECK(read.kinds[0].name == "Na");  // molecule 0: an atom by itself
+  CHECK(read.kinds[1].name == "OH2");
+  CHECK(read.kinds[1].count == 2);
+  CHECK(read.kinds[1].sites == std::vector<std::string>{"O", "H1", "H2"});
+  const RigidTopology rigid = rigid_topology(read);
+  REQUIRE(rigid.topology.parts.size() == 2);
+  const Molecule& water = rigid.topology.parts[1].molecule;
+  CHECK(water.sites[0].epsilon == doctest::Approx(0.1553 * 4.184).epsilon(1e-15));
+  CHECK(water.sites[0].sigma == doctest::Approx(0.3166).epsilon(1e-15));
+  CHECK(norm(water.sites[1].r - water.sites[0].r) == doctest::Approx(0.1).epsilon(1e-12));
+  CHECK(rigid.rule_matters);  // of oxygen and sodium, which no PairIJ Coeffs give
+  const Frame frame = frame_of(read);
+  CHECK(frame.box.edge.x == 2);
+  CHECK(frame.atoms[0].r == Vec3<double>{1.5, 1.5, 0.5});             // from the lower corner
+  CHECK(frame.atoms[0].v.x == doctest::Approx(1).epsilon(1e-15));     // 0.01 Å/fs
+  CHECK(frame.atoms[5].r.x == doctest::Approx(2.05).epsilon(1e-15));  // unwrapped by its image flag
+  const FittedState fitted = fitted_state(frame, rigid.topology);
+  CHECK(fitted.deviation < 1e-12);
+  CHECK(fitted.state.p[0].x == doctest::Approx(22.99).epsilon(1e-15));
+}
+
+TEST_CASE("PairIJ Coeffs give every pair") {
+  std::string text =
+      replaced(good, "Pair Coeffs # lj/cut/coul/long\n\n1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n",
+               "PairIJ Coeffs\n\n1 1 0.1553 3.166\n1 2 0 0\n1 3 0.2 3\n2 2 0 0\n3 3 0.1 2.5\n");
+  const RigidTopology rigid = rigid_topology(parse_lammps_data(text, "a.data"));
+  CHECK(!rigid.rule_matters);
+  REQUIRE(rigid.mixing.pairs.size() == 1);
+  CHECK(rigid.mixing.pairs[0].epsilon == doctest::Approx(0.2 * 4.184).epsilon(1e-15));
+}
+
+TEST_CASE("errors in LAMMPS data files tell line, finding and expectation") {
+  refused("", {"the header has no number of atoms"});
+  refused(replaced(good, "real", "metal"),
+          {"the units are 'metal'; they must be 'real'", "a.data:1"});
+  refused(replaced(good, "0 20 zlo zhi", "0 20 zlo zhi\n1 0 0 xy xz yz"),
+          {"the box is triclinic", "a.data:9"});
+  refused(replaced(good, "0 20 zlo", "20 0 zlo"), {"the box reaches from 20 to 0"});
+  refused(replaced(good, "0 20 zlo zhi\n", ""), {"atoms stand before the box is known"});
+  refused(replaced(good, "# full", "# molecular"),
+          {"atoms are of style 'molecular'; they must be of style full"});
+  refused(replaced(good, "7 atoms", "8 atoms"), {"tells 8 atoms and the section Atoms has 7"});
+  refused(replaced(good, "1 1 1 -0.8476", "2 1 1 -0.8476"), {"two atoms with the id 2"});
+  refused(replaced(good, "9 0 3 1 5 5 5 0 0 0", "9 0 4 1 5 5 5 0 0 0"),
+          {"'4' stands where the atom type must be a whole number from 1 to 3", "a.data:27"});
+  refused(replaced(good, "5 5 5 0 0 0", "5 5 nan 0 0 0"), {"z coordinate is nan"});
+  refused(replaced(good, "5 5 5 0 0 0", "5 5 5 0"), {"it must have 7, or 10 with image flags"});
+  refused(replaced(good, "3 22.99\n", ""), {"atom type 3 has no mass"});
+  refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids' here"});
+  refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity of atom 8 and no such atom"});
+  refused(replaced(good, "lj/cut/coul/long", "buck/coul/long"),
+          {"the pair style is 'buck/coul/long'; it must be lj/cut"});
+  refused(replaced(good, "lj/cut/coul/long", "lj/cut/tip4p/long"),
+          {"site M stands in no data file", "tip4p"});
+  refused(replaced(good, "3 0.1 2.5\n", ""), {"atom type 3 has no Lennard-Jones parameters"});
+}
