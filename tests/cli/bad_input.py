@@ -242,6 +242,13 @@ class BadInput(Sandbox):
         self.write("run.toml", edited(SMALL, ('"0.02 ps"\n\n[output]', '"1.5 fs"\n\n[output]')))
         self.refused(("run", "run.toml"), ["1.5 fs", "2 fs", "one step"], "length")
 
+    def test_nested_schemes_where_brackets_are_asked_for(self):
+        nested = ('"hoa2"', '"hoa2 / hoa2 x 1 within 0.5 nm"')
+        self.write("run.toml", edited(SMALL, nested, ('"0.02 ps"\n\n[output]', '"0.02 ps"\nshadow_sample = "10 fs"\n\n[output]')))
+        self.refused(("run", "run.toml"), ["shadow_sample is 10 fs", "hoa2 x 1 within", "near and slow", "a single scheme"], "shadow")
+        self.write("run.toml", edited(SMALL, nested))
+        self.refused(("tune-scheme", "run.toml"), ["hoa2 x 1 within", "single schemes", "run.toml"], "tune-scheme")
+
     def test_output_that_exists(self):
         self.write("run.toml", SMALL.replace('plot = "none"', 'plot = "svg"'))
         for name in ("out-energies.csv", "out-final.gro", "out-trajectory.xyz", "out-trajectory.gro",
