@@ -24,6 +24,7 @@ struct Verb {
 const std::vector<Verb> verbs = {
     {"run", "simulate: a trajectory with its energies and summary", run_verb},
     {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
+    {"advise", "choose scheme and step for an accuracy wanted, and prove it", advise_verb},
     {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
     {"convert", "frames of one format into another: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
      convert_verb},

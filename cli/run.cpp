@@ -22,6 +22,7 @@
 #include "polhode/run/run_files.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
+#include "promise.hpp"
 #include "run_report.hpp"
 #include "system_notes.hpp"
 #include "verbs.hpp"
@@ -40,8 +41,12 @@ Config configured(const Options& o) {
   if (!o.scheme.empty()) {
     scheme_option(o.scheme, "--scheme");
     config.integrator.scheme = o.scheme;
+    config.integrator.scheme_given = true;
   }
-  if (!o.step.empty()) config.integrator.step = positive_time(o.step, "--step");
+  if (!o.step.empty()) {
+    config.integrator.step = positive_time(o.step, "--step");
+    config.integrator.accuracy.reset();
+  }
   if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
   if (!o.output.empty()) config.output.prefix = o.output;
   return config;
@@ -112,9 +117,11 @@ int run(const Options& o) {
     throw Error(
         "--continue and --force contradict each other: one goes on with what is there, the other "
         "begins anew; give one of them");
-  const Config config = configured(o);
-  const TrajectorySettings settings = trajectory_settings(config);
+  Config config = configured(o);
   Workers workers(threads_wanted(o.threads));
+  const auto promise = promised(config, {o.go_on, o.force}, workers);
+  if (interrupted()) return 130;
+  const TrajectorySettings settings = trajectory_settings(config);
   System system = assembled(config);
   check_near(system.forces, {settings.scheme, settings.inner}, config.source);
   ForceField forces(system.topology, system.forces, system.state.box, workers);
@@ -194,10 +201,13 @@ int run(const Options& o) {
                             name_of({settings.scheme, settings.inner}), settings.step * 1000),
                 config.output.plot, std::cerr);
 
+  std::optional<Kept> kept;
+  if (promise && !t.stopped) kept = checked(*promise, t.samples);
   if (o.json) {
-    print_json(s, settings, means, names, t.stopped);
+    print_json(s, settings, means, names, kept, t.stopped);
   } else {
     print_summary(s, settings, means);
+    if (kept) print_kept(*kept);
     fmt::print("files                ");
     for (const std::string& file : names.all()) fmt::print(" {}", file);
     fmt::print("\n");

@@ -78,7 +78,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
 }
 
 void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
-                const RunFileNames& files, bool stopped) {
+                const RunFileNames& files, const std::optional<Kept>& kept, bool stopped) {
   nlohmann::json report = {{"molecules", s.molecules},
                            {"scheme", text_of({t.scheme, t.inner})},
                            {"step_fs", t.step * 1000},
@@ -129,6 +129,7 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
                         {"drift_chance", s.shadow->drift.chance},
                         {"drift_significant", s.shadow->drift.chance < significance},
                         {"times_sooner", s.shadow->sooner}};
+  report["promise"] = kept ? as_json(*kept) : nlohmann::json();
   fmt::print("{}\n", report.dump(2));
 }
 

@@ -2,10 +2,12 @@
 // What a run tells at its end, for eyes and for machines.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "polhode/run/run_files.hpp"
 #include "polhode/run/summary.hpp"
+#include "promise.hpp"
 
 namespace polhode::cli {
 
@@ -19,6 +21,6 @@ void print_summary(const RunSummary& summary, const TrajectorySettings& settings
                    const Means& means);
 
 void print_json(const RunSummary& summary, const TrajectorySettings& settings, const Means& means,
-                const RunFileNames& files, bool stopped);
+                const RunFileNames& files, const std::optional<Kept>& kept, bool stopped);
 
 }  // namespace polhode::cli

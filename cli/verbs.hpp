@@ -10,6 +10,7 @@ namespace polhode::cli {
 
 using Action = std::function<int()>;
 
+Action advise_verb(CLI::App& app);
 Action analyze_verb(CLI::App& app);
 Action bench_verb(CLI::App& app);
 Action convert_verb(CLI::App& app);

@@ -19,8 +19,9 @@ def analysed(program, folder, water, o, seed):
     """What `polhode analyze` says about one run; the frames are dropped once it is kept."""
     said = folder / f"{water.model}-{seed}-analysis.json"
     if not said.exists():
-        waters.made(program, folder, water, o.count, seed, waters.TEMPERATURE, o.equilibrate, o.length, o.every)
-        frames = folder / f"{water.model}-{seed}-trajectory.xyz"
+        waters.made(program, folder, water, o.count, seed, waters.TEMPERATURE, o.equilibrate, o.length, o.every,
+                    "trr")
+        frames = folder / f"{water.model}-{seed}-trajectory.trr"
         done = subprocess.run(
             [program, "analyze", frames.name, "--run", f"{water.model}-{seed}.toml", "--from", f"{o.every:g} ps",
              "--window", f"{o.window:g} ps", "--fit", f"{o.window / 10:g} ps, {o.window:g} ps", "--pairs", "OW-OW",

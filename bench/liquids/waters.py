@@ -27,7 +27,7 @@ sample = "20 fs"
 [output]
 prefix = "{prefix}"
 trajectory_every = "{every:g} ps"
-formats = ["xyz"]
+formats = ["{trajectory}"]
 plot = "none"
 """
 
@@ -67,11 +67,12 @@ def frames(text):
     return found
 
 
-def made(program, folder, water, count, seed, temperature, equilibrate, length, every):
+def made(program, folder, water, count, seed, temperature, equilibrate, length, every, trajectory="xyz"):
     """The prefix of the files of one run from a lattice; a finished one of the same run file is not made again."""
     prefix = f"{water.model}-{seed}"
     text = RUN_FILE.format(model=water.model, count=count, density=water.density, temperature=temperature,
-                           seed=seed, equilibrate=equilibrate, length=length, every=every, prefix=prefix)
+                           seed=seed, equilibrate=equilibrate, length=length, every=every, trajectory=trajectory,
+                           prefix=prefix)
     run_file, said = folder / f"{prefix}.toml", folder / f"{prefix}.json"
     if not (said.exists() and run_file.exists() and run_file.read_text(encoding="utf-8") == text):
         said.unlink(missing_ok=True)

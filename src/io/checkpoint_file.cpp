@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/crc.hpp>
 #include <cstring>
@@ -15,7 +16,7 @@ namespace polhode {
 namespace {
 
 constexpr std::string_view magic = "polhode restart\n";
-constexpr std::uint64_t format_version = 2;
+constexpr std::uint64_t format_version = 3;
 constexpr std::size_t length_at = magic.size() + sizeof(std::uint64_t);
 constexpr std::size_t number = sizeof(std::uint64_t);
 
@@ -152,7 +153,7 @@ void CheckpointReader::operator()(Column<double>& column) {
   (*this)(n);
   const std::string_view values = take(n > rest_.size() ? n : n * sizeof(double));
   column = Column<double>(n);
-  std::memcpy(column.data(), values.data(), values.size());
+  std::copy_n(values.data(), values.size(), reinterpret_cast<char*>(column.data()));
 }
 
 void CheckpointReader::end() const {

@@ -319,12 +319,22 @@ void check_scheme(const std::string& scheme, std::string_view key, const TomlTab
   }
 }
 
+constexpr auto must_be_accuracy =
+    "must be above 0 % and below 100 %: it bounds R, the fluctuation of the total energy over that "
+    "of the potential energy";
+
 void read_integrator(TomlTable table, IntegratorSettings& integrator) {
+  integrator.scheme_given = table.has("scheme");
   take(integrator.scheme, table.text("scheme"));
   table.require(!integrator.scheme.empty(), "scheme", "must name a scheme, for example \"hoa2\"");
   check_scheme(integrator.scheme, "scheme", table);
   take_time(table, "step", integrator.step, "2 fs");
   table.require(integrator.step > 0, "step", "must be longer than 0 fs: time goes on in steps");
+  integrator.accuracy = table.quantity("accuracy", Dimension::fraction, "0.5 %");
+  table.require(integrator.accuracy.value_or(0.5) > 0 && integrator.accuracy.value_or(0.5) < 1,
+                "accuracy", must_be_accuracy);
+  table.require(!integrator.accuracy || !table.has("step"), "accuracy",
+                "stands beside a step, which it is to choose; leave one out");
   integrator.lambda_given = table.has("lambda");
   if (integrator.lambda_given) integrator.lambda_place = table.where("lambda");
   take(integrator.lambda, table.number("lambda"));

@@ -97,4 +97,10 @@ bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurv
   return draw(prefix + ".gp", efficiency_script(curves, image, format, highest), warnings);
 }
 
+bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
+                 std::ostream& warnings) {
+  const std::string image = fs::path(prefix + "." + format).filename().string();
+  return draw(prefix + ".gp", advice_script(figure, image, format), warnings);
+}
+
 }  // namespace polhode

@@ -305,4 +305,52 @@ set yrange [{5:.6g}:{9:.6g}]
                      100 * 1.6 * r.ratio_high, left);
 }
 
+std::string advice_script(const AdviceFigure& figure, const std::string& image,
+                          const std::string& format) {
+  std::string data, plot;
+  for (std::size_t k = 0; k < figure.curves.size(); ++k) {
+    const AdviceCurve& curve = figure.curves[k];
+    data += fmt::format("\n# {}: seconds per ps, R [%], its standard error\n$marks{} << EOD\n",
+                        curve.scheme, k);
+    for (const AdviceMark& mark : curve.marks)
+      data +=
+          fmt::format("{:.6g} {:.6g} {:.3g}\n", mark.seconds, 100 * mark.ratio, 100 * mark.error);
+    data += fmt::format("EOD\n$law{} << EOD\n", k);
+    for (const auto& [seconds, ratio] : curve.model)
+      data += fmt::format("{:.6g} {:.6g}\n", seconds, 100 * ratio);
+    data += "EOD\n";
+    const char* colour = colours[k % colours.size()];
+    const int symbol = symbols[k % symbols.size()].first;
+    plot += fmt::format(
+        "\\\n  $marks{0} using 1:2:3 with yerrorbars pointtype {1} pointsize 0.9 linecolor \"{2}\" "
+        "title {3}, ",
+        k, symbol, colour, quoted(curve.scheme));
+    if (!curve.model.empty())
+      plot += fmt::format("\\\n  $law{} with lines linewidth 1.6 linecolor \"{}\" notitle, ", k,
+                          colour);
+  }
+  if (figure.bound)
+    plot += fmt::format(
+        "\\\n  {:.6g} with lines linewidth 1.4 dashtype 2 linecolor \"#404040\" title \"wanted\", ",
+        100 * *figure.bound);
+  if (figure.confirmed) {
+    data += fmt::format("\n$answer << EOD\n{:.6g} {:.6g} {:.3g}\nEOD\n", figure.confirmed->seconds,
+                        100 * figure.confirmed->ratio, 100 * figure.confirmed->error);
+    plot +=
+        "\\\n  $answer using 1:2:3 with yerrorbars pointtype 6 pointsize 2 linewidth 2 linecolor "
+        "\"#000000\" title \"confirmed\", ";
+  }
+  return head(image, format, 720, 480) + data +
+         fmt::format(R"gp(
+set key outside top center horizontal noenhanced samplen 1.6 textcolor "#404040"
+set xlabel "computing time for a simulated ps  (s)"
+set ylabel "R  (%)"
+set logscale xy
+set format y "%g"
+set offsets graph 0.05, graph 0.05, graph 0.05, graph 0.05
+plot {}NaN notitle
+)gp",
+                     plot);
+}
+
 }  // namespace polhode

@@ -18,4 +18,7 @@ std::string curves_script(const CurvesFigure& figure, const std::string& csv,
 std::string efficiency_script(const std::vector<EfficiencyCurve>& curves, const std::string& image,
                               const std::string& format, double highest);
 
+std::string advice_script(const AdviceFigure& figure, const std::string& image,
+                          const std::string& format);
+
 }  // namespace polhode

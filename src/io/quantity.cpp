@@ -55,6 +55,8 @@ constexpr std::array all_units = {
     Unit{"bar", Dimension::pressure, bar},   Unit{"MPa", Dimension::pressure, 10 * bar},
     Unit{"atm", Dimension::pressure, 1.01325 * bar},
     Unit{"kJ/mol/nm3", Dimension::pressure, 1},
+    Unit{"kJ/mol/ps", Dimension::heating, 1}, Unit{"kJ/mol/ns", Dimension::heating, 1e-3},
+    Unit{"K/ns", Dimension::heating, units::boltzmann * 1e-3},
     Unit{"mPa s", Dimension::viscosity, 1e4 * bar},
     Unit{"Pa s", Dimension::viscosity, 1e7 * bar},
     Unit{"cP", Dimension::viscosity, 1e4 * bar},
@@ -92,6 +94,8 @@ Words words(Dimension dimension) {
       return {"a", "dipole moment", "1.85 D"};
     case Dimension::pressure:
       return {"a", "pressure", "1 bar"};
+    case Dimension::heating:
+      return {"a", "drift of energy", "0.1 kJ/mol/ns"};
     case Dimension::viscosity:
       return {"a", "viscosity", "0.9 mPa s"};
     case Dimension::fraction:

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <type_traits>
+#include <utility>
 
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
@@ -38,6 +39,16 @@ void optional(Archive& archive, Optional& value, const Fields& fields) {
   if (there) fields(*value);
 }
 
+template <class Archive, class List, class Fields>
+void list(Archive& archive, List& values, const Fields& fields) {
+  std::size_t count = values.size();
+  counter(archive, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // no more than are there
+    fields(values[k]);
+  }
+}
+
 template <class Archive, class Of>
 void state(Archive& archive, Of& s) {
   vectors(archive, s.q);
@@ -56,10 +67,6 @@ void memory(Archive& archive, Of& m) {
   for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
   archive(m.current), archive(m.complete);
   archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
-  std::size_t inner = m.inner.size();
-  counter(archive, inner);
-  if constexpr (!std::is_const_v<Of>) m.inner.resize(inner);
-  for (auto& within : m.inner) memory(archive, within);
 }
 
 template <class Archive, class Of>
@@ -69,10 +76,12 @@ void run_state(Archive& archive, Of& at) {
   counter(archive, at.steps);
   archive(at.start);
   memory(archive, at.integrator);
-  for (auto* list : {&at.list, &at.near_list}) {
-    vectors(archive, list->built_at);
-    counter(archive, list->rebuilds);
+  list(archive, at.integrator.inner, [&](auto& within) { memory(archive, within); });
+  for (auto* neighbours : {&at.list, &at.near_list}) {
+    vectors(archive, neighbours->built_at);
+    counter(archive, neighbours->rebuilds);
   }
+  list(archive, at.brackets, [&](auto& b) { archive(b.second_derivative), archive(b.W); });
   for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
                      &at.timings.measurement, &at.timings.near})
     archive(*part);
@@ -86,10 +95,7 @@ void mark(Archive& archive, Of& m) {
 template <class Archive, class Of>
 void output_marks(Archive& archive, Of& marks) {
   mark(archive, marks.energies);
-  std::size_t files = marks.frames.size();
-  counter(archive, files);
-  if constexpr (!std::is_const_v<Of>) marks.frames.resize(files);
-  for (auto& file : marks.frames) mark(archive, file);
+  list(archive, marks.frames, [&](auto& file) { mark(archive, file); });
   counter(archive, marks.next_frame);
 }
 
@@ -100,6 +106,13 @@ void fields(Archive& archive, Of& c) {
   run_state(archive, c.at);
   archive(c.noise.power), archive(c.noise.energy);
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
+}
+
+Checkpoint taken_from(CheckpointReader in) {
+  Checkpoint checkpoint;
+  fields(in, checkpoint);
+  in.end();
+  return checkpoint;
 }
 
 Checkpoint of_this_run(const std::string& path, const std::string& identity, const Maker& reader) {
@@ -116,9 +129,10 @@ Checkpoint of_this_run(const std::string& path, const std::string& identity, con
 }  // namespace
 
 std::string run_identity(const Config& config, const System& system) {
-  std::string all = identity(config, system,
-                             {config.integrator.step, config.run.equilibrate, config.run.sample,
-                              config.output.trajectory_every, config.forces.skin});
+  std::string all =
+      identity(config, system,
+               {config.integrator.step, config.run.equilibrate, config.run.sample,
+                config.run.shadow_sample, config.output.trajectory_every, config.forces.skin});
   all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
   if (config.output.trajectory_every > 0)
     for (const std::string& format : config.output.formats) all += ' ' + format;
@@ -138,11 +152,11 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader) {
-  CheckpointReader in(path, reader);
-  Checkpoint checkpoint;
-  fields(in, checkpoint);
-  in.end();
-  return checkpoint;
+  return taken_from(CheckpointReader(path, reader));
+}
+
+Checkpoint parse_checkpoint(std::string bytes, const std::string& path, const Maker& reader) {
+  return taken_from(CheckpointReader(std::move(bytes), path, reader));
 }
 
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,

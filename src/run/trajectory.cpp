@@ -184,6 +184,9 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
     system.state = from->state;
     start = from->start;
     result.steps = from->steps;
+    for (const ErrorBrackets& brackets : from->brackets)
+      result.brackets.push_back(
+          {result.samples.at(result.brackets.size() * settings.samples_per_shadow()), brackets});
     integrator.take_over(from->integrator);
     whole.forces.take_over(from->list);
     if (near) near->forces.take_over(from->near_list);
@@ -193,9 +196,11 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
   const auto checkpoint = [&] {
     if (!watch.checkpoint) return;
     clocks.moved();
+    std::vector<ErrorBrackets> brackets;
+    for (const BracketSample& sample : result.brackets) brackets.push_back(sample.brackets);
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
                       whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
-                      clocks.timings()});
+                      std::move(brackets), clocks.timings()});
     clocks.skip();
   };
   const auto sample = [&] {
@@ -213,7 +218,7 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
     if (watch.sample) watch.sample(result.steps, system.state, now);
     if (settings.shadow_sample > 0 && result.samples.size() % settings.samples_per_shadow() == 0)
       result.brackets.push_back(
-          {now, error_brackets(system.state, system.bodies, integrator.last_load(), forces)});
+          {now, error_brackets(system.state, system.bodies, integrator.last_load(), whole.forces)});
     result.samples.push_back(now);
     const Energies& first = result.samples.front();
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)

@@ -172,10 +172,7 @@ Tuned tuned(Series& series, const Scheme& reference, const Runs& measured, const
     const FamilyMember without = choice(sum_without(measured.covariances, r));
     etas.push_back(without.eta), xis.push_back(without.xi);
   }
-  const auto jackknife = [&](const std::vector<double>& values) {
-    return mean(values).error * static_cast<double>(n - 1);
-  };
-  t.error = {jackknife(etas), jackknife(xis)};
+  t.error = {jackknife_error(etas), jackknife_error(xis)};
   t.predicted_gain =
       std::sqrt(all.EE / all.variance(difference(error_terms(t.scheme), error_terms(reference))));
 

@@ -140,16 +140,6 @@ MOLECULE_FILE = [
 
 
 class BadInput(Sandbox):
-    def refused(self, arguments, words, title, **environment):
-        before = self.contents()
-        process = self.polhode(*arguments, **environment)
-        with self.subTest(case=title, command=" ".join(arguments), message=process.err):
-            self.assertEqual(process.returncode, 2)
-            self.assertEqual(process.out, "")
-            for word in words:
-                self.assertIn(word, process.err)
-            self.assertEqual(self.contents(), before, "a file was made or changed")
-
     def each_verb(self, words, title):
         for verb in (("run",), ("energy",), ("study", "--output", "study")):
             self.refused((verb[0], "run.toml", *verb[1:]), words, title)

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Trajectories of every format, read back by MDAnalysis, mdtraj and h5py, and what kill -9 leaves of an H5MD file."""
 
+import random
 import signal
+import subprocess
 import time
 import unittest
 import warnings
@@ -114,6 +116,40 @@ class Formats(Sandbox):
         process.communicate()
         self.done_convert("out-trajectory.h5md", "saved.gro")
         self.assertGreater((self.folder / "saved.gro").read_text().count("t="), 1)
+
+    def test_a_killed_run_goes_on_in_its_h5md_file(self):
+        self.write("run.toml", edited(WATER, ('length = "0.02 ps"', 'length = "4 ps"'), ("formats = ", "# "),
+                                      ('plot = "none"', 'plot = "none"\nformats = ["h5md", "xtc"]\ncheckpoint_every = "0.01 s"')))
+
+        def left_behind():
+            """All numbers of the H5MD file, and the bytes of the XTC file."""
+            numbers = {}
+            with h5py.File(self.trajectory("h5md")) as file:
+                file.visititems(lambda name, item: numbers.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None)
+            return numbers, (self.folder / "out-trajectory.xtc").read_bytes()
+
+        self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
+        whole, packed = left_behind()
+        self.assertEqual(len(whole["particles/all/position/value"]), 1001)
+        for path in self.folder.glob("out*"):
+            path.unlink()
+        kills = 0
+        for _ in range(8):
+            process = self.start("run", "run.toml", "--continue")
+            try:
+                process.wait(random.uniform(0.05, 0.4))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                kills += 1
+            process.communicate()
+        self.assertGreater(kills, 1)
+        process = self.polhode("run", "run.toml", "--continue")
+        self.assertEqual(process.returncode, 0, process.err)
+        again, packed_again = left_behind()
+        self.assertEqual(packed_again, packed)
+        self.assertEqual(again.keys(), whole.keys())
+        for name, numbers in whole.items():
+            numpy.testing.assert_array_equal(again[name], numbers, name)
 
     def test_convert_goes_around_all_formats_and_selects(self):
         self.done("run", WATER)

@@ -74,6 +74,17 @@ class Sandbox(unittest.TestCase):
         self.assertEqual(process.returncode, 0, process.err)
         return process
 
+    def refused(self, arguments, words, title="", **environment):
+        """`polhode ARGUMENTS` must end as wrong input does: these words, and no file made or changed."""
+        before = self.contents()
+        process = self.polhode(*arguments, **environment)
+        with self.subTest(case=title, command=" ".join(arguments), message=process.err):
+            self.assertEqual(process.returncode, 2)
+            self.assertEqual(process.out, "")
+            for word in words:
+                self.assertIn(word, process.err)
+            self.assertEqual(self.contents(), before, "a file was made or changed")
+
     def contents(self):
         """Every file of the folder with what it holds."""
         return {str(p.relative_to(self.folder)): p.read_bytes()

@@ -27,14 +27,18 @@ void add(Bits& bits, const Vec3Column& v) { add(bits, v.x), add(bits, v.y), add(
 // All that a run leaves behind but its times.
 Bits bits(const State& state, const Trajectory& t) {
   Bits all{
-      t.steps,        t.force_evaluations, t.derivatives,   t.near_evaluations, t.near_derivatives,
-      t.measurements, t.list_rebuilds,     t.samples.size()};
+      t.steps,        t.force_evaluations, t.derivatives,    t.near_evaluations, t.near_derivatives,
+      t.measurements, t.list_rebuilds,     t.samples.size(), t.brackets.size()};
   add(all, state.q), add(all, state.p), add(all, state.ell), add(all, state.time);
   add(all, state.attitude.w), add(all, state.attitude.x);
   add(all, state.attitude.y), add(all, state.attitude.z);
   for (const Energies& e : t.samples)
     for (const double x : {e.time, e.lennard_jones, e.coulomb, e.translation, e.rotation[0],
                            e.rotation[1], e.rotation[2], e.pressure})
+      add(all, x);
+  for (const BracketSample& b : t.brackets)
+    for (const double x :
+         {b.energies.time, b.energies.total(), b.brackets.second_derivative, b.brackets.W})
       add(all, x);
   return all;
 }
@@ -145,6 +149,34 @@ TEST_CASE("a run that ended between two samples is extended as if it had been as
   const Trajectory rest =
       trajectory(second, again, settings, {}, Workers::serial(), &last, half.samples);
   CHECK((bits(second.state, rest) == expected));
+}
+
+TEST_CASE(
+    "samples of the shadow energy of a run that goes on are those of one that was never left") {
+  // Energies every 2 steps, brackets at every third of them: at steps 0, 6, 12, 18 and 24.
+  const double step = 0.002;
+  const TrajectorySettings settings{scheme_of("hoa2"), step, 25 * step, 2 * step, 1e-4, 6 * step};
+  std::vector<RunState> kept;
+  System whole = mixture(Electrostatics::reaction_field, Precision::full);
+  ForceField forces(whole.topology, whole.forces, whole.state.box);
+  Watch watch;
+  watch.due = [] { return true; };
+  watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
+  const Trajectory t = trajectory(whole, forces, settings, watch);
+  REQUIRE(t.brackets.size() == 5);
+  const Bits expected = bits(whole.state, t);
+  for (const std::size_t steps : {1, 6, 7, 12, 17, 25}) {
+    const RunState from = stored(kept.at(steps));
+    CAPTURE(steps);
+    CHECK(from.brackets.size() == steps / 6 + 1);
+    System system = mixture(Electrostatics::reaction_field, Precision::full);
+    ForceField again(system.topology, system.forces, system.state.box);
+    std::vector<Energies> samples = t.samples;
+    samples.resize(steps / 2 + 1);
+    const Trajectory rest =
+        trajectory(system, again, settings, {}, Workers::serial(), &from, samples);
+    CHECK((bits(system.state, rest) == expected));
+  }
 }
 
 TEST_CASE("an equilibration that was left goes on with the same bits") {

@@ -71,6 +71,7 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.near_list.rebuilds = 9;
   c.at.integrator.inner = {c.at.integrator};
   c.at.integrator.inner[0].evaluations = 7;
+  c.at.brackets = {{0.125, 0.25}, {-0.375, 0.5}, {0.625, 0.75}};
   c.at.timings = {1, 2, 3, 4, 5};
   c.noise = {0.5, 0.25};
   c.outputs = OutputMarks{{9, 900}, {{1, 100}, {2, 200}}, 12};
@@ -83,7 +84,7 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
   const Folder folder;
   for (const std::size_t bodies : {0, 1, 2, 17}) {
     Checkpoint c = example(bodies);
-    if (bodies == 17) c.at.equilibrated.reset(), c.outputs.reset();
+    if (bodies == 17) c.at.equilibrated.reset(), c.at.brackets.clear(), c.outputs.reset();
     write_checkpoint(folder.files(), c, maker);
     const Checkpoint back = read_checkpoint(folder.files().newest, maker);
     const auto same = [](const Vec3Column& a, const Vec3Column& b) {
@@ -113,6 +114,11 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
     CHECK(m.measurements == 6);
     same(back.at.list.built_at, c.at.list.built_at);
     CHECK(back.at.list.rebuilds == 8);
+    REQUIRE(back.at.brackets.size() == c.at.brackets.size());
+    for (std::size_t k = 0; k < c.at.brackets.size(); ++k) {
+      CHECK(back.at.brackets[k].second_derivative == c.at.brackets[k].second_derivative);
+      CHECK(back.at.brackets[k].W == c.at.brackets[k].W);
+    }
     CHECK(back.at.timings.list == 2);
     same(back.at.near_list.built_at, c.at.near_list.built_at);
     CHECK(back.at.near_list.rebuilds == 9);

@@ -32,7 +32,11 @@ struct SystemSettings {
 
 struct IntegratorSettings {
   std::string scheme = "hoa2";  ///< name, or stages as text
-  double step = 0.002;          ///< [ps]
+  bool scheme_given = false;
+  /// R that the run is to keep [1]; then the adviser chooses the step, and the scheme if none is
+  /// given.
+  std::optional<double> accuracy;
+  double step = 0.002;  ///< [ps]
   /// Of the finite-difference gradient (vanzon2008, Eq. 6). Without a word 1e-4 in double
   /// precision, and 1 in mixed: rounding of the forces enters divided by lambda, while the order of
   /// a scheme does not depend on it.

@@ -4,7 +4,9 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace polhode {
@@ -51,5 +53,29 @@ struct EfficiencyCurve {
 /// PREFIX.svg or PREFIX.png.
 bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
                      const std::string& format, std::ostream& warnings, double highest = 0.035);
+
+/// R of a scheme against what it costs.
+struct AdviceMark {
+  double seconds;  ///< of wall-clock time for a simulated ps
+  double ratio;    ///< R [1]
+  double error;    ///< of R [1]
+};
+
+struct AdviceCurve {
+  std::string scheme;
+  std::vector<AdviceMark> marks;                 ///< measured
+  std::vector<std::pair<double, double>> model;  ///< seconds and R along the law through them
+};
+
+struct AdviceFigure {
+  std::vector<AdviceCurve> curves;
+  std::optional<double> bound;          ///< of R that was asked for
+  std::optional<AdviceMark> confirmed;  ///< the answer
+};
+
+/// R against computing time, on logarithmic axes, with the laws that the adviser drew through its
+/// runs, the bound, and the answer. Writes PREFIX.gp and PREFIX.svg or PREFIX.png.
+bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
+                 std::ostream& warnings);
 
 }  // namespace polhode

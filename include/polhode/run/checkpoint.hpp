@@ -45,6 +45,8 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
 /// @throws DamagedCheckpoint  if the file is missing, cut short or changed
 /// @throws Error              if it is another program's
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader);
+/// The same of bytes that were read from `path`.
+Checkpoint parse_checkpoint(std::string bytes, const std::string& path, const Maker& reader);
 
 struct FoundCheckpoint {
   Checkpoint checkpoint;

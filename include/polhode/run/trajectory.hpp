@@ -48,9 +48,10 @@ struct RunState {
   State state;
   std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has begun
   std::size_t steps = 0;
-  double start = 0;             ///< time of the state at step 0 [ps]
-  IntegratorMemory integrator;  ///< empty while equilibrating
-  ListMemory list, near_list;   ///< the second that of an inner scheme's near forces
+  double start = 0;                     ///< time of the state at step 0 [ps]
+  IntegratorMemory integrator;          ///< empty while equilibrating
+  ListMemory list, near_list;           ///< the second that of an inner scheme's near forces
+  std::vector<ErrorBrackets> brackets;  ///< so far, of every samples_per_shadow()-th sample
   Timings timings;
 };
 

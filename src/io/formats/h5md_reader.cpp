@@ -14,6 +14,7 @@
 #include "hdf5.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/quantity.hpp"
+#include "variable_text.hpp"
 
 namespace polhode {
 namespace {
@@ -158,16 +159,10 @@ class H5mdReader : public FrameReader {
     if (H5Tget_class(type) != H5T_STRING) return std::nullopt;
     const auto count =
         static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
-    if (count == 0 || count > 3) return std::nullopt;
-    if (H5Tis_variable_str(type) > 0) {
-      std::array<char*, 3> texts{};
-      if (H5Aread(attribute, type, texts.data()) < 0 || texts[0] == nullptr) return std::nullopt;
-      std::string text = texts[0];
-      H5Dvlen_reclaim(type, space, H5P_DEFAULT, texts.data());
-      return text;
-    }
+    if (count == 0 || count > hdf5::most_texts) return std::nullopt;
+    if (H5Tis_variable_str(type) > 0) return hdf5::variable_text(attribute, type);
     const std::size_t width = H5Tget_size(type);
-    if (width > 1024) return std::nullopt;
+    if (width > hdf5::longest_text) return std::nullopt;
     std::string text(width * count, '\0');
     if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
     text.resize(width);

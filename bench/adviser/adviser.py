@@ -1,0 +1,183 @@
+# SPDX-License-Identifier: MIT
+"""Does the adviser keep its promises? For several systems and accuracies it is asked once; then fresh runs with the
+scheme and step of its answer, from starts and momenta that it never saw, are counted that keep the R asked for."""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+from datetime import date
+from math import comb
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+import machine
+
+BOXES = {
+    "tip4p-512": """[system]
+molecules = [{ model = "tip4p", count = 512 }]
+start = "w512"
+[forces]
+cutoff = "1.0 nm"
+switch = "0.85 nm"
+""",
+    "tip4p-216-reaction-field": """[system]
+molecules = [{ model = "tip4p", count = 216 }]
+density = "1 g/cm3"
+[forces]
+truncation = "site-switch"
+electrostatics = "reaction-field"
+cutoff = "0.9 nm"
+""",
+    "spce-125-pme": """[system]
+molecules = [{ model = "spce", count = 125 }]
+density = "0.997 g/cm3"
+[forces]
+electrostatics = "pme"
+cutoff = "0.75 nm"
+""",
+    "salt-water-pme": """[system]
+molecules = [
+  { model = "spce", count = 120 },
+  { model = "na-spce", count = 4 },
+  { model = "cl-spce", count = 4 },
+]
+density = "1.05 g/cm3"
+[forces]
+electrostatics = "pme"
+cutoff = "0.75 nm"
+""",
+    "co2-125": """[system]
+molecules = [{ model = "co2", count = 125 }]
+density = "0.9 g/cm3"
+[forces]
+truncation = "site-switch"
+cutoff = "1.0 nm"
+""",
+    "argon-108": """[system]
+molecules = [{ model = "argon", count = 108 }]
+density = "1.4 g/cm3"
+temperature = "100 K"
+[forces]
+cutoff = "0.85 nm"
+""",
+}
+
+
+def run_file(system, seed, o):
+    lattice = "" if "start =" in BOXES[system] else f'equilibrate = "{o.equilibrate:g} ps"\n'
+    head, forces = BOXES[system].split("[forces]")
+    return (f'{head}seed = {seed}\n[forces]{forces}[run]\n{lattice}length = "{o.length:g} ps"\n'
+            '[output]\nplot = "none"\n')
+
+
+def polhode(o, folder, *arguments):
+    return subprocess.run([o.program, *arguments, "--threads", str(o.threads)], cwd=folder, text=True,
+                          capture_output=True)
+
+
+def case(system, accuracy, seed, o):
+    """One promise, and how fresh runs kept it."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        (folder / "run.toml").write_text(run_file(system, seed, o))
+        told = polhode(o, folder, "advise", "run.toml", "--json", "--accuracy", f"{100 * accuracy:g} %",
+                       "--time", f"{o.time:g}")
+        result = {"system": system, "accuracy": accuracy, "seed": seed}
+        if told.returncode != 0:
+            return {**result, "answer": None, "why": told.stderr.strip().splitlines()[-1]}
+        advice = json.loads(told.stdout)
+        best, second = advice["best"], advice["runner_up"]
+        confirmed = best["confirmation"]
+        # Fresh ones: another lattice, other momenta, a preparation as long as that of the run file.
+        (folder / "fresh.toml").write_text(run_file(system, 1_000_000 + seed, o))
+        fresh = polhode(o, folder, "study", "fresh.toml", "--schemes", best["scheme"], "--steps",
+                        f"{best['step_fs']:.6g} fs", "--runs", str(o.fresh), "--length",
+                        f"{confirmed['length_ps']:.6g} ps", "--decorrelate", f"{o.equilibrate:g} ps")
+        if fresh.returncode != 0:
+            sys.exit(fresh.stderr)
+        rows = [line.split(";") for line in (folder / "study-runs.csv").read_text().splitlines()
+                if not line.startswith(("#", "scheme;"))]
+        ratios = [float(row[4]) if row[3] == "1" else float("inf") for row in rows]
+        return {**result, "answer": {key: best[key] for key in ("scheme", "step_fs", "ns_per_day")},
+                "runner_up": second and {key: second[key] for key in ("scheme", "step_fs", "ns_per_day")},
+                "length_ps": confirmed["length_ps"], "R_expected": confirmed["R"],
+                "R_expected_error": confirmed["R_error"], "bound": confirmed["bound"],
+                "refused": len(advice["refused"]), "R_fresh": ratios,
+                "kept": sum(R <= accuracy for R in ratios), "runs": len(ratios)}
+
+
+def binomial_interval(kept, runs, confidence=0.95):
+    """The probabilities that make neither as few nor as many unlikely (Clopper and Pearson)."""
+    tail = lambda p, ks: sum(comb(runs, k) * p**k * (1 - p) ** (runs - k) for k in ks)
+
+    def bisected(too_small):
+        low, high = 0.0, 1.0
+        for _ in range(60):
+            middle = (low + high) / 2
+            low, high = (middle, high) if too_small(middle) else (low, middle)
+        return low
+
+    alpha = (1 - confidence) / 2
+    low = 0.0 if kept == 0 else bisected(lambda p: tail(p, range(kept, runs + 1)) < alpha)
+    high = 1.0 if kept == runs else bisected(lambda p: tail(p, range(kept + 1)) > alpha)
+    return low, high
+
+
+def table(cases):
+    rows = ["| system | R wanted [%] | answer | expected R [%] | 97.5 % bound [%] | length [ps] | sets refused "
+            "| mean R of fresh runs [%] | kept |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+    for c in cases:
+        if not c["answer"]:
+            rows.append(f"| {c['system']} | {100 * c['accuracy']:g} | none: {c['why']} | | | | | | |")
+            continue
+        mean = sum(c["R_fresh"]) / len(c["R_fresh"])
+        rows.append(f"| {c['system']} | {100 * c['accuracy']:g} | {c['answer']['scheme']}, "
+                    f"{c['answer']['step_fs']:.3g} fs | {100 * c['R_expected']:.3g} ± "
+                    f"{100 * c['R_expected_error']:.2g} | {100 * c['bound']:.3g} | {c['length_ps']:.3g} "
+                    f"| {c['refused']} | {100 * mean:.3g} | {c['kept']} of {c['runs']} |")
+    kept = sum(c.get("kept", 0) for c in cases)
+    runs = sum(c.get("runs", 0) for c in cases)
+    if runs:
+        low, high = binomial_interval(kept, runs)
+        rows += ["", f"{kept} of {runs} fresh runs kept the promise: {100 * kept / runs:.1f} %, 95 % interval "
+                     f"{100 * low:.1f} to {100 * high:.1f} %."]
+    return "\n".join(rows) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", default="polhode", help="the built program")
+    parser.add_argument("--systems", nargs="+", default=list(BOXES), choices=list(BOXES))
+    parser.add_argument("--accuracies", nargs="+", type=float, default=[2, 0.5, 0.05], help="R in %%")
+    parser.add_argument("--fresh", type=int, default=10, help="fresh runs of each answer")
+    parser.add_argument("--repeats", type=int, default=1, help="questions of each kind, with their own seeds")
+    parser.add_argument("--time", type=float, default=60, help="of the adviser [s]")
+    parser.add_argument("--length", type=float, default=15, help="of the runs in question [ps]")
+    parser.add_argument("--equilibrate", type=float, default=10, help="of lattices and of fresh starts [ps]")
+    parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--output", type=Path, default=Path(f"{date.today()}-adviser"))
+    o = parser.parse_args()
+    o.program = str(Path(o.program).resolve()) if os.sep in o.program else o.program
+    cases = []
+    for repeat in range(o.repeats):
+        for accuracy in o.accuracies:
+            for system in o.systems:
+                cases.append(case(system, accuracy / 100, o.seed + 100 * repeat, o))
+                head = f"{date.today()}, {machine.processor()}"
+                command = "bench/adviser/adviser.py " + " ".join(
+                    f"--{name} {' '.join(map(str, value)) if isinstance(value, list) else value}"
+                    for name, value in vars(o).items() if name not in ("program", "output"))
+                o.output.with_suffix(".json").write_text(
+                    json.dumps({"machine": machine.processor(), "date": str(date.today()), "command": command,
+                                "cases": cases}, indent=1) + "\n")
+                o.output.with_suffix(".md").write_text(f"# {head}\n\n`{command}`\n\n{table(cases)}")
+                print(table(cases[-1:]).splitlines()[2], flush=True)
+    print(table(cases))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// polhode advise [FILE]: the cheapest scheme and step that keep an accuracy.
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "advise_report.hpp"
+#include "interrupt.hpp"
+#include "option_values.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/target.hpp"
+#include "polhode/base/threads.hpp"
+#include "progress.hpp"
+#include "system_notes.hpp"
+#include "verbs.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::string file, accuracy, drift, temperature_bias, length, output = "advice", threads,
+                                                               precision;
+  std::vector<std::string> schemes;
+  double seconds = 60;
+  bool force = false, json = false;
+};
+
+double fraction_option(const std::string& text, const std::string& option) {
+  const double value = quantity(text, Dimension::fraction, option);
+  if (!(value > 0 && value < 1))
+    throw Error(fmt::format("{} = \"{}\" must be above 0 % and below 100 %", option, text));
+  return value;
+}
+
+Criterion criterion(const Options& o, const Config& config) {
+  if (!o.drift.empty()) {
+    const double drift = quantity(o.drift, Dimension::heating, "--drift");
+    if (!(drift > 0))
+      throw Error(fmt::format("--drift = \"{}\" must be above 0 kJ/mol/ns", o.drift));
+    return {Quality::drift, drift};
+  }
+  if (!o.temperature_bias.empty())
+    return {Quality::temperature_bias, fraction_option(o.temperature_bias, "--temperature-bias")};
+  if (!o.accuracy.empty()) return {Quality::ratio, fraction_option(o.accuracy, "--accuracy")};
+  if (config.integrator.accuracy) return {Quality::ratio, *config.integrator.accuracy};
+  throw Error(
+      "nothing is asked for; give --accuracy \"0.5 %\", --drift \"0.1 kJ/mol/ns\" or "
+      "--temperature-bias \"0.5 %\"");
+}
+
+Config configured(const Options& o) {
+  Config config = o.file.empty() ? default_config() : read_config(o.file);
+  if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
+  if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
+  for (const std::string& scheme : o.schemes) scheme_option(scheme, "--schemes");
+  if (!o.schemes.empty()) config.study.schemes = o.schemes;
+  return config;
+}
+
+int advise(const Options& o) {
+  const Config config = configured(o);
+  const AdviserSettings settings{criterion(o, config), config.study.schemes, o.seconds};
+  Workers workers(threads_wanted(o.threads));
+  const AdviceFiles files(o.output, config.output.plot);
+  for (const std::string& file : files.all()) refuse_existing(file, o.force);
+  const Provenance provenance{
+      POLHODE_VERSION,
+      typed_command("polhode advise", {{"", o.file},
+                                       {"--accuracy", o.accuracy},
+                                       {"--drift", o.drift},
+                                       {"--temperature-bias", o.temperature_bias}}),
+      config.text, name(current_target()), config.system.seed};
+  const System system = assembled(config);
+  catch_interrupts();
+  fmt::print(stderr,
+             "polhode {}: advice for {} molecules, {}, about {:g} s, target {}, threads {}\n",
+             POLHODE_VERSION, system.topology.size(), config.source, o.seconds, provenance.target,
+             workers.threads());
+  note_forces(system);
+
+  Advice advice;
+  {
+    Progress progress("advising");
+    advice = advised(
+        config, settings,
+        {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted},
+        workers);
+  }
+  if (advice.stopped) {
+    fmt::print(stderr, "interrupted before there was an answer; nothing was written\n");
+    return 130;
+  }
+  write_advice(files, advice, settings.criterion, provenance);
+  if (o.json)
+    fmt::print("{}\n", advice_json(advice, settings.criterion, workers.threads()));
+  else
+    print_advice(advice, settings.criterion, workers.threads());
+  if (!advice.best) throw RunError(unreachable(advice, settings.criterion));
+  return 0;
+}
+
+}  // namespace
+
+Action advise_verb(CLI::App& app) {
+  auto o = std::make_shared<Options>();
+  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  auto* const accuracy = app.add_option("--accuracy", o->accuracy, "R of a run at most: \"0.5 %\"");
+  auto* const drift = app.add_option("--drift", o->drift,
+                                     "drift of the energy per molecule at most: \"0.1 kJ/mol/ns\"");
+  app.add_option("--temperature-bias", o->temperature_bias,
+                 "temperatures of translation and rotation apart at most: \"0.5 %\"")
+      ->excludes(accuracy)
+      ->excludes(drift);
+  drift->excludes(accuracy);
+  app.add_option("--schemes", o->schemes,
+                 "names, or stages as text, instead of the run file's [study] schemes");
+  app.add_option("--length", o->length, "of the runs in question, instead of the run file's");
+  app.add_option("--time", o->seconds, "seconds that the answer may take, about")
+      ->check(CLI::Range(0.1, 1e6))
+      ->capture_default_str();
+  app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
+  app.add_option("--precision", o->precision,
+                 "of the pairs, instead of the run file's: double or mixed");
+  app.add_option("--threads", o->threads,
+                 "so many runs at once; without it: one for each core allowed");
+  app.add_flag("--force", o->force, "overwrite output files that exist");
+  app.add_flag("--json", o->json, "print the advice as JSON");
+  return [o] { return advise(*o); };
+}
+
+}  // namespace polhode::cli

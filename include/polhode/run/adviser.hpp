@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Which scheme, with which step, keeps what a user asks for at the least cost: short runs of the
+// user's own system say which steps come into question, clocks say what they cost, and independent
+// runs confirm the answer.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/run/criterion.hpp"
+#include "polhode/run/step_model.hpp"
+
+namespace polhode {
+
+struct AdviserSettings {
+  Criterion criterion;
+  std::vector<std::string> schemes;  ///< candidates: names, or stages as text
+  double seconds = 60;               ///< of wall-clock time that the whole may take, about
+};
+
+/// What is known of a scheme.
+struct Candidate {
+  std::string name;  ///< or its text
+  Scheme scheme;
+  std::vector<AdviserPoint> points;  ///< by growing step
+  std::optional<StepModel> model;    ///< of R, if that is what is asked for
+  double step = 0;                   ///< expected to keep the bound [ps]; 0: there is none
+  double seconds = 0;                ///< of wall-clock time for a simulated ps with that step
+  std::string obstacle;              ///< why there is no step
+
+  double ns_per_day() const { return seconds > 0 ? 86.4 / seconds : 0; }
+};
+
+struct Advice {
+  std::vector<Candidate> candidates;
+  std::optional<std::size_t> best;       ///< a confirmed one
+  std::optional<std::size_t> runner_up;  ///< the cheapest of the others, as expected
+  AdviserPoint confirmation;             ///< independent runs of the best one
+  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm
+  bool stopped = false;
+};
+
+struct AdviserWatch {
+  std::function<void(double done, const std::string& what)> report;  ///< fraction of the work
+  std::function<bool()> stop;
+};
+
+/// The frequency of the system's fastest freedoms [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
+/// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, each molecule's mean of its own: Einstein's
+/// frequency of a liquid, from the forces at one moment.
+double einstein_frequency(const System& system, Workers& workers = Workers::serial());
+
+/// Advice for a run like that of the run file, from its start after its equilibration: of its
+/// length, where the time allows, else of as much as it does. As many runs at once as there are
+/// workers. What is computed depends on the clock: it tells how long runs may be, and what schemes
+/// cost.
+Advice advised(const Config& config, const AdviserSettings& settings,
+               const AdviserWatch& watch = {}, Workers& workers = Workers::serial());
+
+/// R over stretches of that length [ps], which is what a promise is about: of each stretch of a
+/// run, the rms fluctuation of the total energy over that of the potential energy; the mean over
+/// stretches with its standard error. For a run that is not two stretches long it is R of the
+/// whole.
+Estimate ratio_over(double length, std::span<const Energies> samples);
+
+}  // namespace polhode

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// What a user asks of a run, as a number with a bound: the energy's fluctuation R, its drift, or
+// how far the temperatures of translation and rotation are apart.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "polhode/measure/fluctuation.hpp"
+#include "polhode/run/system.hpp"
+#include "polhode/run/trajectory.hpp"
+
+namespace polhode {
+
+/// What one run tells about its scheme and step.
+struct Outcome {
+  std::string failure;     ///< why it blew up; empty if it did not
+  double ratio = 0;        ///< R
+  double drift = 0;        ///< of the total energy per molecule [kJ/mol/ps]
+  double temperature = 0;  ///< mean, of all freedoms [K]
+  /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without freedoms.
+  std::array<double, 4> bias{};
+  double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
+};
+
+Outcome outcome(const System& system, const Trajectory& trajectory);
+
+enum class Quality {
+  ratio,            ///< R of a run [1]
+  drift,            ///< of the total energy per molecule, its size [kJ/mol/ps]
+  temperature_bias  ///< the largest |T_k/T − 1| of translation and rotation about each axis [1]
+};
+
+struct Criterion {
+  Quality quality = Quality::ratio;
+  double bound = 0;
+};
+
+/// How sure an adviser wants to be: of 100 fresh runs, 95 have to keep a promise. With a chance of
+/// 0.975 for each, fewer than 95 of 100 do so once in 20 times.
+inline constexpr double promise_probability = 0.975;
+
+/// What the quality stays below with promise_probability. For R it is that of a fresh run; a drift
+/// or a bias is a property of scheme and step that a single run is too noisy to show, so it is that
+/// of the mean over all runs that there could be. The bias is the largest of several, and each has
+/// its share of the chance to be wrong. Infinite if a run blew up.
+double upper_bound(Quality quality, const std::vector<Outcome>& runs);
+
+/// Whether a run blew up, or the energies drift: as in a study, by a chance below `least_chance`.
+bool drifts(const std::vector<Outcome>& runs, double least_chance = significance);
+bool blew_up(const std::vector<Outcome>& runs);
+
+/// Runs of one scheme with one step, one from each start.
+struct AdviserPoint {
+  double step = 0;    ///< [ps]
+  double length = 0;  ///< of each run [ps]
+  std::vector<Outcome> runs;
+  double bound = 0;     ///< upper_bound() of the runs
+  bool usable = false;  ///< none blew up, and the energies do not drift
+
+  Estimate ratio() const;  ///< R, mean over the runs
+  Estimate drift() const;  ///< per molecule, mean over the runs [kJ/mol/ps]
+};
+
+/// One number of each run.
+template <class Member>
+std::vector<double> each(const std::vector<Outcome>& runs, const Member& member) {
+  std::vector<double> values;
+  for (const Outcome& run : runs) values.push_back(member(run));
+  return values;
+}
+
+}  // namespace polhode

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/math/prediction.hpp"
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+#include "polhode/math/fit.hpp"
+
+namespace polhode {
+
+double t_quantile(double probability, double degrees_of_freedom) {
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
+}
+
+double prediction_bound(std::span<const double> values, double probability) {
+  const auto n = static_cast<double>(values.size());
+  if (n < 2) return std::numeric_limits<double>::infinity();
+  const Estimate m = mean(values);
+  return m.value + t_quantile(probability, n - 1) * m.error * std::sqrt(n + 1);  // s = error √n
+}
+
+double size_bound(std::span<const double> values, double probability) {
+  const auto n = static_cast<double>(values.size());
+  if (n < 2) return std::numeric_limits<double>::infinity();
+  const Estimate m = mean(values);
+  return std::abs(m.value) + t_quantile(probability, n - 1) * m.error;
+}
+
+}  // namespace polhode

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/criterion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/math/prediction.hpp"
+
+namespace polhode {
+
+Outcome outcome(const System& system, const Trajectory& trajectory) {
+  Outcome run;
+  run.failure = trajectory.failure;
+  if (!run.failure.empty()) return run;
+  const auto& samples = trajectory.samples;
+  run.ratio = fluctuation_ratio(samples);
+  run.drift = drift_rate(samples) / static_cast<double>(system.topology.size());
+  double translation = 0, kinetic = 0;
+  std::array<double, 3> rotation{};
+  for (const Energies& e : samples) {
+    const auto n = static_cast<double>(samples.size());
+    translation += e.translation / n;
+    for (std::size_t k = 0; k < 3; ++k) rotation[k] += e.rotation[k] / n;
+    kinetic += e.kinetic() / n;
+  }
+  const Freedoms f = freedoms(system.topology);
+  run.temperature = temperature(kinetic, f.all());
+  if (f.translation > 0)
+    run.bias[0] = temperature(translation, f.translation) / run.temperature - 1;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (f.rotation[k] > 0)
+      run.bias[k + 1] = temperature(rotation[k], f.rotation[k]) / run.temperature - 1;
+  return run;
+}
+
+bool blew_up(const std::vector<Outcome>& runs) {
+  return std::any_of(runs.begin(), runs.end(), [](auto& run) { return !run.failure.empty(); });
+}
+
+bool drifts(const std::vector<Outcome>& runs, double least_chance) {
+  const auto rates = each(runs, [](const Outcome& run) { return run.drift; });
+  return drift_of_series(rates).chance < least_chance;
+}
+
+double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
+  if (blew_up(runs)) return std::numeric_limits<double>::infinity();
+  switch (quality) {
+    case Quality::ratio:
+      return std::exp(prediction_bound(
+          each(runs, [](const Outcome& run) { return std::log(run.ratio); }), promise_probability));
+    case Quality::drift:
+      return size_bound(each(runs, [](const Outcome& run) { return run.drift; }),
+                        promise_probability);
+    case Quality::temperature_bias: {
+      const auto biases = [&](std::size_t k) {
+        return each(runs, [k](const Outcome& run) { return run.bias[k]; });
+      };
+      const auto alive = [&](std::size_t k) { return biases(k)[0] != 0; };
+      const std::array<std::size_t, 4> kinds{0, 1, 2, 3};
+      const auto share = static_cast<double>(std::count_if(kinds.begin(), kinds.end(), alive));
+      double largest = 0;
+      for (const std::size_t k : kinds)
+        if (alive(k))
+          largest = std::max(largest, size_bound(biases(k), 1 - (1 - promise_probability) / share));
+      return largest;
+    }
+  }
+  return 0;
+}
+
+Estimate AdviserPoint::ratio() const {
+  return mean(each(runs, [](const Outcome& run) { return run.ratio; }));
+}
+
+Estimate AdviserPoint::drift() const {
+  return mean(each(runs, [](const Outcome& run) { return run.drift; }));
+}
+
+}  // namespace polhode

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/step_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t most_points = 12;
+constexpr double ladder = 1.25;  // from rung to rung, where there is no law to follow
+constexpr double shortest = 1.0 / 64, most_shrinking = 0.25;  // of the first step, of a step
+constexpr double least_slope = 0.5;  // of log R against log h: rounding and kinks flatten it
+
+/// The points before the first that is not usable, and where that lies.
+struct Range {
+  std::vector<AdviserPoint> usable;
+  double end = std::numeric_limits<double>::infinity();  // [ps]
+};
+
+Range range_of(const std::vector<AdviserPoint>& points) {
+  Range range;
+  for (const AdviserPoint& point : points) {
+    if (!point.usable) {
+      range.end = point.step;
+      break;
+    }
+    range.usable.push_back(point);
+  }
+  return range;
+}
+
+double log_ratio(const AdviserPoint& point) { return std::log(point.ratio().value); }
+
+double exponent(const AdviserPoint& a, const AdviserPoint& b) {
+  return (log_ratio(b) - log_ratio(a)) / std::log(b.step / a.step);
+}
+
+/// A longer step than the longest usable one, as far as is safe.
+double longer(double wanted, double longest, double end) {
+  return std::min({wanted, most_growth * longest, std::sqrt(longest * end)});
+}
+
+/// Where the mean of log R meets the bound.
+double crossing(const StepSearch& search, const Range& range) {
+  const auto& p = range.usable;
+  const double wanted = std::log(search.criterion.bound);
+  const double order = search.order == 0 ? 2 : search.order;
+  if (log_ratio(p.front()) > wanted) {
+    const double slope = p.size() > 1 ? std::max(least_slope, exponent(p[0], p[1])) : order;
+    const double step = p.front().step * std::exp((wanted - log_ratio(p.front())) / slope);
+    return std::max(step, most_shrinking * p.front().step);
+  }
+  for (std::size_t i = 0; i + 1 < p.size(); ++i)
+    if (log_ratio(p[i + 1]) > wanted)
+      return p[i].step * std::exp((wanted - log_ratio(p[i])) / exponent(p[i], p[i + 1]));
+  const AdviserPoint& last = p.back();
+  const double slope = p.size() > 1 ? std::max(order, exponent(p[p.size() - 2], last)) : order;
+  return longer(last.step * std::exp((wanted - log_ratio(last)) / slope), last.step, range.end);
+}
+
+bool measured(const std::vector<AdviserPoint>& points, double step, double within) {
+  return std::any_of(points.begin(), points.end(), [&](const AdviserPoint& point) {
+    return std::abs(std::log(point.step / step)) < within;
+  });
+}
+
+std::optional<double> next_towards_ratio(const StepSearch& search, const Range& range) {
+  const double at = crossing(search, range);
+  if (at < shortest * search.first) return std::nullopt;
+  constexpr double near = 0.06, beside = 0.04;
+  if (!measured(range.usable, at, near)) return at;
+  for (const double part : {0.9, 0.8})
+    if (!measured(range.usable, part * at, beside)) return part * at;
+  return std::nullopt;
+}
+
+std::optional<double> next_of_ladder(const StepSearch& search, const Range& range) {
+  const auto& p = range.usable;
+  const auto keeps = [&](const AdviserPoint& point) {
+    return point.bound <= search.criterion.bound;
+  };
+  const auto broken =
+      std::find_if(p.begin(), p.end(), [&](const AdviserPoint& point) { return !keeps(point); });
+  if (broken == p.begin()) {
+    // Shorter steps help against a bias, not against noise: two of them are tried.
+    const double step = p.front().step / ladder;
+    return step > 0.6 * search.first ? std::optional(step) : std::nullopt;
+  }
+  const double kept = std::prev(broken)->step;
+  const double beyond = broken == p.end() ? range.end : broken->step;
+  const double next = longer(ladder * kept, kept, beyond);
+  return next > 1.06 * kept ? std::optional(next) : std::nullopt;
+}
+
+}  // namespace
+
+double three_digits(double step) {
+  const double unit = std::pow(10, std::floor(std::log10(step)) - 2);
+  return std::floor(step / unit * (1 + 1e-12)) * unit;
+}
+
+std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points) {
+  if (points.size() >= most_points) return std::nullopt;
+  if (points.empty()) return search.first;
+  const Range range = range_of(points);
+  if (range.usable.empty())
+    return range.end > shortest * search.first ? std::optional(range.end / 2) : std::nullopt;
+  return search.criterion.quality == Quality::ratio ? next_towards_ratio(search, range)
+                                                    : next_of_ladder(search, range);
+}
+
+FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& points) {
+  const Range range = range_of(points);
+  if (range.usable.empty()) return {};
+  if (search.criterion.quality != Quality::ratio) {
+    FoundStep found;
+    for (const AdviserPoint& point : range.usable) {
+      if (point.bound > search.criterion.bound) break;
+      found.step = point.step;
+    }
+    return found;
+  }
+  const double at = crossing(search, range);
+  std::vector<StepPoint> around;
+  for (const AdviserPoint& point : range.usable)
+    if (point.step > 0.7 * at && point.step < 1.1 * at)
+      around.push_back(
+          {point.step, each(point.runs, [](const Outcome& run) { return run.ratio; })});
+  if (around.size() < 2) return {};
+  FoundStep found{0, StepModel(search.order, around)};
+  const double longest = around.back().step;
+  const double step =
+      found.model->longest_step(search.criterion.bound, promise_probability, longest);
+  // A law of two or three points is not followed far.
+  if (step > 0.6 * around.front().step) found.step = step;
+  return found;
+}
+
+}  // namespace polhode

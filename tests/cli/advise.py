@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: MIT
+"""polhode advise, and a run with an accuracy: on 32 argon atoms the answer takes a second or two."""
+
+import json
+import signal
+import unittest
+
+import sandbox
+from sandbox import Sandbox, edited
+
+GAS = """[system]
+molecules = [{ model = "argon", count = 32 }]
+density = "0.9 g/cm3"
+temperature = "150 K"
+
+[forces]
+cutoff = "0.65 nm"
+
+[integrator]
+accuracy = "2 %"
+
+[run]
+equilibrate = "1 ps"
+length = "4 ps"
+
+[output]
+prefix = "out"
+plot = "none"
+
+[study]
+schemes = ["velocity-verlet", "hoa2"]
+decorrelate = "0.5 ps"
+"""
+# Every second kick is empty: as many forces again for nothing.
+WASTEFUL = "B(1/2) A(1/2) B(0) A(1/2) B(1/2)"
+
+
+class Advise(Sandbox):
+    def advice(self, text, *options):
+        return json.loads(self.done("advise", text, "--json", "--time", "2", *options).out)
+
+    def refused(self, text, *options, words=()):
+        self.write("run.toml", text)
+        before = self.contents()
+        process = self.polhode("advise", "run.toml", *options)
+        self.assertEqual(process.returncode, 2, process.err)
+        for word in words:
+            self.assertIn(word, process.err)
+        self.assertEqual(self.contents(), before)
+
+    def test_answer(self):
+        found = self.advice(GAS)
+        best = found["best"]
+        self.assertIn(best["scheme"], ("velocity-verlet", "hoa2"))
+        runs = best["confirmation"]
+        self.assertEqual(runs["step_fs"], best["step_fs"])
+        self.assertEqual(runs["length_ps"], 4)
+        self.assertLess(runs["R"], runs["bound"])
+        self.assertLessEqual(runs["bound"], 0.02)
+        self.assertGreater(runs["R"], 0.002)  # a step ten times as accurate as wanted is no advice
+        self.assertGreater(best["ns_per_day"], 0)
+        self.assertEqual(found["runner_up"] is None, any(c["step_fs"] == 0 for c in found["candidates"]))
+        self.assertEqual(json.loads((self.folder / "advice.json").read_text())["best"], best)
+        self.assertTrue(self.rows("advice.csv")[0].startswith("scheme,step [fs],length [ps]"))
+
+    def test_a_planted_worse_scheme_loses(self):
+        found = self.advice(GAS, "--schemes", WASTEFUL, "velocity-verlet")
+        self.assertEqual(found["best"]["scheme"], "velocity-verlet")
+        worse = found["candidates"][0]
+        self.assertEqual(worse["scheme"], WASTEFUL)
+        self.assertGreater(worse["step_fs"], 0)  # it was a candidate, and lost by its cost
+
+    def test_text_and_figure(self):
+        process = self.done("advise", edited(GAS, ('"none"', '"svg"')), "--time", "2", "--output", "here")
+        self.assertIn("for an R of at most 2 % use ", process.out)
+        self.assertIn("ns/day with", process.out)
+        script = (self.folder / "here.gp").read_text()
+        self.assertIn("computing time", script)
+        process = self.polhode("advise", "run.toml", "--output", "here")
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("--force", process.err)
+
+    def test_other_qualities(self):
+        for option, value in (("--drift", "2 kJ/mol/ns"), ("--temperature-bias", "20 %")):
+            found = self.advice(GAS, option, value, "--force", "--schemes", "velocity-verlet")
+            self.assertLessEqual(found["best"]["confirmation"]["bound"], found["wanted"] * 1e-3
+                                 if option == "--drift" else found["wanted"])
+
+    def test_what_cannot_be_reached(self):
+        """Rounding of mixed precision is a floor, and the answer tells it."""
+        self.write("run.toml", GAS)
+        process = self.polhode("advise", "run.toml", "--accuracy", "0.00001 %", "--precision", "mixed",
+                               "--time", "1", "--json")
+        self.assertEqual(process.returncode, 1, process.err)
+        self.assertIsNone(json.loads(process.out)["best"])
+        self.assertIn("no scheme was found that keeps an R of at most 1e-05 %", process.err)
+        self.assertIn("least bound reached", process.err)
+        self.assertIn('precision = "double"', process.err)
+
+    def test_run(self):
+        report = json.loads(self.done("run", GAS, "--json").out)
+        promise = report["promise"]
+        self.assertEqual(promise["accuracy"], 0.02)
+        self.assertEqual(promise["kept"], promise["R"] <= 0.02)
+        self.assertAlmostEqual(promise["R"], report["R"])
+        self.assertGreater(report["step_fs"], 1)
+        # A step of one's own takes the place of the promise; a scheme leaves only the step to choose.
+        report = json.loads(self.done("run", GAS, "--json", "--force", "--step", "5 fs").out)
+        self.assertIsNone(report["promise"])
+        self.assertEqual(report["step_fs"], 5)
+        process = self.done("run", edited(GAS, ("accuracy =", 'scheme = "velocity-verlet"\naccuracy =')), "--force")
+        self.assertIn("for an R of at most 2 %: velocity-verlet at", process.err)
+        self.assertIn("promise ", process.out)
+
+    def test_wrong_input(self):
+        for wrong, words in (("0 %", ["0 %", "above 0 %"]), ("150 %", ["150 %", "below 100 %"]),
+                             ("-1 %", ["above 0 %"]), ("0.5", ["no unit", '"0.5 %"']), ("nan %", ["finite"])):
+            self.refused(GAS, "--accuracy", wrong, words=words)
+            self.refused(GAS, "--temperature-bias", wrong, words=words)
+            self.refused(edited(GAS, ('"2 %"', f'"{wrong}"')), words=[*words, "run.toml:10", "integrator.accuracy"])
+        self.refused(GAS, "--drift", "0 kJ/mol/ns", words=["above 0 kJ/mol/ns"])
+        self.refused(GAS, "--drift", "1 kJ/mol", words=["energy", "kJ/mol/ns"])
+        self.refused(GAS, "--drift", "1 kJ/mol/ns", "--accuracy", "1 %", words=["--accuracy"])
+        self.refused(edited(GAS, ('accuracy = "2 %"', "")), words=["--accuracy", "--drift"])
+        self.refused(edited(GAS, ('accuracy = "2 %"', 'accuracy = "2 %"\nstep = "2 fs"')),
+                     words=["stands beside a step", "integrator.accuracy"])
+        self.refused(GAS, "--schemes", "hoa3", words=["'hoa3'", "'hoa2'", "--schemes"])
+        self.refused(GAS, "--time", "0", words=["--time"])
+
+    def test_interrupt(self):
+        self.write("run.toml", edited(GAS, ("count = 32", "count = 500"), ('"0.5 ps"', '"2 ps"')))
+        for verb in ("advise", "run"):
+            before = self.contents()
+            process = self.start(verb, "run.toml")
+            self.addCleanup(process.kill)
+            first = process.stderr.readline()  # the signal is caught from then on
+            self.assertRegex(first, "advice for|choosing a step")
+            process.send_signal(signal.SIGINT)
+            out, err = process.communicate(timeout=sandbox.LONGEST)
+            self.assertEqual(process.returncode, 130, err)
+            self.assertIn("nothing was written", err)
+            self.assertEqual(self.contents(), before)
+
+
+if __name__ == "__main__":
+    unittest.TestCase.maxDiff = None
+    sandbox.main()

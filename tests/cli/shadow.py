@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: MIT
+"""The shadow energy of a run, tune-scheme, and the temperatures that records of studies hold, from outside."""
+
+import json
+import math
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+# Energies every 4 fs for 0.4 ps, and the shadow energy at every fifth of them.
+SHADOW = edited(SMALL, ("[run]\n", '[run]\nsample = "4 fs"\nshadow_sample = "20 fs"\n'), ('length = "0.02 ps"', 'length = "0.4 ps"'))
+TUNE = ("tune-scheme", "run.toml", "--step", "20 fs", "--runs", "2", "--length", "1 ps", "--decorrelate", "0.2 ps",
+        "--sample", "40 fs")
+PARTS = ("translation [K]", "rotation 1 [K]", "rotation 2 [K]", "rotation 3 [K]")
+
+
+class Shadow(Sandbox):
+    def shadow(self, *options):
+        process = self.polhode("run", "run.toml", "--json", *options)
+        self.assertEqual(process.returncode, 0, process.err)
+        return json.loads(process.out).get("shadow")
+
+    def test_a_run_tells_of_it_only_where_asked(self):
+        plain = json.loads(self.done("run", edited(SHADOW, ('shadow_sample = "20 fs"\n', "")), "--json").out)
+        self.assertNotIn("shadow", plain)
+        energies = self.rows("out-energies.csv")
+        text = self.done("run", SHADOW, "--force").out
+        self.assertIn("drift of the shadow", text)
+        self.assertIn("times sooner", text)
+        # Asking changes nothing of the run.
+        self.assertEqual(self.rows("out-energies.csv"), energies)
+        shadow = self.shadow("--force")
+        self.assertLess(shadow["rms_kJ_per_mol"], plain["rms_total_kJ_per_mol"])
+        self.assertGreater(shadow["drift_error"], 0)
+        self.assertGreater(shadow["times_sooner"], 1)
+        sooner = (plain["drift_error"] / shadow["drift_error"]) ** (2 / 3)  # standard errors fall as t^(-3/2)
+        self.assertAlmostEqual(shadow["times_sooner"] / sooner, 1, places=9)
+
+    def test_a_run_that_goes_on_keeps_its_values(self):
+        self.write("run.toml", SHADOW)
+        whole = self.shadow()
+        # Left between two samples, at a sample, and at one with a shadow energy.
+        for length in ("0.206 ps", "0.208 ps", "0.2 ps"):
+            self.shadow("--force", "--length", length)
+            self.assertEqual(self.shadow("--continue"), whole)
+        self.write("run.toml", edited(SHADOW, ('"20 fs"', '"40 fs"')))
+        self.refused(("run", "run.toml", "--continue"), ["another run", "samples"])
+
+    def test_values_of_shadow_sample_that_cannot_be(self):
+        for value, *words in (("-1 fs", "-1 fs", "0 fs"), ("20", "no unit", '"20 fs"'), ("1 nm", "length", "time"),
+                              ("nan fs", "finite")):
+            self.write("run.toml", edited(SHADOW, ('"20 fs"', f'"{value}"')))
+            self.refused(("run", "run.toml"), ["run.toml:15", "run.shadow_sample", *words])
+        self.write("run.toml", SHADOW)
+        self.refused(("run", "run.toml", "--scheme", "gier4"), ["shadow_sample is 20 fs", "gier4", "leave it out", "hoa2"])
+        self.refused(("run", "run.toml", "--scheme", "B(1) A(1)"), ["palindrome", "hoa2"])
+
+    def test_tuning(self):
+        self.write("run.toml", SMALL)
+        before = self.contents()
+        process = self.polhode(*TUNE, "--json")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertEqual(self.contents(), before)
+        report = json.loads(process.out)
+        self.assertEqual((report["molecules"], report["step_fs"], report["runs"]), (27, 20, 2))
+        self.assertLessEqual(abs(report["correlation"]), 1)
+        for family, reference in (("plain", "hoa2"), ("gradient", "gier4")):
+            found = report[family]
+            self.assertEqual(found["reference"], reference)
+            self.assertTrue(0 < found["eta"] < 0.5, found)
+            for number in ("eta_error", "predicted_gain", "R_reference", "R", "gain", "gain_error"):
+                self.assertTrue(math.isfinite(found[number]) and found[number] >= 0, (number, found))
+            # The least variance along the runs that measured is no larger than the reference's.
+            self.assertGreaterEqual(found["predicted_gain"], 1)
+            # What is printed can be run.
+            process = self.polhode("run", "run.toml", "--scheme", found["scheme"], "--output", family)
+            self.assertEqual(process.returncode, 0, process.err)
+        # The same again, for any number of threads; and as text.
+        self.assertEqual(json.loads(self.polhode(*TUNE, "--json", "--threads", "1").out), report)
+        text = self.polhode(*TUNE).out
+        for words in ("family of hoa2", "family of gier4", f"{report['plain']['eta']:.5f}", report["gradient"]["scheme"]):
+            self.assertIn(words, text)
+
+    def test_tuning_that_cannot_be(self):
+        self.write("run.toml", SMALL)
+        for options, *words in [(("--step", "2"), "--step", "no unit"), (("--step", "0 fs"), "longer than 0"),
+                                (("--runs", "1"), "--runs", "1"), (("--runs", "two"), "--runs"),
+                                (("--length", "0.1 ps"), "100 fs", "20 samples", "--sample"),
+                                (("--sample", "0 fs"), "--sample", "longer than 0"), (("--decorrelate", "1 nm"), "time"),
+                                (("--threads", "0"), "--threads"), (("--scheme", "hoa2"), "--scheme")]:
+            self.refused(("tune-scheme", "run.toml", *options), words)
+        self.refused(("tune-scheme", "nowhere.toml"), ["nowhere.toml"])
+        process = self.polhode("tune-scheme", "run.toml", "--step", "1 ps", "--runs", "2", "--length", "400 ps", "--decorrelate", "0.1 ps",
+                               "--sample", "2 ps")
+        self.assertEqual(process.returncode, 1, process.err)
+        self.assertIn("blew up", process.err)
+
+    def test_temperatures_in_records_of_any_age(self):
+        study = ("study", "run.toml", "--output", "study")
+        self.write("run.toml", edited(SMALL, ('"argon"', '"tip4p"'), ('"100 K"', '"297 K"')))
+        report = self.polhode(*study)
+        self.assertEqual(report.returncode, 0, report.err)
+        self.assertIn("rotation about each principal axis", report.out)
+        whole = json.loads((self.folder / "study.json").read_text())
+        for excess in whole["points"][0]["excess_K"]:
+            self.assertGreater(excess["error"], 0)
+        path = self.folder / "study-runs.csv"
+        lines = path.read_text().splitlines()
+        head = next(k for k, line in enumerate(lines) if line.startswith("scheme;"))
+        names = lines[head].split(";")
+        self.assertEqual(tuple(names[10:]), PARTS)
+
+        def cut(columns):
+            return [line if k < head else ";".join(line.split(";")[:columns]) for k, line in enumerate(lines)]
+
+        for columns in (9, 10, 14):
+            for name in self.contents():
+                if name.startswith("study"):
+                    (self.folder / name).unlink()
+            path.write_text("\n".join(cut(columns)) + "\n")
+            process = self.polhode(*study)
+            self.assertEqual(process.returncode, 0, process.err)
+            point = json.loads((self.folder / "study.json").read_text())["points"][0]
+            self.assertEqual(point["R"], whole["points"][0]["R"])
+            # Without the temperatures of parts there is nothing to tell, and nothing is made up.
+            self.assertEqual(point["excess_K"], whole["points"][0]["excess_K"] if columns == 14 else [None] * 3)
+            # Read again it stands in today's columns, and no run was done twice.
+            now = [line for line in path.read_text().splitlines() if line[:1] != "#"]
+            self.assertEqual(now[0], lines[head])
+            self.assertEqual(len(now), len(lines) - head)
+        path.write_text("\n".join(cut(12)) + "\n")
+        for name in self.contents():
+            if name.startswith("study") and name != "study-runs.csv":
+                (self.folder / name).unlink()
+        self.refused(study, ["study-runs.csv", "12 columns", "--force"])
+
+
+if __name__ == "__main__":
+    Sandbox.maxDiff = None
+    sandbox.main()

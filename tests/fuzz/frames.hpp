@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What the targets of trajectories share.
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <string_view>
+
+#include "polhode/io/frame_file.hpp"
+
+namespace polhode::fuzz {
+
+/// Reads all frames of a file with these bytes.
+inline void read_all_frames(std::string_view bytes, std::string_view format) {
+  std::istringstream in{std::string(bytes)};
+  const auto frames = read_frames(in, format, "fuzz." + std::string(format));
+  Frame frame;
+  while (frames->next(frame)) {
+  }
+}
+
+}  // namespace polhode::fuzz

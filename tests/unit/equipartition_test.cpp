@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The extrapolation of temperatures to no step, from points whose limit is known.
+#include "polhode/run/equipartition.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+using namespace polhode;
+
+namespace {
+
+using Excess = std::array<std::optional<Estimate>, 3>;
+
+EfficiencyPoint point(const std::string& scheme, double step, const Excess& excess) {
+  EfficiencyPoint p;
+  p.scheme = scheme, p.step = step, p.excess = excess;
+  return p;
+}
+
+// Sums of a few products in double, with h^k down to 1e-12 in units of the slopes.
+const double rounding = 1e-12;
+
+}  // namespace
+
+TEST_CASE("an excess that goes with the order of the scheme leaves its known limit") {
+  for (const auto& [scheme, order] : {std::pair("hoa2", 2), {"gier4", 4}}) {
+    CAPTURE(scheme);
+    Curve curve{scheme, {}, 3};
+    for (const double h : {0.001, 0.002, 0.004}) {
+      const double x = std::pow(h, order);
+      // Errors that differ do not matter to points on a line; an atom has no rotation to tell of.
+      const double error = 10 * h;
+      curve.points.push_back(
+          point(scheme, h,
+                {Estimate{0.5 - 3e4 * x, error}, Estimate{-0.25 + 2e5 * x, error}, std::nullopt}));
+    }
+    // Beyond the end of stability nothing counts.
+    curve.points.push_back(point(scheme, 0.008, {Estimate{1000, 0.1}, {}, Estimate{1000, 0.1}}));
+    const std::vector<EquipartitionFit> fits = equipartition({curve});
+    REQUIRE(fits.size() == 1);
+    const EquipartitionFit& fit = fits[0];
+    CHECK(fit.scheme == scheme);
+    CHECK(fit.order == order);
+    REQUIRE(fit.axes[0]);
+    REQUIRE(fit.axes[1]);
+    CHECK(std::abs(fit.axes[0]->intercept.value - 0.5) < rounding);
+    CHECK(std::abs(fit.axes[0]->slope.value / -3e4 - 1) < rounding / std::pow(0.004, order) / 1e4);
+    CHECK(std::abs(fit.axes[1]->intercept.value + 0.25) < rounding);
+    CHECK(!fit.axes[2]);
+  }
+}
+
+// Through two points the limit at h = 0 is (4 y₁ − y₂)/3 for steps h and 2h at order 2, and its
+// error follows from those of the two.
+TEST_CASE("the error of the limit is that of its two points") {
+  const Curve curve{"velocity-verlet",
+                    {point("velocity-verlet", 0.001, {Estimate{1, 0.3}, {}, {}}),
+                     point("velocity-verlet", 0.002, {Estimate{7, 0.6}, {}, {}})},
+                    2};
+  const EquipartitionFit fit = equipartition({curve})[0];
+  REQUIRE(fit.axes[0]);
+  CHECK(fit.axes[0]->intercept.value == doctest::Approx(-1).epsilon(rounding));
+  CHECK(fit.axes[0]->intercept.error ==
+        doctest::Approx(std::hypot(4 * 0.3, 0.6) / 3).epsilon(rounding));
+}
+
+TEST_CASE("there is no limit of one step, nor of points without an error") {
+  Curve curve{"hoa2", {point("hoa2", 0.001, {Estimate{1, 0.1}, Estimate{1, 0.1}, {}})}, 1};
+  CHECK(!equipartition({curve})[0].axes[0]);
+  curve.points.push_back(point("hoa2", 0.002, {Estimate{2, 0}, Estimate{2, 0.1}, {}}));
+  curve.usable = 2;
+  const EquipartitionFit fit = equipartition({curve})[0];
+  CHECK(!fit.axes[0]);  // one run tells no error
+  CHECK(fit.axes[1]);
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/step_search.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+using namespace polhode;
+
+namespace {
+
+// A scheme whose R is known: a hᵖ, up to `end` [fs], and never below `floor`.
+struct Known {
+  double a;
+  int order;
+  double end = 1e9, floor = 0;
+  double ratio(double step) const { return std::hypot(a * std::pow(1000 * step, order), floor); }
+};
+
+// Six runs that scatter by 4 %.
+AdviserPoint measured(const Known& scheme, const StepSearch& search, double step,
+                      std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  AdviserPoint point{step, 1, std::vector<Outcome>(6), 0, true};
+  for (Outcome& run : point.runs) {
+    run.ratio = scheme.ratio(step) * std::exp(0.04 * normal(random));
+    run.drift = 1e-5 * scheme.ratio(step) + 1e-9 * normal(random);
+    if (1000 * step > scheme.end) run.failure = "it blew up";
+  }
+  point.bound = upper_bound(search.criterion.quality, point.runs);
+  point.usable = !blew_up(point.runs);
+  return point;
+}
+
+std::vector<AdviserPoint> searched(const Known& scheme, const StepSearch& search) {
+  std::mt19937_64 random(2);
+  std::vector<AdviserPoint> points;
+  while (const auto step = next_step(search, points)) {
+    double longest = 0;
+    for (const AdviserPoint& p : points)
+      if (p.usable) longest = std::max(longest, p.step);
+    if (longest > 0) CHECK(*step < most_growth * longest * (1 + 1e-12));
+    points.push_back(measured(scheme, search, *step, random));
+    std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.step < b.step; });
+    REQUIRE(points.size() <= 12);
+  }
+  return points;
+}
+
+}  // namespace
+
+// R = 5·10⁻⁴ (h/fs)² is 0.5 % at 3.16 fs. With six runs that scatter by 4 % the bound lies t(5) s
+// √(7/6) = 11 % above the mean, give or take half as much for the error of s: the step is 3 to 9 %
+// shorter.
+TEST_CASE("the step is the one whose bound is the R asked for") {
+  const Known scheme{5e-4, 2};
+  const StepSearch search{{Quality::ratio, 0.005}, 2, 0.001};
+  const FoundStep found = found_step(search, searched(scheme, search));
+  CHECK(found.step > 0.91 * std::sqrt(10) / 1000);
+  CHECK(found.step < 0.97 * std::sqrt(10) / 1000);
+}
+
+TEST_CASE("a first step that is far too long or too short does not matter") {
+  const Known scheme{5e-4, 2};
+  for (const double first : {0.0001, 0.02}) {
+    const StepSearch search{{Quality::ratio, 0.005}, 2, first};
+    const FoundStep found = found_step(search, searched(scheme, search));
+    CHECK(found.step > 0.90 * std::sqrt(10) / 1000);
+    CHECK(found.step < 0.98 * std::sqrt(10) / 1000);
+  }
+}
+
+// Fourth order ends at 5 fs, where R is 0.06 %: for 1 % the longest steps that run are the answer.
+TEST_CASE("where stability ends first, the step lies before its end") {
+  const Known scheme{1e-6, 4, 5};
+  const StepSearch search{{Quality::ratio, 0.01}, 4, 0.002};
+  const FoundStep found = found_step(search, searched(scheme, search));
+  CHECK(found.step > 0.004);
+  CHECK(found.step < 0.005);
+}
+
+TEST_CASE("below a floor of R there is no step") {
+  const StepSearch search{{Quality::ratio, 1e-5}, 2, 0.001};
+  CHECK(found_step(search, searched({5e-4, 2, 1e9, 1e-4}, search)).step == 0);
+  CHECK(found_step(search, searched({5e-4, 2, 0}, search)).step == 0);  // no step is stable
+}
+
+// A drift of 10⁻⁵ R per ps is 10⁻⁸ at R = 10⁻³, at 1.41 fs; the ladder's rungs lie 1.25 apart.
+TEST_CASE("a drift is met on a ladder") {
+  const StepSearch search{{Quality::drift, 1e-8}, 2, 0.0005};
+  const double step = found_step(search, searched({5e-4, 2}, search)).step;
+  CHECK(step > 0.0014142 / 1.25);
+  CHECK(step < 0.0014142);
+}
+
+TEST_CASE("steps are shortened to three digits") {
+  CHECK(three_digits(0.00456789) == doctest::Approx(0.00456).epsilon(1e-12));
+  CHECK(three_digits(0.01) == doctest::Approx(0.01).epsilon(1e-12));
+}
