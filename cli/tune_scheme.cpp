@@ -29,13 +29,11 @@ struct Options {
 };
 
 TuneSettings configured(const Options& o, const Config& config) {
-  if (nested_scheme_of(config.integrator.scheme).inner)
-    throw Error(
-        fmt::format("scheme \"{}\" has another one in its drifts, and what is tuned are "
-                    "single schemes, by brackets of undivided forces; name a single one, as "
-                    "hoa2",
-                    config.integrator.scheme),
-        config.source);
+  try {
+    single_scheme_of(config.integrator.scheme);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
   TuneSettings settings;
   settings.step = o.step.empty() ? config.integrator.step : positive_time(o.step, "--step");
   settings.runs = o.runs;

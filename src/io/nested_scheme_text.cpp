@@ -79,6 +79,16 @@ NestedScheme nested_scheme_of(std::string_view text) {
   return {scheme_of(trimmed(text.substr(0, at))), inner_scheme_of(trimmed(text.substr(at + 1)))};
 }
 
+Scheme single_scheme_of(std::string_view text) {
+  const NestedScheme scheme = nested_scheme_of(text);
+  if (scheme.inner)
+    throw Error(
+        fmt::format("scheme '{}' has another one in its drifts, but error brackets and advice are "
+                    "known for single schemes alone; name one of those, as hoa2",
+                    text));
+  return scheme.outer;
+}
+
 std::string name_of(const NestedScheme& scheme) {
   const auto name = [](const Scheme& s) {
     return s.source().empty() ? text_of(s) : std::string(s.name());

@@ -162,6 +162,7 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   TimedForces near{near_forces};
   NestedForces nested(settings.inner->scheme, settings.inner->steps, system.bodies, whole, near,
                       settings.lambda, workers);
+  nested.moves(system.state);
   Integrator integrator(settings.scheme, system.bodies, nested, settings.lambda, workers);
   Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers, from,
                                std::move(samples));

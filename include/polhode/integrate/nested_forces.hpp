@@ -45,9 +45,13 @@ class NestedForces {
     subtract(derivative, part_);
   }
 
+  /// Says which state is the one that drifts move, where its forces may be asked for before the
+  /// first drift: as after take_over().
+  void moves(const State& state) { moved_ = &state; }
+
   /// e^{(A + B_near)t}, to the order of the inner scheme.
   void drift(State& state, double t) {
-    moved_ = &state;
+    moves(state);
     inner_.advance(state, t / steps_, static_cast<std::size_t>(steps_), false);
   }
 

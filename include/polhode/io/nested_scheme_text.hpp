@@ -18,6 +18,10 @@ inline constexpr double default_near_switch = 0.7;
 /// domain
 NestedScheme nested_scheme_of(std::string_view text);
 
+/// The scheme of a name or text that has none within its drifts, for whoever serves such alone.
+/// @throws Error  as nested_scheme_of(), or if there is one within
+Scheme single_scheme_of(std::string_view text);
+
 /// The same with names where schemes have them, else stages.
 std::string name_of(const NestedScheme& scheme);
 
