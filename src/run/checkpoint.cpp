@@ -54,6 +54,11 @@ void state(Archive& archive, Of& s) {
   vectors(archive, s.q);
   vectors(archive, s.p);
   archive(s.attitude.w), vectors(archive, s.attitude);
+  if constexpr (!std::is_const_v<Of>) {  // what pads the columns is an attitude, too
+    Column<double> w(s.attitude.w.size(), 1.0);
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] = s.attitude.w[i];
+    s.attitude.w = std::move(w);
+  }
   vectors(archive, s.ell);
   archive(s.box.edge);
   archive(s.time);
