@@ -11,7 +11,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/forces/settings.hpp"
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode::cli {
@@ -38,11 +38,11 @@ inline std::string typed_command(std::string command,
   return command;
 }
 
-/// The scheme of a name or a text.
+/// The scheme of a name or a text, with one within it or not.
 /// @throws Error  with the option if there is no such scheme
-inline Scheme scheme_option(const std::string& text, const std::string& option) {
+inline NestedScheme scheme_option(const std::string& text, const std::string& option) {
   try {
-    return scheme_of(text);
+    return nested_scheme_of(text);
   } catch (const Error& e) {
     throw e.at(option);
   }

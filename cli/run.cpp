@@ -14,10 +14,11 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
-#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/gro.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
+#include "polhode/run/near_forces.hpp"
 #include "polhode/run/run_files.hpp"
 #include "polhode/run/summary.hpp"
 #include "progress.hpp"
@@ -62,12 +63,14 @@ std::string typed(const Options& o) {
 }
 
 TrajectorySettings trajectory_settings(const Config& config) {
-  const TrajectorySettings settings{scheme_of(config.integrator.scheme),
-                                    config.integrator.step,
-                                    config.run.length,
-                                    config.run.sample,
-                                    config.integrator.lambda,
-                                    config.run.shadow_sample};
+  const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
+  const TrajectorySettings settings{.scheme = scheme.outer,
+                                    .step = config.integrator.step,
+                                    .length = config.run.length,
+                                    .sample = config.run.sample,
+                                    .lambda = config.integrator.lambda,
+                                    .shadow_sample = config.run.shadow_sample,
+                                    .inner = scheme.inner};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
@@ -120,6 +123,7 @@ int run(const Options& o) {
   if (interrupted()) return 130;
   const TrajectorySettings settings = trajectory_settings(config);
   System system = assembled(config);
+  check_near(system.forces, {settings.scheme, settings.inner}, config.source);
   ForceField forces(system.topology, system.forces, system.state.box, workers);
   const Provenance provenance{POLHODE_VERSION, typed(o), config.text, name(current_target()),
                               config.system.seed};
@@ -131,8 +135,9 @@ int run(const Options& o) {
 
   const Means means{workers.threads(), provenance.target};
   fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n",
-             POLHODE_VERSION, system.topology.size(), config.source, settings.scheme.name(),
-             settings.step * 1000, means.target, means.threads);
+             POLHODE_VERSION, system.topology.size(), config.source,
+             name_of({settings.scheme, settings.inner}), settings.step * 1000, means.target,
+             means.threads);
   note_molecules(system);
   note_forces(system);
 
@@ -192,8 +197,8 @@ int run(const Options& o) {
              [&](std::ostream& out) { write_gro(out, system.state, system.topology); });
   if (!names.plot.empty())
     energy_plot(names.energies,
-                fmt::format("{}, {} at {:g} fs", config.source, settings.scheme.name(),
-                            settings.step * 1000),
+                fmt::format("{}, {} at {:g} fs", config.source,
+                            name_of({settings.scheme, settings.inner}), settings.step * 1000),
                 config.output.plot, std::cerr);
 
   std::optional<Kept> kept;

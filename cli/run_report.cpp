@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode::cli {
@@ -22,7 +22,8 @@ std::string verdict(const Drift& drift) {
 void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means& means) {
   const auto percent = [](double x) { return 100 * x; };
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
-             s.molecules, s.steps, t.step * 1000, t.scheme.name(), s.length, s.sample * 1000);
+             s.molecules, s.steps, t.step * 1000, name_of({t.scheme, t.inner}), s.length,
+             s.sample * 1000);
   fmt::print(
       "R                     {:.4g} ± {:.2g} %   (rms of total energy {:.4g} over that of the "
       "potential {:.4g} kJ/mol)\n",
@@ -56,14 +57,22 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
   fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
              static_cast<double>(s.force_evaluations) / s.length);
   if (s.derivatives > 0) fmt::print(", and {} of their derivative", s.derivatives);
+  if (t.inner) {
+    fmt::print(", of near forces {} ({:.4g} per ps)", s.near_evaluations,
+               static_cast<double>(s.near_evaluations) / s.length);
+    if (s.near_derivatives > 0) fmt::print(", and {} of their derivative", s.near_derivatives);
+  }
   if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
   const double all = s.timings.all();
   fmt::print(
-      "time                  {:.2f} s: forces {:.0f} %, list {:.0f} %, drifts and kicks {:.0f} %, "
+      "time                  {:.2f} s: forces {:.0f} %, {}list {:.0f} %, drifts and kicks {:.0f} "
+      "%, "
       "energies and output {:.0f} %\n",
-      all, percent(s.timings.forces / all), percent(s.timings.list / all),
-      percent(s.timings.motion / all), percent(s.timings.measurement / all));
+      all, percent(s.timings.forces / all),
+      t.inner ? fmt::format("near forces {:.0f} %, ", percent(s.timings.near / all)) : "",
+      percent(s.timings.list / all), percent(s.timings.motion / all),
+      percent(s.timings.measurement / all));
   fmt::print("speed                 {:.4g} ns/day with {} {}, instruction set {}\n", s.ns_per_day,
              means.threads, means.threads == 1 ? "thread" : "threads", means.target);
 }
@@ -71,7 +80,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
 void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
                 const RunFileNames& files, const std::optional<Kept>& kept, bool stopped) {
   nlohmann::json report = {{"molecules", s.molecules},
-                           {"scheme", text_of(t.scheme)},
+                           {"scheme", text_of({t.scheme, t.inner})},
                            {"step_fs", t.step * 1000},
                            {"steps", s.steps},
                            {"length_ps", s.length},
@@ -98,11 +107,14 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
                            {"momentum", s.momentum},
                            {"force_evaluations", s.force_evaluations},
                            {"derivative_evaluations", s.derivatives},
+                           {"near_evaluations", s.near_evaluations},
+                           {"near_derivative_evaluations", s.near_derivatives},
                            {"force_evaluations_for_energies", s.measurements},
                            {"list_rebuilds", s.list_rebuilds},
                            {"seconds",
                             {{"all", s.timings.all()},
                              {"forces", s.timings.forces},
+                             {"near", s.timings.near},
                              {"list", s.timings.list},
                              {"motion", s.timings.motion},
                              {"energies_and_output", s.timings.measurement}}},

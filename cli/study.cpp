@@ -12,10 +12,10 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
-#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/guideline.hpp"
+#include "polhode/run/near_forces.hpp"
 #include "polhode/run/study_record.hpp"
 #include "polhode/run/system.hpp"
 #include "progress.hpp"
@@ -71,6 +71,7 @@ int study(const Options& o) {
           config.source);
   Workers workers(threads_wanted(o.threads));
   const System system = assembled(config);
+  for (const StudyPoint& point : points) check_near(system.forces, point.scheme, config.source);
 
   const StudyFiles files(o.output);
   // Results of a study that goes on are written again; those of another one are not touched.

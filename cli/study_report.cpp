@@ -32,7 +32,8 @@ Table point_table(const StudyReport& report) {
                    {"drift_chance", "1"},
                    {"temperature", "K"},
                    {"R_rounding", "1"},
-                   {"rounded", "1"}};
+                   {"rounded", "1"},
+                   {"near_weight", "1"}};
   for (const char* axis : {"1", "2", "3"}) {
     table.columns.push_back({fmt::format("excess_{}", axis), "K"});
     table.columns.push_back({fmt::format("excess_{}_error", axis), "K"});
@@ -43,7 +44,7 @@ Table point_table(const StudyReport& report) {
       table.rows.push_back({p.scheme, p.step * 1000, p.cost, static_cast<double>(p.runs),
                             p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
                             p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.chance,
-                            p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0});
+                            p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
       for (const auto& excess : p.excess) {
         const Estimate known = excess.value_or(Estimate{std::nan(""), std::nan("")});
         table.rows.back().insert(table.rows.back().end(), {known.value, known.error});
@@ -113,7 +114,8 @@ std::string study_json(const StudyReport& report) {
                                 {"drift_chance", p.drift.chance},
                                 {"temperature_K", p.temperature},
                                 {"R_rounding", p.rounding},
-                                {"rounded", p.at_rounding()}});
+                                {"rounded", p.at_rounding()},
+                                {"near_weight", p.near_weight}});
       for (const auto& excess : p.excess)
         json["points"].back()["excess_K"].push_back(
             excess ? nlohmann::json{{"value", excess->value}, {"error", excess->error}}

@@ -13,6 +13,7 @@
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/tune.hpp"
 #include "progress.hpp"
 #include "system_notes.hpp"
@@ -28,6 +29,11 @@ struct Options {
 };
 
 TuneSettings configured(const Options& o, const Config& config) {
+  try {
+    single_scheme_of(config.integrator.scheme);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
   TuneSettings settings;
   settings.step = o.step.empty() ? config.integrator.step : positive_time(o.step, "--step");
   settings.runs = o.runs;

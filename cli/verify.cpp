@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/measure/order.hpp"
 #include "verbs.hpp"
 
@@ -28,7 +28,7 @@ Action verify_verb(CLI::App& app) {
       ->check(CLI::Range(1e-8, 1.0));
   app.add_flag("--json", o->json, "print JSON");
   return [o] {
-    const Scheme scheme = scheme_of(o->scheme);
+    const NestedScheme scheme = nested_scheme_of(o->scheme);
     const OrderMeasurement m = measured_order(scheme, o->lambda);
     const int declared = o->order ? o->order : scheme.order();
     // A symmetric scheme errs by C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²), below 0.1 here.
@@ -36,7 +36,7 @@ Action verify_verb(CLI::App& app) {
     if (o->json) {
       nlohmann::json points = nlohmann::json::array();
       for (const auto& p : m.points) points.push_back({{"step", p.step}, {"error", p.error}});
-      fmt::print("{}\n", nlohmann::json{{"scheme", scheme.name()},
+      fmt::print("{}\n", nlohmann::json{{"scheme", name_of(scheme)},
                                         {"measured_order", m.order},
                                         {"declared_order", declared},
                                         {"holds", declared ? nlohmann::json(holds) : nullptr},

@@ -10,9 +10,9 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/forces/damped_shifted_force.hpp"
-#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/model/topology.hpp"
 #include "text_file.hpp"
 #include "toml_table.hpp"
@@ -313,7 +313,7 @@ void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& syst
 // Throws, with the place of the key, unless the name or text is a scheme.
 void check_scheme(const std::string& scheme, std::string_view key, const TomlTable& table) {
   try {
-    scheme_of(scheme);
+    nested_scheme_of(scheme);
   } catch (const Error& e) {
     throw e.at(table.where(key));
   }

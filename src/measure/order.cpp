@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/nested_forces.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/measure/energy.hpp"
 
@@ -19,9 +19,11 @@ Topology body() {
             1}}};
 }
 
-class AnharmonicField {
+class Field {
  public:
-  explicit AnharmonicField(const Molecule& molecule) : sites_(molecule.sites) {}
+  /// @param anharmonic  1: b and g as they are; 0: without them
+  Field(const Molecule& molecule, double anharmonic)
+      : sites_(molecule.sites), cubic_(900 * anharmonic), quartic_(5000 * anharmonic) {}
 
   void operator()(const State& state, Load& load) const {
     const Felt<double> felt = of(state.q[0], state.attitude[0]);
@@ -69,37 +71,50 @@ class AnharmonicField {
   std::vector<Site> sites_;
   Vec3<double> stiffness_{900, 1400, 600};  // [kJ/mol/nm²]
   Vec3<double> skew_{0.6, -0.5, 0.62};
-  double cubic_ = 900, quartic_ = 5000;  // [kJ/mol/nm³], [kJ/mol/nm⁴]
+  double cubic_, quartic_;  // [kJ/mol/nm³], [kJ/mol/nm⁴]
 };
 
-double energy_error(const Scheme& scheme, double lambda, double h, std::size_t steps) {
-  const Topology topology = body();
-  const Bodies bodies(topology);
-  AnharmonicField field(topology.parts[0].molecule);
+State start() {
   State state(1, Box{{100, 100, 100}});
   state.q.set(0, {0.05, -0.04, 0.06});
   state.p.set(0, {2.0, 1.0, -1.5});
   state.attitude.set(0, normalized(Quaternion<double>{0.8, 0.3, -0.4, 0.2}));
   state.ell.set(0, {0.12, -0.2, 0.16});
-  Integrator integrator(scheme, bodies, field, lambda);
-  const Energies start = energies(state, bodies, integrator.load(state));
+  return state;
+}
+
+template <class Model>
+double energy_error(Integrator<Model> integrator, const Bodies& bodies, double h,
+                    std::size_t steps) {
+  State state = start();
+  const Energies first = energies(state, bodies, integrator.load(state));
   double worst = 0;
   for (std::size_t n = 0; n < steps; ++n) {
     integrator.advance(state, h);
     const double e = energies(state, bodies, integrator.load(state)).total();
-    worst = std::max(worst, std::abs(e - start.total()));
+    worst = std::max(worst, std::abs(e - first.total()));
     if (!std::isfinite(e)) return INFINITY;
   }
-  return worst / start.kinetic();
+  return worst / first.kinetic();
+}
+
+double energy_error(const NestedScheme& scheme, double lambda, double h, std::size_t steps) {
+  const Topology topology = body();
+  const Bodies bodies(topology);
+  Field field(topology.parts[0].molecule, 1), near(topology.parts[0].molecule, 0);
+  if (!scheme.inner)
+    return energy_error(Integrator(scheme.outer, bodies, field, lambda), bodies, h, steps);
+  NestedForces nested(scheme.inner->scheme, scheme.inner->steps, bodies, field, near, lambda);
+  return energy_error(Integrator(scheme.outer, bodies, nested, lambda), bodies, h, steps);
 }
 
 }  // namespace
 
-OrderMeasurement measured_order(const Scheme& scheme, double lambda) {
+OrderMeasurement measured_order(const NestedScheme& scheme, double lambda) {
   // Several periods, with steps that are coarse for the scheme [ps]; those of many stages are good
   // at 20 fs already.
   constexpr double length = 0.64;
-  const double longest = scheme.force_evaluations() < 8 ? 0.02 : 0.04;
+  const double longest = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
   // A finite difference divides rounding by λ; without one, a few units of 2⁻⁵³ a step add up as
   // a random walk over some hundred to some ten thousand steps.
   const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;

@@ -10,7 +10,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/rounding.hpp"
 #include "polhode/run/step_search.hpp"
 #include "polhode/run/study.hpp"
@@ -53,7 +53,7 @@ class Adviser {
         workers_(workers),
         base_(assembled(config)) {
     for (const std::string& text : settings.schemes)
-      advice_.candidates.push_back({text, scheme_of(text), {}, {}, 0, 0, {}});
+      advice_.candidates.push_back({text, single_scheme_of(text), {}, {}, 0, 0, {}});
   }
 
   Advice advice() {

@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/identity.hpp"
 
@@ -81,11 +81,14 @@ void run_state(Archive& archive, Of& at) {
   counter(archive, at.steps);
   archive(at.start);
   memory(archive, at.integrator);
-  vectors(archive, at.list.built_at);
-  counter(archive, at.list.rebuilds);
+  list(archive, at.integrator.inner, [&](auto& within) { memory(archive, within); });
+  for (auto* neighbours : {&at.list, &at.near_list}) {
+    vectors(archive, neighbours->built_at);
+    counter(archive, neighbours->rebuilds);
+  }
   list(archive, at.brackets, [&](auto& b) { archive(b.second_derivative), archive(b.W); });
-  for (auto* part :
-       {&at.timings.forces, &at.timings.list, &at.timings.motion, &at.timings.measurement})
+  for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
+                     &at.timings.measurement, &at.timings.near})
     archive(*part);
 }
 
@@ -135,7 +138,7 @@ std::string run_identity(const Config& config, const System& system) {
       identity(config, system,
                {config.integrator.step, config.run.equilibrate, config.run.sample,
                 config.run.shadow_sample, config.output.trajectory_every, config.forces.skin});
-  all += ' ' + text_of(scheme_of(config.integrator.scheme));
+  all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
   if (config.output.trajectory_every > 0)
     for (const std::string& format : config.output.formats) all += ' ' + format;
   return text_hash(all);

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 
 namespace polhode {
 
@@ -11,7 +11,7 @@ std::vector<EquipartitionFit> equipartition(const std::vector<Curve>& curves) {
   std::vector<EquipartitionFit> fits;
   for (const Curve& curve : curves) {
     EquipartitionFit fit{.scheme = curve.scheme, .axes = {}};
-    if (const int order = scheme_of(curve.scheme).order(); order > 0) fit.order = order;
+    if (const int order = nested_scheme_of(curve.scheme).order(); order > 0) fit.order = order;
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<double> x;
       std::vector<Estimate> y;

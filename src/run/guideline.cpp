@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {
@@ -43,7 +43,7 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   at.evaluations = points[0].cost * points[0].step;
   double log_error = 0;  // of the step, relative
   if (ratio < points[0].ratio.value) {
-    const int order = scheme_of(curve.scheme).order();
+    const int order = nested_scheme_of(curve.scheme).order();
     if (order == 0 || points[0].at_rounding()) return std::nullopt;
     at.exponent = order;
     at.step = points[0].step * std::pow(ratio / points[0].ratio.value, 1.0 / order);

@@ -91,7 +91,16 @@ double kick_weights(const Scheme& scheme, double lambda) {
   return squares;
 }
 
-double rounding_fluctuation(const ForceNoise& noise, const Scheme& scheme, double lambda,
+double kick_weights(const NestedScheme& scheme, double lambda) {
+  double weights = kick_weights(scheme.outer, lambda);
+  if (!scheme.inner) return weights;
+  const double within = kick_weights(scheme.inner->scheme, lambda) / scheme.inner->steps;
+  for (const Stage& stage : scheme.outer.stages())
+    if (stage.flow == Flow::drift) weights += stage.fraction * stage.fraction * within;
+  return weights;
+}
+
+double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length) {
   const double walk = noise.power * noise.power * step * length * kick_weights(scheme, lambda) / 6;
   return std::sqrt(walk + noise.energy * noise.energy);

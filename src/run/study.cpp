@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <numeric>
 
 #include "polhode/base/error.hpp"
-#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/run/near_forces.hpp"
 #include "polhode/run/trajectory.hpp"
 
 namespace polhode {
@@ -15,9 +17,12 @@ namespace {
 
 // The default ladders [fs]: fine enough to interpolate, from about R = 0.1 % (0.001 % for schemes
 // of fourth order) to the end of stability.
-std::vector<double> default_steps(const Scheme& scheme, bool coarse) {
+std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
   std::vector<double> fs;
-  if (scheme.force_evaluations() == 1)
+  const Scheme& scheme = nested.outer;
+  if (nested.inner)
+    fs = coarse ? std::vector<double>{4, 6, 8, 10} : std::vector<double>{3, 4, 5, 6, 7, 8, 10, 12};
+  else if (scheme.force_evaluations() == 1)
     fs = coarse ? std::vector<double>{1, 2, 3, 4, 6}
                 : std::vector<double>{1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 8};
   else if (scheme.order() == 2)
@@ -31,19 +36,25 @@ std::vector<double> default_steps(const Scheme& scheme, bool coarse) {
   return fs;
 }
 
-double cost(const Scheme& scheme, double step) { return scheme.cost() / step; }
+/// Of near forces, to share out work before anything is measured.
+constexpr double typical_near_weight = 0.3;
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 
 StudyRun one_run(const System& start, int index, const StudyPoint& point, const Config& config,
-                 const StudyProgress& progress) {
-  StudyRun run{.scheme = point.name, .step = point.step, .start = index};
+                 double near_weight, const StudyProgress& progress) {
+  StudyRun run{
+      .scheme = point.name, .step = point.step, .start = index, .near_weight = near_weight};
   System system = start;
   ForceField forces(system.topology, system.forces, system.state.box);
-  const Trajectory t = trajectory(
-      system, forces,
-      {point.scheme, point.step, config.study.length, longest_sample, config.integrator.lambda},
-      {nullptr, progress.stop});
+  const Trajectory t = trajectory(system, forces,
+                                  {.scheme = point.scheme.outer,
+                                   .step = point.step,
+                                   .length = config.study.length,
+                                   .sample = longest_sample,
+                                   .lambda = config.integrator.lambda,
+                                   .inner = point.scheme.inner},
+                                  {nullptr, progress.stop});
   run.stable = t.failure.empty();
   if (!run.stable) return run;
   std::vector<double> total, potential;
@@ -69,12 +80,16 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
 std::vector<StudyPoint> study_points(const StudySettings& settings) {
   std::vector<StudyPoint> points;
   for (const std::string& text : settings.schemes) {
-    const Scheme scheme = scheme_of(text);
+    const NestedScheme scheme = nested_scheme_of(text);
     for (const double h :
          settings.steps.empty() ? default_steps(scheme, settings.coarse) : settings.steps)
       points.push_back({text, scheme, h});
   }
   return points;
+}
+
+double StudyPoint::cost(double near_weight) const {
+  return (scheme.outer.cost() + near_weight * scheme.near_cost()) / step;
 }
 
 System decorrelated_start(const System& base, const Config& config, std::size_t index,
@@ -92,6 +107,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   struct Job {
     StudyPoint point;
     int start;
+    double work() const { return point.cost(typical_near_weight); }  // per ps
   };
   std::vector<Job> jobs;
   std::vector<bool> needed(static_cast<std::size_t>(config.study.runs), false);
@@ -104,13 +120,12 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
       if (done) continue;
       jobs.push_back({point, r});
       needed[static_cast<std::size_t>(r)] = true;
-      work += cost(point.scheme, point.step) * config.study.length;
+      work += jobs.back().work() * config.study.length;
     }
   if (jobs.empty()) return;
   // The dearest first, so that the last ones to end are short.
-  std::stable_sort(jobs.begin(), jobs.end(), [](const Job& a, const Job& b) {
-    return cost(a.point.scheme, a.point.step) > cost(b.point.scheme, b.point.step);
-  });
+  std::stable_sort(jobs.begin(), jobs.end(),
+                   [](const Job& a, const Job& b) { return a.work() > b.work(); });
 
   const double preparation =
       1000 * config.study.decorrelate *
@@ -134,17 +149,22 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   });
   if (stopped()) return;
 
+  std::map<std::string, double> near_weights;  // measured while nothing else runs
+  for (const Job& job : jobs)
+    if (!near_weights.contains(job.point.name))
+      near_weights[job.point.name] = near_weight(base, job.point.scheme.inner);
+
   workers.each(jobs.size(), [&](std::size_t k) {
     if (stopped()) return;
     const Job& job = jobs[k];
     const StudyRun run = one_run(starts[static_cast<std::size_t>(job.start)], job.start, job.point,
-                                 config, progress);
+                                 config, near_weights.at(job.point.name), progress);
     if (stopped()) return;  // it may have been cut short
     {
       const std::lock_guard lock(guard);
       finished(run);
     }
-    advance(cost(job.point.scheme, job.point.step) * config.study.length, run.scheme);
+    advance(job.work() * config.study.length, run.scheme);
   });
 }
 
@@ -155,15 +175,15 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     EfficiencyPoint e;
     e.scheme = point.name;
     e.step = point.step;
-    e.cost = cost(point.scheme, point.step);
     std::vector<StudyRun> own;  // by their starts: sums do not depend on which run ended first
     for (const StudyRun& run : runs)
       if (run.scheme == e.scheme && same(run.step, e.step)) own.push_back(run);
     std::sort(own.begin(), own.end(),
               [](const auto& a, const auto& b) { return a.start < b.start; });
-    std::vector<double> ratios, drifts, temperatures, roundings;
+    std::vector<double> ratios, drifts, temperatures, roundings, weights;
     for (const StudyRun& run : own) {
       ++e.runs;
+      weights.push_back(run.near_weight);
       if (!run.stable) {
         e.stable = false;
         continue;
@@ -174,6 +194,8 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
       roundings.push_back(run.rounding);
     }
     if (e.runs == 0) continue;
+    e.near_weight = mean(weights).value;
+    e.cost = point.cost(e.near_weight);
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<double> excess;
       for (const StudyRun& run : own)

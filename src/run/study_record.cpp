@@ -19,28 +19,34 @@ namespace {
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
     "rms potential [kJ/mol];temperature [K];R of rounding;"
-    "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K]";
-/// Columns of records: without rounding, without the temperatures of parts, and whole.
-constexpr std::size_t first_fields = 9, second_fields = 10, fields = 14;
+    "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K];weight of near forces";
+/// Columns of records: without rounding, without the temperatures of parts, without the weight of
+/// near forces, and whole.
+constexpr std::size_t first_fields = 9, second_fields = 10, third_fields = 14, fields = 15;
 
 std::string record_line(const StudyRun& run) {
   std::string line =
       fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
                   run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
                   run.potential, run.temperature, run.rounding);
-  if (!run.parts) return line + ";;;;";
-  const auto& [x, y, z] = run.parts->rotation;
-  return line + fmt::format(";{:.17g};{:.17g};{:.17g};{:.17g}", run.parts->translation, x, y, z);
+  if (run.parts) {
+    const auto& [x, y, z] = run.parts->rotation;
+    line += fmt::format(";{:.17g};{:.17g};{:.17g};{:.17g}", run.parts->translation, x, y, z);
+  } else {
+    line += ";;;;";
+  }
+  return line + fmt::format(";{:.17g}", run.near_weight);
 }
 
 /// How many columns a record has by its head.
 std::size_t columns(const std::string& head, const std::string& path) {
   const auto count = static_cast<std::size_t>(std::count(head.begin(), head.end(), ';')) + 1;
-  if (count == first_fields || count == second_fields || count == fields) return count;
+  if (count == first_fields || count == second_fields || count == third_fields || count == fields)
+    return count;
   throw Error(
-      fmt::format("'{}' has {} columns, but records of runs have {}, {} or {}; it is of a later "
-                  "version, so give another --output, or --force to start anew",
-                  path, count, first_fields, second_fields, fields));
+      fmt::format("'{}' has {} columns, but records of runs have {}, {}, {} or {}; it is of a "
+                  "later version, so give another --output, or --force to start anew",
+                  path, count, first_fields, second_fields, third_fields, fields));
 }
 
 /// Nothing if the line is not whole: the last one of a record may have been cut short.
@@ -63,8 +69,9 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
            .potential = number(7),
            .temperature = number(8),
            .rounding = count >= second_fields ? number(9) : 0,
-           .parts = {}};
-    if (count == fields && !field[10].empty())
+           .parts = {},
+           .near_weight = count == fields ? number(14) : 0};
+    if (count >= third_fields && !field[10].empty())
       run.parts = Temperatures{run.temperature, number(10), {number(11), number(12), number(13)}};
   } catch (const std::exception&) {
     return std::nullopt;

@@ -34,12 +34,14 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
     s.drift = drift(trajectory.samples);
     s.shadow = shadow_summary(trajectory.brackets, settings.scheme, settings.step, s.drift);
     if (s.potential_fluctuation > 0)
-      s.rounding =
-          rounding_fluctuation(noise, settings.scheme, settings.lambda, settings.step, s.length) /
-          s.potential_fluctuation;
+      s.rounding = rounding_fluctuation(noise, {settings.scheme, settings.inner}, settings.lambda,
+                                        settings.step, s.length) /
+                   s.potential_fluctuation;
   }
   s.force_evaluations = trajectory.force_evaluations;
   s.derivatives = trajectory.derivatives;
+  s.near_evaluations = trajectory.near_evaluations;
+  s.near_derivatives = trajectory.near_derivatives;
   s.measurements = trajectory.measurements;
   s.list_rebuilds = trajectory.list_rebuilds;
   s.timings = trajectory.timings;

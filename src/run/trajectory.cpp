@@ -9,8 +9,10 @@
 #include <utility>
 
 #include "polhode/base/error.hpp"
-#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/nested_forces.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/run/near_forces.hpp"
 
 namespace polhode {
 namespace {
@@ -28,10 +30,10 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// The forces, with a clock.
+/// Forces, with a clock.
 struct TimedForces {
   ForceField& forces;
-  double seconds = 0;
+  double seconds = 0;  // with the list
   void operator()(const State& state, Load& load) {
     Stopwatch watch;
     forces(state, load);
@@ -60,35 +62,56 @@ struct BlowUp : RunError {
       fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
                   "{}, or the start "
                   "is too rough: try {:g} fs, or equilibrate first",
-                  step, static_cast<double>(step) * s.step, what, s.step * 1000, s.scheme.name(),
-                  s.step * 500));
+                  step, static_cast<double>(step) * s.step, what, s.step * 1000,
+                  name_of({s.scheme, s.inner}), s.step * 500));
 }
 
 /// Where the time goes, added to what an earlier part of the run took.
 class Clocks {
  public:
-  Clocks(const TimedForces& forces, const Timings& earlier)
-      : forces_(forces), earlier_(earlier), list_before_(forces.forces.neighbours().seconds()) {}
+  /// @param near  of an inner scheme, if there is one
+  Clocks(const TimedForces& whole, const TimedForces* near, const Timings& earlier)
+      : whole_(whole),
+        near_(near),
+        earlier_(earlier),
+        list_before_(in_list(&whole)),
+        near_list_before_(in_list(near)) {}
+  double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
   /// What has passed since the last call of this or skip() was drifts, kicks and forces.
   void moved() { motion_ += part_.lap(); }
   void skip() { part_.lap(); }
   void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
   Timings timings() {
-    all_ += whole_.lap();
-    const double list = forces_.forces.neighbours().seconds() - list_before_;
-    const double motion = motion_ - (forces_.seconds - forces_of_samples_);
-    return {earlier_.forces + forces_.seconds - list, earlier_.list + list,
+    all_ += run_.lap();
+    const double list = in_list(&whole_) - list_before_;
+    const double near_list = in_list(near_) - near_list_before_;
+    const double motion = motion_ - (in_forces() - forces_of_samples_);
+    return {earlier_.forces + whole_.seconds - list, earlier_.list + list + near_list,
             earlier_.motion + motion,
-            earlier_.measurement + std::max(0.0, all_ - forces_.seconds - motion)};
+            earlier_.measurement + std::max(0.0, all_ - in_forces() - motion),
+            earlier_.near + (near_ ? near_->seconds : 0) - near_list};
   }
 
  private:
-  const TimedForces& forces_;
+  static double in_list(const TimedForces* timed) {
+    return timed ? timed->forces.neighbours().seconds() : 0;
+  }
+
+  const TimedForces& whole_;
+  const TimedForces* near_;
   Timings earlier_;
-  double list_before_, all_ = 0, motion_ = 0;
+  double list_before_, near_list_before_;
+  double all_ = 0, motion_ = 0;
   double forces_of_samples_ = 0;  // schemes that end with a drift need forces for the energy
-  Stopwatch whole_, part_;
+  Stopwatch run_, part_;
 };
+
+/// The trajectory of an integrator.
+/// @param whole, near  what it evaluates; near is null without an inner scheme
+template <class Model>
+Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& whole,
+                    TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
+                    Workers& workers, const RunState* from, std::vector<Energies> samples);
 
 }  // namespace
 
@@ -108,6 +131,11 @@ std::size_t TrajectorySettings::samples_per_shadow() const {
 
 void TrajectorySettings::check_shadow() const {
   if (shadow_sample == 0) return;
+  if (inner)
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but the shadow energy of {} has brackets of near and slow "
+        "forces, which are not measured; leave it out, or take a single scheme, as hoa2",
+        shadow_sample * 1000, name_of({scheme, inner})));
   constexpr double rounding = 1e-12;  // of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
   if (scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding) return;
@@ -123,8 +151,32 @@ void TrajectorySettings::check_shadow() const {
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                       const Watch& watch, Workers& workers, const RunState* from,
                       std::vector<Energies> samples) {
-  TimedForces timed{forces};
-  Integrator integrator(settings.scheme, system.bodies, timed, settings.lambda, workers);
+  TimedForces whole{forces};
+  if (!settings.inner) {
+    Integrator integrator(settings.scheme, system.bodies, whole, settings.lambda, workers);
+    return followed(system, integrator, whole, nullptr, settings, watch, workers, from,
+                    std::move(samples));
+  }
+  ForceField near_forces(system.topology, near_settings(forces.settings(), *settings.inner),
+                         system.state.box, workers);
+  TimedForces near{near_forces};
+  NestedForces nested(settings.inner->scheme, settings.inner->steps, system.bodies, whole, near,
+                      settings.lambda, workers);
+  nested.moves(system.state);
+  Integrator integrator(settings.scheme, system.bodies, nested, settings.lambda, workers);
+  Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers, from,
+                               std::move(samples));
+  result.near_evaluations = nested.near_evaluations();
+  result.near_derivatives = nested.near_derivatives();
+  return result;
+}
+
+namespace {
+
+template <class Model>
+Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& whole,
+                    TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
+                    Workers& workers, const RunState* from, std::vector<Energies> samples) {
   Trajectory result;
   result.samples = std::move(samples);
   const std::size_t steps = settings.steps(), interval = settings.steps_per_sample();
@@ -137,9 +189,10 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
       result.brackets.push_back(
           {result.samples.at(result.brackets.size() * settings.samples_per_shadow()), brackets});
     integrator.take_over(from->integrator);
-    forces.take_over(from->list);
+    whole.forces.take_over(from->list);
+    if (near) near->forces.take_over(from->near_list);
   }
-  Clocks clocks(timed, from ? from->timings : Timings{});
+  Clocks clocks(whole, near, from ? from->timings : Timings{});
 
   const auto checkpoint = [&] {
     if (!watch.checkpoint) return;
@@ -147,25 +200,26 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
     std::vector<ErrorBrackets> brackets;
     for (const BracketSample& sample : result.brackets) brackets.push_back(sample.brackets);
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
-                      forces.list_memory(), std::move(brackets), clocks.timings()});
+                      whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
+                      std::move(brackets), clocks.timings()});
     clocks.skip();
   };
   const auto sample = [&] {
     clocks.moved();
-    const double forces_before = timed.seconds;
+    const double forces_before = clocks.in_forces();
     Energies now;
     try {
       now = energies(system.state, system.bodies, integrator.load(system.state), workers);
     } catch (const RunError& e) {
       blown_up(settings, result.steps, e.what());
     }
-    clocks.forces_of_sample(timed.seconds - forces_before);
+    clocks.forces_of_sample(clocks.in_forces() - forces_before);
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     if (watch.sample) watch.sample(result.steps, system.state, now);
     if (settings.shadow_sample > 0 && result.samples.size() % settings.samples_per_shadow() == 0)
       result.brackets.push_back(
-          {now, error_brackets(system.state, system.bodies, integrator.last_load(), forces)});
+          {now, error_brackets(system.state, system.bodies, integrator.last_load(), whole.forces)});
     result.samples.push_back(now);
     const Energies& first = result.samples.front();
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
@@ -209,10 +263,12 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
   result.force_evaluations = integrator.force_evaluations();
   result.derivatives = integrator.derivatives();
   result.measurements = integrator.measurements();
-  result.list_rebuilds = forces.list_rebuilds();
+  result.list_rebuilds = whole.forces.list_rebuilds();
   result.timings = clocks.timings();
   return result;
 }
+
+}  // namespace
 
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch,
                  Workers& workers, const RunState* from) {

@@ -125,6 +125,8 @@ class Advise(Sandbox):
         self.refused(edited(GAS, ('accuracy = "2 %"', 'accuracy = "2 %"\nstep = "2 fs"')),
                      words=["stands beside a step", "integrator.accuracy"])
         self.refused(GAS, "--schemes", "hoa3", words=["'hoa3'", "'hoa2'", "--schemes"])
+        nested = "hoa2 / hoa2 x 1 within 0.4 nm"
+        self.refused(GAS, "--schemes", nested, words=[nested, "single schemes"])
         self.refused(GAS, "--time", "0", words=["--time"])
 
     def test_interrupt(self):

@@ -42,6 +42,13 @@ RUN_FILE = [
     ("scheme that cannot be read", [('"hoa2"', '"B(1/2) A(1 B(1/2)"')], ["character", "')'", "run.toml:10"]),
     ("scheme that does not sum to one", [('"hoa2"', '"B(1/2) A(1) B(1/3)"')], ["0.83333", "sum to 1", "run.toml:10"]),
     ("scheme with a zero denominator", [('"hoa2"', '"B(1/0) A(1)"')], ["denominator", "run.toml:10"]),
+    ("inner scheme without a reach", [('"hoa2"', '"hoa2 / hoa2 x 2"')],
+     ["'hoa2 x 2'", "within 0.35 to 0.5 nm", "run.toml:10", "integrator.scheme"]),
+    ("unknown inner scheme", [('"hoa2"', '"hoa2 / hoa x 2 within 0.5 nm"')], ["'hoa'", "'hoa2'", "run.toml:10"]),
+    ("no inner steps", [('"hoa2"', '"hoa2 / hoa2 x 0 within 0.5 nm"')], ["0 steps", "from 1 to 1000", "run.toml:10"]),
+    ("near forces without a unit", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.5"')], ["hoa2 x 2 within 0.5", "run.toml:10"]),
+    ("near forces that fade outward in", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.6 to 0.5 nm"')],
+     ["0.6 to 0.5 nm", "kink", "run.toml:10"]),
     ("unknown molecule", [('"argon"', '"argn"')], ["'argn'", "'argon'", "run.toml:2"]),
     ("unknown study scheme", [('"velocity-verlet"', '"velocity-verlett"')],
      ["'velocity-verlett'", "'velocity-verlet'", "run.toml", "study.schemes"]),
@@ -177,6 +184,7 @@ class BadInput(Sandbox):
             (("--step", "2 nm"), ["--step", "2 nm", "length", "time"]),
             (("--length", "1 fs"), ["1 fs", "2 fs", "step"]),
             (("--scheme", "giere4"), ["'giere4'", "'gier4'", "--scheme"]),
+            (("--scheme", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "of which they are a part"]),
             (("--output", "nowhere/out"), ["'nowhere'", "nowhere/out"]),
             (("--outptu", "out"), ["--outptu"]),
         ]:
@@ -186,6 +194,7 @@ class BadInput(Sandbox):
             (("--steps", "0 fs"), ["--steps", "0 fs", "longer than 0"]),
             (("--length", "4 fs"), ["4 fs", "2 fs"]),
             (("--schemes", "giere4"), ["'giere4'", "'gier4'", "--schemes"]),
+            (("--schemes", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "of which they are a part"]),
             (("--runs", "1"), ["--runs", "1"]),
             (("--output", "nowhere/study"), ["'nowhere'", "nowhere/study"]),
         ]:
@@ -222,6 +231,13 @@ class BadInput(Sandbox):
     def test_length_shorter_than_a_step(self):
         self.write("run.toml", edited(SMALL, ('"0.02 ps"\n\n[output]', '"1.5 fs"\n\n[output]')))
         self.refused(("run", "run.toml"), ["1.5 fs", "2 fs", "one step"], "length")
+
+    def test_nested_schemes_where_brackets_are_asked_for(self):
+        nested = ('"hoa2"', '"hoa2 / hoa2 x 1 within 0.5 nm"')
+        self.write("run.toml", edited(SMALL, nested, ('"0.02 ps"\n\n[output]', '"0.02 ps"\nshadow_sample = "10 fs"\n\n[output]')))
+        self.refused(("run", "run.toml"), ["shadow_sample is 10 fs", "hoa2 x 1 within", "near and slow", "a single scheme"], "shadow")
+        self.write("run.toml", edited(SMALL, nested))
+        self.refused(("tune-scheme", "run.toml"), ["hoa2 x 1 within", "single schemes", "run.toml"], "tune-scheme")
 
     def test_output_that_exists(self):
         self.write("run.toml", SMALL.replace('plot = "none"', 'plot = "svg"'))

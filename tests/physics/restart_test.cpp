@@ -8,6 +8,7 @@
 #include <random>
 
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/checkpoint.hpp"
 #include "scenes.hpp"
 
@@ -25,8 +26,9 @@ void add(Bits& bits, const Vec3Column& v) { add(bits, v.x), add(bits, v.y), add(
 
 // All that a run leaves behind but its times.
 Bits bits(const State& state, const Trajectory& t) {
-  Bits all{t.steps,         t.force_evaluations, t.measurements,
-           t.list_rebuilds, t.samples.size(),    t.brackets.size()};
+  Bits all{
+      t.steps,        t.force_evaluations, t.derivatives,    t.near_evaluations, t.near_derivatives,
+      t.measurements, t.list_rebuilds,     t.samples.size(), t.brackets.size()};
   add(all, state.q), add(all, state.p), add(all, state.ell), add(all, state.time);
   add(all, state.attitude.w), add(all, state.attitude.x);
   add(all, state.attitude.y), add(all, state.attitude.z);
@@ -71,14 +73,22 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
   for (const Electrostatics electrostatics :
        {Electrostatics::reaction_field, Electrostatics::ewald})
     for (const Precision precision : {Precision::full, Precision::mixed})
-      for (const char* name : {"velocity-verlet", "hoa2", "gier4", "position-verlet"}) {
+      for (const char* name :
+           {"velocity-verlet", "hoa2", "gier4", "position-verlet",
+            "hoa2 / velocity-verlet x 2 within 0.5 nm",
+            "position-verlet / gier4-fd x 1 within 0.5 nm", "gier4 / gier4 x 1 within 0.5 nm"}) {
         CAPTURE(int(electrostatics));
         CAPTURE(int(precision));
         CAPTURE(name);
         // Energies every 3 steps of 25: those of the last step are no part of a longer run.
         const double step = 0.002;
-        TrajectorySettings settings{scheme_of(name), step, 25 * step, 3 * step,
-                                    precision == Precision::mixed ? 1 : 1e-4};
+        const NestedScheme scheme = nested_scheme_of(name);
+        const TrajectorySettings settings{.scheme = scheme.outer,
+                                          .step = step,
+                                          .length = 25 * step,
+                                          .sample = 3 * step,
+                                          .lambda = precision == Precision::mixed ? 1 : 1e-4,
+                                          .inner = scheme.inner};
         std::vector<RunState> kept;
         System whole = mixture(electrostatics, precision);
         ForceField forces(whole.topology, whole.forces, whole.state.box);

@@ -66,8 +66,13 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.list.built_at = Vec3Column(bodies);
   fill(c.at.list.built_at, random);
   c.at.list.rebuilds = 8;
+  c.at.near_list.built_at = Vec3Column(bodies);
+  fill(c.at.near_list.built_at, random);
+  c.at.near_list.rebuilds = 9;
+  c.at.integrator.inner = {c.at.integrator};
+  c.at.integrator.inner[0].evaluations = 7;
   c.at.brackets = {{0.125, 0.25}, {-0.375, 0.5}, {0.625, 0.75}};
-  c.at.timings = {1, 2, 3, 4};
+  c.at.timings = {1, 2, 3, 4, 5};
   c.noise = {0.5, 0.25};
   c.outputs = OutputMarks{{9, 900}, {{1, 100}, {2, 200}}, 12};
   return c;
@@ -115,7 +120,13 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
       CHECK(back.at.brackets[k].W == c.at.brackets[k].W);
     }
     CHECK(back.at.timings.list == 2);
-    CHECK(back.at.timings.all() == 10);
+    same(back.at.near_list.built_at, c.at.near_list.built_at);
+    CHECK(back.at.near_list.rebuilds == 9);
+    REQUIRE(m.inner.size() == 1);
+    same(m.inner[0].load.f, n.load.f);
+    CHECK(m.inner[0].evaluations == 7);
+    CHECK(back.at.timings.near == 5);
+    CHECK(back.at.timings.all() == 15);
     CHECK(back.noise.power == 0.5);
     CHECK(back.noise.energy == 0.25);
     CHECK(back.identity == c.identity);

@@ -5,6 +5,7 @@
 #include <concepts>
 #include <cstdint>
 #include <utility>
+#include <vector>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/workers.hpp"
@@ -14,7 +15,9 @@
 namespace polhode {
 
 /// Anything that computes the Load of a State. It may offer a second function, forces_alone(state,
-/// load), which leaves the energies out where nobody asks for them.
+/// load), which leaves the energies out where nobody asks for them; a flow of its own in place of
+/// the drift, drift(state, t), as multiple time steps have; and forget(), memory() and
+/// take_over(memory), as an integrator has them, if that flow remembers.
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
@@ -35,7 +38,21 @@ struct IntegratorMemory {
   bool current = false;   ///< it belongs to the positions
   bool complete = false;  ///< it holds energies
   std::uint64_t evaluations = 0, derivatives = 0, measurements = 0;
+  std::vector<IntegratorMemory> inner;  ///< of the scheme within its drifts, if there is one
 };
+
+/// Forces and torques, without energies if the model can leave them out.
+/// @return  whether they are there all the same
+template <ForceModel Forces>
+bool forces_alone(Forces& forces, const State& state, Load& load) {
+  if constexpr (requires { forces.forces_alone(state, load); }) {
+    forces.forces_alone(state, load);
+    return false;
+  } else {
+    forces(state, load);
+    return true;
+  }
+}
 
 /// An integrator owns its scratch space and the last Load; a step does not allocate.
 template <ForceModel Forces>
@@ -72,7 +89,9 @@ class Integrator {
   ///                  them then
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {
     const std::span<const Stage> stages = scheme_.stages();
-    const bool mergeable = scheme_.mergeable();
+    // Two drifts in a row are not one where a model cuts each drift in as many inner steps.
+    const bool mergeable = scheme_.mergeable() && (stages[0].flow == Flow::kick || !has_own_drift);
+    const double start = state.time;
     for (std::size_t n = 0; n < steps; ++n) {
       const bool first = n == 0, last = n + 1 == steps;
       for (std::size_t k = 0; k < stages.size(); ++k) {
@@ -83,7 +102,7 @@ class Integrator {
         play(stage, state, h, energies && last && k + 1 == stages.size());
       }
     }
-    state.time += static_cast<double>(steps) * h;
+    state.time = start + static_cast<double>(steps) * h;
   }
 
   /// The Load at the state's positions: that of the last kick where the positions are still the
@@ -97,20 +116,38 @@ class Integrator {
     return load_;
   }
 
+  /// Forces and torques at the state's positions: those of the last kick where the positions are
+  /// still the same, else a new evaluation as part of the integration.
+  /// @param energies  whether that one shall hold energies
+  const Load& forces(const State& state, bool energies = false) {
+    if (!current_) {
+      evaluate(state, load_, energies);
+      ++evaluations_;
+    }
+    return load_;
+  }
+
   /// The Load of the last kick, wherever that was.
   const Load& last_load() const { return load_; }
 
   /// To be called when someone else has moved the bodies.
-  void forget() { current_ = false; }
+  void forget() {
+    current_ = false;
+    if constexpr (requires { forces_.forget(); }) forces_.forget();
+  }
 
   IntegratorMemory memory() const {
-    return {load_, current_, complete_, evaluations_, derivatives_, measurements_};
+    IntegratorMemory memory{load_,        current_,      complete_, evaluations_,
+                            derivatives_, measurements_, {}};
+    if constexpr (requires { forces_.memory(); }) memory.inner.push_back(forces_.memory());
+    return memory;
   }
   void take_over(const IntegratorMemory& memory) {
     load_ = memory.load;
     current_ = memory.current, complete_ = memory.complete;
     evaluations_ = memory.evaluations, derivatives_ = memory.derivatives;
     measurements_ = memory.measurements;
+    if constexpr (requires { forces_.take_over(memory); }) forces_.take_over(memory.inner.at(0));
   }
 
   const Scheme& scheme() const { return scheme_; }
@@ -119,31 +156,29 @@ class Integrator {
   std::uint64_t measurements() const { return measurements_; }      ///< for load() alone
 
  private:
+  static constexpr bool has_own_drift = requires(Forces & forces, State& state, double t) {
+    forces.drift(state, t);
+  };
+
   void evaluate(const State& state, Load& load, bool energies) {
-    if constexpr (requires { forces_.forces_alone(state, load); }) {
-      if (energies)
-        forces_(state, load);
-      else
-        forces_.forces_alone(state, load);
-      complete_ = energies;
-    } else {
+    complete_ = energies;
+    if (energies)
       forces_(state, load);
-      complete_ = true;
-    }
+    else
+      complete_ = forces_alone(forces_, state, load);
     current_ = true;
   }
 
   void play(const Stage& stage, State& state, double h, bool energies) {
     if (stage.flow == Flow::drift) {
-      drift(state, bodies_, stage.fraction * h, workers_);
+      if constexpr (has_own_drift)
+        forces_.drift(state, stage.fraction * h);
+      else
+        drift(state, bodies_, stage.fraction * h, workers_);
       current_ = false;
       return;
     }
-    if (!current_) {
-      evaluate(state, load_, energies);  // f, τ
-      ++evaluations_;
-    }
-    kick(state, load_, stage.fraction * h, workers_);
+    kick(state, forces(state, energies), stage.fraction * h, workers_);  // f, τ
     if constexpr (OffersDerivative<Forces>)
       if (stage.has(Gradient::exact)) exact_gradient_kick(stage, state, h);
     if (stage.has(Gradient::finite_difference)) finite_difference_kick(stage, state, h);

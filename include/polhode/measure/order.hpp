@@ -4,12 +4,13 @@
 
 #include <vector>
 
-#include "polhode/integrate/scheme.hpp"
+#include "polhode/integrate/nested_scheme.hpp"
 
 namespace polhode {
 
 /// One asymmetric body without symmetry of its sites in a smooth anharmonic field: the smallest
-/// scene that couples translation, rotation and all terms of the gradient kick.
+/// scene that couples translation, rotation and all terms of the gradient kick. The near forces of
+/// an inner scheme, whatever its cutoff, are the harmonic part of the field.
 struct OrderMeasurement {
   struct Point {
     double step;   ///< [ps]
@@ -20,6 +21,6 @@ struct OrderMeasurement {
   double uncertainty = 0;     ///< how much the order changed at the last halving
 };
 
-OrderMeasurement measured_order(const Scheme& scheme, double lambda = 1e-4);
+OrderMeasurement measured_order(const NestedScheme& scheme, double lambda = 1e-4);
 
 }  // namespace polhode

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "polhode/base/workers.hpp"
-#include "polhode/integrate/scheme.hpp"
+#include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/run/system.hpp"
 
 namespace polhode {
@@ -37,12 +37,17 @@ ForceNoise force_noise(const System& system, Workers& workers = Workers::serial(
 /// b/λ of another. Velocity Verlet: 1; HOA2: (2η)² + (1 − 2η)²; GIER4 with λ = 1: 5/9.
 double kick_weights(const Scheme& scheme, double lambda);
 
+/// The same with an inner scheme, whose n steps in a drift of a h have weights of a/n: the outer
+/// sum plus Σ a²/n times the inner one. Near forces are taken to be as noisy as all of them and
+/// slow ones too, though the two have the noise of near pairs in common: an upper estimate.
+double kick_weights(const NestedScheme& scheme, double lambda);
+
 /// The rms deviation of the total energy from its mean that rounding alone makes in a run
 /// [kJ/mol]. Every evaluation changes the energy by w h times a power of its own: a random walk of
 /// variance power² h Σw² after time 1, and a walk over t has the mean variance t/6 of that about
 /// its own mean (t/2 about its start, less t/3 for the mean). The energy's own noise comes on top:
 /// σ² = power² h t Σw²/6 + energy².
-double rounding_fluctuation(const ForceNoise& noise, const Scheme& scheme, double lambda,
+double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length);
 
 /// Below this many times what rounding alone makes, R is said to be at the floor of rounding: the

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/integrate/scheme.hpp"
+#include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/rounding.hpp"
@@ -35,13 +35,17 @@ struct StudyRun {
   double rounding = 0;     ///< R of rounding alone, estimated; 0 in double precision
   /// Means over the run of kinds of motion; nothing in records that do not know them.
   std::optional<Temperatures> parts;
+  double near_weight = 0;  ///< time of near forces over all forces; 0 without an inner scheme
 };
 
 /// A point of the figure: all runs of a scheme with one step.
 struct EfficiencyPoint {
   std::string scheme;
   double step = 0;  ///< [ps]
-  double cost = 0;  ///< force evaluations per ps
+  /// Force evaluations per ps; with an inner scheme those of all forces, and those of the near ones
+  /// by their weight.
+  double cost = 0;
+  double near_weight = 0;  ///< time of near forces over all forces, mean; 0 without an inner scheme
   int runs = 0;
   bool stable = true;      ///< no run blew up
   Estimate ratio;          ///< R with its standard error over the runs
@@ -60,8 +64,11 @@ struct EfficiencyPoint {
 /// The (scheme, step) pairs that a study measures.
 struct StudyPoint {
   std::string name;  ///< of the scheme, or its text, as the run file has it
-  Scheme scheme;
+  NestedScheme scheme;
   double step;  ///< [ps]
+  /// Force evaluations per ps.
+  /// @param near_weight  what one of the near forces counts
+  double cost(double near_weight) const;
 };
 std::vector<StudyPoint> study_points(const StudySettings& settings);
 

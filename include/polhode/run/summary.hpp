@@ -29,6 +29,7 @@ struct RunSummary {
   Temperatures temperatures;            ///< means over the run [K]
   Freedoms freedoms;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
+  std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if there are
   std::size_t list_rebuilds = 0;
   Timings timings;
   double ns_per_day = 0;

@@ -9,7 +9,7 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/integrator.hpp"
-#include "polhode/integrate/scheme.hpp"
+#include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/shadow.hpp"
 #include "polhode/run/system.hpp"
@@ -18,11 +18,12 @@ namespace polhode {
 
 struct TrajectorySettings {
   Scheme scheme;
-  double step = 0;           ///< [ps]
-  double length = 0;         ///< [ps]
-  double sample = 0;         ///< between energies [ps]; at least one step
-  double lambda = 1e-4;      ///< of finite-difference gradients
-  double shadow_sample = 0;  ///< between error brackets [ps], at some of the samples; 0: none
+  double step = 0;                     ///< [ps]
+  double length = 0;                   ///< [ps]
+  double sample = 0;                   ///< between energies [ps]; at least one step
+  double lambda = 1e-4;                ///< of finite-difference gradients
+  double shadow_sample = 0;            ///< between error brackets [ps], at some samples; 0: none
+  std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
@@ -34,11 +35,12 @@ struct TrajectorySettings {
 
 /// Seconds of wall-clock time by part.
 struct Timings {
-  double forces = 0;       ///< without the list
-  double list = 0;         ///< neighbour list: checks and rebuilds
+  double forces = 0;       ///< without the list; all of them
+  double list = 0;         ///< neighbour lists: checks and rebuilds
   double motion = 0;       ///< drifts and kicks
   double measurement = 0;  ///< energies, output
-  double all() const { return forces + list + motion + measurement; }
+  double near = 0;         ///< near forces of an inner scheme, without their list
+  double all() const { return forces + near + list + motion + measurement; }
 };
 
 /// Where a run stands between two steps: all that its rest depends on, to the last bit.
@@ -46,9 +48,9 @@ struct RunState {
   State state;
   std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has begun
   std::size_t steps = 0;
-  double start = 0;             ///< time of the state at step 0 [ps]
-  IntegratorMemory integrator;  ///< empty while equilibrating
-  ListMemory list;
+  double start = 0;                     ///< time of the state at step 0 [ps]
+  IntegratorMemory integrator;          ///< empty while equilibrating
+  ListMemory list, near_list;           ///< the second that of an inner scheme's near forces
   std::vector<ErrorBrackets> brackets;  ///< so far, of every samples_per_shadow()-th sample
   Timings timings;
 };
@@ -71,10 +73,12 @@ struct Trajectory {
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
   std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
-  std::uint64_t measurements = 0;       ///< force evaluations for energies alone
-  bool stopped = false;                 ///< by the watch
-  std::string failure;                  ///< why it blew up; empty if it did not
-  std::size_t list_rebuilds = 0;        ///< of the neighbour list, with those before the start
+  std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme
+  std::uint64_t near_derivatives = 0;
+  std::uint64_t measurements = 0;  ///< force evaluations for energies alone
+  bool stopped = false;            ///< by the watch
+  std::string failure;             ///< why it blew up; empty if it did not
+  std::size_t list_rebuilds = 0;   ///< of the neighbour list, with those before the start
   Timings timings;
 };
 

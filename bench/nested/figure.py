@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""The picture: R against cost for single and nested schemes, and R against the outer step; drawn by gnuplot."""
+
+import json
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import drawing  # noqa: E402
+
+# Okabe and Ito's colours, as in all figures here.
+SINGLE = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4": "#009E73"}
+NESTED = ["#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+
+
+def shown(points, most):
+    """Curves by scheme: the single ones, and of each pair of nested schemes the one cheapest at its middle R."""
+    own = {}
+    for p in points:
+        if p["stable"]:
+            own.setdefault(p["scheme"], []).append(p)
+    best = {}
+    for scheme, curve in own.items():
+        curve.sort(key=lambda p: p["step_fs"])
+        if "/" not in scheme:
+            continue
+        # The largest gain over an h² law stands for the whole curve.
+        worth = min(p["force_evaluations_per_ps"] * p["R"] ** 0.5 for p in curve)
+        pair = scheme.split(" x ")[0]
+        if pair not in best or worth < best[pair][0]:
+            best[pair] = (worth, scheme)
+    nested = [scheme for _, scheme in sorted(best.values())][:most]
+    return {s: own[s] for s in (*[s for s in SINGLE if s in own], *nested)}
+
+
+def script(result, image):
+    data, panels = [], []
+    for column, (law, of) in enumerate(result["laws"].items()):
+        for row, (x, label) in enumerate((("force_evaluations_per_ps", "cost  (force evaluations per ps)"),
+                                          ("step_fs", "outer step  (fs)"))):
+            plots = []
+            for k, (scheme, curve) in enumerate(shown(of["points"], len(NESTED)).items()):
+                colour = SINGLE.get(scheme) or NESTED[k - len(SINGLE)]
+                for usable in (True, False):
+                    name = f"$c{column}r{row}k{k}u{int(usable)}"
+                    chosen = "\n".join(f"{p[x]:g} {100 * p['R']:.5g}" for p in curve if usable or not p["usable"])
+                    if not chosen:
+                        continue
+                    data.append(f"{name} << EOD\n{chosen}\nEOD")
+                    style = (f'with linespoints pointtype {5 if "/" in scheme else 7} pointsize 0.6 linewidth 1.6 '
+                             f'linecolor "{colour}" title "{scheme if row == 0 else ""}"' if usable else
+                             f'with points pointtype 2 pointsize 1.4 linewidth 1.6 linecolor "{colour}" notitle')
+                    plots.append(f"{name} using 1:2 {style}")
+            panels.append(f'set lmargin at screen {0.08 + 0.5 * column}\nset rmargin at screen {0.49 + 0.5 * column}\n'
+                          f'set tmargin at screen {0.93 - 0.5 * row}\nset bmargin at screen {0.58 - 0.5 * row}\n'
+                          f'set xlabel "{label}" offset 0,0.4\n'
+                          + (f'set title "{law}"\nset logscale x\nset xtics (100, 150, 200, 300, 400, 600, 1000)\n'
+                             if row == 0 else "unset title\nunset logscale x\nset xtics autofreq\n")
+                          + f"plot {', '.join(plots)}")
+    width, height = 1100, 860
+    terminal = (f'svg size {width},{height} dynamic enhanced font "Helvetica,13"' if image.suffix != ".png" else
+                f'pngcairo size {width},{height} enhanced font "Helvetica,10"')
+    return "\n".join([
+        f"# Restyle this and run it again: gnuplot draws {image.name}.", "set encoding utf8", "set minussign",
+        f'set terminal {terminal} background "white"', f'set output "{image.name}"',
+        'set border 3 linewidth 1 linecolor "#404040"', 'set tics nomirror out scale 0.6 textcolor "#404040"',
+        'set grid linewidth 0.5 linecolor "#e4e4e4"',
+        'set key top right textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",9"',
+        "set logscale y", 'set ylabel "R  (%)" offset 1', "set yrange [0.02:20]", *data, "set multiplot", *panels,
+        "unset multiplot", ""])
+
+
+def draw(result, image):
+    """Writes the script beside the image and runs gnuplot on it."""
+    drawing.draw(script(result, image), image)
+
+
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+    draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

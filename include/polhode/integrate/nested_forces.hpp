@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Multiple time steps [tuckerman1992]: slow forces for an outer scheme, whose drifts are steps of
+// an inner scheme under the near forces.
+#pragma once
+
+#include "polhode/integrate/integrator.hpp"
+
+namespace polhode {
+
+/// A force model that is split, V = V_near + V_slow, for an outer Integrator: its forces are slow
+/// ones, all forces less the near ones, and its drift is e^{(A + B_near)t}, played by an inner
+/// Integrator. Where both meet at the same positions the near forces are evaluated once.
+/// @tparam Near  a part of the forces of Full, cheap and fast
+template <ForceModel Full, ForceModel Near>
+class NestedForces {
+ public:
+  /// @param inner   the scheme of near forces
+  /// @param steps   of the inner scheme in each drift
+  /// @param lambda  of finite differences in the inner scheme
+  NestedForces(const Scheme& inner, int steps, const Bodies& bodies, Full& full, Near& near,
+               double lambda = 1e-4, Workers& workers = Workers::serial())
+      : steps_(steps),
+        full_(full),
+        near_(near),
+        inner_(inner, bodies, near, lambda, workers),
+        part_(bodies.size()) {}
+
+  /// Slow forces and torques; the energies and the virial are those of all forces.
+  void operator()(const State& state, Load& load) {
+    full_(state, load);
+    take_near(state, load);
+  }
+  /// Slow forces and torques alone.
+  void forces_alone(const State& state, Load& load) {
+    polhode::forces_alone(full_, state, load);
+    take_near(state, load);
+  }
+  /// The derivative of slow forces and torques: that of all forces less that of the near ones.
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& derivative) requires OffersDerivative<Full> &&
+      OffersDerivative<Near> {
+    full_.directional_derivative(state, dq, dtheta, derivative);
+    near_.directional_derivative(state, dq, dtheta, part_);
+    ++outer_derivatives_;
+    subtract(derivative, part_);
+  }
+
+  /// Says which state is the one that drifts move, where its forces may be asked for before the
+  /// first drift: as after take_over().
+  void moves(const State& state) { moved_ = &state; }
+
+  /// e^{(A + B_near)t}, to the order of the inner scheme.
+  void drift(State& state, double t) {
+    moves(state);
+    inner_.advance(state, t / steps_, static_cast<std::size_t>(steps_), false);
+  }
+
+  void forget() { inner_.forget(); }
+
+  IntegratorMemory memory() const {
+    IntegratorMemory memory = inner_.memory();
+    memory.evaluations = near_evaluations();
+    memory.derivatives = near_derivatives();
+    return memory;
+  }
+  void take_over(const IntegratorMemory& memory) {
+    inner_.take_over(memory);
+    elsewhere_ = outer_derivatives_ = 0;
+  }
+
+  std::uint64_t near_evaluations() const { return inner_.force_evaluations() + elsewhere_; }
+  std::uint64_t near_derivatives() const { return inner_.derivatives() + outer_derivatives_; }
+
+ private:
+  void take_near(const State& state, Load& load) { subtract(load, near_load(state)); }
+
+  static void subtract(Load& all, const Load& part) {
+    const auto less = [](Column<double>& a, const Column<double>& b) {
+      for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
+    };
+    for (const auto axis : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {
+      less(all.f.*axis, part.f.*axis);
+      less(all.tau.*axis, part.tau.*axis);
+    }
+  }
+
+  /// Of the state that is moved: those of the inner scheme. A finite difference asks for displaced
+  /// positions too, which the inner scheme must not take for its own.
+  const Load& near_load(const State& state) {
+    if (&state == moved_) return inner_.forces(state);
+    polhode::forces_alone(near_, state, part_);
+    ++elsewhere_;
+    return part_;
+  }
+
+  int steps_;
+  Full& full_;
+  Near& near_;
+  Integrator<Near> inner_;
+  Load part_;  // of the near forces, where the inner scheme has none
+  const State* moved_ = nullptr;
+  std::uint64_t elsewhere_ = 0, outer_derivatives_ = 0;
+};
+
+}  // namespace polhode

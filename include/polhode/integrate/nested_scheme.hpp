@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Multiple time steps as data: a scheme whose drifts are steps of another scheme.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+/// What stands in each drift of an outer scheme: steps of a scheme of its own, under the near part
+/// of the forces.
+struct InnerScheme {
+  Scheme scheme;
+  int steps = 1;           ///< in each drift of the outer scheme
+  double switch_from = 0;  ///< distance of molecules where near forces begin to fade [nm]
+  double cutoff = 0;       ///< where they have ended [nm]
+};
+
+/// A scheme, and perhaps one within it. Where there is one the outer kicks are those of the slow
+/// part of the forces.
+struct NestedScheme {
+  Scheme outer;
+  std::optional<InnerScheme> inner;
+
+  NestedScheme(const Scheme& scheme, std::optional<InnerScheme> within = {})
+      : outer(scheme), inner(within) {}
+
+  /// That of the coarser of both; 0 if one of them is unknown.
+  int order() const {
+    return inner ? std::min(outer.order(), inner->scheme.order()) : outer.order();
+  }
+
+  bool has(Gradient gradient) const {
+    return outer.has(gradient) || (inner && inner->scheme.has(gradient));
+  }
+
+  /// Evaluations of the near forces in a step of the outer scheme, which has force_evaluations() of
+  /// the whole ones beside. Outer and inner kicks at the same positions share one; the displaced
+  /// positions of a finite difference have one of their own.
+  int near_evaluations() const {
+    if (!inner) return 0;
+    const auto within = inner->scheme.stages();
+    const bool shared = !is_drift(within.front()) || !is_drift(within.back());
+    const int displaced = outer.gradient_kicks() - outer.derivatives();
+    return inner_steps() * inner->scheme.force_evaluations() +
+           (shared ? displaced : outer.force_evaluations());
+  }
+  /// Evaluations of the derivative of the near forces in a step of the outer scheme: one for each
+  /// exact gradient kick of either.
+  int near_derivatives() const {
+    return inner ? inner_steps() * inner->scheme.derivatives() + outer.derivatives() : 0;
+  }
+  /// Both together, in evaluations of the near forces.
+  double near_cost() const { return near_evaluations() + derivative_cost * near_derivatives(); }
+
+ private:
+  static bool is_drift(const Stage& stage) { return stage.flow == Flow::drift; }
+  /// In a step of the outer scheme.
+  int inner_steps() const {
+    const auto stages = outer.stages();
+    return inner->steps * static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));
+  }
+};
+
+}  // namespace polhode

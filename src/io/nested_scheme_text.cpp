@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/nested_scheme_text.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <regex>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int most_steps = 1000;
+
+/// Where the outer scheme ends: a slash that is not that of a fraction.
+std::size_t slash(std::string_view text) {
+  int open = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    open += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (text[i] == '/' && open == 0) return i;
+  }
+  return std::string_view::npos;
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\n"), last = text.find_last_not_of(" \t\n");
+  return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
+}
+
+int steps_of(const std::string& text) {
+  int steps = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
+  if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > most_steps)
+    throw Error(
+        fmt::format("{} steps of an inner scheme must be a whole number from 1 to {}, the "
+                    "inner steps in each drift of the outer scheme",
+                    text, most_steps));
+  return steps;
+}
+
+InnerScheme inner_scheme_of(const std::string& text) {
+  static const std::regex form(
+      R"((.+?)\s+x\s+(\S+)\s+within\s+(?:(\S+)\s+to\s+)?([-+.\deE]+)\s*([^-+.\d\s]\S*))");
+  std::smatch part;
+  if (!std::regex_match(text, part, form))
+    throw Error(
+        fmt::format("inner scheme '{}' must say its steps and how far near forces reach; it "
+                    "reads like \"hoa2 x 2 within 0.35 to 0.5 nm\"",
+                    text));
+  const auto length = [&](const std::string& number) {
+    return quantity(number + " " + part[5].str(), Dimension::length, "the reach of near forces",
+                    "0.5 nm");
+  };
+  InnerScheme inner{scheme_of(part[1].str()), steps_of(part[2].str())};
+  inner.cutoff = length(part[4].str());
+  inner.switch_from = part[3].matched ? length(part[3].str()) : default_near_switch * inner.cutoff;
+  if (!(inner.switch_from > 0) || !(inner.switch_from < inner.cutoff))
+    throw Error(
+        fmt::format("near forces that fade from {:g} to {:g} nm must begin beyond 0 nm and "
+                    "end farther out, or the slow forces have a kink; write for example "
+                    "\"within 0.35 to 0.5 nm\"",
+                    inner.switch_from, inner.cutoff));
+  return inner;
+}
+
+std::string joined(const std::string& outer, const std::string& inner, int steps,
+                   const std::string& from, const std::string& cutoff) {
+  return fmt::format("{} / {} x {} within {} to {} nm", outer, inner, steps, from, cutoff);
+}
+
+}  // namespace
+
+NestedScheme nested_scheme_of(std::string_view text) {
+  const std::size_t at = slash(text);
+  if (at == std::string_view::npos) return scheme_of(text);
+  return {scheme_of(trimmed(text.substr(0, at))), inner_scheme_of(trimmed(text.substr(at + 1)))};
+}
+
+Scheme single_scheme_of(std::string_view text) {
+  const NestedScheme scheme = nested_scheme_of(text);
+  if (scheme.inner)
+    throw Error(
+        fmt::format("scheme '{}' has another one in its drifts, but error brackets and advice are "
+                    "known for single schemes alone; name one of those, as hoa2",
+                    text));
+  return scheme.outer;
+}
+
+std::string name_of(const NestedScheme& scheme) {
+  const auto name = [](const Scheme& s) {
+    return s.source().empty() ? text_of(s) : std::string(s.name());
+  };
+  if (!scheme.inner) return std::string(scheme.outer.name());
+  const InnerScheme& inner = *scheme.inner;
+  return joined(name(scheme.outer), name(inner.scheme), inner.steps,
+                fmt::format("{:g}", inner.switch_from), fmt::format("{:g}", inner.cutoff));
+}
+
+std::string text_of(const NestedScheme& scheme) {
+  if (!scheme.inner) return text_of(scheme.outer);
+  const InnerScheme& inner = *scheme.inner;
+  return joined(text_of(scheme.outer), text_of(inner.scheme), inner.steps,
+                fmt::format("{}", inner.switch_from), fmt::format("{}", inner.cutoff));
+}
+
+}  // namespace polhode
