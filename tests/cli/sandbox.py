@@ -3,6 +3,7 @@
 
 import argparse
 import os
+import random
 import subprocess
 import tempfile
 import unittest
@@ -66,6 +67,24 @@ class Sandbox(unittest.TestCase):
                 process.kill()
                 raise
         return process
+
+    def kill_at_random_moments(self, times, within, *arguments):
+        """`polhode ARGUMENTS` is killed after up to `within` seconds, so many times; a run that ends first begins anew."""
+        for _ in range(50 * times):
+            process = self.start(*arguments)
+            try:
+                process.communicate(timeout=random.uniform(0, within))
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.communicate()
+                times -= 1
+                if times == 0:
+                    return
+            else:
+                self.assertEqual(process.returncode, 0)
+                for path in self.folder.glob("out*"):
+                    path.unlink()
+        self.fail("it always ended before it was killed")
 
     def done(self, verb, text, *options):
         """`polhode VERB run.toml OPTIONS` with that text as run file, which must succeed."""

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 // H5MD files (debuyl2014), written so that they can be read meanwhile and that a killed program
 // leaves them whole.
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -13,6 +11,7 @@
 #include "format.hpp"
 #include "hdf5.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/disk.hpp"
 
 namespace polhode {
 namespace {
@@ -59,10 +58,7 @@ class H5mdWriter : public FrameWriter {
   }
   FileMark mark() override {
     checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
-    const int descriptor = ::open(path_.c_str(), O_WRONLY | O_CLOEXEC);
-    const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
-    if (descriptor >= 0) ::close(descriptor);
-    if (!synced) refuse();
+    sync_file(path_);
     return {frames_, 0};
   }
 
@@ -92,15 +88,32 @@ class H5mdWriter : public FrameWriter {
     return access;
   }
 
-  // A program that was killed leaves the file marked as being written.
+  // A program that was killed leaves a file that can be read, as at any moment of its life, but not
+  // one that can be changed: room may be in use that its head does not know. So the run goes on in
+  // a copy, which takes its place at once.
   void reopen(std::uint64_t frames) {
-    const Handle access = access_properties();
-    const hbool_t clear = true;
-    H5Pset(access, "clear_status_flags", &clear);
-    file_ = {H5Fopen(path_.c_str(), H5F_ACC_RDWR, access), H5Fclose};
-    if (!file_.is_open())
-      throw Error(fmt::format(
-          "there is no H5MD file '{}' to go on with; bring it back or start anew", path_));
+    const std::string part = path_ + ".part";
+    try {
+      {
+        const Handle file = made(
+            H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_properties()), H5Fclose);
+        copy_all(opened(), file);
+      }
+      file_ = made(H5Fopen(part.c_str(), H5F_ACC_RDWR, access_properties()), H5Fclose);
+      take_all_series(frames);
+      start();
+      checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+      sync_file(part);
+      std::filesystem::rename(part, path_);
+      sync_folder(path_);
+    } catch (...) {
+      std::error_code ignored;
+      std::filesystem::remove(part, ignored);
+      throw;
+    }
+  }
+
+  void take_all_series(std::uint64_t frames) {
     for (const char* name : names_of_series)
       if (hdf5::has(file_, value_path(name))) take_series(name, frames);
     if (hdf5::has(file_, "observables")) {
@@ -113,7 +126,25 @@ class H5mdWriter : public FrameWriter {
                       "run wrote, or start anew",
                       path_));
     frames_ = frames;
-    start();
+  }
+
+  Handle opened() const {
+    Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
+    if (!file.is_open())
+      throw Error(fmt::format(
+          "there is no H5MD file '{}' to go on with; bring it back or start anew", path_));
+    return file;
+  }
+
+  // In one go, so that what has several names stays one thing.
+  void copy_all(hid_t from, hid_t to) const {
+    checked(H5Ocopy(from, "/", to, "all", H5P_DEFAULT, H5P_DEFAULT));
+    {
+      const Handle all = hdf5::group(to, "all");
+      for (const std::string& name : links(all))
+        checked(H5Lmove(all, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+    }
+    checked(H5Ldelete(to, "all", H5P_DEFAULT));
   }
 
   static std::vector<std::string> links(hid_t group) {
