@@ -21,7 +21,7 @@ import numpy as np
 from files import of_file, off, provenance, read, rounded, write
 from scenes import COULOMB, Scene
 
-CASES = ["tip4p", "mixture", "nacl-spce", "co2", "benzene", "na-spce"]
+CASES = ["tip4p", "mixture", "nacl-spce", "co2", "benzene"]
 
 # Where charges are cut off, of the cutoff; erfc there; spacing of the mesh [nm], order of its splines.
 MESH = {"reach": 1.0, "ewald-rtol": 1e-16, "fourierspacing": 0.02, "pme-order": 12}
@@ -82,8 +82,7 @@ def gromacs_run(scene, options, engine_coulomb):
         (at / "in.mdp").write_text(options)
         (at / "in.top").write_text(topology(scene, engine_coulomb))
         (at / "in.gro").write_text(coordinates(scene))
-        gmx(folder, "grompp", "-f", "in.mdp", "-c", "in.gro", "-p", "in.top", "-o", "run.tpr",
-            "-maxwarn", "1")  # that a system is charged
+        gmx(folder, "grompp", "-f", "in.mdp", "-c", "in.gro", "-p", "in.top", "-o", "run.tpr")
         gmx(folder, "mdrun", "-s", "run.tpr", "-deffnm", "run", "-ntmpi", "1", "-ntomp", "1")
         terms = ["LJ-(SR)", "Coulomb-(SR)", "Coul.-recip."]
         terms += [f"Vir-{a}{b}" for a in "XYZ" for b in "XYZ"]
