@@ -22,7 +22,7 @@ LAWS = {"cutoff": 'cutoff = "1.0 nm"',
         "pme": 'cutoff = "0.9 nm"\nelectrostatics = "pme"\naccuracy = 1e-3'}
 SINGLE = {"velocity-verlet": (1, 1.5, 2, 2.5, 3), "hoa2": (2, 3, 4, 5, 6, 7), "gier4": (4, 5, 6, 7)}
 # Outer scheme, inner scheme, outer steps [fs] for each number of inner steps in a drift.
-NESTED = [("velocity-verlet", "hoa2", {1: (3, 4, 5, 6), 2: (3, 4, 5, 6, 8)}),
+NESTED = [("velocity-verlet", "hoa2", {1: (3, 4, 5, 6), 2: (3, 4, 5, 6, 8), 4: (8, 10, 12, 14, 16, 18)}),
           ("velocity-verlet", "gier4", {1: (3, 4, 5, 6)}),
           ("hoa2", "hoa2", {1: (6, 8, 10), 2: (6, 8, 10, 12)}),
           ("hoa2", "gier4", {1: (6, 8, 10), 2: (8, 10, 12)}),
