@@ -60,6 +60,7 @@ struct Peer {
   }
 
   double energy(const char* term) const { return result["energy"][term]; }
+
   /// The Lennard-Jones load, beside which the charges' can be put.
   Load neutral() const {
     Load load;
