@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Configurational temperatures: what forces and their derivative alone tell of the temperature
-// (docs/theory.md, "Configurational temperatures").
+// (docs/theory.md, "Equipartition").
 #pragma once
 
 #include <array>
