@@ -230,8 +230,8 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     if (watch.sample) watch.sample(result.steps, system.state, now);
-    const auto due = [&](double interval) {
-      return interval > 0 && result.samples.size() % settings.samples_per(interval) == 0;
+    const auto due = [&](double every) {
+      return every > 0 && result.samples.size() % settings.samples_per(every) == 0;
     };
     if (due(settings.configurational_sample))
       result.configurational.push_back(configurational_sample(

@@ -74,7 +74,7 @@ TEST_CASE("the curvature of each motion is the second derivative of V along it")
       CAPTURE(k);
       const Estimate estimate = mean(drawn[k]);
       CHECK(std::abs(estimate.value - exact[k]) < 5 * estimate.error + 1e-4 * std::abs(exact[k]));
-      CHECK(estimate.error < 0.05 * std::abs(exact[k]));
+      CHECK(estimate.error < 0.1 * std::abs(exact[k]));
       for (std::size_t other = 0; other < k; ++other)
         CHECK(std::abs(exact[k] - exact[other]) > 10 * estimate.error);
     }
@@ -134,7 +134,7 @@ TEST_CASE("in the canonical ensemble every configurational temperature is its te
   ForceField forces(scene.topology, {.cutoff = 0.5, .switch_from = 0.35, .skin = 0.02},
                     scene.state.box);
   std::vector<ConfigurationalSample> samples;
-  const double taken = sampled(scene, forces, T, 4000, [&](const Load& load) {
+  const double taken = sampled(scene, forces, T, 2000, [&](const Load& load) {
     samples.push_back(
         configurational_sample(scene.state, scene.bodies, load, forces, Random(5, samples.size())));
   });
