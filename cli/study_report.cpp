@@ -233,7 +233,7 @@ void print_equipartition(const StudyReport& report) {
       [](const EfficiencyPoint& p) -> const auto& { return p.excess; },
       [](const EquipartitionFit& fit) -> const auto& { return fit.axes; });
   print_excesses<4>(
-      report, "configurational temperature of each motion less the kinetic one of all",
+      report, "configurational temperature of each motion less its kinetic one",
       {"translation", "axis 1", "axis 2", "axis 3"},
       [](const EfficiencyPoint& p) -> const auto& { return p.configurational_excess; },
       [](const EquipartitionFit& fit) -> const auto& { return fit.configurational; });

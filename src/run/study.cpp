@@ -222,8 +222,9 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     for (std::size_t k = 0; k < e.configurational_excess.size(); ++k) {
       std::vector<double> excess;
       for (const StudyRun& run : own)
-        if (run.stable && run.configurational && (*run.configurational)[k] != 0)
-          excess.push_back((*run.configurational)[k] - run.temperature);
+        if (run.stable && run.configurational && run.parts && (*run.configurational)[k] != 0)
+          excess.push_back((*run.configurational)[k] -
+                           (k == 0 ? run.parts->translation : run.parts->rotation[k - 1]));
       if (excess.size() > 1) e.configurational_excess[k] = mean(excess);
     }
     if (!ratios.empty()) {

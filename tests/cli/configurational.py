@@ -48,7 +48,7 @@ class Configurational(Sandbox):
         self.refused((*STUDY, "--configurational-sample", "10 fs"), ["another study", "--force"])
         process = self.polhode(*STUDY, "--configurational-sample", "10 fs", "--steps", "1 fs", "2 fs", "--force")
         self.assertEqual(process.returncode, 0, process.err)
-        self.assertIn("configurational temperature of each motion less the kinetic one of all", process.out)
+        self.assertIn("configurational temperature of each motion less its kinetic one", process.out)
         self.assertEqual(process.out.count("0, k = 2"), 2)  # and what is left of both without a step
         point = self.point()
         for excess in point["configurational_excess_K"]:

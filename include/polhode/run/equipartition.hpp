@@ -13,9 +13,9 @@
 namespace polhode {
 
 /// Fits differences of temperatures, a + b hᵏ, over the usable steps of one scheme: of rotation
-/// about each principal axis less translation, and of configurational temperatures less the kinetic
-/// one. Without a step all are equal, so a measures what else is wrong: starts out of equilibrium,
-/// chance.
+/// about each principal axis less translation, and of the configurational temperature of each
+/// motion less its kinetic one. Without a step all are equal, so a measures what else is wrong:
+/// starts out of equilibrium, chance.
 struct EquipartitionFit {
   std::string scheme;
   int order = 2;                            ///< k, of the scheme; 2 where it is unknown

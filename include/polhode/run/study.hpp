@@ -59,7 +59,7 @@ struct EfficiencyPoint {
   /// T of rotation about each principal axis less that of translation, over the runs that know
   /// them [K]; nothing without such freedoms.
   std::array<std::optional<Estimate>, 3> excess;
-  /// Configurational temperatures less the kinetic one of all freedoms, likewise [K].
+  /// Configurational temperature of each motion less its kinetic one, likewise [K].
   ByMotion<std::optional<Estimate>> configurational_excess;
   /// No run blew up, and the drift is not significant.
   bool usable() const { return stable && drift.chance >= significance; }
