@@ -51,10 +51,10 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
                                                  : "-");
   fmt::print(" K");
   if (std::any_of(s.configurational.begin(), s.configurational.end(),
-                  [](const auto& t) { return t.has_value(); })) {
+                  [](const auto& known) { return known.has_value(); })) {
     const auto text = [&](std::size_t k) {
-      const auto& t = s.configurational[k];
-      return t ? fmt::format("{:.2f} ± {:.2g}", t->value, t->error) : "-";
+      const auto& known = s.configurational[k];
+      return known ? fmt::format("{:.2f} ± {:.2g}", known->value, known->error) : "-";
     };
     fmt::print("\nconfigurational       translation {}, rotation {}, {}, {} K", text(0), text(1),
                text(2), text(3));
@@ -141,9 +141,10 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
                         {"drift_significant", s.shadow->drift.chance < significance},
                         {"times_sooner", s.shadow->sooner}};
   if (s.configurational[0])
-    for (const auto& t : s.configurational)
+    for (const auto& known : s.configurational)
       report["temperature_configurational_K"].push_back(
-          t ? nlohmann::json{{"value", t->value}, {"error", t->error}} : nlohmann::json());
+          known ? nlohmann::json{{"value", known->value}, {"error", known->error}}
+                : nlohmann::json());
   report["promise"] = kept ? as_json(*kept) : nlohmann::json();
   fmt::print("{}\n", report.dump(2));
 }
