@@ -70,7 +70,9 @@ TrajectorySettings trajectory_settings(const Config& config) {
                                     .sample = config.run.sample,
                                     .lambda = config.integrator.lambda,
                                     .shadow_sample = config.run.shadow_sample,
-                                    .inner = scheme.inner};
+                                    .inner = scheme.inner,
+                                    .configurational_sample = config.run.configurational_sample,
+                                    .seed = config.system.seed};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",

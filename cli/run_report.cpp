@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "polhode/io/nested_scheme_text.hpp"
@@ -48,8 +49,18 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
   for (std::size_t k = 0; k < 3; ++k)
     fmt::print(" {}", s.freedoms.rotation[k] > 0 ? fmt::format("{:.2f}", s.temperatures.rotation[k])
                                                  : "-");
+  fmt::print(" K");
+  if (std::any_of(s.configurational.begin(), s.configurational.end(),
+                  [](const auto& known) { return known.has_value(); })) {
+    const auto text = [&](std::size_t k) {
+      const auto& known = s.configurational[k];
+      return known ? fmt::format("{:.2f} ± {:.2g}", known->value, known->error) : "-";
+    };
+    fmt::print("\nconfigurational       translation {}, rotation {}, {}, {} K", text(0), text(1),
+               text(2), text(3));
+  }
   const Freedoms& n = s.freedoms;
-  fmt::print(" K\nfreedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
+  fmt::print("\nfreedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
              n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
   fmt::print("\npressure              {:.0f} ± {:.0f} bar", in_bar(s.pressure.value),
              in_bar(s.pressure.error));
@@ -129,6 +140,11 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
                         {"drift_chance", s.shadow->drift.chance},
                         {"drift_significant", s.shadow->drift.chance < significance},
                         {"times_sooner", s.shadow->sooner}};
+  if (s.configurational[0])
+    for (const auto& known : s.configurational)
+      report["temperature_configurational_K"].push_back(
+          known ? nlohmann::json{{"value", known->value}, {"error", known->error}}
+                : nlohmann::json());
   report["promise"] = kept ? as_json(*kept) : nlohmann::json();
   fmt::print("{}\n", report.dump(2));
 }

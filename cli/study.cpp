@@ -27,7 +27,7 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, output = "study", length, decorrelate, threads, precision;
+  std::string file, output = "study", length, decorrelate, threads, precision, configurational;
   std::vector<std::string> schemes, steps;
   int runs = 0;
   bool quick = false, force = false, json = false;
@@ -56,6 +56,8 @@ Config configured(const Options& o) {
   if (o.runs != 0) study.runs = o.runs;
   if (!o.length.empty()) study.length = positive_time(o.length, "--length");
   if (!o.decorrelate.empty()) study.decorrelate = positive_time(o.decorrelate, "--decorrelate");
+  if (!o.configurational.empty())
+    study.configurational_sample = positive_time(o.configurational, "--configurational-sample");
   return config;
 }
 
@@ -130,6 +132,8 @@ Action study_verb(CLI::App& app) {
   app.add_option("--runs", o->runs, "independent runs at each point")->check(CLI::Range(2, 1000));
   app.add_option("--length", o->length, "of each run: \"15 ps\"");
   app.add_option("--decorrelate", o->decorrelate, "preparation of each start: \"10 ps\"");
+  app.add_option("--configurational-sample", o->configurational,
+                 "between configurational temperatures: \"20 fs\"; without it: none");
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_option("--precision", o->precision,
                  "of the pairs, instead of the run file's: double or mixed");

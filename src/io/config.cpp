@@ -351,6 +351,12 @@ void read_integrator(TomlTable table, IntegratorSettings& integrator) {
   table.refuse_unknown();
 }
 
+void take_configurational_sample(TomlTable& table, double& interval) {
+  take_time(table, "configurational_sample", interval, "20 fs");
+  table.require(interval >= 0, "configurational_sample",
+                "must be 0 fs or longer; 0 fs measures no configurational temperature");
+}
+
 void read_run(TomlTable table, RunSettings& run) {
   take_time(table, "equilibrate", run.equilibrate, "5 ps");
   table.require(run.equilibrate >= 0, "equilibrate", "must be 0 ps or longer");
@@ -361,6 +367,7 @@ void read_run(TomlTable table, RunSettings& run) {
   take_time(table, "shadow_sample", run.shadow_sample, "100 fs");
   table.require(run.shadow_sample >= 0, "shadow_sample",
                 "must be 0 fs or longer; 0 fs measures no shadow energy");
+  take_configurational_sample(table, run.configurational_sample);
   table.refuse_unknown();
 }
 
@@ -403,6 +410,7 @@ void read_study(TomlTable table, StudySettings& study) {
   table.require(study.length > 0, "length", "must be longer than 0 ps");
   take_time(table, "decorrelate", study.decorrelate, "2 ps");
   table.require(study.decorrelate >= 0, "decorrelate", "must be 0 ps or longer");
+  take_configurational_sample(table, study.configurational_sample);
   table.refuse_unknown();
 }
 

@@ -2,18 +2,12 @@
 #include "polhode/measure/shadow.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <vector>
 
-namespace polhode {
+#include "polhode/measure/squared_force.hpp"
 
-double squared_force(const State& state, const Bodies& bodies, const Load& load) {
-  double sum = 0;
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    const Vec3<double> tau = to_body(state.attitude[i], load.tau[i]);
-    sum += bodies.inverse_m[i] * norm2(load.f[i]) + dot(tau, scaled(bodies.inverse_J[i], tau));
-  }
-  return sum;
-}
+namespace polhode {
 
 ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Load& load,
                              ForceField& forces) {
@@ -24,7 +18,8 @@ ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Loa
   }
   Load slope;
   forces.directional_derivative(state, v, omega, slope);
-  ErrorBrackets brackets{0, squared_force(state, bodies, load)};
+  const ByMotion<double> squares = squared_force(state, bodies, load);
+  ErrorBrackets brackets{0, std::accumulate(squares.begin(), squares.end(), 0.0)};
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Quaternion<double> a = state.attitude[i];
     const Vec3<double> acceleration =  // of a free body: J⁻¹ (L × ω)

@@ -87,6 +87,10 @@ void run_state(Archive& archive, Of& at) {
     counter(archive, neighbours->rebuilds);
   }
   list(archive, at.brackets, [&](auto& b) { archive(b.second_derivative), archive(b.W); });
+  list(archive, at.configurational, [&](auto& sample) {
+    for (auto& x : sample.squared_force) archive(x);
+    for (auto& x : sample.curvature) archive(x);
+  });
   for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
                      &at.timings.measurement, &at.timings.near})
     archive(*part);
@@ -134,10 +138,10 @@ Checkpoint of_this_run(const std::string& path, const std::string& identity, con
 }  // namespace
 
 std::string run_identity(const Config& config, const System& system) {
-  std::string all =
-      identity(config, system,
-               {config.integrator.step, config.run.equilibrate, config.run.sample,
-                config.run.shadow_sample, config.output.trajectory_every, config.forces.skin});
+  std::string all = identity(
+      config, system,
+      {config.integrator.step, config.run.equilibrate, config.run.sample, config.run.shadow_sample,
+       config.run.configurational_sample, config.output.trajectory_every, config.forces.skin});
   all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
   if (config.output.trajectory_every > 0)
     for (const std::string& format : config.output.formats) all += ' ' + format;

@@ -7,21 +7,33 @@
 
 namespace polhode {
 
+namespace {
+
+/// @param excess  the difference of temperatures at a point
+std::optional<Line> limit(const Curve& curve, int order, const auto& excess) {
+  std::vector<double> x;
+  std::vector<Estimate> y;
+  for (std::size_t i = 0; i < curve.usable; ++i)
+    if (const std::optional<Estimate>& known = excess(curve.points[i]); known && known->error > 0) {
+      x.push_back(std::pow(curve.points[i].step, order));
+      y.push_back(*known);
+    }
+  if (x.size() < 2) return std::nullopt;
+  return weighted_line(x, y);
+}
+
+}  // namespace
+
 std::vector<EquipartitionFit> equipartition(const std::vector<Curve>& curves) {
   std::vector<EquipartitionFit> fits;
   for (const Curve& curve : curves) {
-    EquipartitionFit fit{.scheme = curve.scheme, .axes = {}};
+    EquipartitionFit fit{.scheme = curve.scheme, .axes = {}, .configurational = {}};
     if (const int order = nested_scheme_of(curve.scheme).order(); order > 0) fit.order = order;
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<double> x;
-      std::vector<Estimate> y;
-      for (std::size_t i = 0; i < curve.usable; ++i)
-        if (const auto& excess = curve.points[i].excess[k]; excess && excess->error > 0) {
-          x.push_back(std::pow(curve.points[i].step, fit.order));
-          y.push_back(*excess);
-        }
-      if (x.size() > 1) fit.axes[k] = weighted_line(x, y);
-    }
+    for (std::size_t k = 0; k < fit.axes.size(); ++k)
+      fit.axes[k] = limit(curve, fit.order, [k](const auto& point) { return point.excess[k]; });
+    for (std::size_t k = 0; k < fit.configurational.size(); ++k)
+      fit.configurational[k] = limit(
+          curve, fit.order, [k](const auto& point) { return point.configurational_excess[k]; });
     fits.push_back(fit);
   }
   return fits;

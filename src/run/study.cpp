@@ -41,10 +41,17 @@ constexpr double typical_near_weight = 0.3;
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 
-StudyRun one_run(const System& start, int index, const StudyPoint& point, const Config& config,
-                 double near_weight, const StudyProgress& progress) {
-  StudyRun run{
-      .scheme = point.name, .step = point.step, .start = index, .near_weight = near_weight};
+/// Of what is random in one of the starts.
+std::uint64_t start_seed(const Config& config, std::size_t index) {
+  return config.system.seed + 1 + index;
+}
+
+StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point,
+                 const Config& config, double near_weight, const StudyProgress& progress) {
+  StudyRun run{.scheme = point.name,
+               .step = point.step,
+               .start = static_cast<int>(index),
+               .near_weight = near_weight};
   System system = start;
   ForceField forces(system.topology, system.forces, system.state.box);
   const Trajectory t = trajectory(system, forces,
@@ -53,7 +60,9 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
                                    .length = config.study.length,
                                    .sample = longest_sample,
                                    .lambda = config.integrator.lambda,
-                                   .inner = point.scheme.inner},
+                                   .inner = point.scheme.inner,
+                                   .configurational_sample = config.study.configurational_sample,
+                                   .seed = start_seed(config, index)},
                                   {nullptr, progress.stop});
   run.stable = t.failure.empty();
   if (!run.stable) return run;
@@ -68,6 +77,12 @@ StudyRun one_run(const System& start, int index, const StudyPoint& point, const 
   run.potential = fluctuation(potential);
   run.parts = mean_temperatures(t.samples, freedoms(system.topology));
   run.temperature = run.parts->all;
+  if (!t.configurational.empty()) {
+    run.configurational.emplace();
+    const auto temperatures = configurational_temperatures(t.configurational);
+    for (std::size_t k = 0; k < temperatures.size(); ++k)
+      (*run.configurational)[k] = temperatures[k].value_or(Estimate{}).value;
+  }
   if (run.potential > 0)
     run.rounding = rounding_fluctuation(force_noise(start), point.scheme, config.integrator.lambda,
                                         point.step, config.study.length) /
@@ -95,7 +110,7 @@ double StudyPoint::cost(double near_weight) const {
 System decorrelated_start(const System& base, const Config& config, std::size_t index,
                           double length, const std::function<bool()>& stop) {
   System start = base;
-  draw_momenta(start, config.system.seed + 1 + index);
+  draw_momenta(start, start_seed(config, index));
   ForceField forces(start.topology, start.forces, start.state.box);
   equilibrate(start, forces, length, {nullptr, stop});
   return start;
@@ -157,8 +172,9 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   workers.each(jobs.size(), [&](std::size_t k) {
     if (stopped()) return;
     const Job& job = jobs[k];
-    const StudyRun run = one_run(starts[static_cast<std::size_t>(job.start)], job.start, job.point,
-                                 config, near_weights.at(job.point.name), progress);
+    const auto start = static_cast<std::size_t>(job.start);
+    const StudyRun run =
+        one_run(starts[start], start, job.point, config, near_weights.at(job.point.name), progress);
     if (stopped()) return;  // it may have been cut short
     {
       const std::lock_guard lock(guard);
@@ -202,6 +218,14 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
         if (run.stable && run.parts && run.parts->rotation[k] > 0)
           excess.push_back(run.parts->rotation[k] - run.parts->translation);
       if (excess.size() > 1) e.excess[k] = mean(excess);
+    }
+    for (std::size_t k = 0; k < e.configurational_excess.size(); ++k) {
+      std::vector<double> excess;
+      for (const StudyRun& run : own)
+        if (run.stable && run.configurational && run.parts && (*run.configurational)[k] != 0)
+          excess.push_back((*run.configurational)[k] -
+                           (k == 0 ? run.parts->translation : run.parts->rotation[k - 1]));
+      if (excess.size() > 1) e.configurational_excess[k] = mean(excess);
     }
     if (!ratios.empty()) {
       e.ratio = mean(ratios);

@@ -19,10 +19,13 @@ namespace {
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
     "rms potential [kJ/mol];temperature [K];R of rounding;"
-    "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K];weight of near forces";
+    "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K];weight of near forces;"
+    "configurational translation [K];configurational rotation 1 [K];"
+    "configurational rotation 2 [K];configurational rotation 3 [K]";
 /// Columns of records: without rounding, without the temperatures of parts, without the weight of
-/// near forces, and whole.
-constexpr std::size_t first_fields = 9, second_fields = 10, third_fields = 14, fields = 15;
+/// near forces, without configurational temperatures, and whole.
+constexpr std::size_t first_fields = 9, second_fields = 10, third_fields = 14, fourth_fields = 15,
+                      fields = 19;
 
 std::string record_line(const StudyRun& run) {
   std::string line =
@@ -35,18 +38,22 @@ std::string record_line(const StudyRun& run) {
   } else {
     line += ";;;;";
   }
-  return line + fmt::format(";{:.17g}", run.near_weight);
+  line += fmt::format(";{:.17g}", run.near_weight);
+  if (!run.configurational) return line + ";;;;";
+  for (const double T : *run.configurational) line += fmt::format(";{:.17g}", T);
+  return line;
 }
 
 /// How many columns a record has by its head.
 std::size_t columns(const std::string& head, const std::string& path) {
   const auto count = static_cast<std::size_t>(std::count(head.begin(), head.end(), ';')) + 1;
-  if (count == first_fields || count == second_fields || count == third_fields || count == fields)
+  if (count == first_fields || count == second_fields || count == third_fields ||
+      count == fourth_fields || count == fields)
     return count;
   throw Error(
-      fmt::format("'{}' has {} columns, but records of runs have {}, {}, {} or {}; it is of a "
+      fmt::format("'{}' has {} columns, but records of runs have {}, {}, {}, {} or {}; it is of a "
                   "later version, so give another --output, or --force to start anew",
-                  path, count, first_fields, second_fields, third_fields, fields));
+                  path, count, first_fields, second_fields, third_fields, fourth_fields, fields));
 }
 
 /// Nothing if the line is not whole: the last one of a record may have been cut short.
@@ -70,9 +77,11 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
            .temperature = number(8),
            .rounding = count >= second_fields ? number(9) : 0,
            .parts = {},
-           .near_weight = count == fields ? number(14) : 0};
+           .near_weight = count >= fourth_fields ? number(14) : 0};
     if (count >= third_fields && !field[10].empty())
       run.parts = Temperatures{run.temperature, number(10), {number(11), number(12), number(13)}};
+    if (count == fields && !field[15].empty())
+      run.configurational = {number(15), number(16), number(17), number(18)};
   } catch (const std::exception&) {
     return std::nullopt;
   }
@@ -82,7 +91,9 @@ std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
 }  // namespace
 
 std::string study_identity(const Config& config, const System& system) {
-  return identity(config, system, {config.study.length, config.study.decorrelate});
+  const double configurational = config.study.configurational_sample;
+  return identity(config, system, {config.study.length, config.study.decorrelate}) +
+         (configurational > 0 ? fmt::format(" configurational {}", configurational) : "");
 }
 
 StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)

@@ -22,6 +22,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.total = mean(total).value / static_cast<double>(s.molecules);
   s.potential = mean(potential).value / static_cast<double>(s.molecules);
   s.temperatures = mean_temperatures(trajectory.samples, s.freedoms);
+  s.configurational = configurational_temperatures(trajectory.configurational);
   std::vector<double> pressures;
   for (const Energies& e : trajectory.samples) pressures.push_back(e.pressure);
   s.pressure = block_mean(pressures);

@@ -123,9 +123,9 @@ std::size_t TrajectorySettings::steps_per_sample() const {
   return std::max<std::size_t>(1, static_cast<std::size_t>(sample / step * (1 + 1e-12)));
 }
 
-std::size_t TrajectorySettings::samples_per_shadow() const {
+std::size_t TrajectorySettings::samples_per(double interval) const {
   return std::max<std::size_t>(
-      1, static_cast<std::size_t>(shadow_sample / (static_cast<double>(steps_per_sample()) * step) *
+      1, static_cast<std::size_t>(interval / (static_cast<double>(steps_per_sample()) * step) *
                                   (1 + 1e-12)));
 }
 
@@ -187,7 +187,9 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
     result.steps = from->steps;
     for (const ErrorBrackets& brackets : from->brackets)
       result.brackets.push_back(
-          {result.samples.at(result.brackets.size() * settings.samples_per_shadow()), brackets});
+          {result.samples.at(result.brackets.size() * settings.samples_per(settings.shadow_sample)),
+           brackets});
+    result.configurational = from->configurational;
     integrator.take_over(from->integrator);
     whole.forces.take_over(from->list);
     if (near) near->forces.take_over(from->near_list);
@@ -201,8 +203,19 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
     for (const BracketSample& sample : result.brackets) brackets.push_back(sample.brackets);
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
                       whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
-                      std::move(brackets), clocks.timings()});
+                      std::move(brackets), result.configurational, clocks.timings()});
     clocks.skip();
+  };
+  Load complete;
+  const auto all_forces =
+      [&]() -> const Load& {  // an inner scheme leaves an outer one the slow ones
+    if (!near) return integrator.last_load();
+    whole.forces.forces_alone(system.state, complete);
+    return complete;
+  };
+  const auto signs_at = [&](std::size_t done) {
+    constexpr std::uint64_t streams = std::uint64_t{1} << 32;  // those of starts are below it
+    return Random(settings.seed, streams + done);
   };
   const auto sample = [&] {
     clocks.moved();
@@ -217,7 +230,13 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
     if (!std::isfinite(now.total()))
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     if (watch.sample) watch.sample(result.steps, system.state, now);
-    if (settings.shadow_sample > 0 && result.samples.size() % settings.samples_per_shadow() == 0)
+    const auto due = [&](double every) {
+      return every > 0 && result.samples.size() % settings.samples_per(every) == 0;
+    };
+    if (due(settings.configurational_sample))
+      result.configurational.push_back(configurational_sample(
+          system.state, system.bodies, all_forces(), whole.forces, signs_at(result.steps)));
+    if (due(settings.shadow_sample))
       result.brackets.push_back(
           {now, error_brackets(system.state, system.bodies, integrator.last_load(), whole.forces)});
     result.samples.push_back(now);

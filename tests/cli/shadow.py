@@ -113,7 +113,7 @@ class Shadow(Sandbox):
         def cut(columns):
             return [line if k < head else ";".join(line.split(";")[:columns]) for k, line in enumerate(lines)]
 
-        for columns in (9, 10, 14, 15):
+        for columns in (9, 10, 14, 15, 19):
             for name in self.contents():
                 if name.startswith("study"):
                     (self.folder / name).unlink()

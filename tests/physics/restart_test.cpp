@@ -40,6 +40,9 @@ Bits bits(const State& state, const Trajectory& t) {
     for (const double x :
          {b.energies.time, b.energies.total(), b.brackets.second_derivative, b.brackets.W})
       add(all, x);
+  for (const ConfigurationalSample& c : t.configurational)
+    for (std::size_t k = 0; k < c.curvature.size(); ++k)
+      add(all, c.squared_force[k]), add(all, c.curvature[k]);
   return all;
 }
 
@@ -88,7 +91,9 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
                                           .length = 25 * step,
                                           .sample = 3 * step,
                                           .lambda = precision == Precision::mixed ? 1 : 1e-4,
-                                          .inner = scheme.inner};
+                                          .inner = scheme.inner,
+                                          .configurational_sample = 6 * step,
+                                          .seed = 4};
         std::vector<RunState> kept;
         System whole = mixture(electrostatics, precision);
         ForceField forces(whole.topology, whole.forces, whole.state.box);
@@ -97,6 +102,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
         const Trajectory t = trajectory(whole, forces, settings, watch);
         CHECK(t.list_rebuilds > 3);  // or there would be nothing to find out about the list
+        CHECK(t.configurational.size() == 5);
         const Bits expected = bits(whole.state, t);
 
         // Taking checkpoints changes nothing, nor does a length that is reached in two goes.
@@ -104,6 +110,15 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         ForceField its_forces(plain.topology, plain.forces, plain.state.box);
         const Trajectory without = trajectory(plain, its_forces, settings);
         CHECK((bits(plain.state, without) == expected));
+
+        // Nor do configurational temperatures, which an inner scheme does not change either.
+        TrajectorySettings silent = settings;
+        silent.configurational_sample = 0;
+        System unasked = mixture(electrostatics, precision);
+        ForceField of_unasked(unasked.topology, unasked.forces, unasked.state.box);
+        Trajectory other = trajectory(unasked, of_unasked, silent);
+        other.configurational = t.configurational;
+        CHECK((bits(unasked.state, other) == expected));
 
         REQUIRE(kept.size() == 26);
         for (const int threads : {1, 2, 3}) {

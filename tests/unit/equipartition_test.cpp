@@ -36,6 +36,8 @@ TEST_CASE("an excess that goes with the order of the scheme leaves its known lim
           point(scheme, h,
                 {Estimate{0.5 - 3e4 * x, error}, Estimate{-0.25 + 2e5 * x, error}, std::nullopt}));
     }
+    for (EfficiencyPoint& p : curve.points)  // the same lines, of other motions
+      p.configurational_excess = {p.excess[1], std::nullopt, p.excess[0], std::nullopt};
     // Beyond the end of stability nothing counts.
     curve.points.push_back(point(scheme, 0.008, {Estimate{1000, 0.1}, {}, Estimate{1000, 0.1}}));
     const std::vector<EquipartitionFit> fits = equipartition({curve});
@@ -49,6 +51,12 @@ TEST_CASE("an excess that goes with the order of the scheme leaves its known lim
     CHECK(std::abs(fit.axes[0]->slope.value / -3e4 - 1) < rounding / std::pow(0.004, order) / 1e4);
     CHECK(std::abs(fit.axes[1]->intercept.value + 0.25) < rounding);
     CHECK(!fit.axes[2]);
+    REQUIRE(fit.configurational[0]);
+    REQUIRE(fit.configurational[2]);
+    CHECK(fit.configurational[0]->intercept.value == fit.axes[1]->intercept.value);
+    CHECK(fit.configurational[2]->slope.value == fit.axes[0]->slope.value);
+    CHECK(!fit.configurational[1]);
+    CHECK(!fit.configurational[3]);
   }
 }
 

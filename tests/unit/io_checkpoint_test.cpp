@@ -72,6 +72,7 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.integrator.inner = {c.at.integrator};
   c.at.integrator.inner[0].evaluations = 7;
   c.at.brackets = {{0.125, 0.25}, {-0.375, 0.5}, {0.625, 0.75}};
+  c.at.configurational = {{{1, 2, 3, 4}, {5, 6, 7, 8}}, {{0.5, 0, 0, 0}, {0.25, 0, 0, 0}}};
   c.at.timings = {1, 2, 3, 4, 5};
   c.noise = {0.5, 0.25};
   c.outputs = OutputMarks{{9, 900}, {{1, 100}, {2, 200}}, 12};
@@ -84,7 +85,9 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
   const Folder folder;
   for (const std::size_t bodies : {0, 1, 2, 17}) {
     Checkpoint c = example(bodies);
-    if (bodies == 17) c.at.equilibrated.reset(), c.at.brackets.clear(), c.outputs.reset();
+    if (bodies == 17)
+      c.at.equilibrated.reset(), c.at.brackets.clear(), c.at.configurational.clear(),
+          c.outputs.reset();
     write_checkpoint(folder.files(), c, maker);
     const Checkpoint back = read_checkpoint(folder.files().newest, maker);
     const auto same = [](const Vec3Column& a, const Vec3Column& b) {
@@ -118,6 +121,11 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
     for (std::size_t k = 0; k < c.at.brackets.size(); ++k) {
       CHECK(back.at.brackets[k].second_derivative == c.at.brackets[k].second_derivative);
       CHECK(back.at.brackets[k].W == c.at.brackets[k].W);
+    }
+    REQUIRE(back.at.configurational.size() == c.at.configurational.size());
+    for (std::size_t k = 0; k < c.at.configurational.size(); ++k) {
+      CHECK(back.at.configurational[k].squared_force == c.at.configurational[k].squared_force);
+      CHECK(back.at.configurational[k].curvature == c.at.configurational[k].curvature);
     }
     CHECK(back.at.timings.list == 2);
     same(back.at.near_list.built_at, c.at.near_list.built_at);

@@ -69,6 +69,7 @@ steps = ["1 fs", "2 fs"]
 runs = 3
 length = "4 ps"
 decorrelate = "5 ps"
+configurational_sample = "40 fs"
 [[pair]]
 sites = ["tip4p.OW", "tip4p.OW"]
 sigma = "0.3 nm"
@@ -101,6 +102,7 @@ epsilon = "100 K"
   CHECK(config.study.runs == 3);
   CHECK(config.study.length == 4);
   CHECK(config.study.decorrelate == 5);
+  CHECK(config.study.configurational_sample == doctest::Approx(0.04));
 }
 
 TEST_CASE("unknown keys and tables meet their nearest name") {
@@ -185,6 +187,9 @@ TEST_CASE("numbers outside their domain are refused with it") {
   check_text("[study]\nschemes = []", {"at least one scheme"});
   check_text("[integrator]\ncandidates = [\"gier5\"]", {"gier5", "integrator.candidates"});
   check_text("[study]\ndecorrelate = \"-1 ps\"", {"must be 0 ps or longer"});
+  for (const std::string table : {"run", "study"})
+    check_text("[" + table + "]\nconfigurational_sample = \"-1 fs\"",
+               {"must be 0 fs or longer", "no configurational temperature"});
 }
 
 TEST_CASE("electrostatics is a choice, whose default goes with the truncation") {

@@ -150,12 +150,14 @@ TEST_CASE("the record of a study keeps the rounding, and knows records without i
   StudyRun run{.scheme = "hoa2", .step = 0.002, .start = 1, .ratio = 3e-5, .temperature = 297};
   run.rounding = 2.5e-5;
   run.near_weight = 0.25;
+  run.configurational = {301, 302, 303, 304};
   StudyRecord(path, provenance, false).add(run);
   {
     const StudyRecord again(path, provenance, false);
     REQUIRE(again.known().size() == 1);
     CHECK(again.known()[0].rounding == 2.5e-5);
     CHECK(again.known()[0].near_weight == 0.25);
+    CHECK(again.known()[0].configurational == run.configurational);
     CHECK(again.known()[0].temperature == 297);
   }
   std::vector<std::string> lines;
@@ -163,16 +165,17 @@ TEST_CASE("the record of a study keeps the rounding, and knows records without i
     std::ifstream in(path);
     for (std::string line; std::getline(in, line);) lines.push_back(line);
   }
-  for (const int fields : {14, 10, 9}) {  // of older versions
+  for (const int fields : {15, 14, 10, 9}) {  // of older versions
     std::ofstream old(path);
     for (std::string line : lines) {
-      for (int field = 15; line[0] != '#' && field > fields; --field) line.resize(line.rfind(';'));
+      for (int field = 19; line[0] != '#' && field > fields; --field) line.resize(line.rfind(';'));
       old << line << '\n';
     }
     old.close();
     const StudyRecord again(path, provenance, false);
     REQUIRE(again.known().size() == 1);
-    CHECK(again.known()[0].near_weight == 0);
+    CHECK(again.known()[0].near_weight == (fields < 15 ? 0 : 0.25));
+    CHECK(!again.known()[0].configurational);
     CHECK(again.known()[0].rounding == (fields == 9 ? 0 : 2.5e-5));
     CHECK(again.known()[0].temperature == 297);
   }

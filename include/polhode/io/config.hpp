@@ -48,10 +48,11 @@ struct IntegratorSettings {
 };
 
 struct RunSettings {
-  double equilibrate = 0;    ///< [ps], with velocity rescaling
-  double length = 15;        ///< [ps]
-  double sample = 0.004;     ///< between samples of the energies [ps]
-  double shadow_sample = 0;  ///< between those of the shadow energy [ps]; 0: none
+  double equilibrate = 0;             ///< [ps], with velocity rescaling
+  double length = 15;                 ///< [ps]
+  double sample = 0.004;              ///< between samples of the energies [ps]
+  double shadow_sample = 0;           ///< between those of the shadow energy [ps]; 0: none
+  double configurational_sample = 0;  ///< of configurational temperatures [ps]; 0: none
 };
 
 struct OutputSettings {
@@ -70,11 +71,12 @@ struct OutputSettings {
 
 struct StudySettings {
   std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
-  std::vector<double> steps;  ///< [ps]; empty: a ladder per scheme
-  bool coarse = false;        ///< a ladder with fewer steps
-  int runs = 10;              ///< independent starts per point
-  double length = 15;         ///< of each run [ps]
-  double decorrelate = 10;    ///< preparation of each start from new momenta [ps]
+  std::vector<double> steps;          ///< [ps]; empty: a ladder per scheme
+  bool coarse = false;                ///< a ladder with fewer steps
+  int runs = 10;                      ///< independent starts per point
+  double length = 15;                 ///< of each run [ps]
+  double decorrelate = 10;            ///< preparation of each start from new momenta [ps]
+  double configurational_sample = 0;  ///< of configurational temperatures [ps]; 0: none
 };
 
 struct Config {

@@ -19,9 +19,6 @@ struct ErrorBrackets {
   double W = 0;                  ///< {V,{V,T}}
 };
 
-/// W = Σ |f|²/m + (S τ)·J⁻¹ (S τ) [kJ/mol/ps²].
-double squared_force(const State& state, const Bodies& bodies, const Load& load);
-
 /// Both brackets of a state with the Load at its positions. Costs one directional derivative of the
 /// forces, along the velocities.
 ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Load& load,

@@ -12,6 +12,7 @@
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
+#include "polhode/measure/configurational_temperature.hpp"
 #include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/rounding.hpp"
 #include "polhode/run/system.hpp"
@@ -36,6 +37,9 @@ struct StudyRun {
   /// Means over the run of kinds of motion; nothing in records that do not know them.
   std::optional<Temperatures> parts;
   double near_weight = 0;  ///< time of near forces over all forces; 0 without an inner scheme
+  /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
+  /// they were not asked for.
+  std::optional<ByMotion<double>> configurational{};
 };
 
 /// A point of the figure: all runs of a scheme with one step.
@@ -55,6 +59,8 @@ struct EfficiencyPoint {
   /// T of rotation about each principal axis less that of translation, over the runs that know
   /// them [K]; nothing without such freedoms.
   std::array<std::optional<Estimate>, 3> excess;
+  /// Configurational temperature of each motion less its kinetic one, likewise [K].
+  ByMotion<std::optional<Estimate>> configurational_excess;
   /// No run blew up, and the drift is not significant.
   bool usable() const { return stable && drift.chance >= significance; }
   /// R is no longer that of the scheme.

@@ -22,11 +22,12 @@ struct RunSummary {
   double rounding = 0;                  ///< R of rounding alone, estimated; 0 in double precision
   Drift drift;                          ///< [kJ/mol/ps]
   std::optional<ShadowSummary> shadow;  ///< if it was asked for
-  double potential = 0;                 ///< mean per molecule [kJ/mol]
-  double total = 0;                     ///< mean per molecule [kJ/mol]
-  Estimate pressure;                    ///< mean, with the error of block averages [kJ/mol/nm³]
-  double momentum = 0;                  ///< |Σ p| at the end [u nm/ps]
-  Temperatures temperatures;            ///< means over the run [K]
+  ByMotion<std::optional<Estimate>> configurational;  ///< temperatures [K], if asked for
+  double potential = 0;                               ///< mean per molecule [kJ/mol]
+  double total = 0;                                   ///< mean per molecule [kJ/mol]
+  Estimate pressure;          ///< mean, with the error of block averages [kJ/mol/nm³]
+  double momentum = 0;        ///< |Σ p| at the end [u nm/ps]
+  Temperatures temperatures;  ///< means over the run [K]
   Freedoms freedoms;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
   std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if there are

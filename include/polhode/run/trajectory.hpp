@@ -10,6 +10,7 @@
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
+#include "polhode/measure/configurational_temperature.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/shadow.hpp"
 #include "polhode/run/system.hpp"
@@ -24,10 +25,13 @@ struct TrajectorySettings {
   double lambda = 1e-4;                ///< of finite-difference gradients
   double shadow_sample = 0;            ///< between error brackets [ps], at some samples; 0: none
   std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
+  double configurational_sample = 0;   ///< as shadow_sample, of configurational temperatures [ps]
+  std::uint64_t seed = 0;              ///< of the signs that these take
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
-  std::size_t samples_per_shadow() const;
+  /// How many samples of the energies there are to one that is taken every `interval` [ps].
+  std::size_t samples_per(double interval) const;
 
   /// @throws Error  if a shadow energy is wanted of a scheme that has none of order h²
   void check_shadow() const;
@@ -51,7 +55,8 @@ struct RunState {
   double start = 0;                     ///< time of the state at step 0 [ps]
   IntegratorMemory integrator;          ///< empty while equilibrating
   ListMemory list, near_list;           ///< the second that of an inner scheme's near forces
-  std::vector<ErrorBrackets> brackets;  ///< so far, of every samples_per_shadow()-th sample
+  std::vector<ErrorBrackets> brackets;  ///< so far, of every samples_per(shadow_sample)-th sample
+  std::vector<ConfigurationalSample> configurational;  ///< so far, likewise
   Timings timings;
 };
 
@@ -68,8 +73,9 @@ struct Watch {
 };
 
 struct Trajectory {
-  std::vector<Energies> samples;        ///< the first at the start
-  std::vector<BracketSample> brackets;  ///< of some of them, if asked for
+  std::vector<Energies> samples;                       ///< the first at the start
+  std::vector<BracketSample> brackets;                 ///< of some of them, if asked for
+  std::vector<ConfigurationalSample> configurational;  ///< likewise
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
   std::uint64_t derivatives = 0;        ///< of the forces, by the scheme

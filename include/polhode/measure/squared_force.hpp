@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The bracket W of the schemes' errors, by kind of motion.
+#pragma once
+
+#include <array>
+
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// Something of translations, and of rotations about each principal axis, in this order.
+template <class T>
+using ByMotion = std::array<T, 4>;
+
+/// Σ |f|²/m, and Σ τ_k²/J_k about each principal axis k [kJ/mol/ps²]. Their sum is
+/// W = {V,{V,T}} = Σ |f|²/m + (S τ)·J⁻¹ (S τ).
+ByMotion<double> squared_force(const State& state, const Bodies& bodies, const Load& load);
+
+}  // namespace polhode

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/configurational_temperature.hpp"
+
+#include <cmath>
+
+#include "polhode/base/units.hpp"
+#include "polhode/measure/block_means.hpp"
+
+namespace polhode {
+namespace {
+
+Vec3<double> signs(Random& random) {
+  const std::uint64_t bits = random.bits();
+  const auto sign = [&](int k) { return (bits >> k & 1) != 0 ? 1.0 : -1.0; };
+  return {sign(0), sign(1), sign(2)};
+}
+
+}  // namespace
+
+ConfigurationalSample configurational_sample(const State& state, const Bodies& bodies,
+                                             const Load& load, ForceField& forces, Random random) {
+  // Each freedom moves by as much as its inertia lets it: 1/√m along, 1/√J_k about an axis.
+  Vec3Column dq(state.size()), dtheta(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const auto root = [](double x) { return std::sqrt(x); };
+    const Vec3<double> inverse_J = bodies.inverse_J[i];
+    dq.set(i, root(bodies.inverse_m[i]) * signs(random));
+    dtheta.set(i, scaled(signs(random), {root(inverse_J.x), root(inverse_J.y), root(inverse_J.z)}));
+  }
+  Load slope;
+  forces.directional_derivative(state, dq, dtheta, slope);
+  ConfigurationalSample sample{squared_force(state, bodies, load), {}};
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    // About its own axis a body turns without moving the axis: no term for its frame.
+    const Vec3<double> tau = to_body(state.attitude[i], slope.tau[i]);
+    sample.curvature[0] -= dot(dq[i], slope.f[i]);
+    for (std::size_t k = 0; k < 3; ++k) sample.curvature[1 + k] -= dtheta[i][k] * tau[k];
+  }
+  return sample;
+}
+
+ByMotion<std::optional<Estimate>> configurational_temperatures(
+    std::span<const ConfigurationalSample> samples) {
+  constexpr std::size_t motions = std::tuple_size_v<ByMotion<double>>;
+  TimeBlocks blocks;
+  for (const auto& [squares, curvature] : samples) {
+    std::array<double, 2 * motions> both;
+    for (std::size_t k = 0; k < motions; ++k)
+      both[k] = squares[k], both[motions + k] = curvature[k];
+    blocks.add(both);
+  }
+  const BlockMeans means = blocks.means();
+  ByMotion<std::optional<Estimate>> temperatures;
+  for (std::size_t k = 0; k < motions && !means.empty(); ++k)
+    if (means.mean()[motions + k] != 0)
+      temperatures[k] = means.estimate([k](std::span<const double> mean) {
+        return mean[k] / (units::boltzmann * mean[motions + k]);
+      });
+  return temperatures;
+}
+
+}  // namespace polhode
