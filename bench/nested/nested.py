@@ -154,7 +154,7 @@ def main():
     parser.add_argument("--output", default="nested.json")
     parser.add_argument("--figure", help="SVG or PNG")
     o = parser.parse_args()
-    o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    o.polhode = machine.program(o.polhode)
     o.folder.mkdir(parents=True, exist_ok=True)
     result = {"conditions": [f"{date.today()}", f"{machine.processor()}, one thread, {o.precision} precision",
                              f"bench/nested/nested.py --laws {' '.join(o.laws)} --runs {o.runs} --length {o.length:g} "

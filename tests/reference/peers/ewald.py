@@ -22,7 +22,7 @@ import openmm as mm
 
 from engines import (LENNARD_JONES, SITE_MIXING, exclude_within_bodies, openmm_coulomb, openmm_run,
                      switch_text)
-from scenes import COULOMB, HERE, Model, Scene, liquid
+from scenes import COULOMB, HERE, Model, Scene, liquid, text
 
 TOLERANCE = 1e-12  # of OpenMM's Ewald sum
 
@@ -172,18 +172,6 @@ def lammps_ewald(scene, law):
 
 def rounded(values, digits):
     return [[round(x, digits) for x in row] for row in np.asarray(values).tolist()]
-
-
-def text(value, depth=0):
-    """JSON with one body or site a line."""
-    pad = "  " * depth
-    if isinstance(value, dict):
-        inner = ",\n".join(f"{pad}  {json.dumps(k)}: {text(v, depth + 1)}" for k, v in value.items())
-        return f"{{\n{inner}\n{pad}}}"
-    if isinstance(value, list) and value and isinstance(value[0], (list, dict)):
-        inner = ",\n".join(f"{pad} {text(v, depth + 1)}" for v in value)
-        return f"[\n{inner}\n{pad}]"
-    return json.dumps(value, separators=(",", ":"))
 
 
 def run(name):

@@ -9,7 +9,6 @@ Run by hand, never by the tests. It writes one JSON file for each case beside it
 the engines agree; README.md says what the files hold. Units: nm, u, e, kJ/mol.
 """
 import datetime
-import json
 import sys
 from math import inf
 
@@ -19,7 +18,7 @@ import openmm as mm
 
 from engines import lammps_run, openmm_coulomb, openmm_molecules, openmm_open, openmm_sites
 from scenes import (COULOMB, HERE, NO_TRUNCATION, liquid, molecule_switch, reaction_field,
-                    reaction_field_constants, rotation, w512)
+                    reaction_field_constants, rotation, text, w512)
 
 
 def switch_and_slope(law, r):
@@ -145,18 +144,6 @@ def loads(scene, f):
     force, torque = scene.loads(f[:len(scene.sites)])
     extra = f[len(scene.sites):]
     return (force + extra if len(extra) else force), torque
-
-
-def text(value, depth=0):
-    """JSON with one body or site a line; numbers in shortest form that reads back exactly."""
-    pad = "  " * depth
-    if isinstance(value, dict):
-        inner = ",\n".join(f"{pad}  {json.dumps(k)}: {text(v, depth + 1)}" for k, v in value.items())
-        return f"{{\n{inner}\n{pad}}}"
-    if isinstance(value, list) and value and isinstance(value[0], (list, dict)):
-        inner = ",\n".join(f"{pad} {text(v, depth + 1)}" for v in value)
-        return f"[\n{inner}\n{pad}]"
-    return json.dumps("infinite" if value == inf else value, separators=(",", ":"))
 
 
 def run(name):
