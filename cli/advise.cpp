@@ -55,13 +55,13 @@ Config configured(const Options& o) {
   if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
   if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
   for (const std::string& scheme : o.schemes) scheme_option(scheme, "--schemes");
-  if (!o.schemes.empty()) config.study.schemes = o.schemes;
+  if (!o.schemes.empty()) config.integrator.candidates = o.schemes;
   return config;
 }
 
 int advise(const Options& o) {
   const Config config = configured(o);
-  const AdviserSettings settings{criterion(o, config), config.study.schemes, o.seconds};
+  const AdviserSettings settings{criterion(o, config), config.integrator.candidates, o.seconds};
   Workers workers(threads_wanted(o.threads));
   const AdviceFiles files(o.output, config.output.plot);
   for (const std::string& file : files.all()) refuse_existing(file, o.force);
@@ -115,7 +115,7 @@ Action advise_verb(CLI::App& app) {
       ->excludes(drift);
   drift->excludes(accuracy);
   app.add_option("--schemes", o->schemes,
-                 "names, or stages as text, instead of the run file's [study] schemes");
+                 "names, or stages as text, instead of the run file's candidates");
   app.add_option("--length", o->length, "of the runs in question, instead of the run file's");
   app.add_option("--time", o->seconds, "seconds that the answer may take, about")
       ->check(CLI::Range(0.1, 1e6))

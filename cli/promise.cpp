@@ -49,7 +49,7 @@ std::optional<Promise> promised(Config& config, Beginning beginning, Workers& wo
   const std::string file = config.output.prefix + "-promise.json";
   if (beginning.go_on && std::filesystem::exists(file)) return kept_before(file, integrator);
   refuse_existing(file, beginning.force);
-  AdviserSettings settings{{Quality::ratio, *integrator.accuracy}, config.study.schemes};
+  AdviserSettings settings{{Quality::ratio, *integrator.accuracy}, integrator.candidates};
   if (integrator.scheme_given) settings.schemes = {integrator.scheme};
   catch_interrupts();
   fmt::print(stderr, "choosing a step for {}\n", described(settings.criterion));

@@ -5,6 +5,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -13,7 +14,8 @@
 namespace polhode::cli {
 
 /// On standard error: molecules that a topology file told, and how they became rigid; how far atoms
-/// of the start lay from rigid bodies, if that is more than rounding.
+/// of the start lay from rigid bodies, if that is more than rounding, and massless sites, if it is
+/// more than the atoms explain.
 inline void note_molecules(const System& system) {
   for (std::size_t k = 0; k < system.origins.size(); ++k) {
     const auto& [molecule, count] = system.topology.parts[k];
@@ -23,6 +25,11 @@ inline void note_molecules(const System& system) {
   if (system.fit_deviation > 1e-4)
     fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
                system.fit_deviation);
+  if (system.massless_deviation > std::max(1e-3, 2 * system.fit_deviation))
+    fmt::print(stderr,
+               "note: massless sites of the start lay up to {:.4f} nm from where the models have "
+               "them, and are placed there\n",
+               system.massless_deviation);
 }
 
 /// On standard error: the mixing rule and the pairs that are given, unless the usual rule holds for

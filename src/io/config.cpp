@@ -319,6 +319,13 @@ void check_scheme(const std::string& scheme, std::string_view key, const TomlTab
   }
 }
 
+// A list of schemes, if there is one.
+void take_schemes(TomlTable& table, std::string_view key, std::vector<std::string>& schemes) {
+  take(schemes, table.texts(key));
+  table.require(!schemes.empty(), key, "must name at least one scheme");
+  for (const std::string& scheme : schemes) check_scheme(scheme, key, table);
+}
+
 constexpr auto must_be_accuracy =
     "must be above 0 % and below 100 %: it bounds R, the fluctuation of the total energy over that "
     "of the potential energy";
@@ -335,6 +342,7 @@ void read_integrator(TomlTable table, IntegratorSettings& integrator) {
                 "accuracy", must_be_accuracy);
   table.require(!integrator.accuracy || !table.has("step"), "accuracy",
                 "stands beside a step, which it is to choose; leave one out");
+  take_schemes(table, "candidates", integrator.candidates);
   integrator.lambda_given = table.has("lambda");
   if (integrator.lambda_given) integrator.lambda_place = table.where("lambda");
   take(integrator.lambda, table.number("lambda"));
@@ -378,9 +386,7 @@ void read_output(TomlTable table, OutputSettings& output) {
 }
 
 void read_study(TomlTable table, StudySettings& study) {
-  take(study.schemes, table.texts("schemes"));
-  table.require(!study.schemes.empty(), "schemes", "must name at least one scheme");
-  for (const std::string& scheme : study.schemes) check_scheme(scheme, "schemes", table);
+  take_schemes(table, "schemes", study.schemes);
   for (const std::string& text : table.texts("steps").value_or(std::vector<std::string>{})) {
     try {
       study.steps.push_back(quantity(text, Dimension::time, "steps", "2 fs"));

@@ -104,8 +104,12 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
   for (std::size_t k = 0; k < sites.size(); ++k) {
     if (match[k] == nullptr) continue;
     const double off = norm(whole(*match[k]) - q - to_lab(attitude, sites[k].r));
+    if (sites[k].mass == 0) {
+      fitted.massless_deviation = std::max(fitted.massless_deviation, off);
+      continue;
+    }
     fitted.deviation = std::max(fitted.deviation, off);
-    if (sites[k].mass > 0 && !(off <= fit_tolerance))
+    if (!(off <= fit_tolerance))
       throw Error(
           fmt::format("atom '{}' of molecule {} ({} {}) lies {:.4f} nm from its site in the "
                       "rigid model '{}'; it must lie within {} nm: another model or another "

@@ -73,6 +73,7 @@ System assembled(const Config& config) {
     FittedState fitted = fitted_state(frame, system.topology);
     system.state = std::move(fitted.state);
     system.fit_deviation = fitted.deviation;
+    system.massless_deviation = fitted.massless_deviation;
     system.new_velocities = !fitted.has_velocities;
   }
   system.bodies = Bodies(system.topology);

@@ -12,6 +12,7 @@ BENCH = Path(__file__).resolve().parents[2] / "bench/nested"
 sys.path.insert(0, str(BENCH))
 
 import figure
+import curves
 import nested
 
 
@@ -23,16 +24,16 @@ def curve(scheme, evaluations, factor, steps, usable=lambda h: True):
 
 class Curves(unittest.TestCase):
     def test_a_power_law_is_met_between_its_points(self):
-        cost, step = nested.at_ratio(curve("hoa2", 2, 2e-4, (2, 4, 8)), 5e-3)
+        cost, step = curves.at_ratio(curve("hoa2", 2, 2e-4, (2, 4, 8)), 5e-3)
         self.assertAlmostEqual(step, sqrt(5e-3 / 2e-4), 9)
         self.assertAlmostEqual(cost, 2000 / step, 6)
 
     def test_nothing_is_read_beyond_what_was_measured(self):
         own = curve("hoa2", 2, 2e-4, (2, 4, 8), usable=lambda h: h < 8)
-        self.assertIsNone(nested.at_ratio(own, 2e-4 * 3.9))  # below the smallest R
-        cost, step = nested.at_ratio(own, 5e-3)  # 5 fs would drift: the longest step without
+        self.assertIsNone(curves.at_ratio(own, 2e-4 * 3.9))  # below the smallest R
+        cost, step = curves.at_ratio(own, 5e-3)  # 5 fs would drift: the longest step without
         self.assertEqual((cost, step), (500, 4))
-        self.assertIsNone(nested.at_ratio(curve("hoa2", 2, 2e-4, (2, 4), usable=lambda h: False), 1e-2))
+        self.assertIsNone(curves.at_ratio(curve("hoa2", 2, 2e-4, (2, 4), usable=lambda h: False), 1e-2))
 
     def test_the_figure_draws_single_schemes_and_the_best_of_each_pair(self):
         pair = "hoa2 / hoa2 x {} within 0.35 to 0.5 nm"

@@ -18,6 +18,7 @@ cutoff = "0.65 nm"
 
 [integrator]
 accuracy = "2 %"
+candidates = ["velocity-verlet", "hoa2"]
 
 [run]
 equilibrate = "1 ps"
@@ -28,7 +29,6 @@ prefix = "out"
 plot = "none"
 
 [study]
-schemes = ["velocity-verlet", "hoa2"]
 decorrelate = "0.5 ps"
 """
 # Every second kick is empty: as many forces again for nothing.

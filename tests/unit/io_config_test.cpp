@@ -183,6 +183,7 @@ TEST_CASE("numbers outside their domain are refused with it") {
   check_text("[study]\nsteps = [\"1 fs\", \"2\"]", {"has no unit", "study.steps"});
   check_text("[study]\nsteps = [\"0 fs\"]", {"longer than 0 fs"});
   check_text("[study]\nschemes = []", {"at least one scheme"});
+  check_text("[integrator]\ncandidates = [\"gier5\"]", {"gier5", "integrator.candidates"});
   check_text("[study]\ndecorrelate = \"-1 ps\"", {"must be 0 ps or longer"});
 }
 

@@ -36,6 +36,8 @@ struct IntegratorSettings {
   /// R that the run is to keep [1]; then the adviser chooses the step, and the scheme if none is
   /// given.
   std::optional<double> accuracy;
+  /// Schemes from which the adviser chooses, names or texts.
+  std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "gier4"};
   double step = 0.002;  ///< [ps]
   /// Of the finite-difference gradient (vanzon2008, Eq. 6). Without a word 1e-4 in double
   /// precision, and 1 in mixed: rounding of the forces enters divided by lambda, while the order of

@@ -64,9 +64,10 @@ std::string title_of(const State& state);  ///< of that frame: it tells the time
 struct FittedState {
   State state;                  ///< at time 0
   bool has_velocities = false;  ///< else all momenta are zero
-  /// Largest distance of an atom from its site [nm]. Massless sites may lie anywhere: their places
-  /// follow from the others, whatever the file says.
-  double deviation = 0;
+  double deviation = 0;         ///< largest distance of an atom with mass from its site [nm]
+  /// The same of massless sites [nm], which may lie anywhere: their places follow from the others,
+  /// whatever the file says.
+  double massless_deviation = 0;
 };
 
 /// Rigid bodies fitted to atoms. Atoms belong to the topology's bodies in order; sites without mass

@@ -34,7 +34,7 @@ constexpr std::array<std::array<double, 6>, max_sine_order + 1> sine_numerators 
 // clang-format on
 
 /// (−1)ⁿ a_nj/(2n+1)! times 1 for S, times 2n+1 for S'.
-consteval double sine_coefficient(std::size_t n, std::size_t j, bool derivative) {
+constexpr double sine_coefficient(std::size_t n, std::size_t j, bool derivative) {
   double c = sine_numerators[n][j];
   for (std::size_t k = 2; k <= 2 * n + 1; ++k) c /= static_cast<double>(k);
   if (derivative) c *= static_cast<double>(2 * n + 1);
@@ -44,7 +44,8 @@ consteval double sine_coefficient(std::size_t n, std::size_t j, bool derivative)
 /// Horner's scheme in e₁ for the terms n to `order` that carry e₂ʲ.
 template <std::size_t order, bool derivative, std::size_t j, std::size_t n, class Real>
 Real sine_row(Real e1) {
-  const Real c = constant<Real>(sine_coefficient(n, j, derivative));
+  constexpr double number = sine_coefficient(n, j, derivative);
+  const Real c = constant<Real>(number);
   if constexpr (n == order)
     return c;
   else

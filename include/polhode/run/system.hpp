@@ -18,9 +18,10 @@ struct System {
   Bodies bodies;
   State state;
   ForceSettings forces;
-  double temperature;          ///< wanted [K]
-  double fit_deviation = 0;    ///< of a start configuration from the rigid models [nm]
-  bool new_velocities = true;  ///< the start had none, or it is a lattice
+  double temperature;             ///< wanted [K]
+  double fit_deviation = 0;       ///< of a start configuration from the rigid models [nm]
+  double massless_deviation = 0;  ///< of its massless sites, which are placed anew [nm]
+  bool new_velocities = true;     ///< the start had none, or it is a lattice
   /// Of each part of the topology, where a topology file told it: how its shape was found.
   std::vector<std::string> origins{};
 };

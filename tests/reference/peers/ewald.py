@@ -8,8 +8,6 @@
 Run by hand, never by the tests. It writes one JSON file for each case beside itself and prints how far
 the engines agree; README.md says what the files hold. Units: nm, u, e, kJ/mol.
 """
-import datetime
-import json
 import subprocess
 import sys
 import tempfile
@@ -22,7 +20,8 @@ import openmm as mm
 
 from engines import (LENNARD_JONES, SITE_MIXING, exclude_within_bodies, openmm_coulomb, openmm_run,
                      switch_text)
-from scenes import COULOMB, HERE, Model, Scene, liquid, text
+from files import bodies, of_file, off, provenance, rounded, write
+from scenes import COULOMB, Scene, liquid
 
 TOLERANCE = 1e-12  # of OpenMM's Ewald sum
 
@@ -30,13 +29,6 @@ TOLERANCE = 1e-12  # of OpenMM's Ewald sum
 def site_switch(switch_from, cutoff, smoothness):
     return {"truncation": "site_switch", "electrostatics": "ewald", "switch_from": switch_from,
             "cutoff": cutoff, "smoothness": smoothness}
-
-
-def of_file(name):
-    """The scene of a file of generate.py."""
-    file = json.loads((HERE / f"{name}.json").read_text(encoding="utf-8"))
-    return Scene({b["model"]: b["count"] for b in file["bodies"]}, file["box"],
-                 [np.array(file["sites"])])
 
 
 # name: where the sites are from (a file, or how to make them), the law
@@ -170,10 +162,6 @@ def lammps_ewald(scene, law):
 # ---- Files -------------------------------------------------------------------------------------
 
 
-def rounded(values, digits):
-    return [[round(x, digits) for x in row] for row in np.asarray(values).tolist()]
-
-
 def run(name):
     source, law = CASES[name]
     scene = of_file(source) if isinstance(source, str) else source()
@@ -183,7 +171,6 @@ def run(name):
     on_charges = electric_forces[scene.q != 0]
     electric = float(np.sqrt((on_charges**2).sum(axis=1).mean()))
     again, g = openmm_ewald(scene, law, 0.9 * law["cutoff"])  # another width of the Gaussians
-    off = lambda a, b: float(np.abs(np.asarray(a) - np.asarray(b)).max())
     virial, twice = (openmm_virial(scene, law, h) for h in (1e-4, 2e-4))
     result = {
         "law": law,
@@ -213,23 +200,8 @@ def run(name):
           + " / ".join(f"{v:.1e}" for v in (*result["other_width"].values(),
                                             *result["other_step"].values(),
                                             *result["lammps"]["from_openmm"].values())) + " |", flush=True)
-    out = {"units": "nm, e, u, kJ/mol; torques about the centre of mass, in the laboratory frame",
-           "date": datetime.date.today().isoformat(),
-           "command": f"python3 tests/reference/peers/ewald.py {name}",
-           "python": f"{sys.version.split()[0]}, numpy {np.__version__}",
-           "coulomb": COULOMB, "engine_coulomb": {"OpenMM": openmm_coulomb()}}
-    if isinstance(source, str):
-        out["scene"] = source
-    else:
-        models = {m.name: m for m in scene.models}
-        out |= {"mixing": "Lorentz-Berthelot",
-                "models": [{"name": m.name, "sites": m.names, "position": m.r.tolist(),
-                            "mass": m.m.tolist(), "charge": m.q.tolist(), "sigma": m.sigma.tolist(),
-                            "epsilon": m.epsilon.tolist()} for m in models.values()],
-                "bodies": [{"model": k, "count": n} for k, n in scene.counts.items()],
-                "box": scene.box.tolist(), "sites": scene.sites.tolist()}
-    out["results"] = [result]
-    (HERE / f"{name}.json").write_text(text(out) + "\n", encoding="utf-8")
+    write(name, provenance("ewald", name, {"OpenMM": openmm_coulomb()})
+          | ({"scene": source} if isinstance(source, str) else bodies(scene)) | {"results": [result]})
 
 
 if __name__ == "__main__":

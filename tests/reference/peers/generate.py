@@ -8,7 +8,6 @@
 Run by hand, never by the tests. It writes one JSON file for each case beside itself and prints how far
 the engines agree; README.md says what the files hold. Units: nm, u, e, kJ/mol.
 """
-import datetime
 import sys
 from math import inf
 
@@ -17,8 +16,9 @@ import numpy as np
 import openmm as mm
 
 from engines import lammps_run, openmm_coulomb, openmm_molecules, openmm_open, openmm_sites
-from scenes import (COULOMB, HERE, NO_TRUNCATION, liquid, molecule_switch, reaction_field,
-                    reaction_field_constants, rotation, text, w512)
+from files import bodies, off, provenance, write
+from scenes import (COULOMB, NO_TRUNCATION, liquid, molecule_switch, reaction_field,
+                    reaction_field_constants, rotation, w512)
 
 
 def switch_and_slope(law, r):
@@ -155,7 +155,6 @@ def run(name):
         for engine, compute in ENGINES[law["truncation"]]:
             energies, f = compute(scene, law)
             force, torque = loads(scene, f)
-            off = lambda v, e: float(np.abs(v - e).max())
             agreement = {
                 "energy": abs(float(sum(energies) - exact_energy.sum())),
                 "force": off(force, exact_force),
@@ -186,24 +185,8 @@ def run(name):
                                           "distance_from_formulas": agreement}
             if not first or law == NO_TRUNCATION:  # small enough to keep both
                 results.append(result)
-    models = {m.name: m for m in scene.models}
-    out = {
-        "units": "nm, e, u, kJ/mol; torques about the centre of mass, in the laboratory frame",
-        "date": datetime.date.today().isoformat(),
-        "command": f"python3 tests/reference/peers/generate.py {name}",
-        "python": f"{sys.version.split()[0]}, numpy {np.__version__}",
-        "coulomb": COULOMB,
-        "engine_coulomb": {"OpenMM": openmm_coulomb(), "LAMMPS": 1.0},
-        "mixing": "Lorentz-Berthelot",
-        "models": [{"name": m.name, "sites": m.names, "position": m.r.tolist(), "mass": m.m.tolist(),
-                    "charge": m.q.tolist(), "sigma": m.sigma.tolist(), "epsilon": m.epsilon.tolist()}
-                   for m in models.values()],
-        "bodies": [{"model": k, "count": n} for k, n in scene.counts.items()],
-        "box": None if scene.box is None else scene.box.tolist(),
-        "sites": scene.sites.tolist(),
-        "results": results,
-    }
-    (HERE / f"{name}.json").write_text(text(out) + "\n", encoding="utf-8")
+    write(name, provenance("generate", name, {"OpenMM": openmm_coulomb(), "LAMMPS": 1.0})
+          | bodies(scene) | {"results": results})
 
 
 if __name__ == "__main__":

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """The laws, models and configurations that the engines are given."""
-import json
 import tomllib
 from math import inf, pi, prod
 from pathlib import Path
@@ -154,16 +153,4 @@ def w512():
     return Scene({"tip4p": len(blocks)}, box, blocks)
 
 
-# ---- files -------------------------------------------------------------------------------------
-
-
-def text(value, depth=0):
-    """JSON with one body or site a line; numbers in shortest form that reads back exactly."""
-    pad = "  " * depth
-    if isinstance(value, dict):
-        inner = ",\n".join(f"{pad}  {json.dumps(k)}: {text(v, depth + 1)}" for k, v in value.items())
-        return f"{{\n{inner}\n{pad}}}"
-    if isinstance(value, list) and value and isinstance(value[0], (list, dict)):
-        inner = ",\n".join(f"{pad} {text(v, depth + 1)}" for v in value)
-        return f"[\n{inner}\n{pad}]"
-    return json.dumps("infinite" if value == inf else value, separators=(",", ":"))
+# ---- OpenMM ------------------------------------------------------------------------------------

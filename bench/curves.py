@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: MIT
+"""R against cost: studies of many schemes by the program, and what is read off their curves."""
+
+import json
+import subprocess
+import sys
+from math import exp, log
+
+
+def study(o, run_file, prefix, scheme, steps):
+    """Points of a scheme at steps [fs]; a study that was cut short goes on where it was."""
+    command = [o.polhode, "study", str(run_file), "--schemes", scheme, "--steps", *(f"{h:g} fs" for h in steps),
+               "--runs", str(o.runs), "--length", f"{o.length:g} ps", "--decorrelate", f"{o.decorrelate:g} ps",
+               "--threads", str(o.threads), "--output", str(prefix), "--json"]
+    done = subprocess.run(command, check=True, capture_output=True, text=True)
+    print(f"{run_file.stem}: {scheme} done", file=sys.stderr, flush=True)
+    return json.loads(done.stdout)["points"]
+
+
+def by_scheme(points):
+    """Points by scheme, by growing step."""
+    result = {}
+    for p in points:
+        result.setdefault(p["scheme"], []).append(p)
+    for own in result.values():
+        own.sort(key=lambda p: p["step_fs"])
+    return result
+
+
+def usable(own):
+    """The points of a curve before the first one that drifts or ends."""
+    good = []
+    for p in own:
+        if not p["usable"]:
+            break
+        good.append(p)
+    return good
+
+
+def at_ratio(own, ratio):
+    """(cost, step [fs]) of a curve at R, by interpolation in logarithms between neighbouring points that are usable;
+    nothing beyond the measured ones, but the longest usable step where even its R is below."""
+    good = usable(own)
+    if not good or good[0]["R"] > ratio:
+        return None
+    for a, b in zip(good, good[1:]):
+        if a["R"] <= ratio < b["R"]:
+            part = log(ratio / a["R"]) / log(b["R"] / a["R"])
+            mix = lambda key: exp(log(a[key]) + part * log(b[key] / a[key]))
+            return mix("force_evaluations_per_ps"), mix("step_fs")
+    return good[-1]["force_evaluations_per_ps"], good[-1]["step_fs"]
+
+
+def seconds_per_ps(o, run_file, chosen):
+    """Wall-clock time of (scheme, step) pairs, energies not sampled: the best of repeats in turn."""
+    timed = run_file.with_name(f"{run_file.stem}-clock.toml")
+    timed.write_text(run_file.read_text(encoding="utf-8") + f'[run]\nsample = "{o.clock:g} ps"\n'
+                     '[output]\ntrajectory_every = "0 ps"\nplot = "none"\n', encoding="utf-8")
+    best = {}
+    for _ in range(o.repeats):
+        for scheme, step in chosen:
+            command = [o.polhode, "run", str(timed), "--scheme", scheme, "--step", f"{step:.3f} fs", "--length",
+                       f"{o.clock:g} ps", "--threads", "1", "--force", "--json", "--output", str(o.folder / "clock")]
+            done = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+            time = (done["seconds"]["all"] - done["seconds"]["energies_and_output"]) / done["length_ps"]
+            best[scheme, step] = min(time, best.get((scheme, step), time))
+    return best
+
+
+def add_arguments(parser, runs, length, decorrelate, folder):
+    """The options of every such study."""
+    parser.add_argument("--polhode", default="polhode", help="the program")
+    parser.add_argument("--precision", default="mixed", choices=("mixed", "double"))
+    parser.add_argument("--runs", type=int, default=runs, help="at each point")
+    parser.add_argument("--length", type=float, default=length, help="of each [ps]")
+    parser.add_argument("--decorrelate", type=float, default=decorrelate, help="preparation of each start [ps]")
+    parser.add_argument("--threads", type=int, default=1, help="so many runs at once; wall-clock times are of one")
+    parser.add_argument("--clock", type=float, default=2, help="length of a run whose time counts [ps]")
+    parser.add_argument("--repeats", type=int, default=5, help="of those, in turn")
+    parser.add_argument("--folder", default=folder, help="keeps the studies, and goes on from them")
+    parser.add_argument("--output", default=f"{folder}.json")
+    parser.add_argument("--figure", help="SVG or PNG")

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""The picture: R against cost, a panel for each system; the schemes that are cheapest somewhere in colour, the rest grey."""
+
+import json
+import sys
+from pathlib import Path
+
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import curves  # noqa: E402
+import drawing  # noqa: E402
+
+# Okabe and Ito's colours, as in all figures here.
+ALWAYS = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4": "#009E73", "gier4-fd": "#56B4E9"}
+WINNERS = ["#CC79A7", "#E69F00", "#000000", "#F0E442"]
+
+
+def colours(of):
+    """Of the schemes to tell apart: the paper's, and those with the least cost at some R."""
+    first = dict.fromkeys(row["schemes"][0]["scheme"] for row in of["ranking"] if row["schemes"])
+    others = [s for s in first if s not in ALWAYS]
+    return {**ALWAYS, **dict(zip(others, WINNERS))}
+
+
+def script(result, image):
+    data, panels = [], []
+    systems = list(result["systems"].items())
+    for column, (system, of) in enumerate(systems):
+        told = colours(of)
+        own = curves.by_scheme(p for p in of["points"] if p["stable"])
+        plots = []
+        for k, scheme in enumerate(sorted(own, key=lambda s: s in told)):  # grey ones below
+            name = f"$c{column}k{k}"
+            good = len(curves.usable(own[scheme]))
+            row = lambda p: f"{p['force_evaluations_per_ps']:g} {100 * p['R']:.5g}"
+            data.append(f"{name} << EOD\n" + "\n".join(map(row, own[scheme][:good])) + "\nEOD")
+            if good and scheme in told:
+                plots.append(f'{name} using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 '
+                             f'linecolor "{told[scheme]}" title "{scheme}"')
+            elif good:
+                plots.append(f'{name} using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle')
+            if scheme in told and good < len(own[scheme]):
+                data.append(f"{name}d << EOD\n" + "\n".join(map(row, own[scheme][good:])) + "\nEOD")
+                plots.append(f'{name}d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 '
+                             f'linecolor "{told[scheme]}" notitle')
+        width = 0.98 / len(systems)
+        panels.append(f'set lmargin at screen {0.06 + width * column:.3f}\nset rmargin at screen {width * (column + 1):.3f}\n'
+                      f'set title "{system}"\nplot {", ".join(plots)}')
+    size = f"{450 * len(systems)},460"
+    terminal = (f'svg size {size} dynamic enhanced font "Helvetica,13"' if image.suffix != ".png" else
+                f'pngcairo size {size} enhanced font "Helvetica,10"')
+    return "\n".join([
+        f"# Restyle this and run it again: gnuplot draws {image.name}.", "set encoding utf8", "set minussign",
+        f'set terminal {terminal} background "white"', f'set output "{image.name}"',
+        'set border 3 linewidth 1 linecolor "#404040"', 'set tics nomirror out scale 0.6 textcolor "#404040"',
+        'set grid linewidth 0.5 linecolor "#e4e4e4"',
+        'set key bottom left textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",10"',
+        "set logscale xy", 'set xlabel "cost  (force evaluations per ps)" offset 0,0.4', 'set ylabel "R  (%)" offset 1',
+        "set xtics (150, 200, 300, 400, 600, 1000, 2000)", "set xrange [180:2100]", "set yrange [0.002:20]", *data,
+        "set multiplot", *panels, "unset multiplot", ""])
+
+
+def draw(result, image):
+    """Writes the script beside the image and runs gnuplot on it."""
+    drawing.draw(script(result, image), image)
+
+
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+    draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))
