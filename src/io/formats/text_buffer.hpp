@@ -29,7 +29,7 @@ class TextBuffer {
   void fixed(double x, std::size_t width, int decimals) {
     const double power = powers_of_ten.at(static_cast<std::size_t>(decimals));
     const double scaled = x * power, whole = std::nearbyint(scaled);
-    if (!(std::abs(whole) < 0x1p53)) return print("{:{}.{}f}", x, width, decimals);
+    if (!(std::abs(whole) < 0x1p53)) return print("{:>{}.{}f}", x, width, decimals);
     auto digits = static_cast<std::int64_t>(whole);
     // What the whole number lacks, and what the product lost by rounding: exact, both.
     const double lacks = scaled - whole, lost = std::fma(x, power, -scaled);
