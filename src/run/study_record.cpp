@@ -137,9 +137,9 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
   Lines lines(whole, path);
   auto line = lines.next();
   if (line != identity_line(provenance))
-    lines.refuse(
-        "the file holds the runs of another study; give another --output, or --force to "
-        "start anew");
+    lines.refuse(fmt::format(
+        "'{}' holds the runs of another study; give another --output, or --force to start anew",
+        path));
   std::vector<StudyRun> runs;
   std::size_t count = 0;
   while ((line = lines.next())) {
