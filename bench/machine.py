@@ -13,3 +13,8 @@ def processor():
     except OSError:
         pass
     return platform.processor() or platform.machine()
+
+
+def program(name):
+    """A program as typed: a path, which holds in any folder, or a name that the shell finds."""
+    return str(Path(name).resolve()) if Path(name).exists() else name

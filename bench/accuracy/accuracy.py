@@ -125,7 +125,7 @@ def main():
     parser.add_argument("--json", type=Path, help="write all numbers there")
     parser.add_argument("--figure", type=Path, help="draw them there: .svg or .png")
     o = parser.parse_args()
-    o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    o.polhode = machine.program(o.polhode)
     o.folder.mkdir(parents=True, exist_ok=True)
     points = POINTS
     if o.points:

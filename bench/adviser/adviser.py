@@ -4,7 +4,6 @@ scheme and step of its answer, from starts and momenta that it never saw, are co
 
 import argparse
 import json
-import os
 import subprocess
 import sys
 import tempfile
@@ -15,62 +14,25 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import machine
 
+# Molecules with their number, where they are, and forces.
 BOXES = {
-    "tip4p-512": """[system]
-molecules = [{ model = "tip4p", count = 512 }]
-start = "w512"
-[forces]
-cutoff = "1.0 nm"
-switch = "0.85 nm"
-""",
-    "tip4p-216-reaction-field": """[system]
-molecules = [{ model = "tip4p", count = 216 }]
-density = "1 g/cm3"
-[forces]
-truncation = "site-switch"
-electrostatics = "reaction-field"
-cutoff = "0.9 nm"
-""",
-    "spce-125-pme": """[system]
-molecules = [{ model = "spce", count = 125 }]
-density = "0.997 g/cm3"
-[forces]
-electrostatics = "pme"
-cutoff = "0.75 nm"
-""",
-    "salt-water-pme": """[system]
-molecules = [
-  { model = "spce", count = 120 },
-  { model = "na-spce", count = 4 },
-  { model = "cl-spce", count = 4 },
-]
-density = "1.05 g/cm3"
-[forces]
-electrostatics = "pme"
-cutoff = "0.75 nm"
-""",
-    "co2-125": """[system]
-molecules = [{ model = "co2", count = 125 }]
-density = "0.9 g/cm3"
-[forces]
-truncation = "site-switch"
-cutoff = "1.0 nm"
-""",
-    "argon-108": """[system]
-molecules = [{ model = "argon", count = 108 }]
-density = "1.4 g/cm3"
-temperature = "100 K"
-[forces]
-cutoff = "0.85 nm"
-""",
+    "tip4p-512": (["tip4p", 512], 'start = "w512"', 'cutoff = "1.0 nm"\nswitch = "0.85 nm"'),
+    "tip4p-216-reaction-field": (["tip4p", 216], 'density = "1 g/cm3"',
+                                 'truncation = "site-switch"\nelectrostatics = "reaction-field"\ncutoff = "0.9 nm"'),
+    "spce-125-pme": (["spce", 125], 'density = "0.997 g/cm3"', 'electrostatics = "pme"\ncutoff = "0.75 nm"'),
+    "salt-water-pme": (["spce", 120, "na-spce", 4, "cl-spce", 4], 'density = "1.05 g/cm3"',
+                       'electrostatics = "pme"\ncutoff = "0.75 nm"'),
+    "co2-125": (["co2", 125], 'density = "0.9 g/cm3"', 'truncation = "site-switch"\ncutoff = "1.0 nm"'),
+    "argon-108": (["argon", 108], 'density = "1.4 g/cm3"\ntemperature = "100 K"', 'cutoff = "0.85 nm"'),
 }
 
 
 def run_file(system, seed, o):
-    lattice = "" if "start =" in BOXES[system] else f'equilibrate = "{o.equilibrate:g} ps"\n'
-    head, forces = BOXES[system].split("[forces]")
-    return (f'{head}seed = {seed}\n[forces]{forces}[run]\n{lattice}length = "{o.length:g} ps"\n'
-            '[output]\nplot = "none"\n')
+    molecules, place, forces = BOXES[system]
+    listed = ", ".join(f'{{ model = "{model}", count = {count} }}' for model, count in zip(molecules[::2], molecules[1::2]))
+    equilibrate = "" if place.startswith("start") else f'equilibrate = "{o.equilibrate:g} ps"\n'
+    return (f'[system]\nmolecules = [{listed}]\n{place}\nseed = {seed}\n[forces]\n{forces}\n[run]\n{equilibrate}'
+            f'length = "{o.length:g} ps"\n[output]\nplot = "none"\n')
 
 
 def polhode(o, folder, *arguments):
@@ -161,7 +123,7 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path(f"{date.today()}-adviser"))
     o = parser.parse_args()
-    o.program = str(Path(o.program).resolve()) if os.sep in o.program else o.program
+    o.program = machine.program(o.program)
     cases = []
     for repeat in range(o.repeats):
         for accuracy in o.accuracies:

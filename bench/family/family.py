@@ -86,7 +86,7 @@ def main():
     parser.add_argument("--systems", nargs="+", default=list(SYSTEMS), choices=list(SYSTEMS))
     parser.add_argument("--schemes", nargs="+", help="without it: all of the table")
     o = parser.parse_args()
-    o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    o.polhode = machine.program(o.polhode)
     o.folder = Path(o.folder)
     o.folder.mkdir(parents=True, exist_ok=True)
     schemes = table_of_schemes(o)

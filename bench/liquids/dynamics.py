@@ -12,6 +12,9 @@ from statistics import fmean, stdev
 
 import waters
 
+sys.path.append(str(Path(__file__).resolve().parents[1]))
+import machine  # noqa: E402
+
 MODELS = [w for w in waters.WATERS if w.model in ("spce", "tip4p-2005")]
 
 
@@ -73,7 +76,7 @@ def main():
                         "runs there are not made again")
     parser.add_argument("--keep", action="store_true", help="the frames as well")
     o = parser.parse_args()
-    o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    o.polhode = machine.program(o.polhode)
     o.folder.mkdir(parents=True, exist_ok=True)
     results = [(water, []) for water in MODELS]
     for seed in range(1, o.runs + 1):

@@ -112,7 +112,7 @@ def main():
     if o.runs < 2:
         parser.error("a line through the temperatures needs --runs 2 at least")
     o.halvings = [2, 4] if o.quick else [2, 4, 5, 8, 10, 20, 40, 100]
-    o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    o.polhode = machine.program(o.polhode)
     # Two runs colder and warmer than the rest: without them the slope with T would hang on chance.
     temperatures = [waters.TEMPERATURE] * (o.runs - 2) + [waters.TEMPERATURE + d for d in (-o.spread, o.spread)]
     result = {"conditions": [f"{date.today()}", f"{machine.processor()}, one thread",

@@ -90,7 +90,7 @@ def main():
     parser.add_argument("--laws", nargs="+", default=["cutoff", "pme"], choices=list(LAWS))
     parser.add_argument("--reaches", nargs="+", type=float, default=list(REACHES), help="of near forces [nm]")
     o = parser.parse_args()
-    o.polhode = str(Path(o.polhode).resolve()) if Path(o.polhode).exists() else o.polhode
+    o.polhode = machine.program(o.polhode)
     o.folder = Path(o.folder)
     o.folder.mkdir(parents=True, exist_ok=True)
     result = {"conditions": [f"{date.today()}", f"{machine.processor()}, one thread, {o.precision} precision",

@@ -4,12 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
-#include <exception>
+#include <cmath>
 #include <filesystem>
-#include <optional>
+#include <iterator>
 #include <sstream>
+#include <string_view>
 
+#include "../io/formats/lines.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/run/identity.hpp"
 
@@ -45,47 +46,95 @@ std::string record_line(const StudyRun& run) {
 }
 
 /// How many columns a record has by its head.
-std::size_t columns(const std::string& head, const std::string& path) {
+std::size_t columns(std::string_view head, const Lines& lines) {
   const auto count = static_cast<std::size_t>(std::count(head.begin(), head.end(), ';')) + 1;
   if (count == first_fields || count == second_fields || count == third_fields ||
       count == fourth_fields || count == fields)
     return count;
-  throw Error(
-      fmt::format("'{}' has {} columns, but records of runs have {}, {}, {}, {} or {}; it is of a "
-                  "later version, so give another --output, or --force to start anew",
-                  path, count, first_fields, second_fields, third_fields, fourth_fields, fields));
+  lines.refuse(
+      fmt::format("the record has {} columns, but records of runs have {}, {}, {}, {} or {}; it "
+                  "is of a later version, so give another --output, or --force to start anew",
+                  count, first_fields, second_fields, third_fields, fourth_fields, fields));
 }
 
-/// Nothing if the line is not whole: the last one of a record may have been cut short.
-std::optional<StudyRun> record_run(const std::string& line, std::size_t count) {
-  std::istringstream in(line);
-  StudyRun run;
-  std::array<std::string, fields> field;
-  if (static_cast<std::size_t>(std::count(line.begin(), line.end(), ';')) + 1 < count)
-    return std::nullopt;
-  for (std::size_t k = 0; k < count; ++k) std::getline(in, field[k], ';');
-  const auto number = [&](std::size_t k) { return std::stod(field[k]); };
-  try {
-    run = {.scheme = field[0],
-           .step = number(1),
-           .start = std::stoi(field[2]),
-           .stable = field[3] == "1",
-           .ratio = number(4),
-           .drift = number(5),
-           .total = number(6),
-           .potential = number(7),
-           .temperature = number(8),
-           .rounding = count >= second_fields ? number(9) : 0,
-           .parts = {},
-           .near_weight = count >= fourth_fields ? number(14) : 0};
-    if (count >= third_fields && !field[10].empty())
-      run.parts = Temperatures{run.temperature, number(10), {number(11), number(12), number(13)}};
-    if (count == fields && !field[15].empty())
-      run.configurational = {number(15), number(16), number(17), number(18)};
-  } catch (const std::exception&) {
-    return std::nullopt;
+constexpr const char* remedy =
+    "; delete the line, and its run is done again, or give --force to start anew";
+
+/// A line's fields between its semicolons.
+class Fields {
+ public:
+  Fields(std::string_view line, std::size_t count, const Lines& lines) : lines_(lines) {
+    for (std::size_t begin = 0, end = 0; end != line.npos; begin = end + 1) {
+      end = line.find(';', begin);
+      field_.push_back(line.substr(begin, end - begin));
+    }
+    if (field_.size() != count)
+      refuse(fmt::format("the line has {} fields and must have {}", field_.size(), count));
+  }
+
+  std::string_view operator[](std::size_t k) const { return field_[k]; }
+
+  double number(std::size_t k, const char* what) const {
+    const auto value = parsed<double>(field_[k]);
+    if (!value || !std::isfinite(*value))
+      refuse(fmt::format("'{}' stands where the {} must be a finite number", field_[k], what));
+    return *value;
+  }
+  double amount(std::size_t k, const char* what) const {
+    const double value = number(k, what);
+    if (value < 0) refuse(fmt::format("the {} is {}; it must not be negative", what, field_[k]));
+    return value;
+  }
+  int index(std::size_t k, const char* what) const {
+    const auto value = parsed<int>(field_[k]);
+    if (!value || *value < 0)
+      refuse(
+          fmt::format("'{}' stands where the {} must be a whole number from 0", field_[k], what));
+    return *value;
+  }
+  bool yes(std::size_t k, const char* what) const {
+    if (field_[k] != "0" && field_[k] != "1")
+      refuse(fmt::format("'{}' stands where {} must be 1 or 0", field_[k], what));
+    return field_[k] == "1";
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const { lines_.refuse(what + remedy); }
+
+ private:
+  std::vector<std::string_view> field_;
+  const Lines& lines_;
+};
+
+StudyRun record_run(const Fields& line, std::size_t count) {
+  StudyRun run{
+      .scheme = std::string(line[0]),
+      .step = line.amount(1, "step"),
+      .start = line.index(2, "start"),
+      .stable = line.yes(3, "'stable'"),
+      .near_weight = count >= fourth_fields ? line.amount(14, "weight of near forces") : 0};
+  if (!run.stable) return run;
+  run.drift = line.number(5, "drift");
+  run.total = line.amount(6, "fluctuation of the total energy");
+  run.potential = line.amount(7, "fluctuation of the potential energy");
+  // Without forces there is no R to read: nothing over nothing.
+  run.ratio = run.potential > 0 ? line.amount(4, "R") : run.total / run.potential;
+  run.temperature = line.amount(8, "temperature");
+  if (count >= second_fields) run.rounding = line.amount(9, "R of rounding");
+  if (count >= third_fields && !line[10].empty()) {
+    const auto kelvin = [&](std::size_t k) { return line.amount(k, "temperature of a part"); };
+    run.parts = Temperatures{run.temperature, kelvin(10), {kelvin(11), kelvin(12), kelvin(13)}};
+  }
+  if (count == fields && !line[15].empty()) {
+    const auto kelvin = [&](std::size_t k) {
+      return line.number(k, "configurational temperature");
+    };
+    run.configurational = {kelvin(15), kelvin(16), kelvin(17), kelvin(18)};
   }
   return run;
+}
+
+std::string identity_line(const Provenance& provenance) {
+  return "# study " + text_hash(provenance.config);
 }
 
 }  // namespace
@@ -96,29 +145,49 @@ std::string study_identity(const Config& config, const System& system) {
          (configurational > 0 ? fmt::format(" configurational {}", configurational) : "");
 }
 
+std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
+                                        const Provenance& provenance) {
+  std::string text{std::istreambuf_iterator<char>(in), {}};
+  text.erase(text.rfind('\n') + 1);
+  std::istringstream whole(std::move(text));
+  Lines lines(whole, path);
+  auto line = lines.next();
+  if (line != identity_line(provenance))
+    lines.refuse(fmt::format(
+        "'{}' holds the runs of another study; give another --output, or --force to start anew",
+        path));
+  std::vector<StudyRun> runs;
+  std::size_t count = 0;
+  while ((line = lines.next())) {
+    if (line->starts_with('#')) continue;
+    if (line->starts_with("scheme;")) {
+      count = columns(*line, lines);
+      continue;
+    }
+    if (count == 0)
+      lines.refuse("the line that names the columns is missing; give --force to start anew");
+    const Fields fields(*line, count, lines);
+    StudyRun run = record_run(fields, count);
+    if (std::any_of(runs.begin(), runs.end(), [&](const StudyRun& other) {
+          return other.scheme == run.scheme && other.step == run.step && other.start == run.start;
+        }))
+      fields.refuse("the line has the scheme, the step and the start of one above");
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
 StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)
     : path_(path) {
-  const std::string identity = "# study " + text_hash(provenance.config);
-  std::string head = fmt::format("{}\n# polhode {}, target {}\n{}\n", identity, provenance.version,
-                                 provenance.target, record_head);
   if (!force && std::filesystem::exists(path)) {
-    std::ifstream in(path);
-    std::string line;
-    std::getline(in, line);
-    if (line != identity)
-      throw Error(
-          fmt::format("'{}' holds the runs of another study; give another --output, or --force to "
-                      "start anew",
-                      path));
-    std::size_t count = fields;
-    while (std::getline(in, line))
-      if (line.starts_with("scheme;"))
-        count = columns(line, path);
-      else if (const auto run = record_run(line, count))
-        known_.push_back(*run);
-    for (const StudyRun& run : known_) head += record_line(run) + "\n";
+    std::ifstream in(path, std::ios::binary);
+    known_ = read_study_record(in, path, provenance);
   }
-  write_file(path, [&](std::ostream& out) { out << head; });  // without a last line cut short
+  write_file(path, [&](std::ostream& out) {
+    out << fmt::format("{}\n# polhode {}, target {}\n{}\n", identity_line(provenance),
+                       provenance.version, provenance.target, record_head);
+    for (const StudyRun& run : known_) out << record_line(run) << '\n';
+  });
   out_.open(path, std::ios::app);
 }
 

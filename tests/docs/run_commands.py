@@ -80,7 +80,7 @@ def main():
     root, program = options.root.resolve(), options.program.resolve()
     if not os.access(program, os.X_OK):
         sys.exit(f"{program.name} is not built; build it first")
-    documents = [root / "README.md", *sorted((root / "docs/manual").glob("*.md"))]
+    documents = [root / "README.md", *sorted((root / "docs/manual").rglob("*.md"))]
     bad = 0
     for document in documents:
         shown = document.relative_to(root)

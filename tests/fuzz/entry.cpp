@@ -41,7 +41,9 @@ void on_free(const volatile void* pointer) {
 extern "C" const char* __asan_default_options() {
   return "max_allocation_size_mb=512:allocator_may_return_null=0:detect_leaks=0";
 }
-extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1:halt_on_error=1"; }
+// It ends by a signal: g++ links it beside the address sanitizer, whose call at its end it does not
+// know.
+extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1:abort_on_error=1"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   static const bool hooked = __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free) != 0;

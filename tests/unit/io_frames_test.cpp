@@ -172,6 +172,19 @@ TEST_CASE("names come from another file where a format has none") {
   check_error([&] { all_frames(folder / "a.xtc", &fewer); }, {"244 atoms", "243"});
 }
 
+TEST_CASE("a frame of more atoms than its format can count is refused before it is written") {
+  // 2³¹ − 1 bytes are the most that a record can tell: 12 bytes an atom in TRR, 4 in DCD.
+  for (const auto& [format, most] :
+       {std::pair{"trr", 178'956'970}, std::pair{"dcd", 536'870'911}}) {
+    const Folder folder;
+    const Topology topology{{{read_molecule("argon"), static_cast<std::size_t>(most) + 1}}};
+    const auto file = create_frames(folder / (std::string("a.") + format), topology);
+    CHECK_THROWS_WITH_AS(file->write(State{}), doctest::Contains(std::to_string(most).c_str()),
+                         RunError);
+    CHECK(file->mark().frames == 0);
+  }
+}
+
 TEST_CASE("the file's ending tells its format") {
   check_error([] { open_frames("a.grp"); }, {"'a.grp' ends in none", "did you mean 'gro'?"});
   check_error([] { create_frames("a", {}); }, {"'a' ends in none of the formats"});

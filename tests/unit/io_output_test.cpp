@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <random>
 #include <span>
 #include <sstream>
+#include <vector>
 
 #include "errors.hpp"
 #include "polhode/io/gro.hpp"
@@ -86,9 +88,30 @@ TEST_CASE("states are written as their frames are") {
 }
 
 TEST_CASE("numbers of fixed width are those of printf") {
-  for (const double x : {0.0, -0.0, 0.5, 1.5, -2.5, 0.125, 1e-12, -1e-12, 31.0497, 99999.999999,
-                         1e300, -1e22, std::numeric_limits<double>::infinity()})
-    for (const int decimals : {0, 2, 10}) {
+  std::vector<double> numbers{0.0,
+                              -0.0,
+                              0.5,
+                              1.5,
+                              -2.5,
+                              0.125,
+                              0.0005,
+                              1e-12,
+                              -1e-12,
+                              31.0497,
+                              99999.999999,
+                              1e300,
+                              -1e22,
+                              900719.9254740992,
+                              std::numeric_limits<double>::infinity()};
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> below(-12, 12);
+  for (int k = 0; k < 500; ++k) {
+    numbers.push_back(below(random));
+    numbers.push_back(std::ldexp(std::nearbyint(4096 * below(random)), -13));  // many are ties
+    numbers.push_back(std::nearbyint(1e3 * below(random)) / 1e3 + 0.5e-3);     // nearly ties
+  }
+  for (const double x : numbers)
+    for (const int decimals : {0, 2, 3, 10}) {
       Frame frame;
       frame.title = "t";
       frame.box = {{1, 1, 1}};

@@ -16,7 +16,6 @@
 #include "polhode/math/random.hpp"
 #include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/guideline.hpp"
-#include "polhode/run/study_record.hpp"
 #include "polhode/run/trajectory.hpp"
 
 using namespace polhode;
@@ -139,47 +138,6 @@ TEST_CASE("at the floor of rounding no cost is extrapolated") {
   CHECK(extrapolated());
   p.rounding = 2.9e-5;
   CHECK(!extrapolated());
-}
-
-TEST_CASE("the record of a study keeps the rounding, and knows records without it") {
-  const std::filesystem::path folder =
-      std::filesystem::temp_directory_path() / ("polhode-rounding-" + std::to_string(::getpid()));
-  std::filesystem::create_directories(folder);
-  const std::string path = (folder / "runs.csv").string();
-  const Provenance provenance{"0", "", "of this test", "", 1};
-  StudyRun run{.scheme = "hoa2", .step = 0.002, .start = 1, .ratio = 3e-5, .temperature = 297};
-  run.rounding = 2.5e-5;
-  run.near_weight = 0.25;
-  run.configurational = {301, 302, 303, 304};
-  StudyRecord(path, provenance, false).add(run);
-  {
-    const StudyRecord again(path, provenance, false);
-    REQUIRE(again.known().size() == 1);
-    CHECK(again.known()[0].rounding == 2.5e-5);
-    CHECK(again.known()[0].near_weight == 0.25);
-    CHECK(again.known()[0].configurational == run.configurational);
-    CHECK(again.known()[0].temperature == 297);
-  }
-  std::vector<std::string> lines;
-  {
-    std::ifstream in(path);
-    for (std::string line; std::getline(in, line);) lines.push_back(line);
-  }
-  for (const int fields : {15, 14, 10, 9}) {  // of older versions
-    std::ofstream old(path);
-    for (std::string line : lines) {
-      for (int field = 19; line[0] != '#' && field > fields; --field) line.resize(line.rfind(';'));
-      old << line << '\n';
-    }
-    old.close();
-    const StudyRecord again(path, provenance, false);
-    REQUIRE(again.known().size() == 1);
-    CHECK(again.known()[0].near_weight == (fields < 15 ? 0 : 0.25));
-    CHECK(!again.known()[0].configurational);
-    CHECK(again.known()[0].rounding == (fields == 9 ? 0 : 2.5e-5));
-    CHECK(again.known()[0].temperature == 297);
-  }
-  std::filesystem::remove_all(folder);
 }
 
 TEST_CASE("a figure crosses out what is rounding") {

@@ -194,6 +194,10 @@ std::unique_ptr<FrameReader> dcd_reader(std::istream& in, const std::string& fil
 }
 
 void append_dcd(std::iostream& file, const FrameView& frame, std::uint64_t before) {
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() / sizeof(float);
+  if (frame.atoms > most)
+    throw RunError(fmt::format(
+        "a frame has {} atoms; a DCD file can have {} at most, so ask for XTC", frame.atoms, most));
   const double angstrom = unit("A", Dimension::length);
   BinaryOutput out(std::endian::little);
   if (before == 0) put_head(out, frame);

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: MIT
+"""What bench/adviser makes of kept promises is right, and one question on argon goes through all of it."""
+
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+ADVISER = Path(__file__).resolve().parents[2] / "bench/adviser/adviser.py"
+PROGRAM = None  # the built program, from the command line
+sys.path.insert(0, str(ADVISER.parent))
+
+import adviser
+
+
+class Adviser(unittest.TestCase):
+    def test_the_interval_is_the_one_of_the_binomial_law(self):
+        # All of n kept: the lower end is where p^n = 0.025. Half of them: symmetric about 1/2.
+        low, high = adviser.binomial_interval(20, 20)
+        self.assertAlmostEqual(low, 0.025 ** (1 / 20), 9)
+        self.assertEqual(high, 1)
+        low, high = adviser.binomial_interval(5, 10)
+        self.assertAlmostEqual(low + high, 1, 9)
+        self.assertAlmostEqual(sum(adviser.comb(10, k) * low**k * (1 - low) ** (10 - k) for k in range(5, 11)), 0.025, 9)
+        self.assertEqual(adviser.binomial_interval(0, 3)[0], 0)
+
+    def test_a_question_without_an_answer_has_its_row(self):
+        table = adviser.table([{"system": "co2-125", "accuracy": 0.02, "answer": None, "why": "too slow"}])
+        self.assertIn("| co2-125 | 2 | none: too slow |", table)
+        self.assertNotIn("fresh runs kept", table)
+
+    def test_one_question_on_argon(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = subprocess.run([sys.executable, "-B", ADVISER, "--program", PROGRAM, "--systems", "argon-108",
+                                  "--accuracies", "5", "--fresh", "2", "--time", "2", "--length", "4", "--equilibrate", "0.5",
+                                  "--threads", "1", "--output", "result"],
+                                 cwd=folder, text=True, capture_output=True, check=False)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            case, = json.loads((Path(folder) / "result.json").read_text(encoding="utf-8"))["cases"]
+            table = (Path(folder) / "result.md").read_text(encoding="utf-8")
+        self.assertEqual(case["system"], "argon-108")
+        if case["answer"] is None:  # a slow machine may have no time to confirm one
+            self.assertIn("none:", table)
+            return
+        self.assertLess(case["R_expected"], 0.05)
+        self.assertEqual(len(case["R_fresh"]), 2)
+        for ratio in case["R_fresh"]:  # the promise is for one run, with some reserve
+            self.assertLess(ratio, 2 * case["bound"])
+        self.assertIn(f"{case['kept']} of 2", table)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", type=Path, required=True)
+    options, rest = parser.parse_known_args()
+    PROGRAM = options.program.resolve()
+    unittest.main(module="__main__", argv=["adviser", *rest])
