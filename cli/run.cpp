@@ -64,20 +64,22 @@ std::string typed(const Options& o) {
 
 TrajectorySettings trajectory_settings(const Config& config) {
   const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
-  const TrajectorySettings settings{.scheme = scheme.outer,
-                                    .step = config.integrator.step,
-                                    .length = config.run.length,
-                                    .sample = config.run.sample,
-                                    .lambda = config.integrator.lambda,
-                                    .shadow_sample = config.run.shadow_sample,
-                                    .inner = scheme.inner,
-                                    .configurational_sample = config.run.configurational_sample,
-                                    .seed = config.system.seed};
+  TrajectorySettings settings{.scheme = scheme.outer,
+                              .step = config.integrator.step,
+                              .length = config.run.length,
+                              .sample = config.run.sample,
+                              .lambda = config.integrator.lambda,
+                              .inner = scheme.inner,
+                              .configurational_sample = config.run.configurational_sample,
+                              .seed = config.system.seed};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
                     settings.length * 1000, settings.step * 1000),
         config.source);
+  constexpr double steps_per_shadow = 100;  // costs about a hundredth of a run
+  settings.shadow_sample = config.run.shadow_sample.value_or(
+      settings.has_shadow() ? steps_per_shadow * settings.step : 0);
   settings.check_shadow();
   return settings;
 }

@@ -57,7 +57,8 @@ def ranking(o, run_file, points, orders):
         timed = [r for k, r in enumerate(row) if k < TIMED or r["scheme"] in ("velocity-verlet", "hoa2", "gier4")]
         times = curves.seconds_per_ps(o, run_file, [(r["scheme"], r["step_fs"]) for r in timed])
         for r in timed:
-            r["seconds_per_ps"] = times[r["scheme"], r["step_fs"]]
+            if (r["scheme"], r["step_fs"]) in times:
+                r["seconds_per_ps"] = times[r["scheme"], r["step_fs"]]
         rows.append({"R": ratio, "schemes": row})
     return rows
 

@@ -42,8 +42,9 @@ def script(result, image):
                 data.append(f"{name}d << EOD\n" + "\n".join(map(row, own[scheme][good:])) + "\nEOD")
                 plots.append(f'{name}d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 '
                              f'linecolor "{told[scheme]}" notitle')
-        width = 0.98 / len(systems)
-        panels.append(f'set lmargin at screen {0.06 + width * column:.3f}\nset rmargin at screen {width * (column + 1):.3f}\n'
+        width, labels = 0.98 / len(systems), 75 / (450 * len(systems))
+        panels.append(f'set lmargin at screen {labels + width * column:.3f}\n'
+                      f'set rmargin at screen {width * (column + 1):.3f}\n'
                       f'set title "{system}"\nplot {", ".join(plots)}')
     size = f"{450 * len(systems)},460"
     terminal = (f'svg size {size} dynamic enhanced font "Helvetica,13"' if image.suffix != ".png" else

@@ -62,6 +62,8 @@ def guideline(o, law, found):
         if len(row) == 3:
             pair = [(row[k]["scheme"], row[k]["step_fs"]) for k in ("single", "nested")]
             times = curves.seconds_per_ps(o, o.folder / f"{law}.toml", pair)
+            if not all(key in times for key in pair):
+                continue
             for kind, key in zip(("single", "nested"), pair):
                 row[kind]["seconds_per_ps"] = times[key]
         rows.append(row)

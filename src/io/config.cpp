@@ -364,8 +364,8 @@ void read_run(TomlTable table, RunSettings& run) {
   table.require(run.length > 0, "length", "must be longer than 0 ps");
   take_time(table, "sample", run.sample, "4 fs");
   table.require(run.sample > 0, "sample", "must be longer than 0 fs");
-  take_time(table, "shadow_sample", run.shadow_sample, "100 fs");
-  table.require(run.shadow_sample >= 0, "shadow_sample",
+  run.shadow_sample = table.quantity("shadow_sample", Dimension::time, "100 fs");
+  table.require(run.shadow_sample.value_or(0) >= 0, "shadow_sample",
                 "must be 0 fs or longer; 0 fs measures no shadow energy");
   take_configurational_sample(table, run.configurational_sample);
   table.refuse_unknown();

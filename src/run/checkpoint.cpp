@@ -138,10 +138,11 @@ Checkpoint of_this_run(const std::string& path, const std::string& identity, con
 }  // namespace
 
 std::string run_identity(const Config& config, const System& system) {
-  std::string all = identity(
-      config, system,
-      {config.integrator.step, config.run.equilibrate, config.run.sample, config.run.shadow_sample,
-       config.run.configurational_sample, config.output.trajectory_every, config.forces.skin});
+  std::string all =
+      identity(config, system,
+               {config.integrator.step, config.run.equilibrate, config.run.sample,
+                config.run.shadow_sample.value_or(-1), config.run.configurational_sample,
+                config.output.trajectory_every, config.forces.skin});
   all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
   if (config.output.trajectory_every > 0)
     for (const std::string& format : config.output.formats) all += ' ' + format;

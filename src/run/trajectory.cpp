@@ -129,16 +129,19 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
                                   (1 + 1e-12)));
 }
 
+bool TrajectorySettings::has_shadow() const {
+  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
+  const ErrorTerms terms = error_terms(scheme);
+  return !inner && scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding;
+}
+
 void TrajectorySettings::check_shadow() const {
-  if (shadow_sample == 0) return;
+  if (shadow_sample == 0 || has_shadow()) return;
   if (inner)
     throw Error(fmt::format(
         "shadow_sample is {:g} fs, but the shadow energy of {} has brackets of near and slow "
         "forces, which are not measured; leave it out, or take a single scheme, as hoa2",
         shadow_sample * 1000, name_of({scheme, inner})));
-  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
-  const ErrorTerms terms = error_terms(scheme);
-  if (scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding) return;
   throw Error(fmt::format(
       "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, as "
       "hoa2",

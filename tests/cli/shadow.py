@@ -21,7 +21,7 @@ class Shadow(Sandbox):
         return json.loads(process.out).get("shadow")
 
     def test_a_run_tells_of_it_only_where_asked(self):
-        plain = json.loads(self.done("run", edited(SHADOW, ('shadow_sample = "20 fs"\n', "")), "--json").out)
+        plain = json.loads(self.done("run", edited(SHADOW, ('shadow_sample = "20 fs"', 'shadow_sample = "0 fs"')), "--json").out)
         self.assertNotIn("shadow", plain)
         energies = self.rows("out-energies.csv")
         text = self.done("run", SHADOW, "--force").out

@@ -37,7 +37,7 @@ struct IntegratorSettings {
   /// given.
   std::optional<double> accuracy;
   /// Schemes from which the adviser chooses, names or texts.
-  std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "gier4"};
+  std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
   double step = 0.002;  ///< [ps]
   /// Of the finite-difference gradient (vanzon2008, Eq. 6). Without a word 1e-4 in double
   /// precision, and 1 in mixed: rounding of the forces enters divided by lambda, while the order of
@@ -48,10 +48,12 @@ struct IntegratorSettings {
 };
 
 struct RunSettings {
-  double equilibrate = 0;             ///< [ps], with velocity rescaling
-  double length = 15;                 ///< [ps]
-  double sample = 0.004;              ///< between samples of the energies [ps]
-  double shadow_sample = 0;           ///< between those of the shadow energy [ps]; 0: none
+  double equilibrate = 0;  ///< [ps], with velocity rescaling
+  double length = 15;      ///< [ps]
+  double sample = 0.004;   ///< between samples of the energies [ps]
+  /// Between those of the shadow energy [ps]; 0: none; without a word a hundred steps, where the
+  /// scheme has one.
+  std::optional<double> shadow_sample;
   double configurational_sample = 0;  ///< of configurational temperatures [ps]; 0: none
 };
 

@@ -33,7 +33,9 @@ struct TrajectorySettings {
   /// How many samples of the energies there are to one that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;
 
-  /// @throws Error  if a shadow energy is wanted of a scheme that has none of order h²
+  /// Whether the scheme has a shadow energy of order h² that can be measured.
+  bool has_shadow() const;
+  /// @throws Error  if a shadow energy is wanted of a scheme that has none
   void check_shadow() const;
 };
 

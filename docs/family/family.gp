@@ -1,0 +1,356 @@
+# Restyle this and run it again: gnuplot draws family.svg.
+set encoding utf8
+set minussign
+set terminal svg size 1350,460 dynamic enhanced font "Helvetica,13" background "white"
+set output "family.svg"
+set border 3 linewidth 1 linecolor "#404040"
+set tics nomirror out scale 0.6 textcolor "#404040"
+set grid linewidth 0.5 linecolor "#e4e4e4"
+set key bottom left textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",10"
+set logscale xy
+set xlabel "cost  (force evaluations per ps)" offset 0,0.4
+set ylabel "R  (%)" offset 1
+set xtics (150, 200, 300, 400, 600, 1000, 2000)
+set xrange [180:2100]
+set yrange [0.002:20]
+$c0k0 << EOD
+2000 0.054335
+1414.43 0.11341
+1000 0.21704
+709.22 0.43396
+500 0.87346
+353.357 1.7752
+250 3.5924
+176.678 7.7104
+EOD
+$c0k1 << EOD
+2000 0.028489
+1418.44 0.056064
+1000 0.12001
+706.714 0.2366
+500 0.43014
+353.357 0.86448
+250 2.1024
+EOD
+$c0k2 << EOD
+2000 0.023031
+1413.43 0.043836
+1000 0.082739
+706.714 0.16913
+500 0.37056
+353.982 0.88054
+250 2.9339
+EOD
+$c0k3 << EOD
+2000 0.014177
+1415.09 0.055954
+1000 0.21919
+707.547 1.0222
+500 6.1377
+EOD
+$c0k4 << EOD
+2000 0.0067166
+1412.43 0.025274
+1000 0.1072
+707.214 1.5272
+EOD
+$c0k5 << EOD
+2000 0.0029964
+1412.43 0.0042552
+1000 0.012859
+707.214 0.16652
+500 2.9567
+EOD
+$c0k6 << EOD
+2000 0.0099441
+1414.14 0.067624
+1000 0.74177
+EOD
+$c0k7 << EOD
+2000 0.0032253
+1413.43 0.0050508
+1000 0.016549
+706.714 0.096786
+500 1.8039
+EOD
+$c0k8 << EOD
+2000 0.0048541
+1413.43 0.0054815
+1000 0.014688
+706.714 0.10479
+500 1.6865
+EOD
+$c0k9 << EOD
+2000 0.0032138
+1412.43 0.0033068
+1000 0.0045714
+707.214 0.05717
+500 0.80007
+354.61 7.5364
+EOD
+$c0k10 << EOD
+2000 0.0031378
+1412.43 0.0030395
+1000 0.0046778
+707.214 0.097364
+500 2.3796
+EOD
+$c0k11 << EOD
+2000 0.0031816
+1415.09 0.00333
+1000 0.012864
+706.714 0.12851
+500 0.63346
+352.941 13.03
+EOD
+$c0k12 << EOD
+2000 0.0030301
+1415.09 0.0029613
+1000 0.013733
+706.714 0.37879
+500 1.8779
+EOD
+$c0k13 << EOD
+2000 0.0030198
+1413.88 0.0040693
+1000 0.03372
+705.128 0.2377
+500 2.5582
+EOD
+$c0k14 << EOD
+2000 0.0030754
+1414.14 0.016979
+1000 0.13656
+707.071 1.3683
+500 41.898
+EOD
+$c0k15 << EOD
+2000 0.0068896
+1415.09 0.025445
+1000 0.16187
+706.714 5.6865
+EOD
+$c0k16 << EOD
+2000 0.0041661
+1412.43 0.012362
+1000 0.054937
+707.214 0.89948
+500 32.216
+EOD
+$c0k17 << EOD
+2000 0.0029345
+1412.43 0.0032356
+1000 0.0066246
+707.214 0.11195
+500 1.6391
+354.61 10.874
+EOD
+$c0k18 << EOD
+2000 0.059721
+1414.43 0.11769
+1000 0.23616
+709.22 0.46467
+500 0.91853
+353.357 1.8361
+250 3.752
+176.678 7.5616
+EOD
+$c0k19 << EOD
+2000 0.022772
+1418.44 0.04031
+1000 0.088991
+706.714 0.1728
+500 0.32564
+353.357 0.62827
+250 3.5888
+EOD
+$c0k19d << EOD
+176.991 135.45
+EOD
+$c0k20 << EOD
+2000 0.0031314
+1413.43 0.0048774
+1000 0.016213
+706.714 0.16599
+500 1.7621
+EOD
+$c0k20d << EOD
+353.982 88.531
+EOD
+$c0k21 << EOD
+2000 0.0028527
+1415.09 0.0030759
+1000 0.006007
+707.547 0.020898
+500 0.19384
+353.357 6.7727
+EOD
+$c0k21d << EOD
+250 134.04
+EOD
+$c0k22 << EOD
+2000 0.024333
+1415.09 0.045302
+1000 0.089785
+707.547 0.19375
+500 0.38104
+353.357 0.73474
+250 1.719
+EOD
+$c0k22d << EOD
+176.471 29.55
+EOD
+$c1k0 << EOD
+2000 0.029369
+1418.44 0.059299
+1000 0.11439
+706.714 0.22357
+500 0.45299
+353.357 0.83643
+250 2.1369
+176.991 82.228
+EOD
+$c1k1 << EOD
+2000 0.0038716
+1412.43 0.003738
+1000 0.004287
+707.214 0.037
+500 0.4621
+354.61 3.8387
+250 139.09
+EOD
+$c1k2 << EOD
+2000 0.060305
+1414.43 0.11472
+1000 0.21498
+709.22 0.4526
+500 0.93076
+353.357 2.0646
+250 3.8219
+176.678 7.8442
+EOD
+$c1k3 << EOD
+2000 0.020199
+1418.44 0.045628
+1000 0.089405
+706.714 0.14696
+500 0.30733
+353.357 0.6944
+250 2.4403
+EOD
+$c1k3d << EOD
+176.991 120.45
+EOD
+$c1k4 << EOD
+2000 0.003727
+1413.43 0.0049743
+1000 0.016178
+706.714 0.087987
+500 1.7477
+353.982 65.596
+EOD
+$c1k5 << EOD
+2000 0.0038163
+1415.09 0.0037039
+1000 0.0062223
+707.547 0.020372
+500 0.19655
+353.357 1.5459
+EOD
+$c1k5d << EOD
+250 111.42
+EOD
+$c1k6 << EOD
+2000 0.021974
+1415.09 0.043911
+1000 0.089294
+707.547 0.165
+500 0.35105
+353.357 0.77357
+250 1.6881
+176.471 20.21
+EOD
+$c2k0 << EOD
+2000 0.0019254
+1418.44 0.00308
+1000 0.0056764
+706.714 0.010703
+500 0.020729
+353.357 0.04461
+250 0.085295
+176.991 0.17605
+EOD
+$c2k1 << EOD
+2000 0.0013029
+1412.43 0.0013178
+1000 0.0015878
+707.214 0.0014904
+500 0.0045283
+354.61 0.013085
+250 0.045233
+176.678 0.34327
+EOD
+$c2k2 << EOD
+2000 0.0026904
+1414.43 0.0057443
+1000 0.011272
+709.22 0.021585
+500 0.040749
+353.357 0.084359
+250 0.18473
+176.678 0.33504
+EOD
+$c2k3 << EOD
+2000 0.0021047
+1418.44 0.0029188
+1000 0.0052197
+706.714 0.0099941
+500 0.022154
+353.357 0.043014
+250 0.081984
+176.991 0.17665
+EOD
+$c2k4 << EOD
+2000 0.0012633
+1413.43 0.0013139
+1000 0.0015379
+706.714 0.0023351
+500 0.0056545
+353.982 0.015547
+250 0.17085
+176.991 1.4579
+EOD
+$c2k5 << EOD
+2000 0.0012911
+1415.09 0.0013666
+1000 0.0013779
+707.547 0.0016182
+500 0.0029338
+353.357 0.0066553
+250 0.027613
+176.471 0.52655
+EOD
+$c2k6 << EOD
+2000 0.0018259
+1415.09 0.0028908
+1000 0.0056049
+707.547 0.0093442
+500 0.021191
+353.357 0.044022
+250 0.078638
+176.471 0.15446
+EOD
+set multiplot
+set lmargin at screen 0.056
+set rmargin at screen 0.327
+set title "reaction-field"
+plot $c0k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c0k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c0k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c0k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c0k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c0k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c0k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c0k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c0k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
+set lmargin at screen 0.382
+set rmargin at screen 0.653
+set title "pme"
+plot $c1k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k2 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c1k3 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c1k3d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c1k4 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c1k5 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c1k5d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c1k6 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+set lmargin at screen 0.709
+set rmargin at screen 0.980
+set title "co2"
+plot $c2k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k2 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c2k3 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c2k4 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c2k5 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c2k6 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+unset multiplot
