@@ -6,7 +6,7 @@ set output "family.svg"
 set border 3 linewidth 1 linecolor "#404040"
 set tics nomirror out scale 0.6 textcolor "#404040"
 set grid linewidth 0.5 linecolor "#e4e4e4"
-set key bottom left textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",10"
+set key top right textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",10"
 set logscale xy
 set xlabel "cost  (force evaluations per ps)" offset 0,0.4
 set ylabel "R  (%)" offset 1
