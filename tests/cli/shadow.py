@@ -20,7 +20,7 @@ class Shadow(Sandbox):
         self.assertEqual(process.returncode, 0, process.err)
         return json.loads(process.out).get("shadow")
 
-    def test_a_run_tells_of_it_only_where_asked(self):
+    def test_a_run_tells_of_it_unless_told_not_to(self):
         plain = json.loads(self.done("run", edited(SHADOW, ('shadow_sample = "20 fs"', 'shadow_sample = "0 fs"')), "--json").out)
         self.assertNotIn("shadow", plain)
         energies = self.rows("out-energies.csv")
@@ -35,6 +35,15 @@ class Shadow(Sandbox):
         self.assertGreater(shadow["times_sooner"], 1)
         sooner = (plain["drift_error"] / shadow["drift_error"]) ** (2 / 3)  # standard errors fall as t^(-3/2)
         self.assertAlmostEqual(shadow["times_sooner"] / sooner, 1, places=9)
+
+    def test_every_hundred_steps_without_a_word(self):
+        unasked = edited(SHADOW, ('shadow_sample = "20 fs"\n', ""))  # 200 steps: at the start, in the middle, at the end
+        told = self.done("run", unasked, "--json")
+        every = self.done("run", edited(SHADOW, ('"20 fs"', '"200 fs"')), "--json", "--force")
+        self.assertIn("shadow", json.loads(told.out))
+        self.assertEqual(json.loads(told.out)["shadow"], json.loads(every.out)["shadow"])
+        for scheme in ("gier4", "velocity-verlet / hoa2 x 1 within 0.6 nm"):  # which have none
+            self.assertNotIn("shadow", json.loads(self.done("run", unasked, "--json", "--force", "--scheme", scheme).out))
 
     def test_a_run_that_goes_on_keeps_its_values(self):
         self.write("run.toml", SHADOW)
