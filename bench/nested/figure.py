@@ -9,8 +9,8 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
 # Okabe and Ito's colours, as in all figures here.
-SINGLE = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4": "#009E73"}
-NESTED = ["#CC79A7", "#E69F00", "#56B4E9", "#000000"]
+SINGLE = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "bcss3": "#CC79A7", "gier4": "#009E73", "gier4-fd": "#56B4E9"}
+NESTED = ["#E69F00", "#000000", "#8C564B", "#7F7F7F", "#9467BD"]
 
 
 def shown(points, most):
@@ -35,12 +35,14 @@ def shown(points, most):
 
 def script(result, image):
     data, panels = [], []
+    width = 0.98 / len(result["laws"])
     for column, (law, of) in enumerate(result["laws"].items()):
         for row, (x, label) in enumerate((("force_evaluations_per_ps", "cost  (force evaluations per ps)"),
                                           ("step_fs", "outer step  (fs)"))):
             plots = []
+            nested = iter(NESTED)
             for k, (scheme, curve) in enumerate(shown(of["points"], len(NESTED)).items()):
-                colour = SINGLE.get(scheme) or NESTED[k - len(SINGLE)]
+                colour = SINGLE.get(scheme) or next(nested)
                 for usable in (True, False):
                     name = f"$c{column}r{row}k{k}u{int(usable)}"
                     chosen = "\n".join(f"{p[x]:g} {100 * p['R']:.5g}" for p in curve if usable or not p["usable"])
@@ -51,15 +53,15 @@ def script(result, image):
                              f'linecolor "{colour}" title "{scheme if row == 0 else ""}"' if usable else
                              f'with points pointtype 2 pointsize 1.4 linewidth 1.6 linecolor "{colour}" notitle')
                     plots.append(f"{name} using 1:2 {style}")
-            panels.append(f'set lmargin at screen {0.08 + 0.5 * column}\nset rmargin at screen {0.49 + 0.5 * column}\n'
+            panels.append(f'set lmargin at screen {0.08 + width * column}\nset rmargin at screen {width * (column + 1)}\n'
                           f'set tmargin at screen {0.93 - 0.5 * row}\nset bmargin at screen {0.58 - 0.5 * row}\n'
                           f'set xlabel "{label}" offset 0,0.4\n'
                           + (f'set title "{law}"\nset logscale x\nset xtics (100, 150, 200, 300, 400, 600, 1000)\n'
                              if row == 0 else "unset title\nunset logscale x\nset xtics autofreq\n")
                           + f"plot {', '.join(plots)}")
-    width, height = 1100, 860
-    terminal = (f'svg size {width},{height} dynamic enhanced font "Helvetica,13"' if image.suffix != ".png" else
-                f'pngcairo size {width},{height} enhanced font "Helvetica,10"')
+    size = f"{150 + 480 * len(result['laws'])},860"
+    terminal = (f'svg size {size} dynamic enhanced font "Helvetica,13"' if image.suffix != ".png" else
+                f'pngcairo size {size} enhanced font "Helvetica,10"')
     return "\n".join([
         f"# Restyle this and run it again: gnuplot draws {image.name}.", "set encoding utf8", "set minussign",
         f'set terminal {terminal} background "white"', f'set output "{image.name}"',
