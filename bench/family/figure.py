@@ -46,18 +46,10 @@ def script(result, image):
         panels.append(f'set lmargin at screen {labels + width * column:.3f}\n'
                       f'set rmargin at screen {width * (column + 1):.3f}\n'
                       f'set title "{system}"\nplot {", ".join(plots)}')
-    size = f"{450 * len(systems)},460"
-    terminal = (f'svg size {size} dynamic enhanced font "Helvetica,13"' if image.suffix != ".png" else
-                f'pngcairo size {size} enhanced font "Helvetica,10"')
     return "\n".join([
-        f"# Restyle this and run it again: gnuplot draws {image.name}.", "set encoding utf8", "set minussign",
-        f'set terminal {terminal} background "white"', f'set output "{image.name}"',
-        'set border 3 linewidth 1 linecolor "#404040"', 'set tics nomirror out scale 0.6 textcolor "#404040"',
-        'set grid linewidth 0.5 linecolor "#e4e4e4"',
-        'set key top right textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",10"',
-        "set logscale xy", 'set xlabel "cost  (force evaluations per ps)" offset 0,0.4', 'set ylabel "R  (%)" offset 1',
-        "set xtics (150, 200, 300, 400, 600, 1000, 2000)", "set xrange [180:2100]", "set yrange [0.002:20]", *data,
-        "set multiplot", *panels, "unset multiplot", ""])
+        *drawing.head(image, 450 * len(systems), 460), "set logscale x",
+        'set xlabel "cost  (force evaluations per ps)" offset 0,0.4', "set xtics (150, 200, 300, 400, 600, 1000, 2000)",
+        "set xrange [180:2100]", "set yrange [0.002:20]", *data, "set multiplot", *panels, "unset multiplot", ""])
 
 
 def draw(result, image):

@@ -59,17 +59,8 @@ def script(result, image):
                           + (f'set title "{law}"\nset logscale x\nset xtics (100, 150, 200, 300, 400, 600, 1000)\n'
                              if row == 0 else "unset title\nunset logscale x\nset xtics autofreq\n")
                           + f"plot {', '.join(plots)}")
-    size = f"{150 + 480 * len(result['laws'])},860"
-    terminal = (f'svg size {size} dynamic enhanced font "Helvetica,13"' if image.suffix != ".png" else
-                f'pngcairo size {size} enhanced font "Helvetica,10"')
-    return "\n".join([
-        f"# Restyle this and run it again: gnuplot draws {image.name}.", "set encoding utf8", "set minussign",
-        f'set terminal {terminal} background "white"', f'set output "{image.name}"',
-        'set border 3 linewidth 1 linecolor "#404040"', 'set tics nomirror out scale 0.6 textcolor "#404040"',
-        'set grid linewidth 0.5 linecolor "#e4e4e4"',
-        'set key top right textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",9"',
-        "set logscale y", 'set ylabel "R  (%)" offset 1', "set yrange [0.02:20]", *data, "set multiplot", *panels,
-        "unset multiplot", ""])
+    return "\n".join([*drawing.head(image, 150 + 480 * len(result["laws"]), 860), "set yrange [0.02:20]", *data,
+                      "set multiplot", *panels, "unset multiplot", ""])
 
 
 def draw(result, image):

@@ -6,10 +6,11 @@ set output "family.svg"
 set border 3 linewidth 1 linecolor "#404040"
 set tics nomirror out scale 0.6 textcolor "#404040"
 set grid linewidth 0.5 linecolor "#e4e4e4"
-set key top right textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",10"
-set logscale xy
-set xlabel "cost  (force evaluations per ps)" offset 0,0.4
+set key top right textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",9"
+set logscale y
 set ylabel "R  (%)" offset 1
+set logscale x
+set xlabel "cost  (force evaluations per ps)" offset 0,0.4
 set xtics (150, 200, 300, 400, 600, 1000, 2000)
 set xrange [180:2100]
 set yrange [0.002:20]
