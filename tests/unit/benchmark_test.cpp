@@ -50,6 +50,6 @@ TEST_CASE("a timing is the best of its repeats with their median") {
 
 TEST_CASE("a limit counts pairs within the switch at their own price") {
   const Limit limit{Precision::full, 8, 1, {{2, 2}, {3, 3}}, {{4, 4}, {5, 5}}};
-  CHECK(limit.seconds(10, 100, false) == doctest::Approx(320e-9));
-  CHECK(limit.seconds(10, 100, true) == doctest::Approx(540e-9));
+  CHECK(1e9 * limit.seconds(10, 100, false) == doctest::Approx(320));
+  CHECK(1e9 * limit.seconds(10, 100, true) == doctest::Approx(540));
 }

@@ -29,8 +29,8 @@ TEST_CASE("slope and standard error of a published example") {
 
 // Student's t tables: t(9) = 3.250 and t(9) = 2.262 leave 1 % and 5 % on both sides.
 TEST_CASE("the chance of an estimate follows Student's t") {
-  CHECK(chance({3.250, 1}, 9) == doctest::Approx(0.01).epsilon(1e-3));
-  CHECK(chance({-2.262, 1}, 9) == doctest::Approx(0.05).epsilon(1e-3));
+  CHECK(100 * chance({3.250, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
+  CHECK(20 * chance({-2.262, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
   CHECK(chance({0, 0}, 9) == 1);
   CHECK(chance({1, 0}, 9) == 0);
 }
