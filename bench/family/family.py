@@ -19,7 +19,8 @@ SYSTEMS = {
     "pme": W512 + '[forces]\ncutoff = "0.9 nm"\nelectrostatics = "pme"\naccuracy = 1e-4\n',
     "co2": CO2 + '[forces]\ntruncation = "site-switch"\ncutoff = "1.0 nm"\n',
 }
-MOST, FACTOR, POINTS = 2000, sqrt(2), 8  # force evaluations per ps of the shortest step; between neighbours; steps
+COSTS = {"reaction-field": (2000, 8), "pme": (2000, 8), "co2": (1000, 9)}  # the most force evaluations per ps; steps
+FACTOR = sqrt(2)  # between costs of neighbouring steps
 RATIOS = (0.015, 0.01, 0.004, 0.001, 0.0001)
 TIMED = 3  # schemes at each R whose time is measured
 
@@ -30,9 +31,10 @@ def table_of_schemes(o):
     return [s for s in known if not o.schemes or s["name"] in o.schemes]
 
 
-def steps(cost):
+def steps(system, cost):
     """Steps [fs] at equal costs for every scheme."""
-    return [float(f"{1000 * cost / (MOST / FACTOR**k):.3g}") for k in range(POINTS)]
+    most, points = COSTS[system]
+    return [float(f"{1000 * cost / (most / FACTOR**k):.3g}") for k in range(points)]
 
 
 def cost_at(own, ratio, order):
@@ -99,7 +101,7 @@ def main():
         run_file = o.folder / f"{system}.toml"
         run_file.write_text(SYSTEMS[system].replace("[forces]\n", f'[forces]\nprecision = "{o.precision}"\n'), encoding="utf-8")
         points = [p for s in schemes
-                  for p in curves.study(o, run_file, o.folder / f"{system}-{s['name']}", s["name"], steps(s["cost"]))]
+                  for p in curves.study(o, run_file, o.folder / f"{system}-{s['name']}", s["name"], steps(system, s["cost"]))]
         result["systems"][system] = {"points": points,
                                      "ranking": ranking(o, run_file, points, {s["name"]: s["order"] for s in schemes})}
         Path(o.output).write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")

@@ -43,13 +43,15 @@ def script(result, image):
                 plots.append(f'{name}d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 '
                              f'linecolor "{told[scheme]}" notitle')
         width, labels = 0.98 / len(systems), 75 / (450 * len(systems))
-        panels.append(f'set lmargin at screen {labels + width * column:.3f}\n'
+        costs = [p["force_evaluations_per_ps"] for p in of["points"]]
+        panels.append(f'set xrange [{0.9 * min(costs):.0f}:{1.05 * max(costs):.0f}]\n'
+                      f'set lmargin at screen {labels + width * column:.3f}\n'
                       f'set rmargin at screen {width * (column + 1):.3f}\n'
                       f'set title "{system}"\nplot {", ".join(plots)}')
     return "\n".join([
         *drawing.head(image, 450 * len(systems), 460), "set logscale x",
-        'set xlabel "cost  (force evaluations per ps)" offset 0,0.4', "set xtics (150, 200, 300, 400, 600, 1000, 2000)",
-        "set xrange [180:2100]", "set yrange [0.002:20]", *data, "set multiplot", *panels, "unset multiplot", ""])
+        'set xlabel "cost  (force evaluations per ps)" offset 0,0.4', "set xtics (60, 100, 150, 200, 300, 400, 600, 1000, 2000)",
+        "set yrange [0.002:20]", *data, "set multiplot", *panels, "unset multiplot", ""])
 
 
 def draw(result, image):

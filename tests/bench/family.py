@@ -22,9 +22,10 @@ def curve(scheme, evaluations, factor, order, steps, longest=99):
 
 class Family(unittest.TestCase):
     def test_steps_cost_the_same_for_every_scheme(self):
-        for cheap, dear in zip(family.steps(1), family.steps(4)):
+        for cheap, dear in zip(family.steps("pme", 1), family.steps("pme", 4)):
             self.assertAlmostEqual(4 * cheap / dear, 1, 2)  # three digits
-        self.assertAlmostEqual(family.steps(2)[0], 1)  # 2,000 evaluations per ps
+        self.assertAlmostEqual(family.steps("pme", 2)[0], 1)  # 2,000 evaluations per ps
+        self.assertAlmostEqual(family.steps("co2", 2)[0], 2)
 
     def test_costs_between_below_and_above_the_points(self):
         own = curve("hoa2", 2, 2e-4, 2, (2, 4, 8), longest=4)

@@ -20,6 +20,12 @@ struct PairValue {
   Real s;  ///< −u'/r [kJ/mol/nm²]
 };
 
+/// The same, the derivative of u taken from s: du/d(r²) = −s/2.
+template <class Real>
+PairValue<Real> with_derivative(const PairValue<Real>& at_r, Real r2) {
+  return {with_derivative(at_r.u, constant<Real>(-0.5) * at_r.s, r2), at_r.s};
+}
+
 /// u = c12/r¹² − c6/r⁶, with c12 = 4 ε σ¹² and c6 = 4 ε σ⁶.
 struct LennardJones {
   double c6 = 0;   ///< [kJ/mol nm⁶]
@@ -84,7 +90,7 @@ class Switch {
     x = select(x < Real(0), Real(0), x);
     x = select(x > Real(1), Real(1), x);
     const Value<Real> step = smoothness_ == 1 ? C1(x) : smoothness_ == 2 ? C2(x) : C3(x);
-    return {step.w, step.slope * constant<Real>(inverse_width_)};
+    return {with_derivative(step.w, step.slope, x), step.slope * constant<Real>(inverse_width_)};
   }
 
  private:

@@ -207,6 +207,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
           if constexpr (by_site) site_end = laws.switching(square * inverse.first());
           const auto ended = [&](PairValue<Real> at_r, const auto& at_cutoff)
               __attribute__((always_inline)) {
+            at_r = with_derivative(at_r, square);
             if constexpr (by_site) {  // −(w u)'/r = w s − w' u/r
               at_r.s = site_end.w * at_r.s - site_end.slope * inverse.first() * at_r.u;
               at_r.u = site_end.w * at_r.u;
@@ -214,7 +215,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
               const Real one_over_r = inverse.first();
               at_r = shifted(at_r, at_cutoff(), square * one_over_r, one_over_r, C(laws.cutoff));
             }
-            return at_r;
+            return with_derivative(at_r, square);
           };
           const C cutoff2(laws.cutoff * laws.cutoff);
           const auto coulomb = [&]() __attribute__((always_inline)) {

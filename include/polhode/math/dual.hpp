@@ -86,6 +86,12 @@ constexpr void subtract_product(Dual<Real>& sum, const Dual<Real>& a, const Dual
 }
 
 template <class Real>
+constexpr Dual<Real> with_derivative(const Dual<Real>& value, const Dual<Real>& derivative,
+                                     const Dual<Real>& x) {
+  return {value.value, derivative.value * x.slope};
+}
+
+template <class Real>
 constexpr Vec3<Real> value(const Vec3<Dual<Real>>& v) {
   return {v.x.value, v.y.value, v.z.value};
 }
