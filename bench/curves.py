@@ -28,10 +28,11 @@ def by_scheme(points):
 
 
 def usable(own):
-    """The points of a curve before the first one that drifts or ends."""
+    """The points of a curve before the first one that drifts or ends. One curve in a hundred without any drift seems to
+    have one: a study says that of one point in a hundred."""
     good = []
     for p in own:
-        if not p["usable"]:
+        if not p["stable"] or p["drift_chance"] < 0.01 / len(own):
             break
         good.append(p)
     return good

@@ -6,6 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[1]))
+import curves  # noqa: E402
 import drawing  # noqa: E402
 
 # Okabe and Ito's colours, as in all figures here.
@@ -43,9 +44,10 @@ def script(result, image):
             nested = iter(NESTED)
             for k, (scheme, curve) in enumerate(shown(of["points"], len(NESTED)).items()):
                 colour = SINGLE.get(scheme) or next(nested)
+                good = len(curves.usable(curve))
                 for usable in (True, False):
                     name = f"$c{column}r{row}k{k}u{int(usable)}"
-                    chosen = "\n".join(f"{p[x]:g} {100 * p['R']:.5g}" for p in curve if usable or not p["usable"])
+                    chosen = "\n".join(f"{p[x]:g} {100 * p['R']:.5g}" for p in curve[0 if usable else good:])
                     if not chosen:
                         continue
                     data.append(f"{name} << EOD\n{chosen}\nEOD")

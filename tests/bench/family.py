@@ -17,7 +17,7 @@ import figure
 def curve(scheme, evaluations, factor, order, steps, longest=99):
     """Points of a scheme with R = factor hⁿ at evaluations per step; usable up to the longest."""
     return [{"scheme": scheme, "step_fs": h, "force_evaluations_per_ps": 1000 * evaluations / h, "R": factor * h**order,
-             "stable": True, "usable": h <= longest} for h in steps]
+             "stable": True, "drift_chance": 0.5 if h <= longest else 0.001} for h in steps]
 
 
 class Family(unittest.TestCase):
