@@ -12,6 +12,8 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/run/advice_curves.hpp"
+#include "temperature_tables.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -52,7 +54,7 @@ double worst_rounding(const AdviserPoint& point) {
   return *std::max_element(values.begin(), values.end());
 }
 
-nlohmann::json as_json(const AdviserPoint& point) {
+nlohmann::json as_json(const Candidate& candidate, const AdviserPoint& point) {
   nlohmann::json json{{"step_fs", point.step * 1000},
                       {"runs", point.runs.size()},
                       {"length_ps", point.length},
@@ -69,6 +71,7 @@ nlohmann::json as_json(const AdviserPoint& point) {
     json["temperature_bias"][kinds[k]] = {{"value", bias(point, k).value},
                                           {"error", bias(point, k).error}};
   }
+  add_excesses(json, efficiency_point(candidate, point));
   json["R_rounding"] = worst_rounding(point);
   return json;
 }
@@ -82,7 +85,8 @@ nlohmann::json as_json(const Candidate& candidate) {
   if (candidate.step > 0)
     json["force_evaluations_per_ps"] = candidate.scheme.cost() / candidate.step;
   if (!candidate.obstacle.empty()) json["obstacle"] = candidate.obstacle;
-  for (const AdviserPoint& point : candidate.points) json["points"].push_back(as_json(point));
+  for (const AdviserPoint& point : candidate.points)
+    json["points"].push_back(as_json(candidate, point));
   return json;
 }
 
@@ -99,21 +103,24 @@ Table point_table(const Advice& advice) {
                    {"drift_error", "kJ/mol/ns"},
                    {"bound", "1"},
                    {"confirms", "1"}};
-  const auto add = [&](const std::string& scheme, const AdviserPoint& p, bool confirms) {
+  add_excess_columns(table.columns);
+  const auto add = [&](const Candidate& candidate, const AdviserPoint& p, bool confirms) {
     const bool there = !blew_up(p.runs);
     const Estimate R = there ? p.ratio() : Estimate{}, d = there ? p.drift() : Estimate{};
-    table.rows.push_back({scheme, p.step * 1000, p.length, static_cast<double>(p.runs.size()),
-                          p.usable ? 1.0 : 0.0, R.value, R.error, in_kJ_per_ns(d.value),
-                          in_kJ_per_ns(d.error), there ? p.bound : 0.0, confirms ? 1.0 : 0.0});
+    table.rows.push_back({candidate.name, p.step * 1000, p.length,
+                          static_cast<double>(p.runs.size()), p.usable ? 1.0 : 0.0, R.value,
+                          R.error, in_kJ_per_ns(d.value), in_kJ_per_ns(d.error),
+                          there ? p.bound : 0.0, confirms ? 1.0 : 0.0});
+    add_excesses(table.rows.back(), efficiency_point(candidate, p));
   };
   for (const Candidate& candidate : advice.candidates)
-    for (const AdviserPoint& point : candidate.points) add(candidate.name, point, false);
-  for (const auto& [c, point] : advice.refused) add(advice.candidates[c].name, point, true);
-  if (advice.best) add(advice.candidates[*advice.best].name, advice.confirmation, true);
+    for (const AdviserPoint& point : candidate.points) add(candidate, point, false);
+  for (const auto& [c, point] : advice.refused) add(advice.candidates[c], point, true);
+  if (advice.best) add(advice.candidates[*advice.best], advice.confirmation, true);
   return table;
 }
 
-std::vector<AdviceCurve> curves(const Advice& advice) {
+std::vector<AdviceCurve> drawn_curves(const Advice& advice) {
   std::vector<AdviceCurve> drawn;
   for (const Candidate& candidate : advice.candidates) {
     if (candidate.seconds == 0) continue;
@@ -193,7 +200,7 @@ void write_advice(const AdviceFiles& files, const Advice& advice, const Criterio
   write_file(files.json,
              [&](std::ostream& out) { out << advice_json(advice, criterion, 0) << '\n'; });
   if (files.figure.empty()) return;
-  AdviceFigure figure{curves(advice), {}, {}};
+  AdviceFigure figure{drawn_curves(advice), {}, {}};
   if (criterion.quality == Quality::ratio) figure.bound = criterion.bound;
   if (advice.best) {
     const Candidate& best = advice.candidates[*advice.best];
@@ -218,7 +225,7 @@ std::string advice_json(const Advice& advice, const Criterion& criterion, int th
   for (const Candidate& candidate : advice.candidates)
     json["candidates"].push_back(as_json(candidate));
   for (const auto& [c, point] : advice.refused) {
-    json["refused"].push_back(as_json(point));
+    json["refused"].push_back(as_json(advice.candidates[c], point));
     json["refused"].back()["scheme"] = advice.candidates[c].name;
   }
   const auto chosen = [&](std::size_t c) {
@@ -228,11 +235,12 @@ std::string advice_json(const Advice& advice, const Criterion& criterion, int th
   };
   if (advice.best) {
     json["best"] = chosen(*advice.best);
-    json["best"]["confirmation"] = as_json(advice.confirmation);
+    json["best"]["confirmation"] = as_json(advice.candidates[*advice.best], advice.confirmation);
   } else {
     json["obstacle"] = unreachable(advice, criterion);
   }
   if (advice.runner_up) json["runner_up"] = chosen(*advice.runner_up);
+  add_limits(json, equipartition(curves(advice)));
   return json.dump(2);
 }
 
@@ -251,6 +259,8 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
         candidate.step > 0 ? fmt::format("{:.0f}", candidate.scheme.cost() / candidate.step) : "-",
         candidate.seconds > 0 ? fmt::format("{:.3g}", candidate.ns_per_day()) : "-", tried);
   }
+  for (const Candidate& candidate : advice.candidates)
+    if (!candidate.obstacle.empty()) fmt::print("{}: {}\n", candidate.name, candidate.obstacle);
   for (const auto& [c, point] : advice.refused)
     fmt::print("not confirmed: {} at {:.3g} fs, {}\n", advice.candidates[c].name, point.step * 1000,
                blew_up(point.runs) ? "a run blew up"
@@ -271,7 +281,7 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
   fmt::print("  drift per molecule  {:.3g} ± {:.2g} kJ/mol/ns\n", in_kJ_per_ns(p.drift().value),
              in_kJ_per_ns(p.drift().error));
   fmt::print("  temperature         {:.2f} K",
-             mean(each(p.runs, [](const Outcome& run) { return run.temperature; })).value);
+             mean(each(p.runs, [](const Outcome& run) { return run.temperatures.all; })).value);
   const char* before = "; off by";
   for (std::size_t k = 0; k < 4; ++k)
     if (bias(p, k).error > 0) {
@@ -280,10 +290,14 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
     }
   fmt::print("\n  speed               {:.3g} ns/day with {} {}\n", best.ns_per_day(), threads,
              threads == 1 ? "thread" : "threads");
-  if (!advice.runner_up) return;
-  const Candidate& second = advice.candidates[*advice.runner_up];
-  fmt::print("  runner-up           {} at {:.3g} fs, {:.3g} ns/day, not confirmed\n", second.name,
-             second.step * 1000, second.ns_per_day());
+  if (advice.runner_up) {
+    const Candidate& second = advice.candidates[*advice.runner_up];
+    fmt::print("  runner-up           {} at {:.3g} fs, {:.3g} ns/day, not confirmed\n", second.name,
+               second.step * 1000, second.ns_per_day());
+  }
+  std::vector<Curve> shown = {curves(advice)[*advice.best]};
+  if (advice.runner_up) shown.push_back(curves(advice)[*advice.runner_up]);
+  print_temperatures(shown, equipartition(shown));
 }
 
 }  // namespace polhode::cli

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/io/plot.hpp"
+#include "temperature_tables.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -34,14 +35,7 @@ Table point_table(const StudyReport& report) {
                    {"R_rounding", "1"},
                    {"rounded", "1"},
                    {"near_weight", "1"}};
-  for (const char* axis : {"1", "2", "3"}) {
-    table.columns.push_back({fmt::format("excess_{}", axis), "K"});
-    table.columns.push_back({fmt::format("excess_{}_error", axis), "K"});
-  }
-  for (const char* motion : {"translation", "1", "2", "3"}) {
-    table.columns.push_back({fmt::format("configurational_excess_{}", motion), "K"});
-    table.columns.push_back({fmt::format("configurational_excess_{}_error", motion), "K"});
-  }
+  add_excess_columns(table.columns);
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
@@ -49,12 +43,7 @@ Table point_table(const StudyReport& report) {
                             p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
                             p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.chance,
                             p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
-      const auto add = [&](const std::optional<Estimate>& excess) {
-        const Estimate known = excess.value_or(Estimate{std::nan(""), std::nan("")});
-        table.rows.back().insert(table.rows.back().end(), {known.value, known.error});
-      };
-      for (const auto& excess : p.excess) add(excess);
-      for (const auto& excess : p.configurational_excess) add(excess);
+      add_excesses(table.rows.back(), p);
     }
   return table;
 }
@@ -101,15 +90,6 @@ std::string advice(const StudyReport& report, double ratio) {
   return text;
 }
 
-namespace {
-
-nlohmann::json estimate_json(const std::optional<Estimate>& e) {
-  if (!e) return {};
-  return {{"value", e->value}, {"error", e->error}};
-}
-
-}  // namespace
-
 std::string study_json(const StudyReport& report) {
   nlohmann::json json;
   json["conditions"] = conditions(report.config);
@@ -131,29 +111,9 @@ std::string study_json(const StudyReport& report) {
                                 {"R_rounding", p.rounding},
                                 {"rounded", p.at_rounding()},
                                 {"near_weight", p.near_weight}});
-      for (const auto& excess : p.excess)
-        json["points"].back()["excess_K"].push_back(estimate_json(excess));
-      for (const auto& excess : p.configurational_excess)
-        json["points"].back()["configurational_excess_K"].push_back(estimate_json(excess));
+      add_excesses(json["points"].back(), p);
     }
-  const auto add = [&](const char* kind, const std::string& scheme, nlohmann::json motion,
-                       int order, const Line& line) {
-    json[kind].push_back({{"scheme", scheme},
-                          {"axis", std::move(motion)},
-                          {"order", order},
-                          {"without_step_K", line.intercept.value},
-                          {"without_step_error", line.intercept.error},
-                          {"slope_K_per_ps_to_the_order", line.slope.value},
-                          {"slope_error", line.slope.error}});
-  };
-  for (const EquipartitionFit& fit : report.equipartition) {
-    for (std::size_t k = 0; k < fit.axes.size(); ++k)
-      if (fit.axes[k]) add("equipartition", fit.scheme, k + 1, fit.order, *fit.axes[k]);
-    for (std::size_t k = 0; k < fit.configurational.size(); ++k)
-      if (fit.configurational[k])
-        add("configurational", fit.scheme, k == 0 ? nlohmann::json() : nlohmann::json(k), fit.order,
-            *fit.configurational[k]);
-  }
+  add_limits(json, report.equipartition);
   for (const Guideline& line : report.guidelines) {
     nlohmann::json row{{"R", line.ratio}};
     for (std::size_t c = 0; c < line.costs.size(); ++c)
@@ -190,56 +150,6 @@ void write_study(const StudyFiles& files, const StudyReport& report, const Prove
   }
   for (const char* format : {"svg", "png"}) efficiency_plot(files.prefix, drawn, format, std::cerr);
 }
-
-namespace {
-
-/// Differences of temperatures by scheme and step, and without a step; nothing if none is known.
-/// @param columns  of what the differences are
-/// @param at       the differences at a point
-/// @param limits   the lines through them
-template <std::size_t n>
-void print_excesses(const StudyReport& report, const char* title,
-                    const std::array<const char*, n>& columns, const auto& at, const auto& limits) {
-  const auto known = [&](const EfficiencyPoint& p) {
-    return std::any_of(at(p).begin(), at(p).end(), [](const auto& e) { return e.has_value(); });
-  };
-  if (std::none_of(report.points.begin(), report.points.end(), known)) return;
-  const auto text = [](const std::optional<Estimate>& e) {
-    return e ? fmt::format("{:.2f} ± {:.2f}", e->value, e->error) : "-";
-  };
-  fmt::print("\n{} [K], and without a step by a + b h^k\n{:<18} {:>8}", title, "scheme", "step fs");
-  for (const char* column : columns) fmt::print(" {:>16}", column);
-  fmt::print("\n");
-  for (std::size_t c = 0; c < report.curves.size(); ++c) {
-    const Curve& curve = report.curves[c];
-    for (std::size_t i = 0; i < curve.usable; ++i) {
-      const EfficiencyPoint& p = curve.points[i];
-      fmt::print("{:<18} {:>8.3g}", p.scheme, p.step * 1000);
-      for (const auto& excess : at(p)) fmt::print(" {:>16}", text(excess));
-      fmt::print("\n");
-    }
-    const EquipartitionFit& fit = report.equipartition[c];
-    fmt::print("{:<18} {:>8}", "", fmt::format("0, k = {}", fit.order));
-    for (const std::optional<Line>& line : limits(fit))
-      fmt::print(" {:>16}", text(line ? std::optional(line->intercept) : std::nullopt));
-    fmt::print("\n");
-  }
-}
-
-void print_equipartition(const StudyReport& report) {
-  print_excesses<3>(
-      report, "temperature of rotation about each principal axis less that of translation",
-      {"axis 1", "axis 2", "axis 3"},
-      [](const EfficiencyPoint& p) -> const auto& { return p.excess; },
-      [](const EquipartitionFit& fit) -> const auto& { return fit.axes; });
-  print_excesses<4>(
-      report, "configurational temperature of each motion less its kinetic one",
-      {"translation", "axis 1", "axis 2", "axis 3"},
-      [](const EfficiencyPoint& p) -> const auto& { return p.configurational_excess; },
-      [](const EquipartitionFit& fit) -> const auto& { return fit.configurational; });
-}
-
-}  // namespace
 
 void print_study(const StudyReport& report, const StudyFiles& files) {
   fmt::print("{}\n\n", conditions(report.config));
@@ -286,7 +196,7 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
     }
     fmt::print("  {}\n", line.best ? report.curves[*line.best].scheme : "none");
   }
-  print_equipartition(report);
+  print_temperatures(report.curves, report.equipartition);
   const auto& molecules = report.config.system.molecules;
   const bool of_the_paper =
       molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;

@@ -59,4 +59,14 @@ ByMotion<std::optional<Estimate>> configurational_temperatures(
   return temperatures;
 }
 
+std::optional<ByMotion<double>> configurational_values(
+    std::span<const ConfigurationalSample> samples) {
+  if (samples.empty()) return std::nullopt;
+  const auto temperatures = configurational_temperatures(samples);
+  ByMotion<double> values;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] = temperatures[k].value_or(Estimate{}).value;
+  return values;
+}
+
 }  // namespace polhode

@@ -4,14 +4,18 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <mutex>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/run/rounding.hpp"
+#include "polhode/run/course.hpp"
 #include "polhode/run/step_search.hpp"
 #include "polhode/run/study.hpp"
 #include "polhode/run/trajectory.hpp"
@@ -28,10 +32,24 @@ double since(Clock::time_point start) {
 /// Starts of the runs that choose, and of each set of runs that confirm.
 constexpr std::size_t choosing = 6, confirming = 8;
 /// Sets of runs that may refuse a step before the adviser gives up.
-constexpr std::size_t most_refusals = 6;
+constexpr std::size_t most_refusals = 10;
 constexpr double preparation = 2;  // of a start, at most [ps], in steps of 1 fs
 /// Energies at least so often: rare ones would know R less well than the run could [ps].
 constexpr double longest_sample = 0.004;
+/// Parts of the length of the runs that confirm, after which it is asked whether they still may.
+constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
+/// Shares of the time: of runs that choose, of clocks, and of those that confirm at least.
+constexpr double choosing_share = 0.35, clock_share = 0.1, least_confirming_share = 0.3;
+/// Of the length of runs whose step decides: that of runs that only show the way to it.
+constexpr double way = 0.5;
+/// Of the step that the choosing runs propose, what is tried first: short runs flatter.
+constexpr double reserve = 0.97;
+/// A scheme waits while it is expected to cost so much more than the second cheapest, in force
+/// evaluations: what a clock may make good.
+constexpr double hopeless = 1.25;
+/// Of the force evaluations of a run: what its configurational temperatures may cost, and what one
+/// of their samples does.
+constexpr double temperature_share = 0.03, sample_cost = 2;
 /// A drift of the choosing runs ends the range of steps; a smaller chance than that of a verdict,
 /// for there are a dozen questions.
 constexpr double least_chance = 0.001;
@@ -54,6 +72,7 @@ class Adviser {
         base_(assembled(config)) {
     for (const std::string& text : settings.schemes)
       advice_.candidates.push_back({text, single_scheme_of(text), {}, {}, 0, 0, {}});
+    settled_.resize(advice_.candidates.size());
   }
 
   Advice advice() {
@@ -64,12 +83,10 @@ class Adviser {
     const double rounds = std::ceil(static_cast<double>(choosing) / workers_.threads());
     evaluation_ = since(before) / (rounds * std::max(1.0, 1000 * preparation_length()));
 
-    search_steps();
-    if (stop()) return stopped();
-    time_candidates();
-    if (stop()) return stopped();
     confirm();
     if (stop()) return stopped();
+    for (std::size_t c = 0; c < settled_.size(); ++c)
+      if (!settled_[c]) advice_.candidates[c].obstacle = waiting(c);
     return advice_;
   }
 
@@ -110,56 +127,100 @@ class Adviser {
   double preparation_length() const { return std::min(preparation, config_.study.decorrelate); }
 
   /// Starts with momenta that none before had.
-  std::vector<System> fresh_starts(std::size_t count) {
+  std::vector<Course> fresh_starts(std::size_t count) {
     report("preparing starts");
-    std::vector<System> starts(count, base_);
+    std::vector<Course> starts;
+    for (std::size_t k = 0; k < count; ++k)
+      starts.push_back({base_, start_seed(config_, drawn_ + k)});
     workers_.each(count, [&](std::size_t k) {
       if (!stop())
-        starts[k] =
+        starts[k].system =
             decorrelated_start(base_, config_, drawn_ + k, preparation_length(), watch_.stop);
     });
     drawn_ += count;
     return starts;
   }
 
-  TrajectorySettings settings_of(const Job& job) const {
-    return {advice_.candidates[job.candidate].scheme, job.step, job.length,
-            std::min(config_.run.sample, longest_sample), config_.integrator.lambda};
-  }
-
-  Outcome one_run(const System& start, const Job& job) const {
-    System system = start;
-    ForceField forces(system.topology, system.forces, system.state.box);
-    const TrajectorySettings s = settings_of(job);
-    const Trajectory t = trajectory(system, forces, s, {nullptr, watch_.stop});
-    Outcome run = outcome(system, t);
-    if (run.failure.empty()) {
-      std::vector<double> potential;
-      for (const Energies& e : t.samples) potential.push_back(e.potential());
-      run.rounding = rounding_fluctuation(noise_, s.scheme, s.lambda, s.step, s.length) /
-                     fluctuation(potential);
-    }
-    return run;
+  /// Moves a run on until the job's length.
+  Outcome moved_on(Course& course, const Job& job) const {
+    const Scheme& scheme = advice_.candidates[job.candidate].scheme;
+    return moved(
+        course,
+        {.scheme = scheme,
+         .step = job.step,
+         .length = job.length,
+         .sample = std::min(config_.run.sample, longest_sample),
+         .lambda = config_.integrator.lambda,
+         .configurational_sample = sample_cost / temperature_share * job.step / scheme.cost()},
+        noise_, watch_.stop);
   }
 
   /// Runs of every job from every start, as many at once as there are workers.
-  std::vector<AdviserPoint> measured(const std::vector<Job>& jobs,
-                                     const std::vector<System>& starts) const {
+  std::vector<AdviserPoint> measured(const std::vector<Job>& jobs) const {
     std::vector<AdviserPoint> points;
     for (const Job& job : jobs)
-      points.push_back({job.step, job.length, std::vector<Outcome>(starts.size()), 0, false});
-    workers_.each(jobs.size() * starts.size(), [&](std::size_t k) {
+      points.push_back({job.step, job.length, std::vector<Outcome>(starts_.size()), 0, false});
+    workers_.each(jobs.size() * starts_.size(), [&](std::size_t k) {
       if (stop()) return;
-      const std::size_t j = k / starts.size(), r = k % starts.size();
-      points[j].runs[r] = one_run(starts[r], jobs[j]);
+      const std::size_t j = k / starts_.size(), r = k % starts_.size();
+      Course course = starts_[r];
+      points[j].runs[r] = moved_on(course, jobs[j]);
       report(advice_.candidates[jobs[j].candidate].name);
     });
-    for (AdviserPoint& point : points) {
-      point.bound = upper_bound(settings_.criterion.quality, point.runs);
-      point.usable = !blew_up(point.runs) && !drifts(point.runs, least_chance);
-    }
+    for (AdviserPoint& point : points) judge(point);
     return points;
   }
+
+  void judge(AdviserPoint& point) const {
+    point.bound = upper_bound(settings_.criterion.quality, point.runs);
+    point.usable = !blew_up(point.runs) && !drifts(point.runs, least_chance);
+  }
+
+  /// Whether nothing but the bound is in the way of an answer.
+  bool calm(const AdviserPoint& point) const {
+    return !blew_up(point.runs) &&
+           (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
+  }
+
+  /// Whether a run of the whole length leaves no hope for a set of them: of eight values none lies
+  /// further than 7/√8 = 2.47 standard deviations above their mean, and the bound lies 2.51.
+  bool breaks(const Outcome& run) const {
+    return settings_.criterion.quality == Quality::ratio &&
+           (!run.failure.empty() || run.ratio > settings_.criterion.bound);
+  }
+
+  /// Runs that are to confirm: over the whole length, or the part after which they no longer may.
+  AdviserPoint confirming_runs(std::vector<Course> courses, const Job& whole) const {
+    AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(courses.size()), 0, false};
+    for (const double part : parts) {
+      if (part < 1 && part * whole.length < least_length()) continue;
+      const Job job{whole.candidate, whole.step, part * whole.length};
+      std::atomic<bool> broken = false;
+      std::vector<char> done(courses.size(), 0);
+      workers_.each(courses.size(), [&](std::size_t r) {
+        // Two are the least of which a scatter is known.
+        if (stop() || (broken && r >= 2)) return;
+        point.runs[r] = moved_on(courses[r], job);
+        done[r] = 1;
+        if (part == 1 && breaks(point.runs[r])) broken = true;
+        report(advice_.candidates[job.candidate].name);
+      });
+      if (stop()) return point;
+      point.length = job.length;
+      if (broken) {
+        std::vector<Outcome> ended;
+        for (std::size_t r = 0; r < done.size(); ++r)
+          if (done[r]) ended.push_back(point.runs[r]);
+        point.runs = std::move(ended);
+      }
+      judge(point);
+      if (!calm(point) || !may_keep(settings_.criterion, point.runs, part)) break;
+    }
+    return point;
+  }
+
+  /// Of runs that say anything [ps].
+  double least_length() const { return std::min(config_.run.length, 60 / frequency_); }
 
   /// Seconds that all runs together may take, in those of one thread.
   double budget(double share) const { return share * settings_.seconds * workers_.threads(); }
@@ -176,23 +237,60 @@ class Adviser {
     return {settings_.criterion, candidate.scheme.order(), three_digits(first)};
   }
 
+  /// Force evaluations per ps that a scheme is expected to need, so far; 0 if nothing is known.
+  double expected_cost(std::size_t c) const {
+    const Candidate& candidate = advice_.candidates[c];
+    if (settled_[c] && candidate.step == 0) return std::numeric_limits<double>::infinity();
+    return candidate.scheme.cost() /
+           (settled_[c] ? candidate.step
+                        : longest_expected(search_of(candidate), candidate.points));
+  }
+
+  /// What a scheme costs at most to be worth further runs: there are to be an answer and a
+  /// runner-up.
+  double worthwhile() const {
+    std::vector<double> costs;
+    for (std::size_t c = 0; c < settled_.size(); ++c) costs.push_back(expected_cost(c));
+    std::sort(costs.begin(), costs.end());
+    return hopeless * costs[std::min<std::size_t>(1, costs.size() - 1)];
+  }
+
+  std::string waiting(std::size_t c) const {
+    return fmt::format(
+        "it is expected to need at least {:.0f} force evaluations per ps, too many to be followed",
+        expected_cost(c));
+  }
+
+  /// Runs every candidate that is worth it with the steps that are still to be known.
   void search_steps() {
-    // About six steps of each scheme, with 3.3 ω force evaluations per ps where R is half a
+    // About five steps of each scheme, with 3.3 ω force evaluations per ps where R is half a
     // percent.
-    const double runs = 6.0 * choosing * static_cast<double>(advice_.candidates.size());
-    const double least = std::min(config_.run.length, 60 / frequency_);
+    const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
     const double most = std::min(config_.run.length, 600 / frequency_);
-    const double length = std::clamp(affordable(budget(0.4), runs, 3.3 * frequency_), least, most);
-    while (!stop()) {
+    const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),
+                                     least_length(), most);
+    for (std::size_t settled = 0; settled < settled_.size() && !stop();) {
       std::vector<Job> jobs;
-      for (std::size_t c = 0; c < advice_.candidates.size(); ++c) {
-        const Candidate& candidate = advice_.candidates[c];
-        const auto step = next_step(search_of(candidate), candidate.points);
+      const double most_costly = worthwhile();
+      settled = 0;
+      for (std::size_t c = 0; c < settled_.size(); ++c) {
+        Candidate& candidate = advice_.candidates[c];
+        if (settled_[c] || expected_cost(c) > most_costly) {
+          ++settled;
+          continue;
+        }
+        const StepSearch search = search_of(candidate);
+        const auto step = next_step(search, candidate.points);
         // Ten steps at least, or there is nothing to see.
-        if (step && length >= 10 * *step) jobs.push_back({c, *step, length});
+        if (step && length >= 10 * *step)
+          jobs.push_back({c, *step,
+                          decides(search, candidate.points, *step)
+                              ? length
+                              : std::max({way * length, least_length(), 10 * *step})});
+        else
+          settle(c);
       }
-      if (jobs.empty()) break;
-      const std::vector<AdviserPoint> found = measured(jobs, starts_);
+      const std::vector<AdviserPoint> found = measured(jobs);
       for (std::size_t j = 0; j < jobs.size(); ++j) {
         auto& points = advice_.candidates[jobs[j].candidate].points;
         const auto place = std::find_if(points.begin(), points.end(), [&](const AdviserPoint& p) {
@@ -201,14 +299,17 @@ class Adviser {
         points.insert(place, found[j]);
       }
     }
-    for (Candidate& candidate : advice_.candidates) {
-      const FoundStep found = found_step(search_of(candidate), candidate.points);
-      candidate.model = found.model;
-      if (found.step > 0)
-        candidate.step = three_digits(found.step);
-      else
-        candidate.obstacle = "no step that was tried keeps the bound";
-    }
+  }
+
+  void settle(std::size_t c) {
+    Candidate& candidate = advice_.candidates[c];
+    const FoundStep found = found_step(search_of(candidate), candidate.points);
+    settled_[c] = true;
+    candidate.model = found.model;
+    if (found.step > 0)
+      candidate.step = three_digits((found.model ? reserve : 1) * found.step);
+    else
+      candidate.obstacle = "no step that was tried keeps the bound";
   }
 
   /// The wall-clock time of a simulated ps, as the run will have it: all threads on one system, in
@@ -216,12 +317,12 @@ class Adviser {
   void time_candidates() {
     constexpr int turns = 3;
     const double seconds =
-        0.1 * settings_.seconds / (turns * static_cast<double>(advice_.candidates.size()));
+        clock_share * settings_.seconds / (turns * static_cast<double>(advice_.candidates.size()));
     std::vector<std::vector<double>> times(advice_.candidates.size());
     for (int turn = 0; turn < turns; ++turn)
       for (std::size_t c = 0; c < advice_.candidates.size() && !stop(); ++c) {
         const Candidate& candidate = advice_.candidates[c];
-        if (candidate.step == 0) continue;
+        if (candidate.step == 0 || candidate.seconds > 0) continue;
         report("clocking " + candidate.name);
         times[c].push_back(time_of(candidate, std::clamp(seconds, 0.02, 0.3)));
       }
@@ -233,7 +334,7 @@ class Adviser {
   }
 
   double time_of(const Candidate& candidate, double seconds) const {
-    System system = starts_.front();
+    System system = starts_.front().system;
     ForceField forces(system.topology, system.forces, system.state.box, workers_);
     const Clock::time_point start = Clock::now();
     const auto over = [&] { return stop() || since(start) > seconds; };
@@ -262,38 +363,51 @@ class Adviser {
   }
 
   void confirm() {
+    std::vector<Course> starts;
     while (advice_.refused.size() < most_refusals) {
+      search_steps();  // those too that became worth it when another was refused
+      if (stop()) return;
+      time_candidates();
+      if (stop()) return;
       const auto c = cheapest();
       if (!c) return;
+      // The same ones after a refusal: fresh ones until some confirm would choose the lucky ones.
+      if (starts.empty()) starts = fresh_starts(confirming);
+      if (stop()) return;
       Candidate& candidate = advice_.candidates[*c];
       const double cost = candidate.scheme.cost() / candidate.step;
-      const double length =
-          std::clamp(affordable(budget(0.4), confirming, cost),
-                     std::min(config_.run.length, 60 / frequency_), config_.run.length);
-      const std::vector<System> starts = fresh_starts(confirming);
+      const double left = std::max(least_confirming_share, 1 - since(begin_) / settings_.seconds);
+      const double length = std::clamp(affordable(budget(left), confirming, cost), least_length(),
+                                       config_.run.length);
+      const AdviserPoint point = confirming_runs(starts, {*c, candidate.step, length});
       if (stop()) return;
-      const AdviserPoint point = measured({{*c, candidate.step, length}}, starts).front();
-      if (stop()) return;
-      const bool calm = !blew_up(point.runs) &&
-                        (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
-      if (calm && point.bound <= settings_.criterion.bound) {
+      if (calm(point) && point.length == length && point.bound <= settings_.criterion.bound) {
         advice_.best = c;
         advice_.runner_up = cheapest(c);
         advice_.confirmation = point;
         return;
       }
       advice_.refused.emplace_back(*c, point);
-      shorten(candidate, point, calm);
+      shorten(candidate, point, point.length / length);
     }
   }
 
   /// After runs that did not confirm a step: as much shorter as they say.
-  void shorten(Candidate& candidate, const AdviserPoint& point, bool calm) const {
+  /// @param part  of the whole length, over which they went
+  void shorten(Candidate& candidate, const AdviserPoint& point, double part) const {
     double factor = 0.85;
-    if (calm && candidate.model)
-      factor = std::clamp(std::pow(settings_.criterion.bound / point.bound,
-                                   1 / candidate.model->exponent(candidate.step)),
-                          0.6, 0.97);
+    if (calm(point) && candidate.model) {
+      double excess = hoped_bound(point.runs, part) / settings_.criterion.bound;
+      if (point.runs.size() < confirming) {
+        // A set that was cut short knows its scatter badly; eight have their bound about twice as
+        // far beyond what was asked as the first that is beyond it.
+        const auto ratios = each(point.runs, [](const Outcome& run) { return run.ratio; });
+        excess = std::pow(
+            *std::max_element(ratios.begin(), ratios.end()) / settings_.criterion.bound, 2);
+      }
+      factor =
+          std::clamp(std::pow(excess, -1 / candidate.model->exponent(candidate.step)), 0.6, 0.97);
+    }
     const double shorter = three_digits(factor * candidate.step);
     candidate.seconds *= candidate.step / shorter;
     candidate.step = shorter;
@@ -307,8 +421,9 @@ class Adviser {
   ForceNoise noise_;
   double frequency_ = 0;   // [1/ps]
   double evaluation_ = 0;  // seconds of one thread
-  std::vector<System> starts_;
-  std::size_t drawn_ = 0;  // starts so far
+  std::vector<Course> starts_;
+  std::vector<bool> settled_;  // candidates whose steps are known as well as wanted
+  std::size_t drawn_ = 0;      // starts so far
   Clock::time_point begin_ = Clock::now();
   mutable std::mutex reporting_;
   Advice advice_;

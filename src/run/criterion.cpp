@@ -16,21 +16,12 @@ Outcome outcome(const System& system, const Trajectory& trajectory) {
   const auto& samples = trajectory.samples;
   run.ratio = fluctuation_ratio(samples);
   run.drift = drift_rate(samples) / static_cast<double>(system.topology.size());
-  double translation = 0, kinetic = 0;
-  std::array<double, 3> rotation{};
-  for (const Energies& e : samples) {
-    const auto n = static_cast<double>(samples.size());
-    translation += e.translation / n;
-    for (std::size_t k = 0; k < 3; ++k) rotation[k] += e.rotation[k] / n;
-    kinetic += e.kinetic() / n;
-  }
-  const Freedoms f = freedoms(system.topology);
-  run.temperature = temperature(kinetic, f.all());
-  if (f.translation > 0)
-    run.bias[0] = temperature(translation, f.translation) / run.temperature - 1;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (f.rotation[k] > 0)
-      run.bias[k + 1] = temperature(rotation[k], f.rotation[k]) / run.temperature - 1;
+  run.temperatures = mean_temperatures(samples, freedoms(system.topology));
+  const Temperatures& T = run.temperatures;
+  const ByMotion<double> kinds{T.translation, T.rotation[0], T.rotation[1], T.rotation[2]};
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    if (kinds[k] > 0) run.bias[k] = kinds[k] / T.all - 1;
+  run.configurational = configurational_values(trajectory.configurational);
   return run;
 }
 
@@ -43,12 +34,24 @@ bool drifts(const std::vector<Outcome>& runs, double least_chance) {
   return drift_of_series(rates).chance < least_chance;
 }
 
+double hoped_bound(const std::vector<Outcome>& runs, double part) {
+  if (blew_up(runs)) return std::numeric_limits<double>::infinity();
+  std::vector<double> logs = each(runs, [](const Outcome& run) { return std::log(run.ratio); });
+  const double middle = mean(logs).value;
+  for (double& log : logs) log = middle + std::sqrt(part) * (log - middle);
+  return std::exp(prediction_bound(logs, promise_probability));
+}
+
+bool may_keep(const Criterion& criterion, const std::vector<Outcome>& runs, double part) {
+  if (blew_up(runs)) return false;
+  return criterion.quality != Quality::ratio || hoped_bound(runs, part) <= criterion.bound;
+}
+
 double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
   if (blew_up(runs)) return std::numeric_limits<double>::infinity();
   switch (quality) {
     case Quality::ratio:
-      return std::exp(prediction_bound(
-          each(runs, [](const Outcome& run) { return std::log(run.ratio); }), promise_probability));
+      return hoped_bound(runs, 1);
     case Quality::drift:
       return size_bound(each(runs, [](const Outcome& run) { return run.drift; }),
                         promise_probability);

@@ -12,6 +12,7 @@ constexpr std::size_t most_points = 12;
 constexpr double ladder = 1.25;  // from rung to rung, where there is no law to follow
 constexpr double shortest = 1.0 / 64, most_shrinking = 0.25;  // of the first step, of a step
 constexpr double least_slope = 0.5;  // of log R against log h: rounding and kinks flatten it
+constexpr double nearby = 0.7;       // of where R meets the bound: steps that the model is made of
 
 /// The points before the first that is not usable, and where that lies.
 struct Range {
@@ -42,8 +43,8 @@ double longer(double wanted, double longest, double end) {
   return std::min({wanted, most_growth * longest, std::sqrt(longest * end)});
 }
 
-/// Where the mean of log R meets the bound.
-double crossing(const StepSearch& search, const Range& range) {
+/// Where the mean of log R meets the bound, beyond the points by the law of the order.
+double meeting(const StepSearch& search, const Range& range) {
   const auto& p = range.usable;
   const double wanted = std::log(search.criterion.bound);
   const double order = search.order == 0 ? 2 : search.order;
@@ -57,7 +58,13 @@ double crossing(const StepSearch& search, const Range& range) {
       return p[i].step * std::exp((wanted - log_ratio(p[i])) / exponent(p[i], p[i + 1]));
   const AdviserPoint& last = p.back();
   const double slope = p.size() > 1 ? std::max(order, exponent(p[p.size() - 2], last)) : order;
-  return longer(last.step * std::exp((wanted - log_ratio(last)) / slope), last.step, range.end);
+  return last.step * std::exp((wanted - log_ratio(last)) / slope);
+}
+
+/// The same, as far as is safe.
+double crossing(const StepSearch& search, const Range& range) {
+  const double at = meeting(search, range), longest = range.usable.back().step;
+  return at > longest ? longer(at, longest, range.end) : at;
 }
 
 bool measured(const std::vector<AdviserPoint>& points, double step, double within) {
@@ -111,6 +118,17 @@ std::optional<double> next_step(const StepSearch& search, const std::vector<Advi
                                                     : next_of_ladder(search, range);
 }
 
+double longest_expected(const StepSearch& search, const std::vector<AdviserPoint>& points) {
+  const Range range = range_of(points);
+  if (search.criterion.quality != Quality::ratio || range.usable.empty()) return range.end;
+  return std::min(meeting(search, range), range.end);
+}
+
+bool decides(const StepSearch& search, const std::vector<AdviserPoint>& points, double step) {
+  return search.criterion.quality != Quality::ratio ||
+         (!points.empty() && step > nearby * longest_expected(search, points));
+}
+
 FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& points) {
   const Range range = range_of(points);
   if (range.usable.empty()) return {};
@@ -125,7 +143,7 @@ FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& 
   const double at = crossing(search, range);
   std::vector<StepPoint> around;
   for (const AdviserPoint& point : range.usable)
-    if (point.step > 0.7 * at && point.step < 1.1 * at)
+    if (point.step > nearby * at && point.step < 1.1 * at)
       around.push_back(
           {point.step, each(point.runs, [](const Outcome& run) { return run.ratio; })});
   if (around.size() < 2) return {};

@@ -41,11 +41,6 @@ constexpr double typical_near_weight = 0.3;
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 
-/// Of what is random in one of the starts.
-std::uint64_t start_seed(const Config& config, std::size_t index) {
-  return config.system.seed + 1 + index;
-}
-
 StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point,
                  const Config& config, double near_weight, const StudyProgress& progress) {
   StudyRun run{.scheme = point.name,
@@ -77,12 +72,7 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
   run.potential = fluctuation(potential);
   run.parts = mean_temperatures(t.samples, freedoms(system.topology));
   run.temperature = run.parts->all;
-  if (!t.configurational.empty()) {
-    run.configurational.emplace();
-    const auto temperatures = configurational_temperatures(t.configurational);
-    for (std::size_t k = 0; k < temperatures.size(); ++k)
-      (*run.configurational)[k] = temperatures[k].value_or(Estimate{}).value;
-  }
+  run.configurational = configurational_values(t.configurational);
   if (run.potential > 0)
     run.rounding = rounding_fluctuation(force_noise(start), point.scheme, config.integrator.lambda,
                                         point.step, config.study.length) /
@@ -105,6 +95,10 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
 
 double StudyPoint::cost(double near_weight) const {
   return (scheme.outer.cost() + near_weight * scheme.near_cost()) / step;
+}
+
+std::uint64_t start_seed(const Config& config, std::size_t index) {
+  return config.system.seed + 1 + index;
 }
 
 System decorrelated_start(const System& base, const Config& config, std::size_t index,

@@ -70,10 +70,42 @@ class Advise(Sandbox):
         self.assertEqual(worse["scheme"], WASTEFUL)
         self.assertGreater(worse["step_fs"], 0)  # it was a candidate, and lost by its cost
 
+    def test_a_scheme_that_cannot_win_is_not_followed(self):
+        found = self.advice(GAS, "--schemes", WASTEFUL, "velocity-verlet", "hoa2")
+        worse, *others = found["candidates"]
+        self.assertEqual(worse["step_fs"], 0)
+        self.assertIn("too many to be followed", worse["obstacle"])
+        self.assertLess(len(worse["points"]), min(len(c["points"]) for c in others))
+        self.assertIsNotNone(found["runner_up"])
+
+    def test_temperatures_and_their_limit_without_a_step(self):
+        found = self.advice(GAS)
+        confirmed = found["best"]["confirmation"]
+        self.assertEqual(confirmed["excess_K"], [None] * 3)  # atoms do not turn
+        translation, *rotation = confirmed["configurational_excess_K"]
+        self.assertEqual(rotation, [None] * 3)
+        self.assertGreater(translation["error"], 0)
+        # The places and the momenta of a gas at 150 K are at one temperature, to the error of eight runs.
+        self.assertLess(abs(translation["value"]), 6 * translation["error"])
+        self.assertNotIn("equipartition", found)
+        limits = {limit["scheme"]: limit for limit in found["configurational"]}
+        self.assertIn(found["best"]["scheme"], limits)
+        for limit in limits.values():
+            self.assertIsNone(limit["axis"])
+            self.assertEqual(limit["order"], 2)
+            self.assertGreater(limit["without_step_error"], 0)
+        header, *rows = self.rows("advice.csv")
+        self.assertIn("configurational_excess_translation [K],configurational_excess_translation_error [K]", header)
+        last = dict(zip(header.split(","), rows[-1].split(",")))
+        self.assertEqual(float(last["configurational_excess_translation [K]"]), translation["value"])
+        self.assertEqual(last["excess_1 [K]"], "")
+
     def test_text_and_figure(self):
         process = self.done("advise", edited(GAS, ('"none"', '"svg"')), "--time", "2", "--output", "here")
         self.assertIn("for an R of at most 2 % use ", process.out)
         self.assertIn("ns/day with", process.out)
+        self.assertIn("configurational temperature of each motion less its kinetic one", process.out)
+        self.assertIn("0, k = 2", process.out)
         script = (self.folder / "here.gp").read_text()
         self.assertIn("computing time", script)
         process = self.polhode("advise", "run.toml", "--output", "here")

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 using namespace polhode;
@@ -98,4 +99,26 @@ TEST_CASE("a drift is met on a ladder") {
 TEST_CASE("steps are shortened to three digits") {
   CHECK(three_digits(0.00456789) == doctest::Approx(0.00456).epsilon(1e-12));
   CHECK(three_digits(0.01) == doctest::Approx(0.01).epsilon(1e-12));
+}
+
+// From one point the law of the order says where R meets the bound: R = 0.125 % at 1 fs is 0.5 % at
+// twice the step at order 2, and at √2 times it at order 4; runs decide from 0.7 of that on.
+TEST_CASE("the longest step to be expected is where R meets the bound by the order") {
+  for (const auto& [order, expected] : {std::pair(2, 0.002), {4, 0.001 * std::sqrt(2.0)}}) {
+    CAPTURE(order);
+    const StepSearch search{{Quality::ratio, 0.005}, order, 0.001};
+    CHECK(longest_expected(search, {}) == std::numeric_limits<double>::infinity());
+    CHECK(!decides(search, {}, 0.001));  // nothing is known of the first
+    AdviserPoint one{0.001, 1, std::vector<Outcome>(6), 0, true};
+    for (Outcome& run : one.runs) run.ratio = 0.00125;
+    CHECK(longest_expected(search, {one}) == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(decides(search, {one}, 0.71 * expected));
+    CHECK(!decides(search, {one}, 0.69 * expected));
+    AdviserPoint end{1.1 * 0.001, 1, std::vector<Outcome>(6), 0, false};
+    CHECK(longest_expected(search, {one, end}) == end.step);
+    CHECK(longest_expected(search, {end}) == end.step);
+  }
+  const StepSearch search{{Quality::drift, 1e-8}, 2, 0.001};  // without a law every run decides
+  CHECK(longest_expected(search, {}) == std::numeric_limits<double>::infinity());
+  CHECK(decides(search, {}, 0.001));
 }

@@ -33,4 +33,8 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 ByMotion<std::optional<Estimate>> configurational_temperatures(
     std::span<const ConfigurationalSample> samples);
 
+/// Their values alone [K], 0 for motions without forces; nothing without samples.
+std::optional<ByMotion<double>> configurational_values(
+    std::span<const ConfigurationalSample> samples);
+
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,13 @@ namespace polhode {
 
 /// What one run tells about its scheme and step.
 struct Outcome {
-  std::string failure;     ///< why it blew up; empty if it did not
-  double ratio = 0;        ///< R
-  double drift = 0;        ///< of the total energy per molecule [kJ/mol/ps]
-  double temperature = 0;  ///< mean, of all freedoms [K]
+  std::string failure;        ///< why it blew up; empty if it did not
+  double ratio = 0;           ///< R
+  double drift = 0;           ///< of the total energy per molecule [kJ/mol/ps]
+  Temperatures temperatures;  ///< means over the run
+  /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
+  /// they were not asked for.
+  std::optional<ByMotion<double>> configurational{};
   /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without freedoms.
   std::array<double, 4> bias{};
   double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
@@ -46,6 +50,16 @@ inline constexpr double promise_probability = 0.975;
 /// of the mean over all runs that there could be. The bias is the largest of several, and each has
 /// its share of the chance to be wrong. Infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
+
+/// The least upper_bound() of R that runs over a part of their length leave to hope for over the
+/// whole: R grows with the length, and its scatter falls no faster than that of independent
+/// stretches, as the root of the length.
+/// @param part  of the length, above 0 and at most 1
+double hoped_bound(const std::vector<Outcome>& runs, double part);
+
+/// Whether runs over a part of their length leave hope that the whole of it keeps the bound. Of a
+/// drift and a bias parts of runs say too little.
+bool may_keep(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
 /// Whether a run blew up, or the energies drift: as in a study, by a chance below `least_chance`.
 bool drifts(const std::vector<Outcome>& runs, double least_chance = significance);

@@ -30,6 +30,14 @@ std::optional<double> next_step(const StepSearch& search, const std::vector<Advi
 
 inline constexpr double most_growth = 1.6;
 
+/// No longer step is expected to keep the bound [ps]: for R where it meets the bound, by the law of
+/// the order beyond the points; else, and without a usable point, the end of stability as far as it
+/// is known. Infinite if nothing is known.
+double longest_expected(const StepSearch& search, const std::vector<AdviserPoint>& points);
+
+/// Whether runs with that step decide about the answer; others only show the way to it.
+bool decides(const StepSearch& search, const std::vector<AdviserPoint>& points, double step);
+
 /// What the points say: the longest step that is expected to keep the bound [ps], 0 if there is
 /// none, and for R the model behind it.
 struct FoundStep {

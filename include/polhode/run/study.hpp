@@ -83,8 +83,12 @@ struct StudyProgress {
   std::function<bool()> stop;
 };
 
-/// One of a series of starts: the system with momenta of its own, drawn from the run file's seed +
-/// 1 + index, equilibrated for `length` [ps]. Void where `stop` ended it.
+/// Of what is random in one of a series of starts, and in runs from it: the run file's seed + 1 +
+/// index.
+std::uint64_t start_seed(const Config& config, std::size_t index);
+
+/// One of a series of starts: the system with momenta of its own, drawn from its start_seed(),
+/// equilibrated for `length` [ps]. Void where `stop` ended it.
 System decorrelated_start(const System& base, const Config& config, std::size_t index,
                           double length, const std::function<bool()>& stop);
 

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/criterion.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace polhode;
+
+namespace {
+
+// Eight runs, log R = log 0.004 ± d: their standard deviation is d √(8/7), and the bound of a fresh
+// run lies t(7) d √(8/7) √(9/8) = t(7) d √(9/7) above the mean, with t(7) = 2.3646 at 97.5 %.
+constexpr double t7 = 2.364624251592785;
+
+std::vector<Outcome> scattered(double d) {
+  std::vector<Outcome> runs(8);
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    runs[r].ratio = 0.004 * std::exp(r % 2 == 0 ? d : -d);
+  return runs;
+}
+
+}  // namespace
+
+TEST_CASE("a part of the length may keep a bound if R stays and its scatter falls with the root") {
+  const double d = 0.06;
+  const std::vector<Outcome> runs = scattered(d);
+  for (const double part : {1.0 / 9, 1.0 / 3, 1.0}) {
+    CAPTURE(part);
+    const double bound = 0.004 * std::exp(t7 * std::sqrt(part) * d * std::sqrt(9.0 / 7));
+    CHECK(hoped_bound(runs, part) == doctest::Approx(bound).epsilon(1e-9));
+    CHECK(may_keep({Quality::ratio, bound * (1 + 1e-9)}, runs, part));
+    CHECK(!may_keep({Quality::ratio, bound * (1 - 1e-9)}, runs, part));
+  }
+  // The whole of the length is what the bound is about.
+  const double whole = upper_bound(Quality::ratio, runs);
+  CHECK(may_keep({Quality::ratio, whole}, runs, 1));
+  CHECK(!may_keep({Quality::ratio, whole * (1 - 1e-12)}, runs, 1));
+}
+
+TEST_CASE("parts of runs say no more of a drift or a bias than that they blew up") {
+  std::vector<Outcome> runs = scattered(0.1);
+  for (const Quality quality : {Quality::drift, Quality::temperature_bias}) {
+    CHECK(may_keep({quality, 1e-9}, runs, 1.0 / 3));
+    runs[3].failure = "it blew up";
+    CHECK(!may_keep({quality, 1e9}, runs, 1.0 / 3));
+    runs[3].failure.clear();
+  }
+}
