@@ -11,8 +11,7 @@ set logscale y
 set ylabel "R  (%)" offset 1
 set logscale x
 set xlabel "cost  (force evaluations per ps)" offset 0,0.4
-set xtics (150, 200, 300, 400, 600, 1000, 2000)
-set xrange [180:2100]
+set xtics (60, 100, 150, 200, 300, 400, 600, 1000, 2000)
 set yrange [0.002:20]
 $c0k0 << EOD
 2000 0.054335
@@ -110,6 +109,7 @@ $c0k12 << EOD
 1000 0.013733
 706.714 0.37879
 500 1.8779
+352.941 42.543
 EOD
 $c0k13 << EOD
 2000 0.0030198
@@ -197,11 +197,19 @@ $c0k22 << EOD
 500 0.38104
 353.357 0.73474
 250 1.719
-EOD
-$c0k22d << EOD
 176.471 29.55
 EOD
 $c1k0 << EOD
+2000 0.0552
+1414.43 0.10781
+1000 0.22829
+709.22 0.43985
+500 0.8829
+353.357 1.8192
+250 3.7053
+176.678 7.5583
+EOD
+$c1k1 << EOD
 2000 0.029369
 1418.44 0.059299
 1000 0.11439
@@ -211,7 +219,61 @@ $c1k0 << EOD
 250 2.1369
 176.991 82.228
 EOD
-$c1k1 << EOD
+$c1k2 << EOD
+2000 0.023906
+1413.43 0.040161
+1000 0.10177
+706.714 0.18015
+500 0.37911
+353.982 0.76844
+250 2.1572
+176.991 22.401
+EOD
+$c1k3 << EOD
+2000 0.014153
+1415.09 0.0512
+1000 0.22394
+707.547 0.94935
+EOD
+$c1k4 << EOD
+2000 0.0069306
+1412.43 0.022512
+1000 0.10262
+707.214 0.86967
+500 78.861
+EOD
+$c1k5 << EOD
+2000 0.0037523
+1412.43 0.0048423
+1000 0.012279
+707.214 0.20873
+500 1.2664
+354.61 74.993
+EOD
+$c1k6 << EOD
+2000 0.0095823
+1414.14 0.06979
+1000 0.5901
+707.071 30.935
+EOD
+$c1k7 << EOD
+2000 0.0038124
+1413.43 0.0051788
+1000 0.016547
+706.714 0.098259
+500 0.63228
+353.982 53.881
+EOD
+$c1k8 << EOD
+2000 0.0040946
+1413.43 0.0049618
+1000 0.015117
+706.714 0.089044
+500 2.2984
+353.982 42.581
+250 149.4
+EOD
+$c1k9 << EOD
 2000 0.0038716
 1412.43 0.003738
 1000 0.004287
@@ -220,7 +282,69 @@ $c1k1 << EOD
 354.61 3.8387
 250 139.09
 EOD
-$c1k2 << EOD
+$c1k10 << EOD
+2000 0.0036853
+1412.43 0.0037099
+1000 0.0046871
+707.214 0.086964
+500 2.1372
+354.61 81.794
+EOD
+$c1k11 << EOD
+2000 0.0037758
+1415.09 0.0042098
+1000 0.011159
+706.714 0.095169
+500 0.51269
+352.941 2.5094
+EOD
+$c1k12 << EOD
+2000 0.003718
+1415.09 0.0037337
+1000 0.0090892
+706.714 0.26448
+500 2.7776
+352.941 42.904
+EOD
+$c1k13 << EOD
+2000 0.0037211
+1413.88 0.0054396
+1000 0.017925
+705.128 0.2076
+500 2.0459
+353.698 42.683
+EOD
+$c1k14 << EOD
+2000 0.003621
+1414.14 0.011795
+1000 0.089804
+707.071 1.0391
+500 36.973
+EOD
+$c1k15 << EOD
+2000 0.0073979
+1415.09 0.027083
+1000 0.1459
+706.714 2.6197
+500 97.185
+EOD
+$c1k16 << EOD
+2000 0.0047897
+1412.43 0.01266
+1000 0.052526
+707.214 0.78704
+500 27.174
+EOD
+$c1k17 << EOD
+2000 0.0038392
+1412.43 0.0039772
+1000 0.0076058
+707.214 0.13362
+500 0.92421
+354.61 3.933
+250 146.33
+EOD
+$c1k18 << EOD
 2000 0.060305
 1414.43 0.11472
 1000 0.21498
@@ -230,7 +354,7 @@ $c1k2 << EOD
 250 3.8219
 176.678 7.8442
 EOD
-$c1k3 << EOD
+$c1k19 << EOD
 2000 0.020199
 1418.44 0.045628
 1000 0.089405
@@ -238,11 +362,9 @@ $c1k3 << EOD
 500 0.30733
 353.357 0.6944
 250 2.4403
-EOD
-$c1k3d << EOD
 176.991 120.45
 EOD
-$c1k4 << EOD
+$c1k20 << EOD
 2000 0.003727
 1413.43 0.0049743
 1000 0.016178
@@ -250,18 +372,16 @@ $c1k4 << EOD
 500 1.7477
 353.982 65.596
 EOD
-$c1k5 << EOD
+$c1k21 << EOD
 2000 0.0038163
 1415.09 0.0037039
 1000 0.0062223
 707.547 0.020372
 500 0.19655
 353.357 1.5459
-EOD
-$c1k5d << EOD
 250 111.42
 EOD
-$c1k6 << EOD
+$c1k22 << EOD
 2000 0.021974
 1415.09 0.043911
 1000 0.089294
@@ -272,86 +392,237 @@ $c1k6 << EOD
 176.471 20.21
 EOD
 $c2k0 << EOD
-2000 0.0019254
-1418.44 0.00308
+1000 0.014072
+709.22 0.026174
+500 0.05401
+353.357 0.10207
+250 0.21772
+176.678 0.40959
+125 0.83601
+88.4956 1.7104
+62.5 3.5872
+EOD
+$c2k1 << EOD
 1000 0.0056764
 706.714 0.010703
 500 0.020729
 353.357 0.04461
 250 0.085295
 176.991 0.17605
+125 0.40671
+88.4956 1.7641
+62.5 19.718
 EOD
-$c2k1 << EOD
-2000 0.0013029
-1412.43 0.0013178
+$c2k2 << EOD
+1000 0.0062564
+706.714 0.01181
+500 0.023079
+353.982 0.046718
+250 0.094695
+176.991 0.17165
+125 0.32071
+88.3002 1.056
+62.5 10.463
+EOD
+$c2k3 << EOD
+1000 0.0029885
+707.547 0.008906
+500 0.039126
+353.357 0.17145
+EOD
+$c2k4 << EOD
+1000 0.0016402
+707.214 0.0051945
+500 0.025006
+354.61 0.25185
+250 1.4815
+176.678 24.169
+EOD
+$c2k5 << EOD
+1000 0.0014482
+707.214 0.0018774
+500 0.0030711
+354.61 0.032418
+250 0.18033
+176.678 1.6149
+125 8.6991
+EOD
+$c2k6 << EOD
+1000 0.0029326
+707.071 0.0070416
+500 0.056588
+353.535 0.62558
+250 5.6789
+EOD
+$c2k7 << EOD
+1000 0.0015283
+706.714 0.0020465
+500 0.0045143
+353.982 0.015278
+250 0.14224
+176.991 1.5255
+125 6.2227
+88.3002 33.16
+EOD
+$c2k8 << EOD
+1000 0.0014544
+706.714 0.0029703
+500 0.0055787
+353.982 0.017226
+250 0.063565
+176.991 0.53207
+EOD
+$c2k9 << EOD
 1000 0.0015878
 707.214 0.0014904
 500 0.0045283
 354.61 0.013085
 250 0.045233
 176.678 0.34327
+125 1.0368
+88.3392 3.8664
 EOD
-$c2k2 << EOD
-2000 0.0026904
-1414.43 0.0057443
+$c2k10 << EOD
+1000 0.0013536
+707.214 0.0014413
+500 0.0028636
+354.61 0.018781
+250 0.23107
+176.678 1.3103
+125 11.416
+EOD
+$c2k11 << EOD
+1000 0.0014018
+706.714 0.0016643
+500 0.0033691
+352.941 0.013669
+250 0.054018
+176.991 0.45791
+125 5.8269
+88.3652 60.763
+EOD
+$c2k12 << EOD
+1000 0.0013776
+706.714 0.0019431
+500 0.0055067
+352.941 0.036814
+250 0.17846
+176.991 1.1349
+125 2.866
+EOD
+$c2k13 << EOD
+1000 0.0013701
+705.128 0.0018553
+500 0.0038334
+353.698 0.033929
+250 0.28526
+176.849 1.0288
+125 12.274
+EOD
+$c2k14 << EOD
+1000 0.0014201
+707.071 0.0017716
+500 0.012199
+353.535 0.17636
+250 1.237
+176.768 3.7335
+125 50.704
+EOD
+$c2k15 << EOD
+1000 0.00205
+706.714 0.0058435
+500 0.024024
+352.941 0.20451
+250 1.3344
+176.991 13.221
+125 117.96
+EOD
+$c2k16 << EOD
+1000 0.0014774
+707.214 0.0024786
+500 0.0078524
+354.61 0.073151
+250 0.79879
+176.678 6.2746
+125 99.936
+EOD
+$c2k17 << EOD
+1000 0.0016747
+707.214 0.0020714
+500 0.0037324
+354.61 0.015491
+250 0.061457
+176.678 0.33319
+125 3.6041
+88.3392 134.79
+EOD
+$c2k18 << EOD
 1000 0.011272
 709.22 0.021585
 500 0.040749
 353.357 0.084359
 250 0.18473
 176.678 0.33504
+125 0.67202
+88.4956 1.4403
+62.5 2.6459
 EOD
-$c2k3 << EOD
-2000 0.0021047
-1418.44 0.0029188
+$c2k19 << EOD
 1000 0.0052197
 706.714 0.0099941
 500 0.022154
 353.357 0.043014
 250 0.081984
 176.991 0.17665
+125 0.44193
+88.4956 3.537
+62.5 65.039
 EOD
-$c2k4 << EOD
-2000 0.0012633
-1413.43 0.0013139
+$c2k20 << EOD
 1000 0.0015379
 706.714 0.0023351
 500 0.0056545
 353.982 0.015547
 250 0.17085
 176.991 1.4579
+125 8.2635
 EOD
-$c2k5 << EOD
-2000 0.0012911
-1415.09 0.0013666
+$c2k21 << EOD
 1000 0.0013779
 707.547 0.0016182
 500 0.0029338
 353.357 0.0066553
 250 0.027613
 176.471 0.52655
+125 1.6541
+88.4956 14.848
+62.5 138.02
 EOD
-$c2k6 << EOD
-2000 0.0018259
-1415.09 0.0028908
+$c2k22 << EOD
 1000 0.0056049
 707.547 0.0093442
 500 0.021191
 353.357 0.044022
 250 0.078638
 176.471 0.15446
+125 0.33448
+88.4956 0.79014
+62.5 10.683
 EOD
 set multiplot
+set xrange [159:2100]
 set lmargin at screen 0.056
 set rmargin at screen 0.327
 set title "reaction-field"
-plot $c0k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c0k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c0k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c0k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c0k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c0k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c0k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c0k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c0k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
+plot $c0k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c0k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c0k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c0k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c0k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c0k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c0k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c0k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+set xrange [159:2100]
 set lmargin at screen 0.382
 set rmargin at screen 0.653
 set title "pme"
-plot $c1k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k2 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c1k3 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c1k3d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c1k4 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c1k5 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c1k5d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c1k6 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+plot $c1k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c1k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c1k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c1k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c1k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+set xrange [56:1050]
 set lmargin at screen 0.709
 set rmargin at screen 0.980
 set title "co2"
-plot $c2k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k2 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c2k3 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c2k4 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c2k5 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c2k6 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+plot $c2k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c2k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c2k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c2k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c2k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
 unset multiplot
