@@ -11,7 +11,7 @@ import drawing  # noqa: E402
 
 # Okabe and Ito's colours, as in all figures here.
 SINGLE = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "bcss3": "#CC79A7", "gier4": "#009E73", "gier4-fd": "#56B4E9"}
-NESTED = ["#E69F00", "#000000", "#8C564B", "#7F7F7F", "#9467BD"]
+NESTED = ["#E69F00", "#000000", "#8C564B", "#7F7F7F", "#9467BD", "#BCBD22"]
 
 
 def shown(points, most):
@@ -38,11 +38,13 @@ def script(result, image):
     data, panels = [], []
     width = 0.98 / len(result["laws"])
     for column, (law, of) in enumerate(result["laws"].items()):
+        drawn = shown(of["points"], len(NESTED))
+        costs = [p["force_evaluations_per_ps"] for curve in drawn.values() for p in curve]
         for row, (x, label) in enumerate((("force_evaluations_per_ps", "cost  (force evaluations per ps)"),
                                           ("step_fs", "outer step  (fs)"))):
             plots = []
             nested = iter(NESTED)
-            for k, (scheme, curve) in enumerate(shown(of["points"], len(NESTED)).items()):
+            for k, (scheme, curve) in enumerate(drawn.items()):
                 colour = SINGLE.get(scheme) or next(nested)
                 good = len(curves.usable(curve))
                 for usable in (True, False):
@@ -55,13 +57,14 @@ def script(result, image):
                              f'linecolor "{colour}" title "{scheme if row == 0 else ""}"' if usable else
                              f'with points pointtype 2 pointsize 1.4 linewidth 1.6 linecolor "{colour}" notitle')
                     plots.append(f"{name} using 1:2 {style}")
-            panels.append(f'set lmargin at screen {0.08 + width * column}\nset rmargin at screen {width * (column + 1)}\n'
+            panels.append(f'set lmargin at screen {0.11 + width * column}\nset rmargin at screen {width * (column + 1)}\n'
                           f'set tmargin at screen {0.93 - 0.5 * row}\nset bmargin at screen {0.58 - 0.5 * row}\n'
                           f'set xlabel "{label}" offset 0,0.4\n'
                           + (f'set title "{law}"\nset logscale x\nset xtics (100, 150, 200, 300, 400, 600, 1000)\n'
-                             if row == 0 else "unset title\nunset logscale x\nset xtics autofreq\n")
+                             f'set xrange [{0.9 * min(costs):.0f}:{1.1 * max(costs):.0f}]\n'
+                             if row == 0 else "unset title\nunset logscale x\nset xtics autofreq\nset xrange [0:*]\n")
                           + f"plot {', '.join(plots)}")
-    return "\n".join([*drawing.head(image, 150 + 480 * len(result["laws"]), 860), "set yrange [0.02:20]", *data,
+    return "\n".join([*drawing.head(image, 150 + 480 * len(result["laws"]), 860), "set yrange [0.01:30]", *data,
                       "set multiplot", *panels, "unset multiplot", ""])
 
 
