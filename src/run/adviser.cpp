@@ -42,8 +42,9 @@ constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
 constexpr double choosing_share = 0.35, clock_share = 0.1, least_confirming_share = 0.3;
 /// Of the length of runs whose step decides: that of runs that only show the way to it.
 constexpr double way = 0.5;
-/// Of the step that the choosing runs propose, what is tried first: short runs flatter.
-constexpr double reserve = 0.97;
+/// Of the step that the choosing runs propose, what is tried first: short runs flatter, and all the
+/// more where R grows as a high power of the step, for there the energy begins to wander.
+double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
 /// A scheme waits while it is expected to cost so much more than the second cheapest, in force
 /// evaluations: what a clock may make good.
 constexpr double hopeless = 1.25;
@@ -307,7 +308,8 @@ class Adviser {
     settled_[c] = true;
     candidate.model = found.model;
     if (found.step > 0)
-      candidate.step = three_digits((found.model ? reserve : 1) * found.step);
+      candidate.step =
+          three_digits((found.model ? reserve(found.model->exponent(found.step)) : 1) * found.step);
     else
       candidate.obstacle = "no step that was tried keeps the bound";
   }
