@@ -38,6 +38,22 @@ TEST_CASE("a part of the length may keep a bound if R stays and its scatter fall
   CHECK(!may_keep({Quality::ratio, whole * (1 - 1e-12)}, runs, 1));
 }
 
+// n runs, all but one alike: that one lies δ above them, 1 − 1/n above the mean of the logarithms
+// and no set of n has one further out, in units of its scatter δ/√n. The bound lies
+// 1/n + t √(n + 1)/n times δ above the others, for n = 8 by 1/8 + 3 t(7)/8 = 1.0117.
+TEST_CASE("one run beyond what was asked is enough: the bound of no set with it keeps that") {
+  const double d = 0.1;
+  for (std::size_t n = 2; n <= 8; ++n) {
+    CAPTURE(n);
+    std::vector<Outcome> runs(n);
+    for (Outcome& run : runs) run.ratio = 0.004;
+    runs.front().ratio = 0.004 * std::exp(d);
+    const double above = std::log(upper_bound(Quality::ratio, runs) / 0.004) / d;
+    CHECK(above > 1);
+    if (n == 8) CHECK(above == doctest::Approx((1 + 3 * t7) / 8).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("parts of runs say no more of a drift or a bias than that they blew up") {
   std::vector<Outcome> runs = scattered(0.1);
   for (const Quality quality : {Quality::drift, Quality::temperature_bias}) {
