@@ -118,6 +118,22 @@ class Advise(Sandbox):
             self.assertLessEqual(found["best"]["confirmation"]["bound"], found["wanted"] * 1e-3
                                  if option == "--drift" else found["wanted"])
 
+    def test_the_runs_that_confirm_decide(self):
+        """A drift near what runs can tell from none is proposed too long a step now and then, which fresh runs refuse."""
+        refused = 0
+        for seed in range(1, 9):
+            self.write("run.toml", edited(GAS, ("[forces]", f"seed = {seed}\n[forces]"), ('accuracy = "2 %"', "")))
+            process = self.polhode("advise", "run.toml", "--drift", "0.08 kJ/mol/ns", "--time", "0.5", "--json", "--force")
+            self.assertIn(process.returncode, (0, 1), process.err)
+            found = json.loads(process.out)
+            wanted = found["wanted"] * 1e-3
+            if found["best"]:
+                self.assertLessEqual(found["best"]["confirmation"]["bound"], wanted)
+            for runs in found["refused"]:
+                self.assertTrue(runs["blew_up"] or runs["bound"] > wanted)
+            refused += len(found["refused"])
+        self.assertGreater(refused, 0)
+
     def test_what_cannot_be_reached(self):
         """Rounding of mixed precision is a floor, and the answer tells it."""
         self.write("run.toml", GAS)
