@@ -94,6 +94,35 @@ TEST_CASE("drift turns every body of a pack by its free rotation") {
   });
 }
 
+// Exactly on the separatrix, far beyond the series: attitudes are the identity, so that L = S ell
+// is exact. Lanes beside them turn regularly.
+TEST_CASE("drift turns bodies on the separatrix in packs with others") {
+  for_each_target([] {
+    for (const double t : {20.0, 250.0, 25000.0, -1e5}) {
+      Crowd crowd;
+      for (std::size_t n = 0; n < count; ++n) {
+        if (n % 3 == 1) continue;
+        const Vec3<double> J{12, 15, 20}, L{n % 2 == 0 ? 1.0 : -1.0, double(n % 5) - 2, 1};
+        crowd.bodies.J.set(n, J);
+        crowd.bodies.inverse_J.set(n, {1 / J.x, 1 / J.y, 1 / J.z});
+        crowd.state.attitude.set(n, {1, 0, 0, 0});
+        crowd.state.ell.set(n, L);
+      }
+      const Crowd before = crowd;
+      drift(crowd.state, crowd.bodies, t);
+      for (std::size_t n = 0; n < count; ++n) {
+        if (n % 3 == 1) continue;
+        const FreeRotation exact =
+            closed_rotation(before.bodies.J[n], before.state.ell[n], t, ThirdKind::theta);
+        // As for the truth table's rows there: three angles of |ω t| and some roundings.
+        const double bound = 16 * 0x1p-53 * (1 + 3 * std::abs(t) * 0.25);
+        CAPTURE(n);
+        CHECK(distance(crowd.state.attitude[n], exact.rotation) <= bound);
+      }
+    }
+  });
+}
+
 // Instruction sets differ by contraction into fused operations only: half a rounding each, on both
 // sides of the bound above, and none may differ by more than two of those.
 TEST_CASE("drift agrees between instruction sets") {

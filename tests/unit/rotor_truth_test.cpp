@@ -125,6 +125,26 @@ TEST_CASE("recursive method holds the free rotor truth tables") {
   worst_error_over_tolerance(RotorMethod::recursive, "random_rows.csv");
 }
 
+// 2E J_y = L² to the last bit: the period is infinite, L comes to the middle axis and stays there.
+// Tolerances are those of changes that stay on the separatrix (make_separatrix_rows.py).
+TEST_CASE("tops exactly on the separatrix turn as they should for any time") {
+  const std::string file = "separatrix_rows.csv";
+  std::size_t exact = 0, far = 0;
+  for (const TruthRow& row : truth_rows(file)) {
+    const ScaledTop top({row("I1"), row("I2"), row("I3")}, {row("L1"), row("L2"), row("L3")},
+                        row("t"));
+    const Orbit orbit(top);
+    exact += orbit.modulus.complement == 0;
+    far += std::abs(orbit.p * top.t) > 800;  // cosh overflows
+  }
+  CHECK(exact == truth_rows(file).size());
+  CHECK(exact >= 300);
+  CHECK(far >= 50);
+  for (const RotorMethod method :
+       {RotorMethod::closed, RotorMethod::series, RotorMethod::theta, RotorMethod::recursive})
+    worst_error_over_tolerance(method, file);
+}
+
 TEST_CASE("truth tables tell a second-order splitting from the exact rotation") {
   CHECK(worst_error_over_tolerance(RotorMethod::no_squish, "free_rotor_truth.csv") > 1e6);
 }

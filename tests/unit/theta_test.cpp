@@ -118,3 +118,52 @@ TEST_CASE("theta functions and Carlson's integral agree on regular tops over man
   CHECK(ordinary > 1000);
   CHECK(complementary > 1000);
 }
+
+// The bound is that of regular tops. Starts near the middle axis have a complement as small as
+// their components across it; half periods are then K = ln(4/k') to 690, and t covers up to
+// hundreds.
+TEST_CASE("theta functions and Carlson's integral agree however near the separatrix") {
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> mass(0.1, 1), exponent(-300, -8), time(-2, 5);
+  std::normal_distribution<double> normal;
+  double nearest = 1, most_half_periods = 0;
+  int on_it = 0;
+  for (int k = 0; k < 5000; ++k) {
+    const double a = mass(random), b = mass(random), c = mass(random);
+    const double small = k % 10 == 0 ? 0.0 : std::pow(10, exponent(random));
+    Vec3<double> J{b + c, c + a, a + b}, L{normal(random), normal(random), normal(random)};
+    if (k % 2 == 0) {  // near the middle axis
+      L = small * L;
+      const std::size_t middle = a < b == b < c ? 1 : b < a == a < c ? 0 : 2;
+      L[middle] = normal(random);
+    } else {  // anywhere on the separatrix: alpha and beta differ by a rounding or not at all
+      J = {12, 15, 20};
+      L = {normal(random), normal(random), 0};
+      L.z = std::copysign(L.x, normal(random));
+      if (k % 3 == 0) L.z *= 1 + 0x1p-52;
+    }
+    const double speed = std::hypot(L.x / J.x, L.y / J.y, L.z / J.z);
+    const double t = std::copysign(std::pow(10, time(random)), normal(random)) / speed;
+    const ScaledTop top(J, L, t);
+    if (Orbit::is_stationary(top)) continue;
+    const Orbit orbit(top);
+    REQUIRE(ThetaIntegral::applies(orbit.modulus));
+    if (orbit.modulus.complement == 0)
+      ++on_it;
+    else
+      nearest = std::fmin(nearest, orbit.modulus.complement);
+    const PrecessionAngle phi(orbit);
+    const Orbit::Elapsed v = orbit.elapsed(top.t);
+    most_half_periods = std::fmax(most_half_periods, std::abs(v.half_periods));
+    const double by_theta = phi.by_theta(top.t, v), by_carlson = phi.by_carlson(v);
+    CAPTURE(speed * t);
+    CAPTURE(orbit.modulus.complement);
+    CHECK(std::abs(by_theta - by_carlson) <= 16 * epsilon * (1 + std::abs(orbit.p * top.t)));
+    const JacobiFunctions u = orbit.at(v);
+    const Vec3<double> later = orbit.L_at(u);
+    CHECK(std::abs(norm(later) - orbit.norm_L()) <= 16 * epsilon * orbit.norm_L());
+  }
+  CHECK(nearest < 1e-290);
+  CHECK(on_it > 500);
+  CHECK(most_half_periods > 100);
+}

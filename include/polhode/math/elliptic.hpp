@@ -51,7 +51,10 @@ inline JacobiFunctions descending(double u, const Modulus& modulus) {
 /// The same by ascending ones (k → 1, DLMF 22.7.6 to 22.7.8), for k > k'.
 inline JacobiFunctions ascending(double u, const Modulus& modulus) {
   // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', hence the bound.
-  if (!(modulus.complement >= 1e-17)) return {std::tanh(u), 1 / std::cosh(u), 1 / std::cosh(u)};
+  if (!(modulus.complement >= 1e-17)) {
+    const double e = std::exp(-std::abs(u)), sech = 2 * e / (1 + e * e);  // cosh would overflow
+    return {std::tanh(u), sech, sech};
+  }
   const double half = modulus.complement / (1 + modulus.k);
   const double c2 = half * half;  // the complement of the next modulus, (1 − k)/(1 + k)
   const double k2_squared = (1 - c2) * (1 + c2);

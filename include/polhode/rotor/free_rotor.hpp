@@ -58,9 +58,14 @@ class PrecessionAngle {
     return integral.rate() * (orbit_.p * t) - integral.argument(v.v);
   }
 
-  /// The same from R_J.
+  /// The same from R_J, which has no bound on the separatrix: for k = 1 the integral is elementary,
+  /// since sn = tanh and T² dT/((1 + n T²)(1 − T²)) are two partial fractions, and κ = √n (1 + n).
   double by_carlson(const Orbit::Elapsed& v) const {
     const double k = orbit_.modulus.k;
+    if (orbit_.modulus.complement == 0) {
+      const double root_n = std::sqrt(n_);
+      return root_n * v.v - std::atan(root_n * v.reduced.sn);
+    }
     double integral = std::copysign(
         third_kind_integral({std::abs(v.reduced.sn), v.reduced.cn, v.reduced.dn}, n_, k),
         v.reduced.sn);
