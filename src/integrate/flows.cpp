@@ -7,7 +7,8 @@
 namespace polhode {
 
 POLHODE_DECLARE_LOOPS(void drift(State&, const Bodies&, double, std::size_t, std::size_t);
-                      void kick(State&, const Load&, double, std::size_t, std::size_t);
+                      void kick(State&, const Bodies&, const Load&, double, std::size_t,
+                                std::size_t);
                       void gradient_direction(const State&, const Bodies&, const Load&, Vec3Column&,
                                               Vec3Column&, std::size_t, std::size_t);
                       void displace(State&, const Bodies&, const Load&, double, std::size_t,
@@ -26,10 +27,10 @@ void drift(State& state, const Bodies& bodies, double t, Workers& workers) {
              [&](std::size_t first, std::size_t end) { loop(state, bodies, t, first, end); });
 }
 
-void kick(State& state, const Load& load, double t, Workers& workers) {
+void kick(State& state, const Bodies& bodies, const Load& load, double t, Workers& workers) {
   const auto loop = POLHODE_CURRENT_LOOPS(kick);
   each_block(state.size(), kick_block, workers,
-             [&](std::size_t first, std::size_t end) { loop(state, load, t, first, end); });
+             [&](std::size_t first, std::size_t end) { loop(state, bodies, load, t, first, end); });
 }
 
 void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "polhode/base/error.hpp"
+#include "polhode/forces/system_size.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/trajectory.hpp"
@@ -55,6 +56,7 @@ System side_by_side(System water, std::size_t n) {
   const State one = water.state;
   const Box box{static_cast<double>(n) * one.box.edge};
   water.topology.parts[0].count = n * n * n * one.size();
+  check_count(water.topology);
   water.bodies = Bodies(water.topology);
   water.state = State(n * n * n * one.size(), box);
   std::size_t to = 0;
@@ -177,7 +179,7 @@ void repeat(StepRepeats& repeats, const Motion& motion, System& water,
     drift(state, water.bodies, motion.step / 2, workers);
     repeats.drift.push_back(first.seconds());
     const Clock second;
-    kick(state, integrator.last_load(), motion.step / 2, workers);
+    kick(state, water.bodies, integrator.last_load(), motion.step / 2, workers);
     repeats.kick.push_back(second.seconds());
   }
 }

@@ -65,7 +65,7 @@ TEST_CASE("the second bracket is the second derivative of T along the kick, moti
     forces(scene.state, load);
     const auto kinetic = [&](double e) {
       State state = scene.state;
-      kick(state, load, e);
+      kick(state, scene.bodies, load, e);
       const Energies now = energies(state, scene.bodies, load);
       return ByMotion<double>{now.translation, now.rotation[0], now.rotation[1], now.rotation[2]};
     };

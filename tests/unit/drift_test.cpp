@@ -144,6 +144,45 @@ TEST_CASE("drift agrees between instruction sets") {
   });
 }
 
+// What is left of L along an axis without inertia is the rounding of a vector turned into the lab:
+// a few roundings of L, however many kicks rounded torques make. Without inertia at all L is 0.
+// Along other axes a kick is ell + t tau, to the last bit.
+TEST_CASE("kicks leave no angular momentum along an axis without inertia") {
+  for_each_target([] {
+    Crowd crowd;
+    crowd.bodies.inverse_J.set(9, {});
+    std::mt19937_64 random(8);
+    std::normal_distribution<double> normal;
+    Load load(count);
+    Vec3Column ell = crowd.state.ell;
+    for (int n = 0; n < 200; ++n) {
+      for (std::size_t i = 0; i < count; ++i) {
+        load.tau.set(i, {normal(random), normal(random), normal(random)});
+        ell.add(i, 0.01 * load.tau[i]);
+      }
+      kick(crowd.state, crowd.bodies, load, 0.01);
+    }
+    int rods = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3<double> inverse_J = crowd.bodies.inverse_J[i];
+      const Vec3<double> L = to_body(crowd.state.attitude[i], crowd.state.ell[i]);
+      const Vec3<double> plain = to_body(crowd.state.attitude[i], ell[i]);
+      CAPTURE(i);
+      const bool whole = inverse_J.x > 0 && inverse_J.y > 0 && inverse_J.z > 0;
+      if (whole) CHECK(norm(crowd.state.ell[i] - ell[i]) < 200 * 0x1p-52 * norm(ell[i]) + 1e-13);
+      rods += !whole;
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (inverse_J[k] == 0)
+          CHECK(std::abs(L[k]) <= 8 * 0x1p-53 * norm(crowd.state.ell[i]));
+        else  // 200 roundings of two turns each
+          CHECK(std::abs(L[k] - plain[k]) <= 200 * 16 * 0x1p-53 * (norm(plain) + 1));
+      }
+    }
+    CHECK(rods > 10);
+    CHECK(norm(crowd.state.ell[9]) == 0);
+  });
+}
+
 // The flow is its own inverse under t -> -t; two steps at the bound of the first test.
 TEST_CASE("drift forth and back is the identity") {
   for_each_target([] {

@@ -18,8 +18,11 @@ namespace polhode {
 /// q ← q + t p/m, S ← P(t) S.
 void drift(State& state, const Bodies& bodies, double t, Workers& workers = Workers::serial());
 
-/// e^{Bt}: forces and torques act (vanzon2008, Eq. 3): p ← p + t f, ℓ ← ℓ + t τ.
-void kick(State& state, const Load& load, double t, Workers& workers = Workers::serial());
+/// e^{Bt}: forces and torques act (vanzon2008, Eq. 3): p ← p + t f, ℓ ← ℓ + t τ. No torque acts
+/// along an axis without inertia; what rounding of τ puts into ℓ there is taken off, or it would add
+/// up over steps.
+void kick(State& state, const Bodies& bodies, const Load& load, double t,
+          Workers& workers = Workers::serial());
 
 /// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v) turns
 /// a body by the body-frame vector v (vanzon2008, below Eq. 7; S̃ = R(v) S).

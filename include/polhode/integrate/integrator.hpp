@@ -178,7 +178,7 @@ class Integrator {
       current_ = false;
       return;
     }
-    kick(state, forces(state, energies), stage.fraction * h, workers_);  // f, τ
+    kick(state, bodies_, forces(state, energies), stage.fraction * h, workers_);  // f, τ
     if constexpr (OffersDerivative<Forces>)
       if (stage.has(Gradient::exact)) exact_gradient_kick(stage, state, h);
     if (stage.has(Gradient::finite_difference)) finite_difference_kick(stage, state, h);
@@ -191,7 +191,7 @@ class Integrator {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);
     ++derivatives_;
-    kick(state, gradient_load_, stage.fraction * h * 2 * stage.xi * h * h, workers_);
+    kick(state, bodies_, gradient_load_, stage.fraction * h * 2 * stage.xi * h * h, workers_);
   }
 
   /// The same by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ and the same of τ, both in the lab
@@ -206,8 +206,8 @@ class Integrator {
     complete_ = complete;
     ++evaluations_;
     const double t = stage.fraction * h / lambda_;
-    kick(state, gradient_load_, t, workers_);
-    kick(state, load_, -t, workers_);
+    kick(state, bodies_, gradient_load_, t, workers_);
+    kick(state, bodies_, load_, -t, workers_);
   }
 
   Scheme scheme_;

@@ -87,11 +87,25 @@ void drift(State& state, const Bodies& bodies, double t, std::size_t first, std:
   }
 }
 
-void kick(State& state, const Load& load, double t, std::size_t first, std::size_t end) {
+void kick(State& state, const Bodies& bodies, const Load& load, double t, std::size_t first,
+          std::size_t end) {
+  const Real none(0);
   for (std::size_t i = first; i < end; i += Real::width) {
     store_pack(load_pack<Real>(state.p, i) + load_pack<Real>(load.f, i) * Real(t), state.p, i);
-    store_pack(load_pack<Real>(state.ell, i) + load_pack<Real>(load.tau, i) * Real(t), state.ell,
-               i);
+    Vec3<Real> ell = load_pack<Real>(state.ell, i) + load_pack<Real>(load.tau, i) * Real(t);
+    const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);  // 0 without inertia
+    const Mask<Real> slim = none >= inverse_J.x || none >= inverse_J.y || none >= inverse_J.z;
+    if (any(slim)) {
+      const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
+      const Vec3<Real> L = to_body(attitude, ell);  // L = S ell
+      const Vec3<Real> clean = to_lab(
+          attitude, Vec3<Real>{select(inverse_J.x > none, L.x, none),
+                               select(inverse_J.y > none, L.y, none),
+                               select(inverse_J.z > none, L.z, none)});
+      ell = {select(slim, clean.x, ell.x), select(slim, clean.y, ell.y),
+             select(slim, clean.z, ell.z)};
+    }
+    store_pack(ell, state.ell, i);
   }
 }
 
