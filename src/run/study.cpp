@@ -98,7 +98,7 @@ double StudyPoint::cost(double near_weight) const {
 }
 
 std::uint64_t start_seed(const Config& config, std::size_t index) {
-  return config.system.seed + 1 + index;
+  return derived_seed(config.system.seed, index);
 }
 
 System decorrelated_start(const System& base, const Config& config, std::size_t index,
@@ -209,7 +209,7 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     for (std::size_t k = 0; k < 3; ++k) {
       std::vector<double> excess;
       for (const StudyRun& run : own)
-        if (run.stable && run.parts && run.parts->rotation[k] > 0)
+        if (run.stable && run.parts && run.parts->rotation[k] > 0 && run.parts->translation > 0)
           excess.push_back(run.parts->rotation[k] - run.parts->translation);
       if (excess.size() > 1) e.excess[k] = mean(excess);
     }

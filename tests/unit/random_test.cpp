@@ -3,6 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <bit>
+#include <vector>
+
 using namespace polhode;
 
 TEST_CASE("Philox gives the numbers of its authors") {
@@ -23,6 +27,22 @@ TEST_CASE("streams of one seed differ and repeat") {
     CHECK(bits != other.bits());
     CHECK(bits != reseeded.bits());
   }
+}
+
+// Sums of seed and index would be equal along diagonals: (1, 1) and (2, 0). Of 4 · 10⁶ derived
+// seeds two agree by chance with (4e6)²/2/2⁶⁴ = 4e-7.
+TEST_CASE("derived seeds of neighbouring seeds and indices are all different") {
+  std::vector<std::uint64_t> all;
+  for (std::uint64_t seed = 0; seed < 2000; ++seed)
+    for (std::uint64_t index = 0; index < 2000; ++index) all.push_back(derived_seed(seed, index));
+  for (std::uint64_t seed = 0; seed < 2000; ++seed) all.push_back(seed);  // those of run files
+  std::sort(all.begin(), all.end());
+  CHECK(std::adjacent_find(all.begin(), all.end()) == all.end());
+  // Half of the bits change from one index to the next: 64 · 4000 fair coins, five standard errors.
+  int changed = 0;
+  for (std::uint64_t k = 0; k < 4000; ++k)
+    changed += std::popcount(derived_seed(1, k) ^ derived_seed(1, k + 1));
+  CHECK(std::abs(changed - 32 * 4000) < 5 * std::sqrt(64 * 4000) / 2);
 }
 
 TEST_CASE("normal deviates have the moments of their distribution") {

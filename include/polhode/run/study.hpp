@@ -83,8 +83,8 @@ struct StudyProgress {
   std::function<bool()> stop;
 };
 
-/// Of what is random in one of a series of starts, and in runs from it: the run file's seed + 1 +
-/// index.
+/// Of what is random in one of a series of starts, and in runs from it: derived_seed() of the run
+/// file's seed, so that series of different seeds have no start in common.
 std::uint64_t start_seed(const Config& config, std::size_t index);
 
 /// One of a series of starts: the system with momenta of its own, drawn from its start_seed(),
