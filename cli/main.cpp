@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cctype>
 #include <exception>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/memory.hpp"
 #include "polhode/base/suggest.hpp"
 #include "verbs.hpp"
 
@@ -73,6 +76,13 @@ int run(int argc, char** argv) {
   return 2;
 }
 
+/// Where it was not foreseen.
+std::string no_memory() {
+  return fmt::format("there is not enough memory; this process may have {:.3g} GB; take fewer "
+                     "molecules, frames, lags or bins",
+                     memory_limit() / 1e9);
+}
+
 }  // namespace
 }  // namespace polhode::cli
 
@@ -83,6 +93,12 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "error: {}\n", e.what());
     if (!e.where().empty()) fmt::print(stderr, "  in   {}\n", e.where());
     return 2;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "error: {}\n", polhode::cli::no_memory());
+    return 1;
+  } catch (const std::length_error&) {  // more than an address can tell
+    fmt::print(stderr, "error: {}\n", polhode::cli::no_memory());
+    return 1;
   } catch (const std::exception& e) {
     fmt::print(stderr, "error: {}\n", e.what());
     return 1;

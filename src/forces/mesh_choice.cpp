@@ -131,16 +131,12 @@ double typical_force(const Topology& topology, const Box& box) {
   return 0.75 * units::coulomb * crowd.mean_square() * std::pow(crowd.density(), 2.0 / 3);
 }
 
-MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
-                      const Topology& topology) {
-  if (!(relative_error >= 1e-7 && relative_error <= 0.1))
-    throw Error(
-        fmt::format("a relative error of the mesh's forces of {} is asked for; it must be "
-                    "from 1e-7 to 0.1",
-                    relative_error));
+namespace {
+
+/// The mesh that takes the least time for one cutoff.
+MeshSettings cheapest_mesh(double relative_error, double cutoff, const Box& box,
+                           const Topology& topology) {
   const Crowd crowd(topology, box);
-  if (crowd.charges() == 0)
-    throw Error("no molecule has a charge, so there is nothing for a mesh; take none");
   // What is reached in water is 0.3 to 1.5 of what is expected: where molecules screen each other
   // it is less, and the coarse sum over waves adds its own. The wrong side is left out.
   constexpr double margin = 1.5;
@@ -177,6 +173,49 @@ MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
     const double seconds = expected_seconds(crowd.charges(), found);
     if (seconds < least) least = seconds, best = found;
   }
+  return best;
+}
+
+double points_of(const MeshSettings& mesh) {
+  double points = 1;
+  for (const std::size_t n : mesh.points) points *= static_cast<double>(n);
+  return points;
+}
+
+/// Liquids have 10 to 100 points to a charge. In a box that holds little, a mesh of this many is
+/// work for nothing: pairs up to a longer cutoff are few there, and leave a coarser mesh.
+double most_points(double charges) { return std::max(0x1p21, 4096 * charges); }
+
+/// What to do where a mesh is too fine: the cutoff, in steps of a quarter, from which it is not.
+std::string remedy(double relative_error, double cutoff, const Box& box, const Topology& topology,
+                   double most) {
+  for (double longer = 1.25 * cutoff; longer < 0.45 * box.shortest_edge(); longer *= 1.25)
+    if (points_of(cheapest_mesh(relative_error, longer, box, topology)) <= most)
+      return fmt::format("take a cutoff of {:.2g} nm, up to which there are few pairs",
+                         1.05 * longer);
+  return "take a smaller box, or ask for less accuracy";
+}
+
+}  // namespace
+
+MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
+                      const Topology& topology) {
+  if (!(relative_error >= 1e-7 && relative_error <= 0.1))
+    throw Error(
+        fmt::format("a relative error of the mesh's forces of {} is asked for; it must be "
+                    "from 1e-7 to 0.1",
+                    relative_error));
+  const double charges = Crowd(topology, box).charges();
+  if (charges == 0)
+    throw Error("no molecule has a charge, so there is nothing for a mesh; take none");
+  const MeshSettings best = cheapest_mesh(relative_error, cutoff, box, topology);
+  const double most = most_points(charges);
+  if (points_of(best) > most)
+    throw Error(fmt::format(
+        "a cutoff of {:g} nm and an accuracy of {:g} need a mesh of {} x {} x {} points in this "
+        "box, for {:.0f} charges; it must have at most {:.2g}, as the box holds so little: {}",
+        cutoff, relative_error, best.points[0], best.points[1], best.points[2], charges, most,
+        remedy(relative_error, cutoff, box, topology, most)));
   return best;
 }
 

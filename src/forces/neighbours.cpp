@@ -11,6 +11,8 @@
 
 #include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/forces/system_size.hpp"
+#include "polhode/model/cell_width.hpp"
 
 namespace polhode {
 namespace {
@@ -34,6 +36,13 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
                     "a larger box or "
                     "a cutoff of at most {:.3f} nm",
                     settings.cutoff, reach, shortest, floored(shortest - 2 * reach)));
+}
+
+// A dense liquid has some five bodies to a cell; a table of cells for each part of the topology
+// shall not outgrow the bodies, whatever the box.
+double most_cells(const Topology& topology) {
+  const auto parts = std::max<std::size_t>(1, topology.parts.size());
+  return std::max(64.0, 8 * static_cast<double>(topology.size() / parts));
 }
 
 constexpr std::size_t slots_at_once = 1024;  // put into fixed point by one task
@@ -61,15 +70,36 @@ std::vector<ListChunk> chunks_of(const Slots& slots) {
 
 }  // namespace
 
+void check_count(const Topology& topology) {
+  double molecules = 0, slots = 0;
+  for (const auto& part : topology.parts) {
+    const auto count = static_cast<double>(part.count);
+    molecules += count;
+    slots += std::ceil(count / slot_block) * slot_block;
+  }
+  if (slots > Neighbour::slot_mask)
+    throw Error(
+        fmt::format("{:.0f} molecules are more than the neighbour list can number ({}); take fewer",
+                    molecules, Neighbour::slot_mask));
+}
+
+void check_edges(const Box& box) {
+  // Places in fixed point are off by up to 2⁻³⁰ of an edge; the search for partners allows for
+  // rounding by 1e-5 nm.
+  constexpr double longest = 8192;  // [nm]
+  for (std::size_t d = 0; d < 3; ++d)
+    if (!(box.edge[d] <= longest))
+      throw Error(
+          fmt::format("an edge of the box is {:g} nm long; it must be at most {:g} nm, as places "
+                      "are told apart to 2^-30 of it; take a smaller box",
+                      box.edge[d], longest));
+}
+
 NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& settings,
                              const Box& box)
-    : box_(box), slots_(topology), chunks_(chunks_of(slots_)) {
+    : box_(box), slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
+  check_edges(box);
   check_box(topology, settings, box);
-  if (slots_.size() > Neighbour::slot_mask)
-    throw Error(
-        fmt::format("{} molecules are more than the neighbour list can number ({}); run a "
-                    "smaller system",
-                    topology.size(), Neighbour::slot_mask));
   // Centres are at most cutoff + reach_a + reach_b apart when two sites are within the cutoff, and
   // at least that much closer when all of them are within the switch.
   const bool by_site = settings.truncation != Truncation::molecule_switch;
@@ -104,7 +134,7 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
     chunk.entries.reserve(static_cast<std::size_t>(1.05 * row * (chunk.end - chunk.first)));
   }
   allowed2_ = skin * skin / 4;
-  grid_ = CellGrid(box, range_);
+  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, most_cells(topology)));
 }
 
 std::size_t NeighbourList::lanes() const {

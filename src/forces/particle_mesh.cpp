@@ -13,6 +13,7 @@
 #include "mesh_influence.hpp"
 #include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/base/memory.hpp"
 #include "polhode/forces/own_charges.hpp"
 
 namespace polhode {
@@ -20,6 +21,7 @@ namespace {
 
 constexpr std::size_t slots_at_once = 4 * slot_block;  // gathered by one task
 
+template <class T>
 void check(const MeshSettings& settings) {
   if (settings.order < MeshSettings::lowest_order || settings.order > MeshSettings::highest_order)
     throw Error(fmt::format("the order of the mesh's splines is {}; it must be from {} to {}",
@@ -34,6 +36,12 @@ void check(const MeshSettings& settings) {
           fmt::format("the mesh has {} points along an edge; it must have at least {}, so "
                       "that a spline does not meet itself",
                       points, MeshGrid<double>::overhang + 1));
+  const auto [nx, ny, nz] = settings.points;
+  // Charges or their potential, and a quarter of a number each for the influence and its slope.
+  const double bytes = 1.5 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) *
+                       static_cast<double>(nz);
+  require_memory(bytes, fmt::format("{} x {} x {} points of a mesh", nx, ny, nz),
+                 "ask for less accuracy, or take a longer cutoff or a smaller box");
 }
 
 /// Numbers that stand beyond the end of a row and mean its beginning.
@@ -89,7 +97,7 @@ template <class T>
 ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& settings,
                               const Box& box, Workers& workers)
     : workers_(workers), settings_(settings), box_(box) {
-  check(settings);
+  check<T>(settings);
   for (const auto& part : topology.parts) {
     const InteractionSites sites(part.molecule);
     parts_.push_back({{}, part.molecule.reach(), {}});

@@ -10,8 +10,10 @@
 #include <set>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/memory.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/model/cell_width.hpp"
 
 namespace polhode {
 namespace {
@@ -32,15 +34,18 @@ struct PlacedSite {
   std::uint32_t body, kind;
 };
 
-// Sites sorted by cells that are at least `reach` wide, or one cell along an edge.
+// Sites sorted by cells that are at least `reach` wide, or one cell along an edge, and not more than
+// sites.
 struct CellSort {
   std::array<std::size_t, 3> cells;
   std::vector<PlacedSite> sites;
   std::vector<std::size_t> first;  // of each cell, and the end
 
   CellSort(const std::vector<PlacedSite>& unsorted, const Box& box, double reach) {
+    const double width =
+        cell_width(box, reach, std::max(27.0, static_cast<double>(unsorted.size())));
     for (std::size_t k = 0; k < 3; ++k)
-      cells[k] = std::max<std::size_t>(1, static_cast<std::size_t>(box.edge[k] / reach));
+      cells[k] = std::max<std::size_t>(1, static_cast<std::size_t>(box.edge[k] / width));
     const auto cell_of = [&](const PlacedSite& site) {
       std::size_t cell = 0;
       for (std::size_t k = 3; k-- > 0;) {
@@ -126,6 +131,16 @@ Maximum top_of(std::span<const double> g) {
   return {static_cast<double>(top) + best, value(best)};
 }
 
+// Rows of sites are dealt out to so many tasks with histograms of their own.
+constexpr std::size_t tasks = 32;
+
+std::size_t checked_bins(const RadialSettings& settings) {
+  const double bins = settings.reach / settings.bin + 1e-9;
+  require_memory(sizeof(std::uint64_t) * tasks * static_cast<double>(settings.pairs.size()) * bins,
+                 fmt::format("g(r) histograms of {:.3g} bins", bins), "take wider bins");
+  return static_cast<std::size_t>(bins);
+}
+
 }  // namespace
 
 std::vector<SitePair> site_pairs(const Topology& topology) {
@@ -146,7 +161,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
     : pairs_(settings.pairs),
       reach_(settings.reach),
       width_(settings.bin),
-      bins_(static_cast<std::size_t>(settings.reach / settings.bin + 1e-9)) {
+      bins_(checked_bins(settings)) {
   // Sites of a kind are those that the same words name.
   std::vector<std::string> words, all_names;
   for (const SitePair& pair : pairs_) words.insert(words.end(), pair.begin(), pair.end());
@@ -213,9 +228,7 @@ void RadialDistribution::add(const State& state, Workers& workers) {
                           static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(kind)});
   const CellSort sorted(placed, state.box, reach_);
 
-  // Rows of sites are dealt out to tasks with histograms of their own: whole numbers, so that their
-  // sum does not depend on who counted.
-  constexpr std::size_t tasks = 32;
+  // Whole numbers, so that their sum does not depend on who counted.
   std::vector<std::vector<std::uint64_t>> histograms(tasks);
   std::vector<std::set<std::size_t>> near;
   for (std::size_t cell = 0; cell + 1 < sorted.first.size(); ++cell)

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/memory.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/model/dipole.hpp"
 
@@ -58,6 +59,8 @@ void name_atoms(Frame& frame, const Topology& topology) {
       frame.source);
 }
 
+constexpr double bytes_of_lag = 48;  // of a body, in each TimeCorrelation
+
 class Assembly {
  public:
   Assembly(Analysis& result, const AnalysisSettings& settings)
@@ -79,8 +82,12 @@ class Assembly {
       leave_out({Observable::msd, Observable::rotation, Observable::velocity}, why);
       return;
     }
-    const auto lags =
-        static_cast<std::size_t>(std::max(1.0, settings_.window / result_.interval + 1e-6)) + 1;
+    const double longest = std::max(1.0, settings_.window / result_.interval + 1e-6) + 1;
+    const auto bodies = static_cast<double>(result_.topology.size());
+    require_memory(bytes_of_lag * bodies * longest,
+                   fmt::format("{:.0f} lags of {:.0f} bodies", longest, bodies),
+                   "ask for a shorter --window");
+    const auto lags = static_cast<std::size_t>(longest);
     if (wanted(Observable::msd)) result_.displacement.emplace(result_.topology, lags);
     if (wanted(Observable::rotation)) result_.reorientation.emplace(result_.topology, lags);
     if (!wanted(Observable::velocity)) return;

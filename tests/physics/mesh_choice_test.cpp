@@ -10,6 +10,7 @@
 #include "physics/mesh_scene.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/run/system.hpp"
+#include "unit/errors.hpp"
 
 using namespace polhode;
 
@@ -148,4 +149,19 @@ TEST_CASE("a mesh that cannot be is refused") {
                        Error);
   CHECK_THROWS_WITH_AS(Mesh(water, {{16, 16, 16}, 5, 0, 0.9}, box), doctest::Contains("exponent"),
                        Error);
+}
+
+// Two ions in 60 nm would have 540 points to an edge, 2.5 GB for an energy that one pair has.
+TEST_CASE(
+    "a mesh that little in a large box is not worth is refused, with the cutoff that makes it so") {
+  const Topology two{{{ion("a", 1), 1}, {ion("b", -1), 1}}};
+  const Box box{{60, 60, 60}};
+  check_error([&] { mesh_for(1e-4, 1.0, box, two); }, {"for 2 charges", "take a cutoff of"});
+  const MeshSettings far = mesh_for(1e-4, 12.0, box, two);
+  CHECK(far.points[0] * far.points[1] * far.points[2] <= std::size_t{1} << 21);
+  check_error(
+      [&] {
+        mesh_for(1e-4, 1.0, {{3000, 2.5, 2.5}}, two);
+      },
+      {"take a smaller box, or ask for less accuracy"});
 }

@@ -101,14 +101,17 @@ TEST_CASE("g of a random gas is 1 within Poisson errors") {
 }
 
 // Against all pairs: like and unlike words, several sites to a word, a mixture; boxes of one cell
-// along an edge, of two, and of more. Threads change nothing.
+// along an edge, of two, of more, and of fewer than would fit where sites are few. Threads change
+// nothing.
 TEST_CASE("pairs of sites are counted as the plain sum counts them") {
   const Topology topology{{{read_molecule("tip4p"), 40}, {read_molecule("na-tip4p-ew"), 9}}};
   const std::vector<SitePair> pairs = {{"OW", "OW"}, {"OW", "HW"}, {"HW", "HW"}, {"HW1", "HW"},
                                        {"Na", "OW"}, {"MW", "Na"}, {"OW", "Na"}};
-  for (const Vec3<double>& edge : {Vec3<double>{1.3, 1.4, 1.2}, Vec3<double>{2.9, 1.25, 1.9}}) {
+  const std::vector<std::pair<Vec3<double>, double>> boxes = {
+      {{1.3, 1.4, 1.2}, 0.6}, {{2.9, 1.25, 1.9}, 0.6}, {{60, 40, 50}, 12}, {{600, 40, 50}, 4}};
+  for (const auto& [edge, reach] : boxes) {
     const State state = gas(topology, edge, 5);
-    const double reach = 0.6, volume = edge.x * edge.y * edge.z;
+    const double volume = edge.x * edge.y * edge.z;
     RadialDistribution radial(topology, {pairs, reach, reach / 50}), many = radial;
     Workers workers(3);
     radial.add(state);

@@ -20,7 +20,8 @@ double typical_force(const Topology& topology, const Box& box);
 /// The mesh that takes the least time among those whose forces err by `relative_error` of the
 /// electrostatic force on a charge, both rms.
 /// @param cutoff  a of the split: pairs are summed up to there [nm]
-/// @throws Error  if the error is not from 1e-7 to 0.1, or no charge is there
+/// @throws Error  if the error is not from 1e-7 to 0.1, no charge is there, or so few in so large a
+///                box that the mesh would be far larger than they are worth
 MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
                       const Topology& topology);
 

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// How large a system may be.
+#pragma once
+
+#include "polhode/model/box.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// @throws Error  if there are more molecules than the neighbour list can number
+void check_count(const Topology& topology);
+
+/// @throws Error  if an edge is so long that places in fixed point are too coarse
+void check_edges(const Box& box);
+
+}  // namespace polhode

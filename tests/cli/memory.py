@@ -1,0 +1,79 @@
+# SPDX-License-Identifier: MIT
+"""What does not fit is refused before it is asked for, with its amount; what is large and empty fits."""
+
+import resource
+import subprocess
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+MB = 1 << 20
+
+
+def argon(count, box, more=""):
+    return edited(SMALL, ("count = 27", f"count = {count}"), ('box = "2.5 nm"', f'box = "{box}"')) + more
+
+
+class Memory(Sandbox):
+    def within(self, limit, *arguments):
+        """The finished `polhode ARGUMENTS` that may have so many bytes of addresses, on one thread."""
+        def bound():
+            resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+        return subprocess.run([sandbox.PROGRAM, *arguments], cwd=self.folder, text=True, capture_output=True,
+                              preexec_fn=bound, env={"POLHODE_THREADS": "1"}, timeout=sandbox.LONGEST)
+
+    def test_counts_beyond_all_bounds_are_refused(self):
+        for count in (10**8, 10**10, 2**62, 2**63 - 1):
+            self.write("many.toml", argon(count, "500 nm"))
+            for verb in ("energy", "run", "study"):
+                self.refused([verb, "many.toml"], [f"{count} molecules" if count < 2**53 else "molecules are more",
+                                                   "than the neighbour list can number", "take fewer"], verb)
+
+    def test_what_takes_more_memory_than_there_is_names_the_amount(self):
+        self.write("many.toml", argon(5_000_000, "80 nm"))
+        process = self.within(2000 * MB, "energy", "many.toml")
+        self.assertEqual(process.returncode, 2, process.stderr)
+        for word in ("5000000 molecules take at least 2.6", "GB of memory", "may have 2.1", "take fewer of them",
+                     "many.toml"):
+            self.assertIn(word, process.stderr)
+
+    def test_what_was_not_foreseen_is_said_too(self):
+        """A limit that the estimate, which is a lower one, lets pass."""
+        self.write("many.toml", argon(1_000_000, "40 nm"))
+        process = self.within(620 * MB, "energy", "many.toml")
+        self.assertEqual(process.returncode, 1, process.stderr)
+        self.assertIn("there is not enough memory; this process may have 0.65 GB", process.stderr)
+        self.assertNotIn("bad_alloc", process.stderr)
+
+    def test_boxes_beyond_all_bounds_are_refused(self):
+        for edge in ("1e5 nm", "1e9 nm", "1e300 nm"):
+            self.write("wide.toml", argon(27, edge))
+            self.refused(["energy", "wide.toml"], ["an edge of the box is", "at most 8192 nm", "take a smaller box"], edge)
+
+    def test_a_large_box_that_holds_little_is_small(self):
+        """400 nm in cells of half a range were 1.7 GB."""
+        self.write("dilute.toml", argon(8, "400 nm"))
+        process = self.within(1000 * MB, "energy", "dilute.toml", "--json")
+        self.assertEqual(process.returncode, 0, process.stderr)
+
+    def test_the_radial_distribution_of_a_large_box_is_small(self):
+        """100 nm in cells of the reach were 728 MB."""
+        self.write("dilute.toml", argon(8, "100 nm"))
+        self.assertEqual(self.polhode("run", "dilute.toml").returncode, 0)
+        frames = [name for name in self.contents() if "trajectory" in name]
+        process = self.within(500 * MB, "analyze", frames[0], "--run", "dilute.toml")
+        self.assertEqual(process.returncode, 0, process.stderr)
+
+    def test_two_ions_in_a_large_box_need_a_longer_cutoff(self):
+        ions = edited(SMALL, ('{ model = "argon", count = 27 }',
+                              '{ model = "na-spce", count = 1 }, { model = "cl-spce", count = 1 }'),
+                      ('box = "2.5 nm"', 'box = "60 nm"'), ('cutoff = "1.0 nm"', 'cutoff = "1.0 nm"\nelectrostatics = "pme"'))
+        self.write("ions.toml", ions)
+        self.refused(["energy", "ions.toml"], ["points in this box, for 2 charges", "take a cutoff of"])
+        cutoff = self.polhode("energy", "ions.toml").err.split("take a cutoff of ")[1].split(" nm")[0]
+        process = self.done("energy", edited(ions, ("1.0 nm", f"{cutoff} nm")), "--json")
+        self.assertIn("PME: grid", process.err)
+
+
+if __name__ == "__main__":
+    sandbox.main()
