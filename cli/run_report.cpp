@@ -44,11 +44,14 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
         s.shadow->drift.chance, s.shadow->sooner, s.shadow->fluctuation);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
   fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
-  fmt::print("temperature           {:.2f} K: translation {:.2f}, rotation", s.temperatures.all,
-             s.temperatures.translation);
+  const auto kelvin = [](double freedoms, double T) {
+    return freedoms > 0 ? fmt::format("{:.2f}", T) : "-";
+  };
+  fmt::print("temperature           {} K: translation {}, rotation",
+             kelvin(s.freedoms.all(), s.temperatures.all),
+             kelvin(s.freedoms.translation, s.temperatures.translation));
   for (std::size_t k = 0; k < 3; ++k)
-    fmt::print(" {}", s.freedoms.rotation[k] > 0 ? fmt::format("{:.2f}", s.temperatures.rotation[k])
-                                                 : "-");
+    fmt::print(" {}", kelvin(s.freedoms.rotation[k], s.temperatures.rotation[k]));
   fmt::print(" K");
   if (std::any_of(s.configurational.begin(), s.configurational.end(),
                   [](const auto& known) { return known.has_value(); })) {

@@ -9,13 +9,15 @@
 #include <cmath>
 #include <string>
 
+#include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/run/system.hpp"
 
 namespace polhode::cli {
 
 /// On standard error: molecules that a topology file told, and how they became rigid; how far atoms
 /// of the start lay from rigid bodies, if that is more than rounding, and massless sites, if it is
-/// more than the atoms explain.
+/// more than the atoms explain; a total momentum that was removed; that a single atom has no
+/// temperature.
 inline void note_molecules(const System& system) {
   for (std::size_t k = 0; k < system.origins.size(); ++k) {
     const auto& [molecule, count] = system.topology.parts[k];
@@ -30,6 +32,15 @@ inline void note_molecules(const System& system) {
                "note: massless sites of the start lay up to {:.4f} nm from where the models have "
                "them, and are placed there\n",
                system.massless_deviation);
+  if (system.removed_temperature > 1e-4)
+    fmt::print(stderr,
+               "note: the start moved as a whole at {:.4g} nm/ps, which counted as {:.4g} K; its "
+               "total momentum is removed\n",
+               system.removed_velocity, system.removed_temperature);
+  if (freedoms(system.topology).all() == 0)
+    fmt::print(stderr,
+               "note: a single atom rests in its own frame and has no degrees of freedom, so it "
+               "has no temperature\n");
 }
 
 /// On standard error: the mixing rule and the pairs that are given, unless the usual rule holds for

@@ -11,6 +11,7 @@
 #include "polhode/forces/molecule_pair.hpp"
 #include "polhode/forces/own_charges.hpp"
 #include "polhode/forces/tail.hpp"
+#include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
 namespace {
@@ -89,7 +90,9 @@ Engine engine(const Topology& topology, const ForceSettings& settings, const Box
 
 ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
                        Workers& workers)
-    : topology_(topology),
+    : workers_(workers),
+      topology_(topology),
+      bodies_(topology),
       settings_(with_mesh(checked(settings), topology, box)),
       constant_(constant_terms_of(topology, settings_, box)),
       engine_(engine(topology, settings_, box, workers)) {}
@@ -97,6 +100,7 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
 void ForceField::evaluate(const State& state, Load& load, bool energies) {
   ++evaluations_;
   std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
+  if (settings_.mesh) remove_net_force(load, bodies_, workers_);
   if (!energies) return;
   load.lennard_jones += constant_.dispersion;
   load.coulomb += constant_.coulomb();
@@ -106,6 +110,7 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
 void ForceField::directional_derivative(const State& state, const Vec3Column& dq,
                                         const Vec3Column& dtheta, Load& slope) {
   std::visit([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); }, engine_);
+  if (settings_.mesh) remove_net_force(slope, bodies_, workers_);
 }
 
 ListMemory ForceField::list_memory() const {

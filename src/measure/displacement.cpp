@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "polhode/base/units.hpp"
+#include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
 
@@ -24,16 +25,17 @@ void Unwrapped::follow(const State& state) {
   last_ = state.q;
 }
 
-Displacement::Displacement(const Topology& topology, std::size_t lags) {
+Displacement::Displacement(const Topology& topology, std::size_t lags) : bodies_(topology) {
   for (const auto& part : topology.parts)
     parts_.emplace_back(part.count, lags, std::vector{Product::displacement});
 }
 
 void Displacement::add(const State& state, Workers& workers) {
   unwrapped_.follow(state);
+  const Vec3<double> centre = centre_of_mass(unwrapped_.centres(), bodies_);
   std::size_t first = 0;
   for (TimeCorrelation& part : parts_) {
-    part.add([&](std::size_t i) { return unwrapped_.centres()[first + i]; }, workers);
+    part.add([&](std::size_t i) { return unwrapped_.centres()[first + i] - centre; }, workers);
     first += part.bodies();
   }
 }

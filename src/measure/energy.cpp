@@ -26,10 +26,14 @@ Energies energies(const State& state, const Bodies& bodies, const Load& load, Wo
     sums[first / block] = loop(state, bodies, first, end);
   });
   Energies e{state.time, load.lennard_jones, load.coulomb, 0, {0, 0, 0}};
+  Vec3<double> P{};
+  double M = 0;
   for (const KineticSums& sum : sums) {
     e.translation += sum.translation;
+    P += sum.momentum, M += sum.mass;
     for (std::size_t k = 0; k < 3; ++k) e.rotation[k] += sum.rotation[k];
   }
+  if (M > 0) e.translation -= norm2(P) / (2 * M);
   const Mat3<double>& w = load.virial;
   if (const double V = state.box.volume(); V > 0)
     e.pressure = (2 * e.translation + w[0][0] + w[1][1] + w[2][2]) / (3 * V);
@@ -38,6 +42,8 @@ Energies energies(const State& state, const Bodies& bodies, const Load& load, Wo
 
 Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load) {
   Mat3<double> sum = load.virial;
+  const Vec3<double> P = total_momentum(state);
+  for (std::size_t k = 0; k < 3; ++k) sum[k] += -P[k] / total_mass(bodies) * P;
   for (std::size_t i = 0; i < state.size(); ++i) {
     const Vec3<double> p = state.p[i];
     for (std::size_t k = 0; k < 3; ++k) sum[k] += p[k] * bodies.inverse_m[i] * p;
@@ -46,26 +52,11 @@ Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Loa
   return sum;
 }
 
-Vec3<double> total_momentum(const State& state) {
-  Vec3<double> sum{};
-  for (std::size_t i = 0; i < state.size(); ++i) sum += state.p[i];
-  return sum;
-}
-
 Vec3<double> total_angular_momentum(const State& state) {
   Vec3<double> sum{};
   for (std::size_t i = 0; i < state.size(); ++i)
     sum += cross(state.q[i], state.p[i]) + state.ell[i];
   return sum;
-}
-
-Freedoms freedoms(const Topology& topology) {
-  Freedoms n;
-  n.translation = topology.size() > 1 ? 3 * static_cast<double>(topology.size()) - 3 : 3;
-  for (const auto& part : topology.parts)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (part.molecule.J[k] > 0) n.rotation[k] += static_cast<double>(part.count);
-  return n;
 }
 
 double temperature(double kinetic_energy, double freedoms) {

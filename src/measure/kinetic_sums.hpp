@@ -2,12 +2,16 @@
 // What the loops over packs return to energies().
 #pragma once
 
+#include "polhode/base/vec3.hpp"
+
 namespace polhode {
 
-/// Kinetic energies of a range of bodies [kJ/mol].
+/// Kinetic energies [kJ/mol], momentum and mass of a range of bodies.
 struct KineticSums {
   double translation;  ///< Σ p²/2m
   double rotation[3];  ///< Σ L_k²/2J_k
+  Vec3<double> momentum;  ///< Σ p [u nm/ps]
+  double mass;            ///< Σ m [u]
 };
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "polhode/base/units.hpp"
+#include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
 
@@ -18,10 +19,12 @@ VelocityCorrelation::VelocityCorrelation(const Topology& topology, std::size_t l
 }
 
 void VelocityCorrelation::add(const State& state, Workers& workers) {
+  const Vec3<double> common = total_momentum(state) / total_mass(bodies_);
   std::size_t first = 0;
   for (std::size_t part = 0; part < linear_.size(); ++part) {
     linear_[part].add(
-        [&](std::size_t i) { return bodies_.inverse_m[first + i] * state.p[first + i]; }, workers);
+        [&](std::size_t i) { return bodies_.inverse_m[first + i] * state.p[first + i] - common; },
+        workers);
     if (!turning_axes(part).empty())
       angular_[part].add(
           [&](std::size_t i) {

@@ -9,6 +9,8 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/math/random.hpp"
+#include "polhode/model/centre_of_mass.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
 
 namespace polhode {
 namespace {
@@ -74,7 +76,6 @@ void draw_momenta(State& state, const Topology& topology, double temperature, st
   const Bodies bodies(topology);
   const double kT = units::boltzmann * temperature;
   Random random(seed, momenta);
-  Vec3<double> total{};
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const auto normal3 = [&] {
       const double x = random.normal(), y = random.normal(), z = random.normal();
@@ -84,21 +85,16 @@ void draw_momenta(State& state, const Topology& topology, double temperature, st
     state.p.set(i, std::sqrt(bodies.m[i] * kT) * normal3());
     const Vec3<double> width{std::sqrt(J.x * kT), std::sqrt(J.y * kT), std::sqrt(J.z * kT)};
     state.ell.set(i, to_lab(state.attitude[i], scaled(width, normal3())));
-    total += state.p[i];
   }
-  // A single body keeps its momentum: there is no other to take it.
-  const bool at_rest = bodies.size() > 1;
-  const double mass = topology.mass();
-  double twice_energy = 0, freedoms = at_rest ? -3 : 0;
+  remove_total_momentum(state, bodies);
+  double twice_energy = 0;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (at_rest) state.p.add(i, -bodies.m[i] / mass * total);
     const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
     twice_energy +=
         norm2(state.p[i]) * bodies.inverse_m[i] + dot(L, scaled(bodies.inverse_J[i], L));
-    freedoms += 3 + topology.parts[bodies.part[i]].molecule.rotational_freedoms();
   }
   if (twice_energy == 0) return;
-  const double scale = std::sqrt(freedoms * kT / twice_energy);
+  const double scale = std::sqrt(freedoms(topology).all() * kT / twice_energy);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     state.p.set(i, scale * state.p[i]);
     state.ell.set(i, scale * state.ell[i]);

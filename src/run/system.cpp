@@ -6,10 +6,13 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/memory.hpp"
 #include "polhode/forces/overlap.hpp"
+#include "polhode/forces/system_size.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
+#include "polhode/model/centre_of_mass.hpp"
 #include "polhode/model/start.hpp"
 
 namespace polhode {
@@ -34,6 +37,41 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   } catch (const Error& e) {
     throw e.at(config.source);
   }
+}
+
+// Before anything is allocated for each molecule.
+void check_size(const Topology& topology) {
+  check_count(topology);
+  // Numbers of state, bodies, forces and list without partners: for each body, and for each site.
+  constexpr double each_body = 500, each_site = 24;  // [bytes]
+  double bytes = 0, molecules = 0;
+  for (const auto& [molecule, count] : topology.parts) {
+    const auto n = static_cast<double>(count);
+    molecules += n;
+    bytes += n * (each_body + each_site * static_cast<double>(molecule.sites.size()));
+  }
+  require_memory(bytes, fmt::format("{:.0f} molecules", molecules), "take fewer of them");
+}
+
+State lattice_start(const Config& config, const Topology& topology) {
+  const SystemSettings& s = config.system;
+  Box box;
+  try {
+    check_size(topology);
+    box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
+    check_edges(box);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  return lattice(topology, box, s.seed);
+}
+
+// The centre of mass comes to rest.
+void bring_to_rest(System& system) {
+  const Vec3<double> velocity = remove_total_momentum(system.state, system.bodies);
+  system.removed_velocity = norm(velocity);
+  system.removed_temperature =
+      temperature(total_mass(system.bodies) * norm2(velocity) / 2, freedoms(system.topology).all());
 }
 
 void scale(Vec3Column& v, double factor) {
@@ -61,9 +99,7 @@ System assembled(const Config& config) {
                 config.forces,
                 config.system.temperature};
   if (config.system.start.empty()) {
-    const SystemSettings& s = config.system;
-    const Box box = s.box ? Box{*s.box} : cubic_box(system.topology, s.density.value());
-    system.state = lattice(system.topology, box, s.seed);
+    system.state = lattice_start(config, system.topology);
   } else {
     const Frame frame = read_start(config.system.start);
     if (from_file)
@@ -78,6 +114,7 @@ System assembled(const Config& config) {
   }
   system.bodies = Bodies(system.topology);
   try {
+    check_edges(system.state.box);
     check_overlap(system.topology, system.state);
   } catch (const Error& e) {
     throw e.at(config.source);
@@ -87,7 +124,10 @@ System assembled(const Config& config) {
   } catch (const Error& e) {
     throw e.at(config.cutoff_place);
   }
-  if (system.new_velocities) draw_momenta(system, config.system.seed);
+  if (system.new_velocities)
+    draw_momenta(system, config.system.seed);
+  else
+    bring_to_rest(system);
   return system;
 }
 
@@ -96,9 +136,7 @@ void draw_momenta(System& system, std::uint64_t seed) {
 }
 
 void rescale(State& state, const Topology& topology, const Bodies& bodies, double wanted) {
-  Vec3<double> drift = total_momentum(state);
-  for (std::size_t i = 0; i < state.size(); ++i)  // the total momentum carries no temperature
-    state.p.add(i, -(bodies.m[i] / topology.mass()) * drift);
+  remove_total_momentum(state, bodies);
   const Energies e = energies(state, bodies, Load{});
   const Freedoms n = freedoms(topology);
   const double now = temperature(e.translation, n.translation);

@@ -80,7 +80,7 @@ TEST_CASE("drift of a series is the mean of its slopes against their scatter") {
 }
 
 // By hand: 9 bodies move in 27 ways less the 3 of the total momentum; atoms do not turn, linear
-// bodies about two axes (J1 = 0), water about three. A single body keeps its 3.
+// bodies about two axes (J1 = 0), water about three. A single body is its own centre of mass.
 TEST_CASE("freedoms of a mixture") {
   const Topology mixture{
       {{read_molecule("argon"), 3}, {read_molecule("n2"), 2}, {read_molecule("tip4p"), 4}}};
@@ -90,7 +90,9 @@ TEST_CASE("freedoms of a mixture") {
   CHECK(n.rotation[1] == 6);
   CHECK(n.rotation[2] == 6);
   CHECK(n.all() == 40);
-  CHECK(freedoms({{{read_molecule("argon"), 1}}}).all() == 3);
+  CHECK(freedoms({{{read_molecule("argon"), 1}}}).all() == 0);
+  CHECK(freedoms({{{read_molecule("n2"), 1}}}).all() == 2);
+  CHECK(freedoms({{{read_molecule("argon"), 2}}}).all() == 3);
 }
 
 TEST_CASE("temperature counts freedoms") {

@@ -26,7 +26,10 @@ struct ListMemory {
   std::size_t rebuilds = 0;  ///< so far
 };
 
-/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box.
+/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box. A mesh exerts a
+/// net force, as its points are at fixed places: it is taken off (remove_net_force()), so that all
+/// forces keep the total momentum, and are minus the gradient of the energy along every motion that
+/// leaves the centre of mass in its place. While the total momentum is 0, that is the motion.
 class ForceField {
  public:
   /// @param workers  the threads that share an evaluation; results do not depend on their number
@@ -69,7 +72,9 @@ class ForceField {
  private:
   void evaluate(const State& state, Load& load, bool energies);
 
+  Workers& workers_;
   Topology topology_;
+  Bodies bodies_;
   ForceSettings settings_;
   ConstantTerms constant_;
   std::variant<PairEngine<double>, PairEngine<float>> engine_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mean-square displacements of centres, and the diffusion coefficients that they tell.
+// Mean-square displacements of centres relative to the centre of mass of all bodies, and the
+// diffusion coefficients that they tell.
 #pragma once
 
 #include <cstddef>
@@ -37,11 +38,13 @@ class Displacement {
   Displacement(const Topology& topology, std::size_t lags);
   void add(const State& state, Workers& workers = Workers::serial());
 
-  /// ⟨|q(t + lag) − q(t)|²⟩ [nm²] at each lag, of the bodies of one part of the topology.
+  /// ⟨|q(t + lag) − q(t)|²⟩ [nm²] at each lag, of the bodies of one part of the topology; q relative
+  /// to the centre of mass of all bodies, so that a common velocity is no diffusion.
   BlockMeans squared(std::size_t part, Workers& workers = Workers::serial());
   double longest_step() const { return unwrapped_.longest_step(); }
 
  private:
+  Bodies bodies_;
   Unwrapped unwrapped_;
   std::vector<TimeCorrelation> parts_;
 };

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Energies and momenta of a state.
+// Energies and momenta of a state, relative to the centre of mass of all bodies.
 #pragma once
 
 #include <array>
 #include <span>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/model/centre_of_mass.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -16,7 +18,7 @@ struct Energies {
   double time = 0;                 ///< [ps]
   double lennard_jones = 0;        ///< [kJ/mol]
   double coulomb = 0;              ///< [kJ/mol]
-  double translation = 0;          ///< Σ p²/2m [kJ/mol]
+  double translation = 0;          ///< Σ p²/2m − P²/2M, P the total momentum [kJ/mol]
   std::array<double, 3> rotation;  ///< Σ L_k²/2J_k for each principal axis [kJ/mol]
   double pressure = 0;             ///< a third of the pressure tensor's trace [kJ/mol/nm³]
 
@@ -30,25 +32,12 @@ struct Energies {
 Energies energies(const State& state, const Bodies& bodies, const Load& load,
                   Workers& workers = Workers::serial());
 
-/// (Σ p ⊗ p/m + virial)/V [kJ/mol/nm³], of bodies as wholes: the molecular pressure tensor
-/// [allen2017, section 2.7]. The Load holds the virial only if it was made with energies.
+/// (Σ p ⊗ p/m − P ⊗ P/M + virial)/V [kJ/mol/nm³], of bodies as wholes: the molecular pressure
+/// tensor [allen2017, section 2.7] with momenta relative to the centre of mass. The Load holds the virial only if it was made with energies.
 Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load);
-
-/// Σ p [u nm/ps].
-Vec3<double> total_momentum(const State& state);
 
 /// Σ q × p + ℓ about the origin [u nm²/ps].
 Vec3<double> total_angular_momentum(const State& state);
-
-/// How many ways of moving carry energy kT/2 each: translations without those of the total
-/// momentum, and rotations about each principal axis that has inertia.
-struct Freedoms {
-  double translation = 0;
-  std::array<double, 3> rotation{};
-  double all() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
-};
-
-Freedoms freedoms(const Topology& topology);
 
 /// 2 E/(n k_B) [K]; 0 without freedoms.
 double temperature(double kinetic_energy, double freedoms);

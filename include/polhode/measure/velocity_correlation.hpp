@@ -18,7 +18,8 @@ class VelocityCorrelation {
   VelocityCorrelation(const Topology& topology, std::size_t lags);
   void add(const State& state, Workers& workers = Workers::serial());
 
-  /// ⟨v(t) · v(t + lag)⟩/3 of centres of mass [nm²/ps²], of the bodies of one part.
+  /// ⟨v(t) · v(t + lag)⟩/3 of bodies' centres, relative to the centre of mass of all bodies
+  /// [nm²/ps²], of one part.
   BlockMeans linear(std::size_t part, Workers& workers = Workers::serial());
 
   /// ⟨ω_k(t) ω_k(t + lag)⟩ [1/ps²] about a principal axis that turns with the body.

@@ -20,7 +20,7 @@ State lattice(const Topology& topology, const Box& box, std::uint64_t seed);
 
 /// Draws all momenta anew at a temperature [K]: p_k with variance m kT, L_k in the body frame with
 /// variance J_k kT. The total momentum is then removed and the rest rescaled to exactly this
-/// temperature, counting 3 N − 3 translations (3 for a single body) and the rotations.
+/// temperature (freedoms()): a single body turns in its place.
 void draw_momenta(State& state, const Topology& topology, double temperature, std::uint64_t seed);
 
 }  // namespace polhode

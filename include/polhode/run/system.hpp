@@ -22,6 +22,9 @@ struct System {
   double fit_deviation = 0;       ///< of a start configuration from the rigid models [nm]
   double massless_deviation = 0;  ///< of its massless sites, which are placed anew [nm]
   bool new_velocities = true;     ///< the start had none, or it is a lattice
+  /// Of the centre of mass in a start with velocities [nm/ps], and what it added to the temperature
+  /// [K]; it is removed.
+  double removed_velocity = 0, removed_temperature = 0;
   /// Of each part of the topology, where a topology file told it: how its shape was found.
   std::vector<std::string> origins{};
 };

@@ -15,19 +15,25 @@ using Real = Pack<double>;
 /// The bodies first ≤ i < end; `first` begins a pack.
 KineticSums kinetic_sums(const State& state, const Bodies& bodies, std::size_t first,
                          std::size_t end) {
-  Real translation(0);
-  Vec3<Real> rotation{Real(0), Real(0), Real(0)};
+  Real translation(0), mass(0);
+  Vec3<Real> rotation{Real(0), Real(0), Real(0)}, momentum = rotation;
   for (std::size_t i = first; i < end; i += Real::width) {
     const auto here = first_lanes<double>(std::min(Real::width, end - i));  // padding is no body
     const auto counted = [&](Real term) { return select(here, term, Real(0)); };
     const Vec3<Real> L = to_body(load_pack<Real>(state.attitude, i), load_pack<Real>(state.ell, i));
     const Vec3<Real> inverse_J = load_pack<Real>(bodies.inverse_J, i);
-    translation += counted(norm2(load_pack<Real>(state.p, i)) * Real::load(&bodies.inverse_m[i]));
+    const Vec3<Real> p = load_pack<Real>(state.p, i);
+    translation += counted(norm2(p) * Real::load(&bodies.inverse_m[i]));
+    momentum += Vec3<Real>{counted(p.x), counted(p.y), counted(p.z)};
+    mass += counted(Real::load(&bodies.m[i]));
     rotation.x += counted(L.x * L.x * inverse_J.x);
     rotation.y += counted(L.y * L.y * inverse_J.y);
     rotation.z += counted(L.z * L.z * inverse_J.z);
   }
-  return {sum(translation) / 2, {sum(rotation.x) / 2, sum(rotation.y) / 2, sum(rotation.z) / 2}};
+  return {sum(translation) / 2,
+          {sum(rotation.x) / 2, sum(rotation.y) / 2, sum(rotation.z) / 2},
+          {sum(momentum.x), sum(momentum.y), sum(momentum.z)},
+          sum(mass)};
 }
 
 }  // namespace polhode::POLHODE_LOOPS

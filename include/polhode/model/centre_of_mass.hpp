@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The motion of all bodies as one. It carries no temperature and no diffusion, so the program keeps
+// the centre of mass at rest: a start loses its total momentum, a mesh its net force, and kinetic
+// energies, temperatures, pressures and displacements are those relative to the centre of mass
+// (docs/theory.md, "The centre of mass").
+#pragma once
+
+#include "polhode/base/workers.hpp"
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+double total_mass(const Bodies& bodies);  ///< Σ m [u]
+
+/// Σ p [u nm/ps].
+Vec3<double> total_momentum(const State& state);
+
+/// Σ m q/M of places [nm], without images.
+Vec3<double> centre_of_mass(const Vec3Column& q, const Bodies& bodies);
+
+/// Brings the centre of mass to rest: p ← p − m P/M, P = Σ p.
+/// @return  P/M, the velocity that is taken off [nm/ps]
+Vec3<double> remove_total_momentum(State& state, const Bodies& bodies);
+
+/// Takes the net force F off the bodies in proportion to their masses: f ← f − m F/M. What is left
+/// is minus the gradient of the energy at a fixed centre of mass; torques stay. The same bits for
+/// any number of threads.
+void remove_net_force(Load& load, const Bodies& bodies, Workers& workers = Workers::serial());
+
+}  // namespace polhode

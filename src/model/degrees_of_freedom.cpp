@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/model/degrees_of_freedom.hpp"
+
+#include <algorithm>
+
+namespace polhode {
+
+Freedoms freedoms(const Topology& topology) {
+  Freedoms n;
+  n.translation = std::max(0.0, 3 * static_cast<double>(topology.size()) - 3);
+  for (const auto& part : topology.parts)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (part.molecule.J[k] > 0) n.rotation[k] += static_cast<double>(part.count);
+  return n;
+}
+
+}  // namespace polhode
