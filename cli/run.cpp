@@ -77,6 +77,11 @@ TrajectorySettings trajectory_settings(const Config& config) {
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
                     settings.length * 1000, settings.step * 1000),
         config.source);
+  try {
+    settings.steps();
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
   constexpr double steps_per_shadow = 100;  // costs about a hundredth of a run
   settings.shadow_sample = config.run.shadow_sample.value_or(
       settings.has_shadow() ? steps_per_shadow * settings.step : 0);
@@ -128,10 +133,12 @@ int run(const Options& o) {
   const TrajectorySettings settings = trajectory_settings(config);
   System system = assembled(config);
   check_near(system.forces, {settings.scheme, settings.inner}, config.source);
+  const RunFileNames names(config.output);
+  for (const std::string& file : names.trajectories)
+    check_fit(file, system.state, system.topology, config.output.choice());
   ForceField forces(system.topology, system.forces, system.state.box, workers);
   const Provenance provenance{POLHODE_VERSION, typed(o), config.text, name(current_target()),
                               config.system.seed};
-  const RunFileNames names(config.output);
   const std::string identity = run_identity(config, system);
   const auto found = begun(o, names, settings, identity, {provenance.version, provenance.target});
   const RunState* const from = found ? &found->checkpoint.at : nullptr;

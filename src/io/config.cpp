@@ -123,6 +123,12 @@ std::vector<std::string> folders_beside(const path& folder, std::vector<std::str
   return names;
 }
 
+// "NAME" or "NAME=VALUE", the name as #ifdef can have it.
+bool is_macro(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find('='));
+  return !name.empty() && name.front() != '-' && name.find_first_of(" \t") == name.npos;
+}
+
 // The file that says which molecules there are. A data file is both topology and start.
 void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& system) {
   TopologySettings& topology = system.topology;
@@ -148,6 +154,11 @@ void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& sy
                   "has no meaning without a GROMACS topology; leave it out");
   take(topology.include, table.texts("include"));
   take(topology.define, table.texts("define"));
+  for (const std::string& macro : topology.define)
+    table.require(is_macro(macro), "define",
+                  fmt::format("has '{}', which defines no macro that a topology could ask for; "
+                              "write names, \"NAME\" or \"NAME=VALUE\", without -D",
+                              macro));
   take(topology.rigid, table.texts("rigid"));
   topology.include = folders_beside(folder, std::move(topology.include));
 }
@@ -357,9 +368,12 @@ void take_configurational_sample(TomlTable& table, double& interval) {
                 "must be 0 fs or longer; 0 fs measures no configurational temperature");
 }
 
+constexpr double longest = 1e12;  // of what is done in pieces [ps]
+constexpr auto must_be_time = "must be 0 ps or longer, and 1e6 us (one second) at most";
+
 void read_run(TomlTable table, RunSettings& run) {
   take_time(table, "equilibrate", run.equilibrate, "5 ps");
-  table.require(run.equilibrate >= 0, "equilibrate", "must be 0 ps or longer");
+  table.require(run.equilibrate >= 0 && run.equilibrate <= longest, "equilibrate", must_be_time);
   take_time(table, "length", run.length, "15 ps");
   table.require(run.length > 0, "length", "must be longer than 0 ps");
   take_time(table, "sample", run.sample, "4 fs");
@@ -409,7 +423,8 @@ void read_study(TomlTable table, StudySettings& study) {
   take_time(table, "length", study.length, "15 ps");
   table.require(study.length > 0, "length", "must be longer than 0 ps");
   take_time(table, "decorrelate", study.decorrelate, "2 ps");
-  table.require(study.decorrelate >= 0, "decorrelate", "must be 0 ps or longer");
+  table.require(study.decorrelate >= 0 && study.decorrelate <= longest, "decorrelate",
+                must_be_time);
   take_configurational_sample(table, study.configurational_sample);
   table.refuse_unknown();
 }

@@ -16,6 +16,8 @@
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/gro.hpp"
+#include "polhode/io/lammps_data.hpp"
+#include "polhode/io/topology_file.hpp"
 #include "text_file.hpp"
 
 namespace polhode {
@@ -31,12 +33,12 @@ std::unique_ptr<FrameWriter> appended(const std::string& path, const Topology& t
 constexpr std::array formats = {
     //     ending  names  velocities
     Format{"gro",  true,  true,  gro_reader,  appended<append_gro>},
-    Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>},
+    Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>, nullptr, pdb_limits},
     Format{"xyz",  true,  true,  xyz_reader,  appended<append_xyz>},
-    Format{"xtc",  false, false, xtc_reader,  appended<append_xtc>},
-    Format{"trr",  false, true,  trr_reader,  appended<append_trr>},
-    Format{"dcd",  false, false, dcd_reader,  appended<append_dcd>},
-    Format{"h5md", false, true,  h5md_reader, h5md_writer, open_h5md},
+    Format{"xtc",  false, false, xtc_reader,  appended<append_xtc>, nullptr, xtc_limits},
+    Format{"trr",  false, true,  trr_reader,  appended<append_trr>, nullptr, trr_limits},
+    Format{"dcd",  false, false, dcd_reader,  appended<append_dcd>, nullptr, dcd_limits},
+    Format{"h5md", false, true,  h5md_reader, h5md_writer, open_h5md, h5md_limits},
     Format{"data", true,  true,  lammps_data_reader, nullptr},
     Format{"lmp",  true,  true,  lammps_data_reader, nullptr},
 };
@@ -58,6 +60,40 @@ const Format& written_format(const std::string& path) {
   throw Error(
       fmt::format("files that end in '.{}' are read alone; those that are written end in {}",
                   format.ending, listed(std::vector<std::string>(written.begin(), written.end()))));
+}
+
+// Frames on their way into a file that can hold them.
+class FittingWriter : public FrameWriter {
+ public:
+  FittingWriter(std::unique_ptr<FrameWriter> writer, const Format& format, const Topology& topology,
+                const FrameChoice& choice)
+      : writer_(std::move(writer)),
+        fit_(format.ending, format.limits),
+        topology_(topology),
+        choice_(choice) {}
+  void write(const State& state) override { write(state, {}); }
+  void write(const State& state, std::span<const FrameNumber> observables) override {
+    fit_.check(extent_of(state, topology_, choice_));
+    writer_->write(state, observables);
+  }
+  void write(const Frame& frame) override {
+    fit_.check(extent_of(frame));
+    writer_->write(frame);
+  }
+  FileMark mark() override { return writer_->mark(); }
+
+ private:
+  std::unique_ptr<FrameWriter> writer_;
+  FrameFit fit_;
+  Topology topology_;
+  FrameChoice choice_;
+};
+
+std::unique_ptr<FrameWriter> writer(const std::string& path, const Topology& topology,
+                                    const FrameChoice& choice, const FileMark* mark) {
+  const Format& format = written_format(path);
+  return std::make_unique<FittingWriter>(format.write(path, topology, choice, mark), format,
+                                         topology, choice);
 }
 
 // Kinds and residues of atoms, from another file.
@@ -147,12 +183,22 @@ std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view form
 
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice) {
-  return written_format(path).write(path, topology, choice, nullptr);
+  return writer(path, topology, choice, nullptr);
 }
 
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice) {
-  return written_format(path).write(path, topology, choice, &mark);
+  return writer(path, topology, choice, &mark);
+}
+
+void check_fit(const std::string& path, const State& state, const Topology& topology,
+               const FrameChoice& choice) {
+  const Format& format = written_format(path);
+  try {
+    FrameFit(format.ending, format.limits).check(extent_of(state, topology, choice));
+  } catch (const Error& e) {
+    throw e.at(path);
+  }
 }
 
 FormatTraits format_traits(const std::string& path) {
@@ -182,6 +228,7 @@ Frame read_start(const std::string& name_or_path) {
         fmt::format("'{0}' is of a format without names of atoms, which a start needs; "
                     "give it names: polhode convert {0} start.gro --names conf.gro",
                     name_or_path));
+  if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   Frame frame;
   if (!open_frames(name_or_path)->next(frame))
     throw Error("the file ends where its first frame must stand", name_or_path + ":1");

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "polhode/base/error.hpp"
+#include "words.hpp"
 
 namespace polhode {
 namespace {
@@ -59,6 +60,7 @@ std::string stream_text(std::istream& in, const std::string& file, std::size_t e
     const auto odd = std::find_if(read.begin(), read.end(), is_odd);
     throw Error(*what, fmt::format("{}:{}", file, 1 + std::count(read.begin(), odd, '\n')));
   }
+  read.erase(0, read.size() - without_mark(read).size());
   return read;
 }
 

@@ -11,7 +11,60 @@
 
 namespace polhode {
 
+namespace {
+
+// The library goes into tables within tables without a bound where dots between keys make them, and
+// takes 256 values within each other: the stack must hold the product.
+constexpr std::size_t most_dots = 8;
+
+// The end of the string that begins at a quote.
+std::size_t end_of_string(std::string_view text, std::size_t begin) {
+  const char quote = text[begin];
+  const std::string_view three = text.substr(begin, 3);
+  const bool many = three.size() == 3 && three[1] == quote && three[2] == quote;
+  for (std::size_t k = begin + (many ? 3 : 1); k < text.size(); ++k) {
+    if (quote == '"' && text[k] == '\\')
+      ++k;
+    else if (many ? text.substr(k, 3) == three : text[k] == quote)
+      return k + (many ? 3 : 1);
+    else if (!many && text[k] == '\n')
+      return k;
+  }
+  return text.size();
+}
+
+// Refuses keys of more parts than a run file could have a use for.
+void check_keys(std::string_view text, const std::string& file) {
+  std::size_t dots = 0, line = 1;
+  for (std::size_t k = 0; k < text.size();) {
+    const char c = text[k];
+    if (c == '"' || c == '\'') {
+      const std::size_t end = end_of_string(text, k);
+      line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(k),
+                                                  text.begin() + static_cast<std::ptrdiff_t>(end),
+                                                  '\n'));
+      k = end;
+      continue;
+    }
+    if (c == '#') {
+      k = std::min(text.find('\n', k), text.size());
+      continue;
+    }
+    if (c == '.' && ++dots > most_dots)
+      throw Error(fmt::format("a key has more than {} dots, and tables within each other as many; "
+                              "there are no such keys, so delete it",
+                              most_dots),
+                  fmt::format("{}:{}", file, line));
+    if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
+    line += c == '\n';
+    ++k;
+  }
+}
+
+}  // namespace
+
 toml::table parse_toml(std::string_view text, const std::string& file) {
+  check_keys(text, file);
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& e) {

@@ -32,10 +32,20 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
     types_of[site.name].insert(site.type);
   }
   std::map<std::pair<std::string, std::string>, PairOverride> given;
+  std::map<std::pair<std::string, std::string>, const TypePair*> met;
   for (const TypePair& pair : pairs) {
     const auto first = types.find(pair.first), second = types.find(pair.second);
     if (first == types.end() || second == types.end()) continue;
     const auto refuse = [&](const std::string& what) { throw Error(what, text_of(pair.place)); };
+    const auto [earlier, is_new] = met.try_emplace(std::minmax(pair.first, pair.second), &pair);
+    if (!is_new) {
+      const TypePair& other = *earlier->second;
+      if (other.sigma == pair.sigma && other.epsilon == pair.epsilon) continue;
+      refuse(
+          fmt::format("the pair of atom types '{}' and '{}' stands in {} already, with other "
+                      "parameters; delete one",
+                      pair.first, pair.second, text_of(other.place)));
+    }
     const bool bare = first->second.epsilon == 0 || second->second.epsilon == 0;
     if (bare && pair.epsilon == 0) continue;
     if (pair.epsilon < 0)
@@ -56,12 +66,12 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                             "them different names",
                             site));
         given[std::minmax(a, b)] = {a, b, pair.sigma, pair.epsilon};
+        if (given.size() > most_pairs)
+          refuse(fmt::format(
+              "more than {} pairs of sites are given; there must be less, since each is "
+              "looked for among all",
+              most_pairs));
       }
-    if (given.size() > most_pairs)
-      refuse(
-          fmt::format("more than {} pairs of sites are given; there must be less, since each is "
-                      "looked for among all",
-                      most_pairs));
   }
   std::vector<PairOverride> list;
   for (const auto& [names, pair] : given) list.push_back(pair);

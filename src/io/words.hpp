@@ -15,6 +15,13 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
+/// Without the byte order mark that some editors put before a text.
+inline std::string_view without_mark(std::string_view text) {
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.starts_with(mark)) text.remove_prefix(mark.size());
+  return text;
+}
+
 /// Takes the first word, with the blanks around it, away from the front of a text; empty at its
 /// end.
 inline std::string_view take_word(std::string_view& text) {

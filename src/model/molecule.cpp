@@ -15,6 +15,10 @@ namespace {
 // given with 10 digits or more, and their squares carry a few times that rounding.
 constexpr double same_moment = 1e-9;
 
+// More than a rigid molecule needs: the pair loops take 64 sites that interact, and sizes are found
+// by going through all pairs.
+constexpr std::size_t most_sites = 1024;
+
 void check(const Site& site, const std::string& molecule) {
   const auto refuse = [&](const std::string& what) {
     throw Error("molecule '" + molecule + "', site '" + site.name + "': " + what);
@@ -111,6 +115,10 @@ double Molecule::reach() const {
 }
 
 Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
+  if (sites.size() > most_sites)
+    throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
+                " sites; a rigid molecule may have " + std::to_string(most_sites) +
+                " at most, so divide it, or check where one molecule ends");
   Molecule molecule;
   Vec3<double> centre{};
   double far = 0;  // Σ m r² before the centre is known

@@ -15,6 +15,9 @@
 namespace polhode {
 namespace {
 
+// More than any curve needs, and few enough to be held for every pair of sites and every body.
+constexpr double most_bins = 1e5, most_lags = 1e6;
+
 // Frames that are read before anything is done with them: two tell the interval.
 std::size_t batch_size(const Workers& workers) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(workers.threads()));
@@ -82,12 +85,17 @@ class Assembly {
       leave_out({Observable::msd, Observable::rotation, Observable::velocity}, why);
       return;
     }
-    const double longest = std::max(1.0, settings_.window / result_.interval + 1e-6) + 1;
+    const double window = settings_.window / result_.interval;
+    if (!(window <= most_lags))
+      throw Error(
+          fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; there may be {:g} at "
+                      "most, so ask for a shorter one by --window",
+                      settings_.window, window, result_.interval, most_lags));
+    const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
-    require_memory(bytes_of_lag * bodies * longest,
-                   fmt::format("{:.0f} lags of {:.0f} bodies", longest, bodies),
+    require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
+                   fmt::format("{} lags of {:.0f} bodies", lags, bodies),
                    "ask for a shorter --window");
-    const auto lags = static_cast<std::size_t>(longest);
     if (wanted(Observable::msd)) result_.displacement.emplace(result_.topology, lags);
     if (wanted(Observable::rotation)) result_.reorientation.emplace(result_.topology, lags);
     if (!wanted(Observable::velocity)) return;
@@ -147,10 +155,13 @@ class Assembly {
   void begin_radial() {
     result_.pairs = settings_.pairs.empty() ? site_pairs(result_.topology) : settings_.pairs;
     const double half = result_.box.shortest_edge() / 2;
-    result_.radial.emplace(
-        result_.topology,
-        RadialSettings{result_.pairs, settings_.reach.value_or(std::min(1.0, half)),
-                       settings_.bin});
+    const double reach = settings_.reach.value_or(std::min(1.0, half));
+    if (!(reach / settings_.bin <= most_bins))
+      throw Error(
+          fmt::format("bins of {:g} nm are {:g} up to {:g} nm; there may be {:g} at most, so "
+                      "ask for wider ones by --bin",
+                      settings_.bin, reach / settings_.bin, reach, most_bins));
+    result_.radial.emplace(result_.topology, RadialSettings{result_.pairs, reach, settings_.bin});
   }
 
   void begin_dipole() {

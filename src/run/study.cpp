@@ -121,12 +121,15 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   std::vector<Job> jobs;
   std::vector<bool> needed(static_cast<std::size_t>(config.study.runs), false);
   double work = 0;
+  std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // of scheme and start
+  for (const StudyRun& run : known) steps_done[{run.scheme, run.start}].push_back(run.step);
   for (const StudyPoint& point : study_points(config.study))
     for (int r = 0; r < config.study.runs; ++r) {
-      const bool done = std::any_of(known.begin(), known.end(), [&](const StudyRun& k) {
-        return k.scheme == point.name && same(k.step, point.step) && k.start == r;
-      });
-      if (done) continue;
+      const auto steps = steps_done.find({point.name, r});
+      if (steps != steps_done.end() &&
+          std::any_of(steps->second.begin(), steps->second.end(),
+                      [&](double step) { return same(step, point.step); }))
+        continue;
       jobs.push_back({point, r});
       needed[static_cast<std::size_t>(r)] = true;
       work += jobs.back().work() * config.study.length;

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string_view>
+#include <tuple>
 
 #include "../io/formats/lines.hpp"
 #include "polhode/base/error.hpp"
@@ -157,6 +159,7 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
         "'{}' holds the runs of another study; give another --output, or --force to start anew",
         path));
   std::vector<StudyRun> runs;
+  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and start
   std::size_t count = 0;
   while ((line = lines.next())) {
     if (line->starts_with('#')) continue;
@@ -168,9 +171,7 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
       lines.refuse("the line that names the columns is missing; give --force to start anew");
     const Fields fields(*line, count, lines);
     StudyRun run = record_run(fields, count);
-    if (std::any_of(runs.begin(), runs.end(), [&](const StudyRun& other) {
-          return other.scheme == run.scheme && other.step == run.step && other.start == run.start;
-        }))
+    if (!met.emplace(run.scheme, run.step, run.start).second)
       fields.refuse("the line has the scheme, the step and the start of one above");
     runs.push_back(std::move(run));
   }

@@ -52,6 +52,8 @@ struct TimedForces {
   }
 };
 
+constexpr double most_steps = 0x1p53;  // that a double counts
+
 /// It ends the trajectory, which keeps what was computed.
 struct BlowUp : RunError {
   using RunError::RunError;
@@ -116,17 +118,22 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
 }  // namespace
 
 std::size_t TrajectorySettings::steps() const {
+  if (!(length / step <= most_steps))
+    throw Error(
+        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; there may be {:.3g} at most, as "
+                    "the time of later ones could not be told apart: ask for a shorter length",
+                    length, step * 1000, length / step, most_steps));
   return static_cast<std::size_t>(std::llround(length / step));
 }
 
 std::size_t TrajectorySettings::steps_per_sample() const {
-  return std::max<std::size_t>(1, static_cast<std::size_t>(sample / step * (1 + 1e-12)));
+  const double every = std::min(sample / step * (1 + 1e-12), most_steps);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(every));
 }
 
 std::size_t TrajectorySettings::samples_per(double interval) const {
-  return std::max<std::size_t>(
-      1, static_cast<std::size_t>(interval / (static_cast<double>(steps_per_sample()) * step) *
-                                  (1 + 1e-12)));
+  const double samples = interval / (static_cast<double>(steps_per_sample()) * step) * (1 + 1e-12);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::min(samples, most_steps)));
 }
 
 bool TrajectorySettings::has_shadow() const {

@@ -5,6 +5,7 @@
 //
 //     fuzz_gro SEEDS --inputs 20000 --seconds 20 --seed 1     mutations of the files in a folder
 //     fuzz_gro INPUT...                                       these files as they are
+#include <sys/time.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ extern "C" void __sanitizer_set_death_callback(void (*callback)());
 
 namespace {
 
-constexpr unsigned longest_second = 10;  // that one input may take, under the sanitizers
+constexpr int most_seconds = 10;  // of the processor for one input, under the sanitizers
 
 std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -42,11 +43,28 @@ class Mutator {
     std::string text = pick(seeds_);
     for (std::size_t n = 1 + below(5); n-- > 0;) mutate(text);
     if (text.size() > longest) text.resize(longest);
+    if (below(one_in) == 0) repeat(text);
     return text;
   }
 
  private:
-  static constexpr std::size_t longest = 1 << 16;
+  // Most inputs are short, so that many are tried. Some repeat a piece until they are long: work
+  // that grows with the square of a file, or with the product of two parts, shows there alone.
+  static constexpr std::size_t longest = 1 << 16, longest_repeated = 1 << 20, one_in = 100;
+
+  // A line or a piece of one, again and again.
+  void repeat(std::string& text) {
+    const std::size_t at = below(text.size());
+    const std::size_t begin = text.rfind('\n', at), end = text.find('\n', at);
+    const bool line = begin != text.npos && end != text.npos && below(4) > 0;
+    const std::string piece =
+        line ? text.substr(begin, end - begin) : text.substr(at, 1 + below(8));
+    if (piece.empty()) return;
+    std::string many;
+    const std::size_t bytes = below(longest_repeated);
+    while (many.size() + piece.size() <= bytes) many += piece;
+    text.insert(line ? begin : at, many);
+  }
 
   std::size_t below(std::size_t n) { return n == 0 ? 0 : random_() % n; }
   template <class T>
@@ -147,15 +165,21 @@ const pid_t itself = getpid();
   const std::string path = name + ".finding";
   std::ofstream(path, std::ios::binary) << now_read;
   std::fprintf(stderr, "%s; the input is in '%s'\n",
-               signal == SIGALRM ? "FINDING: a reader took too long" : "FINDING", path.c_str());
+               signal == SIGPROF ? "FINDING: a reader took too long" : "FINDING", path.c_str());
   std::_Exit(1);
+}
+
+// A signal when the process has used so much of the processor's time: a busy machine finds nothing.
+void set_timer(int seconds) {
+  const itimerval timer{{0, 0}, {seconds, 0}};
+  setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
 void feed(std::string text) {
   now_read = std::move(text);
-  alarm(longest_second);
+  set_timer(most_seconds);
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(now_read.data()), now_read.size());
-  alarm(0);
+  set_timer(0);
 }
 
 }  // namespace
@@ -184,7 +208,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: %s SEEDS [--inputs N] [--seconds S] [--seed N]\n", argv[0]);
     return 2;
   }
-  std::signal(SIGALRM, keep);
+  std::signal(SIGPROF, keep);
   std::signal(SIGABRT, keep);
   __sanitizer_set_death_callback([] { keep(0); });  // what the sanitizers find
   std::sort(seeds.begin(), seeds.end());            // whatever the order of the folder

@@ -16,7 +16,7 @@ for reader in $readers; do
   corpus="$build/corpus/$reader" log="$build/$reader.log"
   mkdir -p "$corpus" "$build/findings"
   "$build/tests/fuzz/fuzz_$reader" "$corpus" "tests/fuzz/seeds/$reader" -max_total_time="$each" -timeout=10 \
-    -rss_limit_mb=2048 -max_len=65536 -print_final_stats=1 -artifact_prefix="$build/findings/$reader-" \
+    -rss_limit_mb=2048 -max_len=262144 -print_final_stats=1 -artifact_prefix="$build/findings/$reader-" \
     >"$log" 2>&1 || true
   inputs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
   branches=$(grep -o 'cov: [0-9]*' "$log" | tail -1 | cut -d' ' -f2)

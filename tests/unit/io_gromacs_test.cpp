@@ -194,12 +194,15 @@ TEST_CASE("errors in topologies tell line, finding and expectation") {
 
 TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   const std::string pair =
-      "[ nonbond_params ]\nNA OW 1 0.3 0.2\nOW NA 1 0.31 0.25\nHW OW 1 0 0\n[ moleculetype ]\n";
+      "[ nonbond_params ]\nNA OW 1 0.31 0.25\nOW NA 1 0.31 0.25\nHW OW 1 0 0\n[ moleculetype ]\n";
   const std::string text = replaced(spce, "[ moleculetype ]\n", pair) + "NA 1\n";
   const auto mixing = rigid_topology(parsed(text), {}, nullptr).mixing;
   REQUIRE(mixing.pairs.size() == 1);
-  CHECK(mixing.pairs[0].sigma == 0.31);  // the last one
+  CHECK(mixing.pairs[0].sigma == 0.31);
   CHECK(mixing.pairs[0].epsilon == 0.25);
+  const auto other = parsed(replaced(text, "NA OW 1 0.31", "NA OW 1 0.3"));
+  check_error([&] { rigid_topology(other, {}, nullptr); },
+              {"the pair of atom types 'OW' and 'NA' stands in topol.top", "other parameters"});
   // Combination rule 1: C6 and C12 of sigma 0.3 and epsilon 0.5.
   std::string powers = replaced(text, "1 2\n", "1 1\n");
   const double c6 = 4 * 0.5 * std::pow(0.3, 6), c12 = c6 * std::pow(0.3, 6);

@@ -60,6 +60,7 @@ class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
   /// Appends the frame of a state; formats that know of bodies write these as well.
+  /// @throws Error     if the format cannot hold such a frame, of which nothing is written then
   /// @throws RunError  if the file cannot be written to its end
   virtual void write(const State& state) = 0;
   /// The same with observables, which must be the same ones at each frame; formats that hold none
@@ -88,6 +89,11 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice = {});
+
+/// Whether frames of a run can be written to a file, before it is begun.
+/// @throws Error  if its format cannot hold so many atoms, or the coordinates of such a box
+void check_fit(const std::string& path, const State& state, const Topology& topology,
+               const FrameChoice& choice = {});
 
 /// What the format of a file's ending can hold.
 /// @throws Error  if the ending is none of `readable_formats()`

@@ -44,6 +44,12 @@ struct GromacsAtomType {
   double epsilon = 0;      ///< [kJ/mol]
   bool one_sided = false;  ///< of C6 and C12 one alone is 0: no sigma and epsilon say that
   TextPlace place;
+
+  bool same_parameters(const GromacsAtomType& other) const {
+    return bonded == other.bonded && atomic_number == other.atomic_number && mass == other.mass &&
+           charge == other.charge && sigma == other.sigma && epsilon == other.epsilon &&
+           one_sided == other.one_sided;
+  }
 };
 
 struct GromacsAtom {

@@ -50,8 +50,10 @@ struct LammpsData {
 LammpsData parse_lammps_data(std::string_view text, const std::string& file);
 LammpsData read_lammps_data(const std::string& path);
 
-/// The atoms as a frame, in their order.
-Frame frame_of(const LammpsData& data);
+/// The atoms as a frame: in their order, as a topology of this file has them, or by their ids, as
+/// trajectories of LAMMPS have them.
+enum class AtomOrder { of_kinds, of_ids };
+Frame frame_of(const LammpsData& data, AtomOrder order = AtomOrder::of_kinds);
 
 /// Every kind as a rigid molecule: the mean shape of its copies.
 /// @throws Error  if the file does not tell the forces

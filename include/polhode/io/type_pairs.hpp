@@ -25,8 +25,8 @@ struct TypePair {
   TextPlace place;
 };
 
-/// What the pairs mean for the sites; of pairs that are given twice the last one holds.
-/// @throws Error  if a pair cannot be said of sites
+/// What the pairs mean for the sites.
+/// @throws Error  if a pair cannot be said of sites, or is given twice with other parameters
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs);
 

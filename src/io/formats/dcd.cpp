@@ -122,7 +122,7 @@ class DcdReader : public FrameReader {
       cell[k] = decoded<double>(record.data() + sizeof(double) * k, in_.order);
     end_record(record.size());
     for (const std::size_t k : {1, 3, 4})
-      if (std::abs(cell[k] - 90) > 1e-4 && std::abs(cell[k]) > 1e-6)
+      if (!(std::abs(cell[k] - 90) <= 1e-4 || std::abs(cell[k]) <= 1e-6))
         in_.refuse(
             fmt::format("an angle of the unit cell is {} (degrees, or its cosine); it must "
                         "be 90 degrees: a cuboid is the only box that is known here",
@@ -194,10 +194,6 @@ std::unique_ptr<FrameReader> dcd_reader(std::istream& in, const std::string& fil
 }
 
 void append_dcd(std::iostream& file, const FrameView& frame, std::uint64_t before) {
-  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() / sizeof(float);
-  if (frame.atoms > most)
-    throw RunError(fmt::format(
-        "a frame has {} atoms; a DCD file can have {} at most, so ask for XTC", frame.atoms, most));
   const double angstrom = unit("A", Dimension::length);
   BinaryOutput out(std::endian::little);
   if (before == 0) put_head(out, frame);

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "format_limits.hpp"
 #include "frame_view.hpp"
 #include "polhode/io/frame_file.hpp"
 
@@ -27,7 +28,22 @@ struct Format {
 
   /// A reader of a file, for formats that are not read from its begin to its end.
   std::unique_ptr<FrameReader> (*open)(const std::string& path) = nullptr;
+
+  FormatLimits limits = {};
 };
+
+// Eight columns for a coordinate and nine for an edge, in Å with three decimals; serials of five
+// characters.
+inline constexpr FormatLimits pdb_limits{
+    .atoms = 87'440'031, .lowest = -99.9999, .highest = 999.9999, .edge = 9999.9999};
+// Coordinates are whole numbers of 0.001 nm; their differences, too, must fit in 32 bits.
+inline constexpr FormatLimits xtc_limits{
+    .atoms = 2'147'483'647, .lowest = -1'073'741.8, .highest = 1'073'741.8};
+// Lengths of records have 32 bits with a sign: 12 bytes an atom in TRR, 4 in DCD.
+inline constexpr FormatLimits trr_limits{.atoms = 2'147'483'647 / 12};
+inline constexpr FormatLimits dcd_limits{
+    .atoms = 2'147'483'647 / 4, .same_atoms = true, .even_times = true};
+inline constexpr FormatLimits h5md_limits{.same_atoms = true, .same_velocities = true};
 
 /// The format that a file's ending names.
 /// @throws Error  if there is none

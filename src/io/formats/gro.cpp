@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -109,9 +110,12 @@ Box read_box(std::string_view line, const Lines& lines) {
 // Writes a frame line by line.
 class GroLines {
  public:
-  GroLines(std::ostream& out, const std::vector<AtomKind>& kinds, int decimals, bool velocities)
-      : text_(out), decimals_(decimals), velocities_(velocities) {
-    for (const AtomKind& kind : kinds)
+  GroLines(std::ostream& out, const FrameView& frame, int decimals)
+      : text_(out),
+        decimals_(decimals),
+        width_(width_of(frame, decimals)),
+        velocities_(frame.has_velocities) {
+    for (const AtomKind& kind : frame.kinds)
       names_.push_back(fmt::format("{:<5.5}{:>5.5}", kind.residue_name, kind.name));
   }
 
@@ -123,24 +127,44 @@ class GroLines {
     text_.print("{:5}", atom.residue % digits5);
     text_.append(names_[atom.kind]);
     text_.print("{:5}", number_);
-    for (std::size_t k = 0; k < 3; ++k) text_.fixed(atom.r[k], width(), decimals_);
+    for (std::size_t k = 0; k < 3; ++k) text_.fixed(atom.r[k], width_, decimals_);
     for (std::size_t k = 0; k < 3 && velocities_; ++k)
-      text_.fixed(atom.v[k], width(), decimals_ + 1);
+      text_.fixed(atom.v[k], width_, decimals_ + 1);
     text_.end_line();
   }
   void box(const Box& box) {
-    for (std::size_t k = 0; k < 3; ++k) text_.fixed(box.edge[k], width(), decimals_);
+    for (std::size_t k = 0; k < 3; ++k) {
+      text_.append(" ");  // the box has no columns
+      text_.fixed(box.edge[k], width_ - 1, decimals_);
+    }
     text_.end_line();
   }
 
  private:
   // Numbers of residues and atoms have five digits and start again at 0.
   static constexpr int digits5 = 100000;
-  std::size_t width() const { return static_cast<std::size_t>(decimals_) + 5; }
+
+  // Sign, digits before the point, the point and decimals of the widest number, but five beside the
+  // decimals at least, as GROMACS has it. Readers take the distance between points for the width.
+  static std::size_t width_of(const FrameView& frame, int decimals) {
+    double r = 0, v = 0;
+    const auto widen = [](double& most, const Vec3<double>& x) {
+      most = std::max({most, -10 * x.x, x.x, -10 * x.y, x.y, -10 * x.z, x.z});  // a sign is a digit
+    };
+    frame.each_atom([&](const Atom& atom) {
+      widen(r, atom.r);
+      widen(v, atom.v);
+    });
+    const double most = frame.has_velocities ? std::max(r, 10 * v) : r;  // one decimal more
+    std::size_t width = static_cast<std::size_t>(decimals) + 5;
+    for (double power = 9999; most > power && power < 1e300; power *= 10) ++width;
+    return width;
+  }
 
   TextBuffer text_;
   std::vector<std::string> names_;  // of each kind
   int decimals_, number_ = 0;
+  std::size_t width_;
   bool velocities_;
 };
 
@@ -212,7 +236,7 @@ Frame first_frame(std::istream& in, const std::string& file) {
 }
 
 void write(std::ostream& out, const FrameView& frame, int decimals) {
-  GroLines lines(out, frame.kinds, decimals, frame.has_velocities);
+  GroLines lines(out, frame, decimals);
   lines.head(frame.title, frame.atoms);
   frame.each_atom([&](const Atom& atom) { lines.atom(atom); });
   lines.box(frame.box);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // H5MD files (debuyl2014) of this and of other programs: positions, velocities and box of the first
 // group of particles.
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,10 @@
 #include <istream>
 #include <iterator>
 #include <optional>
+#include <span>
 
 #include "format.hpp"
+#include "h5md_moments.hpp"
 #include "hdf5.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/quantity.hpp"
@@ -21,12 +23,25 @@ namespace {
 
 using hdf5::Handle;
 
-// A value at each frame, or one for all.
+// A value at each moment, or one for all.
 struct Series {
   Handle values;
   std::vector<hsize_t> extents;
   bool changes = false;
   double unit = 1;
+  struct Pairing {  // of values that have steps or times of their own, with positions
+    Moments own, of_positions;
+  };
+  std::optional<Pairing> pairing;
+
+  // Which value is that of a position, if one is.
+  std::optional<hsize_t> place(hsize_t position) const {
+    if (!changes) return 0;
+    if (!pairing) return position;
+    const auto found = pairing->own.find(pairing->of_positions.at(position));
+    if (!found || *found >= extents[0]) return std::nullopt;
+    return *found;
+  }
 };
 
 class H5mdReader : public FrameReader {
@@ -39,7 +54,11 @@ class H5mdReader : public FrameReader {
     else
       open_file();
     if (!file_.is_open()) refuse("the file is none of HDF5, or it is damaged; name an H5MD file");
-    find_particles();
+    try {
+      find_particles();
+    } catch (const Error& e) {
+      throw e.at(name_);
+    }
   }
 
   bool next(Frame& frame) override {
@@ -52,9 +71,10 @@ class H5mdReader : public FrameReader {
     frame.atoms.assign(atoms_.begin(), atoms_.end());
     take(position_, number_, values_);
     for (std::size_t i = 0; i < atoms_.size(); ++i) frame.atoms[i].r = vector(i, position_.unit);
-    frame.has_velocities = velocity_.has_value();
-    if (velocity_) {
-      take(*velocity_, number_, values_);
+    const auto moving = velocity_ ? velocity_->place(number_) : std::nullopt;
+    frame.has_velocities = moving.has_value();
+    if (moving) {
+      take(*velocity_, *moving, values_);
       for (std::size_t i = 0; i < atoms_.size(); ++i) frame.atoms[i].v = vector(i, velocity_->unit);
     }
     ++number_;
@@ -78,9 +98,10 @@ class H5mdReader : public FrameReader {
   void open_file() {
     std::error_code unknown;
     bytes_ = std::filesystem::file_size(name_, unknown);
-    file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose};
+    const Handle access = hdf5::reading_access();
+    file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
     if (!file_.is_open())  // it is being written, or was when its program was killed
-      file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose};
+      file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose};
   }
 
   void find_particles() {
@@ -113,11 +134,39 @@ class H5mdReader : public FrameReader {
       if (velocity_->extents.size() != 3 || velocity_->extents[1] != atoms ||
           velocity_->extents[2] != 3)
         refuse("'velocity/value' must have the extents of 'position/value'");
-      frames_ = std::min(frames_, velocity_->extents[0]);
+      pair(*velocity_, "velocity");
     }
     find_box();
     find_times();
     name_atoms(static_cast<std::size_t>(atoms));
+  }
+
+  // Finds which value of an element belongs to which position.
+  void pair(Series& series, const std::string& element) {
+    for (const char* kind : {"/step", "/time"}) {
+      const std::string own = element + kind, of_positions = std::string("position") + kind;
+      if (!hdf5::has(file_, root_ + own) || !hdf5::has(file_, root_ + of_positions)) continue;
+      Series::Pairing pairing{moments(own), moments(of_positions)};
+      if (pairing.own == pairing.of_positions)
+        frames_ = std::min(frames_, series.extents[0]);  // the file may be growing
+      else
+        series.pairing = std::move(pairing);
+      if (pairing.of_positions.is_list())
+        frames_ = std::min<hsize_t>(frames_, pairing.of_positions.size());
+      return;
+    }
+    if (series.extents[0] != frames_)
+      refuse(
+          fmt::format("'{}' has {} frames and 'position' {}; both must have 'step' or 'time', "
+                      "which tells what belongs together",
+                      element, series.extents[0], frames_));
+  }
+
+  Moments moments(const std::string& name) const {
+    const Handle numbers = hdf5::dataset(file_, root_ + name);
+    if (!numbers.is_open()) refuse(fmt::format("'{}' cannot be read; it must be data", name));
+    check_numbers(numbers, name);
+    return {numbers, name};
   }
 
   // Values of an element of the group, with the unit that they are in.
@@ -133,52 +182,62 @@ class H5mdReader : public FrameReader {
     return found;
   }
 
-  // Numbers, in chunks that the file's bytes can hold: the library makes room for a whole one.
+  // Numbers, as many as the file's bytes can hold: the library makes room for a whole chunk, and
+  // gives numbers, one like the other, for those that were never written.
   void check_numbers(hid_t values, const std::string& place) const {
     const Handle type(H5Dget_type(values), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_FLOAT && kind != H5T_INTEGER)
       refuse(fmt::format("'{}' holds no numbers; it must", place));
+    const auto check_size = [&](const char* what, std::span<const hsize_t> extents) {
+      double size = static_cast<double>(H5Tget_size(type));
+      for (const hsize_t extent : extents) size *= static_cast<double>(extent);
+      constexpr double deflated = 1032;  // the most that deflate makes of a byte
+      if (size > deflated * static_cast<double>(bytes_))
+        refuse(fmt::format("{}'{}' is {:.3g} bytes long; the file's {} bytes cannot hold it", what,
+                           place, size, bytes_));
+    };
+    check_size("", hdf5::extents(values));
     const Handle properties(H5Dget_create_plist(values), H5Pclose);
     if (H5Pget_layout(properties) != H5D_CHUNKED) return;
     std::array<hsize_t, H5S_MAX_RANK> chunk{};
     const int rank = H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data());
-    double size = static_cast<double>(H5Tget_size(type));
-    for (int k = 0; k < rank; ++k) size *= static_cast<double>(chunk[static_cast<std::size_t>(k)]);
-    constexpr double deflated = 1032;  // the most that deflate makes of a byte
-    if (size > deflated * static_cast<double>(bytes_))
-      refuse(fmt::format("a chunk of '{}' is {:.3g} bytes long; the file's {} bytes cannot hold it",
-                         place, size, bytes_));
+    check_size("a chunk of ", std::span(chunk).first(static_cast<std::size_t>(std::max(0, rank))));
   }
 
-  std::optional<std::string> text_attribute(hid_t of, const char* name) const {
-    if (H5Aexists(of, name) <= 0) return std::nullopt;
+  // The texts of an attribute, if it is there and can be read.
+  std::vector<std::string> text_attribute(hid_t of, const char* name) const {
+    if (H5Aexists(of, name) <= 0) return {};
     const Handle attribute(H5Aopen(of, name, H5P_DEFAULT), H5Aclose);
     const Handle type(H5Aget_type(attribute), H5Tclose);
     const Handle space(H5Aget_space(attribute), H5Sclose);
-    if (H5Tget_class(type) != H5T_STRING) return std::nullopt;
+    if (H5Tget_class(type) != H5T_STRING) return {};
     const auto count =
         static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
-    if (count == 0 || count > hdf5::most_texts) return std::nullopt;
-    if (H5Tis_variable_str(type) > 0) return hdf5::variable_text(attribute, type);
+    if (count == 0 || count > hdf5::most_texts) return {};
+    if (H5Tis_variable_str(type) > 0) return hdf5::variable_texts(attribute, type, count);
     const std::size_t width = H5Tget_size(type);
-    if (width > hdf5::longest_text) return std::nullopt;
-    std::string text(width * count, '\0');
-    if (H5Aread(attribute, type, text.data()) < 0) return std::nullopt;
-    text.resize(width);
-    text.resize(text.find_last_not_of(std::string_view(" \0", 2)) + 1);
-    return text;
+    if (width > hdf5::longest_text) return {};
+    std::string letters(width * count, '\0');
+    if (H5Aread(attribute, type, letters.data()) < 0) return {};
+    std::vector<std::string> texts;
+    for (std::size_t k = 0; k < count; ++k) {
+      texts.push_back(letters.substr(k * width, width));
+      texts.back().resize(texts.back().find_last_not_of(std::string_view(" \0", 2)) + 1);
+    }
+    return texts;
   }
 
   // A length, a time, or a length per time: "nm", "Angstrom", "nm ps-1".
   double unit_of(hid_t values, const std::string& element,
                  const std::vector<Dimension>& dimensions) const {
-    const auto text = text_attribute(values, "unit");
-    if (!text)
+    const auto texts = text_attribute(values, "unit");
+    if (texts.empty())
       refuse(fmt::format("'{}' has no attribute 'unit'; it must say for example \"{}\"", element,
                          dimensions.front() == Dimension::time ? "ps" : "nm"));
-    std::string first = text->substr(0, text->find_first_of(" /"));
-    std::string second = first.size() < text->size() ? text->substr(first.size() + 1) : "";
+    const std::string& text = texts.front();
+    std::string first = text.substr(0, text.find_first_of(" /"));
+    std::string second = first.size() < text.size() ? text.substr(first.size() + 1) : "";
     if (second.ends_with("-1")) second.resize(second.size() - 2);
     const auto known = [](const std::string& symbol) {
       return symbol == "Angstrom" || symbol == "angstrom" ? std::string("A") : symbol;
@@ -190,52 +249,46 @@ class H5mdReader : public FrameReader {
     } catch (const Error& e) {
       throw e.at(fmt::format("{}, {}", name_, element));
     }
-    refuse(fmt::format("'{}' is in '{}'; it must be in one unit, as \"nm\"", element, *text));
+    refuse(fmt::format("'{}' is in '{}'; it must be in one unit, as \"nm\"", element, text));
   }
 
   void find_box() {
     const Handle box = hdf5::group(file_, root_ + "box");
     if (!box.is_open() || !(hdf5::has(box, "edges")))
       refuse("the particles have no 'box/edges'; they must, as bodies are put into a box");
-    if (text_attribute(box, "boundary").value_or("periodic") != "periodic")
-      refuse("the box has a boundary that is not periodic; it must be periodic");
+    if (H5Aexists(box, "boundary") > 0) {
+      const auto boundary = text_attribute(box, "boundary");
+      if (boundary.empty() || std::any_of(boundary.begin(), boundary.end(),
+                                          [](const auto& b) { return b != "periodic"; }))
+        refuse(fmt::format("the boundary of the box is '{}'; it must be periodic in all directions",
+                           fmt::join(boundary, ", ")));
+    }
     edges_ = series("box/edges", {Dimension::length});
     const std::size_t rank = edges_.extents.size() - (edges_.changes ? 1 : 0);
     const bool fits = !edges_.extents.empty() && (rank == 1 || rank == 2) &&
                       std::all_of(edges_.extents.end() - static_cast<std::ptrdiff_t>(rank),
                                   edges_.extents.end(), [](hsize_t extent) { return extent == 3; });
     if (!fits) refuse("'box/edges' must be 3 edges or 3 by 3 numbers");
-    if (edges_.changes) frames_ = std::min(frames_, edges_.extents[0]);
+    if (edges_.changes) pair(edges_, "box/edges");
   }
 
   void find_times() {
-    const std::string place = root_ + "position/time";
-    if (!hdf5::has(file_, place)) return;
-    Series times{hdf5::dataset(file_, place), {}, true, 1};
-    if (!times.values.is_open()) return;
-    check_numbers(times.values, place);
-    times.extents = hdf5::extents(times.values);
-    if (text_attribute(times.values, "unit"))
-      times.unit = unit_of(times.values, "position/time", {Dimension::time});
-    if (times.extents.size() > 1) refuse("'position/time' must be one time for each frame");
-    if (!times.extents.empty()) frames_ = std::min(frames_, times.extents[0]);
-    times_ = std::move(times);
+    if (!hdf5::has(file_, root_ + "position/time")) return;
+    times_ = moments("position/time");
+    const Handle numbers = hdf5::dataset(file_, root_ + "position/time");
+    if (H5Aexists(numbers, "unit") > 0)
+      time_unit_ = unit_of(numbers, "position/time", {Dimension::time});
+    if (times_->is_list()) frames_ = std::min<hsize_t>(frames_, times_->size());
   }
 
-  double time_at(hsize_t number) {
-    if (!times_) return static_cast<double>(number);
-    double time = 0;
-    if (times_->extents.empty()) {  // the time between frames
-      H5Dread(times_->values, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, &time);
-      return static_cast<double>(number) * time * times_->unit;
-    }
-    take(*times_, number, values_);
-    if (!std::isfinite(values_[0])) refuse("a time is not finite; it must be a number");
-    return values_[0] * times_->unit;
+  double time_at(hsize_t number) const {
+    return times_ ? times_->at(number) * time_unit_ : static_cast<double>(number);
   }
 
   Box box_at(hsize_t number) {
-    take(edges_, number, values_);
+    const auto place = edges_.place(number);
+    if (!place) refuse(fmt::format("frame {} has no box of its step or time; it must", number + 1));
+    take(edges_, *place, values_);
     if (values_.size() == 9) {
       for (std::size_t k = 0; k < 9; ++k)
         if (k % 4 != 0 && values_[k] != 0)
@@ -333,7 +386,9 @@ class H5mdReader : public FrameReader {
   std::uint64_t bytes_ = 0;  // of the file
   Handle file_;
   Series position_, edges_;
-  std::optional<Series> velocity_, times_;
+  std::optional<Series> velocity_;
+  std::optional<Moments> times_;
+  double time_unit_ = 1;
   std::vector<AtomKind> kinds_;
   std::vector<Atom> atoms_;  // their names
   std::vector<double> values_;

@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <map>
 #include <span>
+#include <stdexcept>
 
 #include "format.hpp"
 #include "hdf5.hpp"
+#include "own_process.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/disk.hpp"
 
@@ -40,6 +42,10 @@ class H5mdWriter : public FrameWriter {
       create();
   }
 
+  ~H5mdWriter() override {
+    if (broken_) abandon();
+  }
+
   void write(const State& state) override { write(state, {}); }
   void write(const State& state, std::span<const FrameNumber> observables) override {
     const FrameView frame = view_of(state, topology_, choice_);
@@ -66,6 +72,7 @@ class H5mdWriter : public FrameWriter {
 
  private:
   [[noreturn]] void refuse() const {
+    broken_ = true;
     throw RunError(fmt::format("'{}' could not be written to the end; is the disk full?", path_));
   }
   template <class Result>
@@ -73,11 +80,15 @@ class H5mdWriter : public FrameWriter {
     if (result < 0) refuse();
     return result;
   }
+  void abandon() {
+    for (auto& [name, series] : series_) series.values.abandon();
+    file_.abandon();
+  }
   Handle made(hid_t id, herr_t (*close)(hid_t)) const { return {checked(id), close}; }
 
   void create() {
     const Handle access = access_properties();
-    file_ = {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose};
+    file_ = {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access), H5Fclose};
     if (!file_.is_open())
       throw Error(
           fmt::format("'{}' cannot be written; check the folder and its permissions", path_));
@@ -90,17 +101,29 @@ class H5mdWriter : public FrameWriter {
     return access;
   }
 
+  // Properties of things that do not keep when they were made: equal runs write equal bytes.
+  Handle timeless(hid_t kind) const {
+    Handle properties = made(H5Pcreate(kind), H5Pclose);
+    checked(H5Pset_obj_track_times(properties, false));
+    return properties;
+  }
+
   // A program that was killed leaves a file that can be read, as at any moment of its life, but not
   // one that can be changed: room may be in use that its head does not know. So the run goes on in
   // a copy, which takes its place at once.
   void reopen(std::uint64_t frames) {
     const std::string part = path_ + ".part";
     try {
-      {
-        const Handle file = made(
-            H5Fcreate(part.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access_properties()), H5Fclose);
+      opened();  // or an error that tells what is missing
+      // The library (1.10) crashes where a file that it closes does not fit on the disk.
+      const bool copied = done_in_own_process([&] {
+        Handle file = made(
+            H5Fcreate(part.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access_properties()),
+            H5Fclose);
         copy_all(opened(), file);
-      }
+        checked(file.close());
+      });
+      if (!copied) refuse();
       file_ = made(H5Fopen(part.c_str(), H5F_ACC_RDWR, access_properties()), H5Fclose);
       take_all_series(frames);
       start();
@@ -109,6 +132,7 @@ class H5mdWriter : public FrameWriter {
       std::filesystem::rename(part, path_);
       sync_folder(path_);
     } catch (...) {
+      if (broken_) abandon();  // a constructor that throws has no destructor
       std::error_code ignored;
       std::filesystem::remove(part, ignored);
       throw;
@@ -131,7 +155,8 @@ class H5mdWriter : public FrameWriter {
   }
 
   Handle opened() const {
-    Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, H5P_DEFAULT), H5Fclose);
+    Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, hdf5::reading_access()),
+                H5Fclose);
     if (!file.is_open())
       throw Error(fmt::format(
           "there is no H5MD file '{}' to go on with; bring it back or start anew", path_));
@@ -196,9 +221,22 @@ class H5mdWriter : public FrameWriter {
     checked(H5Awrite(a, H5T_NATIVE_INT, numbers.data()));
   }
   Handle new_group(const std::string& name) const {
-    const Handle links = made(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    checked(H5Pset_create_intermediate_group(links, 1));
-    return made(H5Gcreate2(file_, name.c_str(), links, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+    make_parents(name);
+    return made(
+        H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, timeless(H5P_GROUP_CREATE), H5P_DEFAULT),
+        H5Gclose);
+  }
+  void make_parents(const std::string& name) const {
+    const auto slash = name.rfind('/');
+    if (slash != name.npos && !hdf5::has(file_, name.substr(0, slash)))
+      new_group(name.substr(0, slash));
+  }
+  Handle new_constants(const std::string& name, hid_t type, hsize_t size) const {
+    make_parents(name);
+    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    return made(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
+                           timeless(H5P_DATASET_CREATE), H5P_DEFAULT),
+                H5Dclose);
   }
 
   void begin_series(const std::string& name, hid_t type, std::vector<hsize_t> row,
@@ -215,7 +253,7 @@ class H5mdWriter : public FrameWriter {
     }
     const Handle space = made(
         H5Screate_simple(static_cast<int>(extents.size()), extents.data(), most.data()), H5Sclose);
-    const Handle properties = made(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+    const Handle properties = timeless(H5P_DATASET_CREATE);
     checked(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()));
     const bool has_group = value_path(name) != name;
     if (has_group) {
@@ -237,14 +275,8 @@ class H5mdWriter : public FrameWriter {
   template <class T>
   void constants(const std::string& name, hid_t file_type, hid_t type, const std::vector<T>& values,
                  const char* unit = nullptr) {
-    const hsize_t size = values.size();
-    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const Handle links = made(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    checked(H5Pset_create_intermediate_group(links, 1));
-    const Handle set =
-        made(H5Dcreate2(file_, name.c_str(), file_type, space, links, H5P_DEFAULT, H5P_DEFAULT),
-             H5Dclose);
-    if (size > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    const Handle set = new_constants(name, file_type, values.size());
+    if (!values.empty()) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
     if (unit != nullptr) attribute(set, "unit", unit);
   }
   void constants(const std::string& name, const std::vector<std::string>& texts) {
@@ -256,13 +288,8 @@ class H5mdWriter : public FrameWriter {
     const Handle type = made(H5Tcopy(H5T_C_S1), H5Tclose);
     checked(H5Tset_size(type, width));
     checked(H5Tset_strpad(type, H5T_STR_NULLPAD));
-    const hsize_t size = texts.size();
-    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    const Handle links = made(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
-    checked(H5Pset_create_intermediate_group(links, 1));
-    const Handle set = made(
-        H5Dcreate2(file_, name.c_str(), type, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-    if (size > 0) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()));
+    const Handle set = new_constants(name, type, texts.size());
+    if (!texts.empty()) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()));
   }
 
   // What stays the same, and the places of what follows: none can be added while others read.
@@ -370,12 +397,7 @@ class H5mdWriter : public FrameWriter {
     if (series == series_.end()) return;
     hsize_t expected = 1;
     for (const hsize_t extent : series->second.row) expected *= extent;
-    if (expected != values.size())
-      throw Error(
-          fmt::format("a frame has {} numbers of {} and the ones before have {}; all frames "
-                      "of an H5MD file must have as many",
-                      values.size(), name, expected),
-          path_);
+    if (expected != values.size()) throw std::logic_error("a frame has another number of atoms");
     put(series->second, H5T_NATIVE_DOUBLE, values.data());
   }
 
@@ -439,6 +461,7 @@ class H5mdWriter : public FrameWriter {
   std::map<std::string, Series> series_;  // closed before the file
   std::uint64_t frames_ = 0;
   bool started_ = false;
+  mutable bool broken_ = false;  // something could not be written
 };
 
 }  // namespace

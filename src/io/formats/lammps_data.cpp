@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// LAMMPS data files as files of one frame.
+// LAMMPS data files as files of one frame, in the order of ids.
 #include "polhode/io/lammps_data.hpp"
 
 #include <istream>
@@ -17,7 +17,7 @@ class LammpsDataReader : public FrameReader {
   bool next(Frame& frame) override {
     if (read_) return false;
     read_ = true;
-    frame = frame_of(parse_lammps_data(stream_text(in_, file_), file_));
+    frame = frame_of(parse_lammps_data(stream_text(in_, file_), file_), AtomOrder::of_ids);
     return true;
   }
 

@@ -44,7 +44,7 @@ class Lines {
     if (!std::getline(in_, line_)) return std::nullopt;
     if (line_.ends_with('\r')) line_.pop_back();
     if (const auto odd = odd_byte(line_, file_)) refuse(*odd);
-    return line_;
+    return number_ == 1 ? without_mark(line_) : line_;
   }
   /// @param expected  tells what the line must be
   template <class Expected>

@@ -31,20 +31,21 @@ class PdbReader : public FrameReader {
     frame.atoms.clear();
     residue_ = 0;
     residue_field_.clear();
+    location_ = ' ';
     AtomKinds kinds(frame.kinds);
     bool ended = false;
     while (!ended) {
       const auto line = lines_.next();
       if (!line) break;
       const std::string_view record = trimmed(columns(*line, 1, 6));
-      if (record == "ATOM" || record == "HETATM")
+      if (is_atom(*line))
         frame.atoms.push_back(atom(*line, kinds));
       else if (record == "CRYST1")
         box_ = cell(*line);
       else if (record == "TITLE")
         take_title(frame, columns(*line, 11, line->size()));
-      else if (record == "ENDMDL" || record == "END")
-        ended = !frame.atoms.empty();
+      else if (record == "ENDMDL" || record == "END" || record == "MODEL")
+        ended = !frame.atoms.empty();  // MODEL: the one before has no ENDMDL
     }
     if (frame.atoms.empty()) return false;
     if (!(box_.volume() > 0))
@@ -56,6 +57,40 @@ class PdbReader : public FrameReader {
   }
 
  private:
+  // "ATOM  ", or "ATOM 1" of a serial of six digits, which begins a column early.
+  bool is_atom(std::string_view line) const {
+    if (line.starts_with("HETATM")) return true;
+    if (!line.starts_with("ATOM")) return false;
+    const std::string_view rest = columns(line, 5, 6);
+    if (rest.empty() || rest.find_first_not_of(" 0123456789") == rest.npos) return true;
+    lines_.refuse(fmt::format("a record has the name '{}'; records of atoms are ATOM and HETATM",
+                              columns(line, 1, 6)));
+  }
+
+  // A serial that is too long may have pushed all other columns to the right.
+  void check_columns(std::string_view line) const {
+    const auto is_digit = [&](std::size_t k) {
+      return line.size() >= k && std::isdigit(static_cast<unsigned char>(line[k - 1])) != 0;
+    };
+    if (is_digit(12) && columns(line, 35, 35) != ".")
+      lines_.refuse(
+          "the serial of an atom reaches beyond character 11, and x has no decimal point in "
+          "character 35, so that columns are shifted; write serials of five characters: modulo "
+          "100000, or hybrid-36");
+  }
+
+  // An atom in two places is two atoms in a file, of which one is meant.
+  void check_location(std::string_view line) {
+    const char location = columns(line, 17, 17).front();
+    if (location == ' ') return;
+    if (location_ == ' ') location_ = location;
+    if (location != location_)
+      lines_.refuse(
+          fmt::format("a residue has atoms in the alternate locations '{}' and '{}' (character "
+                      "17); each atom must have one place, so delete the others",
+                      location_, location));
+  }
+
   void take_title(Frame& frame, std::string_view text) {
     frame.title = title_ = trimmed(text);
     frame.time = time_ = title_time(title_);
@@ -68,6 +103,7 @@ class PdbReader : public FrameReader {
           fmt::format("the line of an atom ends after {} characters; x, y and z stand in "
                       "characters 31 to 54",
                       line.size()));
+    check_columns(line);
     for (std::size_t k = 0; k < 3; ++k)
       atom.r[k] = angstrom_ * lines_.number(columns(line, 31 + 8 * k, 38 + 8 * k), "coordinate",
                                             "; x, y and z stand in characters 31 to 54");
@@ -84,6 +120,7 @@ class PdbReader : public FrameReader {
       return AtomKind{std::string(trimmed(columns(line, 18, 21))), std::string(name), element};
     });
     atom.residue = residue(columns(line, 22, 27));
+    check_location(line);
     return atom;
   }
 
@@ -91,6 +128,7 @@ class PdbReader : public FrameReader {
   int residue(std::string_view field) {
     if (residue_ == 0 || field != residue_field_) {
       residue_field_ = field;
+      location_ = ' ';
       ++residue_;
     }
     return residue_;
@@ -112,6 +150,10 @@ class PdbReader : public FrameReader {
         lines_.refuse(
             fmt::format("a box edge is {} Å; it must be longer than 0 Å", edges_and_angles[k]));
     }
+    if (edges_and_angles[0] == 1 && edges_and_angles[1] == 1 && edges_and_angles[2] == 1)
+      lines_.refuse(
+          "the box is 1 x 1 x 1 Å, which stands for no box where there is no crystal; write the "
+          "edges of the periodic box, in Å");
     return {angstrom_ *
             Vec3<double>{edges_and_angles[0], edges_and_angles[1], edges_and_angles[2]}};
   }
@@ -120,9 +162,26 @@ class PdbReader : public FrameReader {
   std::string title_, residue_field_;
   double time_ = 0;
   int residue_ = 0;
+  char location_ = ' ';  // of the residue's atoms that tell one
   Box box_{};
   double angstrom_ = unit("A", Dimension::length);
 };
+
+// A serial in five characters: decimal up to 99999, then hybrid-36, where A0000 follows and letters
+// count as digits (cci.lbl.gov/hybrid_36). The upper case ends at ZZZZZ, the lower begins at a0000.
+std::string serial(std::size_t number) {
+  constexpr std::size_t width = 5, decimal = 100'000, digit = 36 * 36 * 36 * 36;
+  if (number < decimal) return fmt::format("{:5}", number);
+  number -= decimal;
+  const char ten = number < 26 * digit ? 'A' : 'a';
+  number = number % (26 * digit) + 10 * digit;
+  std::string text(width, ' ');
+  for (std::size_t k = width; k-- > 0; number /= 36) {
+    const auto value = static_cast<char>(number % 36);
+    text[k] = static_cast<char>(value < 10 ? '0' + value : ten + (value - 10));
+  }
+  return text;
+}
 
 // Names of elements with one letter begin in the second of four columns.
 std::string atom_name(const AtomKind& kind) {
@@ -147,10 +206,10 @@ void append_pdb(std::iostream& file, const FrameView& frame, std::uint64_t befor
   std::vector<std::string> names;
   for (const AtomKind& kind : frame.kinds)
     names.push_back(fmt::format(" {} {:<4.4} ", atom_name(kind), kind.residue_name));
-  int number = 0;
+  std::size_t number = 0;
   frame.each_atom([&](const Atom& atom) {
-    number = (number + 1) % 100000;
-    text.print("ATOM  {:5}", number);
+    text.append("ATOM  ");
+    text.append(serial(++number));
     text.append(names[atom.kind]);
     text.print("{:4}    ", atom.residue % 10000);
     for (std::size_t k = 0; k < 3; ++k) text.fixed(atom.r[k] / angstrom, 8, 3);

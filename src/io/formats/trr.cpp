@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // TRR, the trajectories of GROMACS in full precision: positions and velocities, as float or double.
-#include <limits>
-
 #include "format.hpp"
 #include "gromacs_binary.hpp"
 
@@ -119,10 +117,6 @@ std::unique_ptr<FrameReader> trr_reader(std::istream& in, const std::string& fil
 }
 
 void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t before) {
-  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max() / (3 * sizeof(float));
-  if (frame.atoms > most)
-    throw RunError(fmt::format(
-        "a frame has {} atoms; a TRR file can have {} at most, so ask for XTC", frame.atoms, most));
   BinaryOutput out(xdr);
   out.put(magic);
   out.put(static_cast<std::int32_t>(version.size() + 1));

@@ -2,44 +2,46 @@
 #include "variable_text.hpp"
 
 #include <fcntl.h>
-#include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cstring>
+#include <stdexcept>
+#include <string>
+
+#include "own_process.hpp"
 
 namespace polhode::hdf5 {
 namespace {
 
-// What the process does: it may crash, and takes a second of the processor's time at most.
-[[noreturn]] void read_into(int pipe, hid_t attribute, hid_t type) {
-  const rlimit one{1, 1}, none{0, 0};
-  ::setrlimit(RLIMIT_CPU, &one);
-  ::setrlimit(RLIMIT_CORE, &none);
-  ::close(STDERR_FILENO);
+// Each with a 0 behind it; all are shorter than what a pipe takes at once.
+void read_into(int pipe, hid_t attribute, hid_t type, std::size_t count) {
   std::array<char*, most_texts> texts{};
-  if (H5Aread(attribute, type, texts.data()) < 0 || texts[0] == nullptr) ::_exit(1);
-  const std::size_t length = ::strnlen(texts[0], longest_text);
-  ::_exit(::write(pipe, texts[0], length) == static_cast<ssize_t>(length) ? 0 : 1);
+  if (H5Aread(attribute, type, texts.data()) < 0) throw std::runtime_error("no texts");
+  std::string all;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (texts[k] == nullptr) throw std::runtime_error("no text");
+    all.append(texts[k], ::strnlen(texts[k], longest_text)).push_back('\0');
+  }
+  if (::write(pipe, all.data(), all.size()) != static_cast<ssize_t>(all.size()))
+    throw std::runtime_error("no room");
 }
 
 }  // namespace
 
-std::optional<std::string> variable_text(hid_t attribute, hid_t type) {
+std::vector<std::string> variable_texts(hid_t attribute, hid_t type, std::size_t count) {
   std::array<int, 2> pipe{};
-  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) return std::nullopt;
-  const pid_t reader = ::fork();
-  if (reader == 0) read_into(pipe[1], attribute, type);
+  if (count > most_texts || ::pipe2(pipe.data(), O_CLOEXEC) != 0) return {};
+  const bool done = done_in_own_process([&] { read_into(pipe[1], attribute, type, count); }, 1);
   ::close(pipe[1]);
-  std::string text(longest_text, '\0');
-  const ssize_t length = TEMP_FAILURE_RETRY(::read(pipe[0], text.data(), text.size()));
+  std::string all(most_texts * (longest_text + 1), '\0');
+  const ssize_t length = TEMP_FAILURE_RETRY(::read(pipe[0], all.data(), all.size()));
   ::close(pipe[0]);
-  int status = -1;
-  if (reader > 0) TEMP_FAILURE_RETRY(::waitpid(reader, &status, 0));
-  if (length < 0 || status != 0) return std::nullopt;
-  text.resize(static_cast<std::size_t>(length));
-  return text;
+  if (!done || length < 0) return {};
+  std::vector<std::string> texts;
+  for (std::size_t k = 0, at = 0; k < count; ++k, at += texts.back().size() + 1)
+    texts.emplace_back(all.c_str() + at);
+  return texts;
 }
 
 }  // namespace polhode::hdf5

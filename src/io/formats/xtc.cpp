@@ -86,14 +86,8 @@ class XtcReader : public FrameReader {
   BinaryInput in_;
 };
 
-std::int32_t rounded(double r) {
-  const double scaled = std::nearbyint(r * static_cast<double>(precision));
-  // Differences of two coordinates, too, must fit in 32 bits.
-  constexpr double most = std::numeric_limits<std::int32_t>::max() / 2 - 1;
-  if (!(std::abs(scaled) <= most))
-    throw RunError(fmt::format("a coordinate is {} nm; in an XTC file it must lie within {:.0f} nm",
-                               r, most / static_cast<double>(precision)));
-  return static_cast<std::int32_t>(scaled);
+std::int32_t rounded(double r) {  // within `xtc_limits`
+  return static_cast<std::int32_t>(std::nearbyint(r * static_cast<double>(precision)));
 }
 
 }  // namespace

@@ -127,6 +127,7 @@ class XyzReader : public FrameReader {
       if (same_word(pair->key, "lattice")) frame.box = lattice(pair->value);
       if (same_word(pair->key, "properties")) properties_ = columns(pair->value);
       if (same_word(pair->key, "time")) frame.time = lines_.number(pair->value, "Time");
+      if (same_word(pair->key, "pbc")) check_periodic(pair->value);
     }
     if (frame.box.volume() == 0)
       lines_.refuse(
@@ -142,6 +143,16 @@ class XyzReader : public FrameReader {
 
   bool has(Property::What what) const {
     return std::ranges::find(properties_, what, &Property::what) != properties_.end();
+  }
+
+  void check_periodic(std::string_view text) const {
+    std::string_view rest = text;
+    for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
+      if (!same_word(word, "T") && !same_word(word, "true") && word != "1")
+        lines_.refuse(
+            fmt::format("pbc is \"{}\"; it must be \"T T T\", as a box that is not periodic in all "
+                        "directions is not known here",
+                        text));
   }
 
   Box lattice(std::string_view text) const {

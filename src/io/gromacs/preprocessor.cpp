@@ -14,9 +14,11 @@ namespace {
 
 // Bounds that no topology comes near to, so that a hostile one ends: of files within files, of
 // files and characters read in all, of macros within macros, of conditions within conditions, and
-// of a line, in characters and in words that are looked at.
+// of a line, in characters and in words that are looked at. Macros can make a short file long: what
+// they put into its lines is bounded in all, in words.
 constexpr std::size_t deepest_include = 32, most_includes = 10'000, most_characters = 1 << 25;
 constexpr std::size_t deepest_macro = 16, deepest_condition = 256, longest_line = 1 << 16;
+constexpr std::size_t most_replaced = 1 << 22;
 
 }  // namespace
 
@@ -51,8 +53,7 @@ std::optional<Line> Preprocessor::next() {
 }
 
 bool Preprocessor::skipped() const {
-  return std::any_of(conditions_.begin(), conditions_.end(),
-                     [](const Condition& c) { return !c.taken; });
+  return !conditions_.empty() && !(conditions_.back().reached && conditions_.back().taken);
 }
 
 // The next line, joined with those that it is continued by, without comments.
@@ -88,8 +89,8 @@ void Preprocessor::directive(std::string_view line) {
           fmt::format("conditions lie {} deep in each other, which must be the deepest; end some "
                       "with #endif",
                       deepest_condition));
-    conditions_.push_back(
-        {(macros_.find(name) != macros_.end()) == (word == "ifdef"), false, place()});
+    const bool taken = (macros_.find(name) != macros_.end()) == (word == "ifdef");
+    conditions_.push_back({taken, !skipped(), false, place()});
     return;
   }
   if (word == "else" || word == "endif") {
@@ -165,7 +166,7 @@ void Preprocessor::define(std::string_view definition) {
   macros_[name] = trimmed(definition);
 }
 
-std::string Preprocessor::expanded(std::string_view text) const {
+std::string Preprocessor::expanded(std::string_view text) {
   std::string out;
   Expansion e{{}, out, 0};
   expand(text, e);
@@ -173,7 +174,7 @@ std::string Preprocessor::expanded(std::string_view text) const {
 }
 
 // Words that are macros are replaced, and macros within these, but never one by itself.
-void Preprocessor::expand(std::string_view text, Expansion& e) const {
+void Preprocessor::expand(std::string_view text, Expansion& e) {
   for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
     const auto macro = macros_.find(word);
     const bool plain = macro == macros_.end() ||
@@ -183,6 +184,11 @@ void Preprocessor::expand(std::string_view text, Expansion& e) const {
           fmt::format("the line is longer than {} characters when macros are replaced; write it "
                       "shorter",
                       longest_line));
+    if (!e.within.empty() && ++replaced_ > most_replaced)
+      refuse(
+          fmt::format("macros have put {} words into the lines of this topology, which must be the "
+                      "most; write shorter macros, or values",
+                      most_replaced));
     if (plain) {
       if (!e.out.empty()) e.out += ' ';
       e.out += word;

@@ -36,7 +36,8 @@ class Preprocessor {
     std::size_t conditions = 0;  // that were open where it begins
   };
   struct Condition {
-    bool taken, otherwise;  // whether its lines count; whether #else has been met
+    bool taken, reached;  // whether its lines count, if those around it do; whether these do
+    bool otherwise;       // whether #else has been met
     TextPlace place;
   };
   struct Expansion {
@@ -51,8 +52,8 @@ class Preprocessor {
   void directive(std::string_view line);
   void include(std::string_view name);
   void define(std::string_view definition);
-  std::string expanded(std::string_view text) const;
-  void expand(std::string_view text, Expansion& expansion) const;
+  std::string expanded(std::string_view text);
+  void expand(std::string_view text, Expansion& expansion);
   void end_source();
   [[noreturn]] void refuse(const std::string& what) const;
 
@@ -61,7 +62,7 @@ class Preprocessor {
   std::vector<Condition> conditions_;
   std::map<std::string, std::string, std::less<>> macros_;
   std::size_t line_ = 0;  // where the logical line begins
-  std::size_t includes_ = 0, characters_ = 0;
+  std::size_t includes_ = 0, characters_ = 0, replaced_ = 0;
 };
 
 }  // namespace polhode::gromacs

@@ -64,20 +64,20 @@ class Distances {
     if (!(length > 0))
       refuse(fmt::format("the distance is {} nm; it must be above 0 nm", length), r.place);
     list.push_back({index_[a], index_[b], length});
+    first_.try_emplace(std::minmax(index_[a], index_[b]), length);
   }
   // Of two atoms, if it is there.
   std::optional<double> between(std::size_t a, std::size_t b) const {
-    for (const Distance& d : list)
-      if ((d.first == index_[a] && d.second == index_[b]) ||
-          (d.first == index_[b] && d.second == index_[a]))
-        return d.length;
-    return std::nullopt;
+    const auto found = first_.find(std::minmax(index_[a], index_[b]));
+    if (found == first_.end()) return std::nullopt;
+    return found->second;
   }
   std::vector<Distance> list;
 
  private:
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> index_;  // among the real atoms
+  std::vector<std::size_t> index_;                               // among the real atoms
+  std::map<std::pair<std::size_t, std::size_t>, double> first_;  // of the list, by the two
 };
 
 // The place of a virtual site from those that it is built on (GROMACS reference manual, "Virtual

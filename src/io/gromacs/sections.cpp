@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
@@ -36,6 +37,7 @@ class Parser {
   static const std::map<std::string, Reader, std::less<>>& readers();
 
   void begin_section(const FieldLine& line, std::string_view text);
+  bool is_of_force_field() const;
 
   void defaults(const FieldLine&);
   void atom_type(const FieldLine&);
@@ -148,6 +150,17 @@ void Parser::begin_section(const FieldLine& line, std::string_view text) {
   }
   reader_ = known->second;
   if (reader_ == &Parser::between) between(line);
+  if (is_of_force_field() && !topology_.molecules.empty())
+    line.refuse(fmt::format(
+        "[ {} ] stands behind [ moleculetype ] '{}', whose atoms have the parameters of "
+        "before; as in GROMACS, the force field must stand before all molecules",
+        section_, topology_.molecules.back().name));
+}
+
+bool Parser::is_of_force_field() const {
+  constexpr std::array all = {&Parser::defaults,  &Parser::atom_type,       &Parser::nonbond_pair,
+                              &Parser::bond_type, &Parser::constraint_type, &Parser::angle_type};
+  return std::find(all.begin(), all.end(), reader_) != all.end();
 }
 
 void Parser::between(const FieldLine& line) {
@@ -214,7 +227,11 @@ void Parser::atom_type(const FieldLine& line) {
   type.charge = line.number(particle - 1, "charge");
   std::tie(type.sigma, type.epsilon) = lennard_jones(line, particle + 1);
   if (type.epsilon < 0) type.one_sided = true, type.epsilon = 0;
-  topology_.types[type.name] = std::move(type);  // as in GROMACS, the last one holds
+  const auto [known, is_new] = topology_.types.try_emplace(type.name, type);
+  if (!is_new && !known->second.same_parameters(type))
+    line.refuse(
+        fmt::format("atom type '{}' stands in {} already, with other parameters; delete one",
+                    type.name, text_of(known->second.place)));
 }
 
 void Parser::nonbond_pair(const FieldLine& line) {

@@ -2,12 +2,32 @@
 // The molecules of a LAMMPS data file as rigid bodies, and its atoms as a frame.
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "../words.hpp"
 #include "kinds.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/model/elements.hpp"
 
 namespace polhode {
 namespace {
+
+// Styles whose Pair Coeffs are epsilon and sigma of plain Lennard-Jones terms, however they are
+// accelerated. Others begin alike: lj/cut/soft, lj/cut/thole/long, lj/cut/dipole/cut.
+bool is_lennard_jones(std::string_view style) {
+  std::string_view name = take_word(style);
+  for (const std::string_view suffix : {"/gpu", "/intel", "/kk", "/omp", "/opt"})
+    if (name.ends_with(suffix)) {
+      name.remove_suffix(suffix.size());
+      break;
+    }
+  constexpr std::array<std::string_view, 7> known = {
+      "lj/cut",           "lj/cut/coul/cut", "lj/cut/coul/debye", "lj/cut/coul/dsf",
+      "lj/cut/coul/long", "lj/cut/coul/msm", "lj/cut/coul/wolf"};
+  return std::find(known.begin(), known.end(), name) != known.end();
+}
 
 void check_forces(const LammpsData& data) {
   const std::string& style = data.pair_style;
@@ -18,10 +38,11 @@ void check_forces(const LammpsData& data) {
                     "start",
                     style, data.kinds.front().count),
         data.file);
-  if (!style.empty() && !style.starts_with("lj/cut"))
+  if (!style.empty() && !is_lennard_jones(style))
     throw Error(
-        fmt::format("the pair style is '{}'; it must be lj/cut, with whatever Coulomb part: "
-                    "other potentials are not there",
+        fmt::format("the pair style is '{}'; it must be plain lj/cut, alone or with charges "
+                    "(lj/cut/coul/cut, debye, dsf, long, msm or wolf): there are no other "
+                    "potentials, so take a style of these",
                     style),
         data.file);
   for (const LammpsData::Atom& atom : data.atoms)
@@ -40,9 +61,29 @@ bool leaves_pairs_open(const LammpsData& data) {
   return data.pairs.empty() && dispersive > 1;
 }
 
+// Residues are numbered anew, in the order in which they are met.
+void sort_by_ids(const LammpsData& data, Frame& frame) {
+  std::vector<std::size_t> order(data.atoms.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return data.atoms[a].id < data.atoms[b].id; });
+  std::vector<Atom> atoms;
+  atoms.reserve(order.size());
+  std::vector<int> residues(order.size() + 1, 0);  // new numbers of the old ones
+  int met = 0;
+  for (const std::size_t k : order) {
+    Atom atom = frame.atoms[k];
+    int& residue = residues[static_cast<std::size_t>(atom.residue)];
+    if (residue == 0) residue = ++met;
+    atom.residue = residue;
+    atoms.push_back(atom);
+  }
+  frame.atoms = std::move(atoms);
+}
+
 }  // namespace
 
-Frame frame_of(const LammpsData& data) {
+Frame frame_of(const LammpsData& data, AtomOrder order) {
   Frame frame;
   frame.title = data.title;
   frame.box = data.box;
@@ -63,6 +104,7 @@ Frame frame_of(const LammpsData& data) {
           {first_kind + static_cast<std::uint32_t>(k % size), residue, atom.r, atom.v});
     }
   }
+  if (order == AtomOrder::of_ids) sort_by_ids(data, frame);
   return frame;
 }
 

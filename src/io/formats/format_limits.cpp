@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "format_limits.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+double longest_edge(const Box& box) { return std::max({box.edge.x, box.edge.y, box.edge.z}); }
+
+}  // namespace
+
+FrameExtent extent_of(const Frame& frame) {
+  FrameExtent extent{.atoms = frame.atoms.size(),
+                     .edge = longest_edge(frame.box),
+                     .has_velocities = frame.has_velocities,
+                     .time = frame.time};
+  for (const Atom& atom : frame.atoms) {
+    extent.lowest = std::min({extent.lowest, atom.r.x, atom.r.y, atom.r.z});
+    extent.highest = std::max({extent.highest, atom.r.x, atom.r.y, atom.r.z});
+  }
+  return extent;
+}
+
+FrameExtent extent_of(const State& state, const Topology& topology, const FrameChoice& choice) {
+  double reach = 0;
+  for (const auto& part : topology.parts)
+    for (const Site& site : part.molecule.sites) reach = std::max(reach, norm(site.r));
+  const double edge = longest_edge(state.box);
+  return {.atoms = atom_count(topology, choice.massless),
+          .lowest = -reach,
+          .highest = edge + reach,
+          .edge = edge,
+          .has_velocities = choice.velocities,
+          .time = state.time,
+          .of_a_run = true};
+}
+
+void FrameFit::check(const FrameExtent& frame) {
+  check_alone(frame);
+  if (!first_) first_ = frame;
+  if (limits_.same_atoms && frame.atoms != first_->atoms)
+    throw Error(
+        fmt::format("the frame at {:g} ps has {} atoms and the first has {}; all frames of a "
+                    ".{} file must have as many, so write GRO, PDB or XYZ",
+                    frame.time, frame.atoms, first_->atoms, format_));
+  if (limits_.same_velocities && frame.has_velocities != first_->has_velocities)
+    throw Error(
+        fmt::format("the frame at {:g} ps has {} velocities and the first has {}; of a .{} file "
+                    "all frames must have them or none, so write TRR or GRO",
+                    frame.time, frame.has_velocities ? "its" : "no",
+                    first_->has_velocities ? "them" : "none", format_));
+  if (before_ == 1) interval_ = frame.time - first_->time;
+  if (limits_.even_times && !frame.of_a_run) check_time(frame);
+  ++before_;
+}
+
+void FrameFit::check_alone(const FrameExtent& frame) const {
+  if (frame.atoms > limits_.atoms)
+    throw Error(fmt::format(
+        "a frame has {} atoms; a frame of a .{} file can have {} at most, so write another format",
+        frame.atoms, format_, limits_.atoms));
+  for (const double coordinate : {frame.lowest, frame.highest})
+    if (!(limits_.lowest <= coordinate && coordinate <= limits_.highest))
+      throw Error(fmt::format(
+          "a coordinate is or can be {:.10g} nm; in a .{} file it must lie from {:.10g} to {:.10g} "
+          "nm, so write another format, or wrap the molecules into the box",
+          coordinate, format_, limits_.lowest, limits_.highest));
+  if (!(frame.edge <= limits_.edge))
+    throw Error(
+        fmt::format("a box edge is {:.10g} nm; in a .{} file it must be {:.10g} nm at most, so "
+                    "write another format",
+                    frame.edge, format_, limits_.edge));
+}
+
+// Files hold times as floats at worst: a relative rounding of 2⁻²⁴, of this time and, times the
+// number of frames, of the interval.
+void FrameFit::check_time(const FrameExtent& frame) const {
+  if (before_ < 2) return;
+  const auto n = static_cast<double>(before_);
+  const double due = first_->time + n * interval_;
+  const double rounding = 0x1p-22 * std::abs(frame.time) * (1 + n);
+  if (std::abs(frame.time - due) <= 0.01 * std::abs(interval_) + rounding) return;
+  throw Error(
+      fmt::format("frame {} is of {:g} ps where {:g} ps must be, as the first two are {:g} ps "
+                  "apart and a .{} file holds one interval for all; choose evenly spaced frames "
+                  "by --from, --to and --every, or write another format",
+                  before_ + 1, frame.time, due, interval_, format_));
+}
+
+}  // namespace polhode
