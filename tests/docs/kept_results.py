@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Kept tables are those that the program of today makes of the kept record, and docs/efficiency.md says what they say."""
+"""Kept tables are those that the program of today makes of the kept runs, and the pages say what these say."""
 
 import argparse
 import csv
 import json
 import re
 import subprocess
+import sys
 import tempfile
 import unittest
 from collections import Counter
@@ -14,6 +15,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 FIGURE = ROOT / "docs/figure1"
 PROGRAM = None
+sys.path.insert(0, str(ROOT / "bench/family"))
+
+import family
 
 
 def rows(path):
@@ -75,13 +79,25 @@ class PaperFigure(unittest.TestCase):
         self.assertEqual(said, [re.match("not reproduced|reproduced|not decided", c["verdict"])[0] for c in self.report["claims"]])
 
 
-class KeptBenchmarks(unittest.TestCase):
-    def test_conditions_name_the_number_of_runs_that_the_points_have(self):
-        kept = json.loads((ROOT / "bench/results/2026-11-21-family.json").read_text(encoding="utf-8"))
-        for system, of in kept["systems"].items():
-            command, = (c for c in kept["conditions"] if f"--systems {system} " in c)
+class Family(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = json.loads((ROOT / "bench/results/2026-11-21-family.json").read_text(encoding="utf-8"))
+        cls.page = (ROOT / "docs/family.md").read_text(encoding="utf-8")
+
+    def test_the_record_and_the_page_name_the_number_of_runs_that_the_points_have(self):
+        for system, of in self.kept["systems"].items():
+            command, = (c for c in self.kept["conditions"] if f"--systems {system} " in c)
+            self.assertIn(command, self.page)
             runs = int(re.search(r"--runs (\d+)", command)[1])
             self.assertEqual({p["runs"] for p in of["points"]}, {runs}, system)
+
+    def test_the_ranking_and_the_page_are_what_the_points_say(self):
+        listed = subprocess.run([PROGRAM, "schemes", "--json"], text=True, capture_output=True, check=True).stdout
+        orders = {s["name"]: s["order"] for s in json.loads(listed)}
+        again = {system: {"ranking": family.ranking(of["points"], orders)} for system, of in self.kept["systems"].items()}
+        self.assertEqual(family.tables({"systems": again}), family.tables(self.kept))
+        self.assertIn(family.tables(self.kept).strip(), self.page)
 
 
 if __name__ == "__main__":
