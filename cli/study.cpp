@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -27,7 +28,8 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, output = "study", length, decorrelate, threads, precision, configurational;
+  std::string file, output = "study", length, decorrelate, threads, precision, configurational,
+                    from_record;
   std::vector<std::string> schemes, steps;
   int runs = 0;
   bool quick = false, force = false, json = false;
@@ -61,7 +63,43 @@ Config configured(const Options& o) {
   return config;
 }
 
+/// Writes and prints what the counted runs say.
+void report(const Options& o, Config config, const System& system,
+            const std::vector<StudyPoint>& points, const std::vector<StudyRun>& runs,
+            const StudyFiles& files, const Provenance& provenance) {
+  const std::vector<StudyRun> counted = runs_of_starts(runs, config.study.runs);
+  if (counted.size() < runs.size())
+    fmt::print(stderr,
+               "the tables are of the first {} starts; {} runs from later ones are left out\n",
+               config.study.runs, runs.size() - counted.size());
+  config.forces.mixing = system.forces.mixing;  // a topology file tells it
+  const StudyReport report(config, efficiency_points(points, counted));
+  write_study(files, report, provenance);
+  if (o.json)
+    fmt::print("{}\n", study_json(report));
+  else
+    print_study(report, o.from_record.empty() ? files.all() : files.tables());
+}
+
+/// Tables and figure of a record that is there, without a run.
+int study_of_record(const Options& o) {
+  const Config config = configured(o);
+  std::ifstream in(o.from_record, std::ios::binary);
+  if (!in) throw Error(fmt::format("there is no file '{}'", o.from_record), "--from-record");
+  const std::vector<StudyRun> runs = read_any_study_record(in, o.from_record);
+  const StudyFiles files(o.output);
+  for (const std::string& file : files.tables()) refuse_existing(file, o.force);
+  const System system = assembled(config);
+  const Provenance provenance{
+      POLHODE_VERSION,
+      typed_command("polhode study", {{"", o.file}, {"--from-record", o.from_record}}),
+      study_identity(config, system), name(current_target()), config.system.seed};
+  report(o, config, system, study_points(config.study), runs, files, provenance);
+  return 0;
+}
+
 int study(const Options& o) {
+  if (!o.from_record.empty()) return study_of_record(o);
   const Config config = configured(o);
   const std::vector<StudyPoint> points = study_points(config.study);
   for (const StudyPoint& point : points)
@@ -106,14 +144,7 @@ int study(const Options& o) {
         workers);
   }
 
-  Config reported = config;
-  reported.forces.mixing = system.forces.mixing;  // a topology file tells it
-  const StudyReport report(reported, efficiency_points(points, runs));
-  write_study(files, report, provenance);
-  if (o.json)
-    fmt::print("{}\n", study_json(report));
-  else
-    print_study(report, files);
+  report(o, config, system, points, runs, files, provenance);
   if (interrupted()) {
     fmt::print(stderr, "interrupted; the same command goes on from {}\n", files.runs);
     return 130;
@@ -134,6 +165,8 @@ Action study_verb(CLI::App& app) {
   app.add_option("--decorrelate", o->decorrelate, "preparation of each start: \"10 ps\"");
   app.add_option("--configurational-sample", o->configurational,
                  "between configurational temperatures: \"20 fs\"; without it: none");
+  app.add_option("--from-record", o->from_record,
+                 "tables and figure of this record, by whichever version, without a run");
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_option("--precision", o->precision,
                  "of the pairs, instead of the run file's: double or mixed");

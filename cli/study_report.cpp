@@ -52,10 +52,9 @@ std::string conditions(const Config& config) {
   const ForceSettings& f = config.forces;
   const std::string mixing = described(f.mixing);
   return fmt::format(
-      "{}, switched from {:g} to {:g} nm (class C{}){}, start {}; {} or more runs of {:g} ps from "
-      "starts "
-      "prepared "
-      "for {:g} ps at {:g} K, the same for every scheme; energies at least every 2.5 fs or every "
+      "{}, switched from {:g} to {:g} nm (class C{}){}, start {}; at most {} "
+      "runs of {:g} ps from starts prepared for {:g} ps at {:g} K, the same for every scheme; "
+      "energies at least every 2.5 fs or every "
       "step; "
       "drift significant below a chance of {:g}",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
@@ -127,7 +126,7 @@ std::string study_json(const StudyReport& report) {
     json["guidelines"].push_back(row);
   }
   for (const Claim& claim : report.claims) {
-    nlohmann::json row{{"claim", claim.text}, {"verdict", claim.reproduced}};
+    nlohmann::json row{{"claim", claim.text}, {"verdict", in_words(claim.verdict)}};
     if (claim.value) row["value"] = claim.value->value, row["error"] = claim.value->error;
     json["claims"].push_back(row);
   }
@@ -151,7 +150,7 @@ void write_study(const StudyFiles& files, const StudyReport& report, const Prove
   for (const char* format : {"svg", "png"}) efficiency_plot(files.prefix, drawn, format, std::cerr);
 }
 
-void print_study(const StudyReport& report, const StudyFiles& files) {
+void print_study(const StudyReport& report, const std::vector<std::string>& written) {
   fmt::print("{}\n\n", conditions(report.config));
   fmt::print("{:<18} {:>8} {:>10} {:>5} {:>18} {:>24}  {}\n", "scheme", "step fs", "cost 1/ps",
              "runs", "R %", "drift kJ/mol/ps", "");
@@ -207,8 +206,8 @@ void print_study(const StudyReport& report, const StudyFiles& files) {
     fmt::print(
         "  {}{}: {}\n", claim.text,
         claim.value ? fmt::format(": {:.3g} ± {:.2g}", claim.value->value, claim.value->error) : "",
-        claim.reproduced);
-  fmt::print("\n{}\nfiles {}\n", advice(report, 0.005), fmt::join(files.all(), " "));
+        in_words(claim.verdict));
+  fmt::print("\n{}\nfiles {}\n", advice(report, 0.005), fmt::join(written, " "));
 }
 
 }  // namespace polhode::cli

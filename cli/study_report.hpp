@@ -22,6 +22,8 @@ struct StudyFiles {
         script(prefix + ".gp"),
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
+  /// All but the record.
+  std::vector<std::string> tables() const { return {points, json, script, svg, png}; }
   std::vector<std::string> all() const { return {points, runs, json, script, svg, png}; }
 };
 
@@ -42,6 +44,7 @@ std::string advice(const StudyReport& report, double ratio);
 
 void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance);
 std::string study_json(const StudyReport& report);
-void print_study(const StudyReport& report, const StudyFiles& files);
+/// @param written  files to be named at the end
+void print_study(const StudyReport& report, const std::vector<std::string>& written);
 
 }  // namespace polhode::cli

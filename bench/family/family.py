@@ -49,20 +49,24 @@ def cost_at(own, ratio, order):
     return good[0]["force_evaluations_per_ps"] / shorter, good[0]["step_fs"] * shorter, "*"
 
 
-def ranking(o, run_file, points, orders):
-    """At each R the schemes by cost, and the time of the first of them."""
+def ranking(points, orders):
+    """At each R the schemes by cost."""
     rows = []
     for ratio in RATIOS:
         found = [(cost_at(own, ratio, orders[scheme]), scheme) for scheme, own in curves.by_scheme(points).items()]
-        row = [{"scheme": scheme, "cost": c[0], "step_fs": c[1], "how": c[2]}
-               for c, scheme in sorted((f for f in found if f[0]), key=lambda f: f[0][0])]
-        timed = [r for k, r in enumerate(row) if k < TIMED or r["scheme"] in ("velocity-verlet", "hoa2", "gier4")]
+        rows.append({"R": ratio, "schemes": [{"scheme": scheme, "cost": c[0], "step_fs": c[1], "how": c[2]}
+                                             for c, scheme in sorted((f for f in found if f[0]), key=lambda f: f[0][0])]})
+    return rows
+
+
+def add_times(o, run_file, rows):
+    """The time of the first schemes at each R, and of the paper's."""
+    for row in rows:
+        timed = [r for k, r in enumerate(row["schemes"]) if k < TIMED or r["scheme"] in ("velocity-verlet", "hoa2", "gier4")]
         times = curves.seconds_per_ps(o, run_file, [(r["scheme"], r["step_fs"]) for r in timed])
         for r in timed:
             if (r["scheme"], r["step_fs"]) in times:
                 r["seconds_per_ps"] = times[r["scheme"], r["step_fs"]]
-        rows.append({"R": ratio, "schemes": row})
-    return rows
 
 
 def tables(result):
@@ -102,8 +106,9 @@ def main():
         run_file.write_text(SYSTEMS[system].replace("[forces]\n", f'[forces]\nprecision = "{o.precision}"\n'), encoding="utf-8")
         points = [p for s in schemes
                   for p in curves.study(o, run_file, o.folder / f"{system}-{s['name']}", s["name"], steps(system, s["cost"]))]
-        result["systems"][system] = {"points": points,
-                                     "ranking": ranking(o, run_file, points, {s["name"]: s["order"] for s in schemes})}
+        rows = ranking(points, {s["name"]: s["order"] for s in schemes})
+        add_times(o, run_file, rows)
+        result["systems"][system] = {"points": points, "ranking": rows}
         Path(o.output).write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
     print(tables(result))
     if o.figure:

@@ -101,7 +101,6 @@ $c0k11 << EOD
 1000 0.012864
 706.714 0.12851
 500 0.63346
-352.941 13.03
 EOD
 $c0k12 << EOD
 2000 0.0030301
@@ -109,7 +108,6 @@ $c0k12 << EOD
 1000 0.013733
 706.714 0.37879
 500 1.8779
-352.941 42.543
 EOD
 $c0k13 << EOD
 2000 0.0030198
@@ -123,7 +121,6 @@ $c0k14 << EOD
 1414.14 0.016979
 1000 0.13656
 707.071 1.3683
-500 41.898
 EOD
 $c0k15 << EOD
 2000 0.0068896
@@ -136,7 +133,6 @@ $c0k16 << EOD
 1412.43 0.012362
 1000 0.054937
 707.214 0.89948
-500 32.216
 EOD
 $c0k17 << EOD
 2000 0.0029345
@@ -144,7 +140,6 @@ $c0k17 << EOD
 1000 0.0066246
 707.214 0.11195
 500 1.6391
-354.61 10.874
 EOD
 $c0k18 << EOD
 2000 0.059721
@@ -197,6 +192,8 @@ $c0k22 << EOD
 500 0.38104
 353.357 0.73474
 250 1.719
+EOD
+$c0k22d << EOD
 176.471 29.55
 EOD
 $c1k0 << EOD
@@ -217,7 +214,6 @@ $c1k1 << EOD
 500 0.45299
 353.357 0.83643
 250 2.1369
-176.991 82.228
 EOD
 $c1k2 << EOD
 2000 0.023906
@@ -227,7 +223,6 @@ $c1k2 << EOD
 500 0.37911
 353.982 0.76844
 250 2.1572
-176.991 22.401
 EOD
 $c1k3 << EOD
 2000 0.014153
@@ -240,7 +235,6 @@ $c1k4 << EOD
 1412.43 0.022512
 1000 0.10262
 707.214 0.86967
-500 78.861
 EOD
 $c1k5 << EOD
 2000 0.0037523
@@ -248,13 +242,11 @@ $c1k5 << EOD
 1000 0.012279
 707.214 0.20873
 500 1.2664
-354.61 74.993
 EOD
 $c1k6 << EOD
 2000 0.0095823
 1414.14 0.06979
 1000 0.5901
-707.071 30.935
 EOD
 $c1k7 << EOD
 2000 0.0038124
@@ -262,7 +254,6 @@ $c1k7 << EOD
 1000 0.016547
 706.714 0.098259
 500 0.63228
-353.982 53.881
 EOD
 $c1k8 << EOD
 2000 0.0040946
@@ -270,8 +261,6 @@ $c1k8 << EOD
 1000 0.015117
 706.714 0.089044
 500 2.2984
-353.982 42.581
-250 149.4
 EOD
 $c1k9 << EOD
 2000 0.0038716
@@ -280,7 +269,6 @@ $c1k9 << EOD
 707.214 0.037
 500 0.4621
 354.61 3.8387
-250 139.09
 EOD
 $c1k10 << EOD
 2000 0.0036853
@@ -288,7 +276,6 @@ $c1k10 << EOD
 1000 0.0046871
 707.214 0.086964
 500 2.1372
-354.61 81.794
 EOD
 $c1k11 << EOD
 2000 0.0037758
@@ -304,7 +291,6 @@ $c1k12 << EOD
 1000 0.0090892
 706.714 0.26448
 500 2.7776
-352.941 42.904
 EOD
 $c1k13 << EOD
 2000 0.0037211
@@ -312,28 +298,24 @@ $c1k13 << EOD
 1000 0.017925
 705.128 0.2076
 500 2.0459
-353.698 42.683
 EOD
 $c1k14 << EOD
 2000 0.003621
 1414.14 0.011795
 1000 0.089804
 707.071 1.0391
-500 36.973
 EOD
 $c1k15 << EOD
 2000 0.0073979
 1415.09 0.027083
 1000 0.1459
 706.714 2.6197
-500 97.185
 EOD
 $c1k16 << EOD
 2000 0.0047897
 1412.43 0.01266
 1000 0.052526
 707.214 0.78704
-500 27.174
 EOD
 $c1k17 << EOD
 2000 0.0038392
@@ -342,7 +324,6 @@ $c1k17 << EOD
 707.214 0.13362
 500 0.92421
 354.61 3.933
-250 146.33
 EOD
 $c1k18 << EOD
 2000 0.060305
@@ -362,6 +343,8 @@ $c1k19 << EOD
 500 0.30733
 353.357 0.6944
 250 2.4403
+EOD
+$c1k19d << EOD
 176.991 120.45
 EOD
 $c1k20 << EOD
@@ -370,6 +353,8 @@ $c1k20 << EOD
 1000 0.016178
 706.714 0.087987
 500 1.7477
+EOD
+$c1k20d << EOD
 353.982 65.596
 EOD
 $c1k21 << EOD
@@ -379,6 +364,8 @@ $c1k21 << EOD
 707.547 0.020372
 500 0.19655
 353.357 1.5459
+EOD
+$c1k21d << EOD
 250 111.42
 EOD
 $c1k22 << EOD
@@ -389,6 +376,8 @@ $c1k22 << EOD
 500 0.35105
 353.357 0.77357
 250 1.6881
+EOD
+$c1k22d << EOD
 176.471 20.21
 EOD
 $c2k0 << EOD
@@ -411,7 +400,6 @@ $c2k1 << EOD
 176.991 0.17605
 125 0.40671
 88.4956 1.7641
-62.5 19.718
 EOD
 $c2k2 << EOD
 1000 0.0062564
@@ -422,7 +410,6 @@ $c2k2 << EOD
 176.991 0.17165
 125 0.32071
 88.3002 1.056
-62.5 10.463
 EOD
 $c2k3 << EOD
 1000 0.0029885
@@ -436,7 +423,6 @@ $c2k4 << EOD
 500 0.025006
 354.61 0.25185
 250 1.4815
-176.678 24.169
 EOD
 $c2k5 << EOD
 1000 0.0014482
@@ -462,7 +448,6 @@ $c2k7 << EOD
 250 0.14224
 176.991 1.5255
 125 6.2227
-88.3002 33.16
 EOD
 $c2k8 << EOD
 1000 0.0014544
@@ -489,7 +474,6 @@ $c2k10 << EOD
 354.61 0.018781
 250 0.23107
 176.678 1.3103
-125 11.416
 EOD
 $c2k11 << EOD
 1000 0.0014018
@@ -499,7 +483,6 @@ $c2k11 << EOD
 250 0.054018
 176.991 0.45791
 125 5.8269
-88.3652 60.763
 EOD
 $c2k12 << EOD
 1000 0.0013776
@@ -517,7 +500,6 @@ $c2k13 << EOD
 353.698 0.033929
 250 0.28526
 176.849 1.0288
-125 12.274
 EOD
 $c2k14 << EOD
 1000 0.0014201
@@ -526,7 +508,6 @@ $c2k14 << EOD
 353.535 0.17636
 250 1.237
 176.768 3.7335
-125 50.704
 EOD
 $c2k15 << EOD
 1000 0.00205
@@ -534,8 +515,6 @@ $c2k15 << EOD
 500 0.024024
 352.941 0.20451
 250 1.3344
-176.991 13.221
-125 117.96
 EOD
 $c2k16 << EOD
 1000 0.0014774
@@ -544,7 +523,6 @@ $c2k16 << EOD
 354.61 0.073151
 250 0.79879
 176.678 6.2746
-125 99.936
 EOD
 $c2k17 << EOD
 1000 0.0016747
@@ -554,7 +532,6 @@ $c2k17 << EOD
 250 0.061457
 176.678 0.33319
 125 3.6041
-88.3392 134.79
 EOD
 $c2k18 << EOD
 1000 0.011272
@@ -576,6 +553,8 @@ $c2k19 << EOD
 176.991 0.17665
 125 0.44193
 88.4956 3.537
+EOD
+$c2k19d << EOD
 62.5 65.039
 EOD
 $c2k20 << EOD
@@ -595,6 +574,8 @@ $c2k21 << EOD
 250 0.027613
 176.471 0.52655
 125 1.6541
+EOD
+$c2k21d << EOD
 88.4956 14.848
 62.5 138.02
 EOD
@@ -607,6 +588,8 @@ $c2k22 << EOD
 176.471 0.15446
 125 0.33448
 88.4956 0.79014
+EOD
+$c2k22d << EOD
 62.5 10.683
 EOD
 set multiplot
@@ -614,15 +597,15 @@ set xrange [159:2100]
 set lmargin at screen 0.056
 set rmargin at screen 0.327
 set title "reaction-field"
-plot $c0k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c0k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c0k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c0k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c0k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c0k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c0k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c0k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+plot $c0k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c0k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c0k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c0k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c0k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c0k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c0k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c0k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c0k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
 set xrange [159:2100]
 set lmargin at screen 0.382
 set rmargin at screen 0.653
 set title "pme"
-plot $c1k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c1k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c1k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c1k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c1k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+plot $c1k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c1k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c1k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c1k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c1k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c1k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c1k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c1k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c1k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
 set xrange [56:1050]
 set lmargin at screen 0.709
 set rmargin at screen 0.980
 set title "co2"
-plot $c2k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c2k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c2k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c2k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c2k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3"
+plot $c2k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c2k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c2k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c2k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c2k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c2k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c2k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c2k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
 unset multiplot

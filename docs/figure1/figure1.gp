@@ -7,33 +7,35 @@ set border 3 linewidth 1 linecolor "#404040"
 set tics nomirror out scale 0.6 textcolor "#404040"
 set grid linewidth 0.5 linecolor "#e4e4e4"
 
-# velocity-verlet: force evaluations per ps, R [%], its standard error, last stable
+# velocity-verlet: force evaluations per ps, R [%], its standard error, last stable, rounded
 $curve0 << EOD
-166.66667 8.8957886 0.0806 1
-200 5.8898905 0.0761 0
-250 3.8103222 0.0448 0
-285.71429 2.8657323 0.0268 0
-333.33333 2.1014306 0.02 0
-400 1.4639758 0.012 0
-500 0.93413104 0.0124 0
-666.66667 0.53020233 0.00624 0
-1000 0.23144917 0.00284 0
+166.66667 8.8957886 0.0806 1 0
+200 5.8898905 0.0761 0 0
+250 3.8103222 0.0448 0 0
+285.71429 2.8657323 0.0268 0 0
+333.33333 2.1014306 0.02 0 0
+400 1.4639758 0.012 0 0
+500 0.93413104 0.0124 0 0
+666.66667 0.53020233 0.00624 0 0
+1000 0.23144917 0.00284 0 0
 EOD
 
-# hoa2: force evaluations per ps, R [%], its standard error, last stable
+# hoa2: force evaluations per ps, R [%], its standard error, last stable, rounded
 $curve1 << EOD
-400 0.53585229 0.00728 1
-500 0.34538951 0.0115 0
-666.66667 0.18539679 0.00304 0
-1000 0.083632331 0.00202 0
+400 0.5357535 0.015 1 0
+500 0.34538951 0.0115 0 0
+666.66667 0.18539679 0.00304 0 0
+1000 0.083632331 0.00202 0 0
 EOD
 
-# gier4-fd: force evaluations per ps, R [%], its standard error, last stable
+# gier4-fd: force evaluations per ps, R [%], its standard error, last stable, rounded
 $curve2 << EOD
-500 0.21589684 0.00939 1
-600 0.051269737 0.00184 0
-750 0.015719669 0.000246 0
-1000 0.0046932067 4.79e-05 0
+375 3.0273455 0.34 1 0
+428.57143 0.81967663 0.0926 0 0
+500 0.21308828 0.0148 0 0
+600 0.047917755 0.00173 0 0
+750 0.015719669 0.000246 0 0
+1000 0.0046932067 4.79e-05 0 0
 EOD
 
 set multiplot

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -179,6 +180,13 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
     }
     advance(job.work() * config.study.length, run.scheme);
   });
+}
+
+std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts) {
+  std::vector<StudyRun> counted;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(counted),
+               [&](const StudyRun& run) { return run.start < starts; });
+  return counted;
 }
 
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,

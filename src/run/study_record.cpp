@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <set>
 #include <sstream>
@@ -19,6 +20,7 @@
 namespace polhode {
 namespace {
 
+constexpr const char* record_mark = "# study ";
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
     "rms potential [kJ/mol];temperature [K];R of rounding;"
@@ -136,28 +138,18 @@ StudyRun record_run(const Fields& line, std::size_t count) {
 }
 
 std::string identity_line(const Provenance& provenance) {
-  return "# study " + text_hash(provenance.config);
+  return record_mark + text_hash(provenance.config);
 }
 
-}  // namespace
-
-std::string study_identity(const Config& config, const System& system) {
-  const double configurational = config.study.configurational_sample;
-  return identity(config, system, {config.study.length, config.study.decorrelate}) +
-         (configurational > 0 ? fmt::format(" configurational {}", configurational) : "");
-}
-
-std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
-                                        const Provenance& provenance) {
+/// All lines of a record, the first of which says whose it is.
+std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
+                                const std::function<void(std::string_view, Lines&)>& check_head) {
   std::string text{std::istreambuf_iterator<char>(in), {}};
   text.erase(text.rfind('\n') + 1);
   std::istringstream whole(std::move(text));
   Lines lines(whole, path);
   auto line = lines.next();
-  if (line != identity_line(provenance))
-    lines.refuse(fmt::format(
-        "'{}' holds the runs of another study; give another --output, or --force to start anew",
-        path));
+  check_head(line.value_or(""), lines);
   std::vector<StudyRun> runs;
   std::set<std::tuple<std::string, double, int>> met;  // scheme, step and start
   std::size_t count = 0;
@@ -176,6 +168,33 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
     runs.push_back(std::move(run));
   }
   return runs;
+}
+
+}  // namespace
+
+std::string study_identity(const Config& config, const System& system) {
+  const double configurational = config.study.configurational_sample;
+  return identity(config, system, {config.study.length, config.study.decorrelate}) +
+         (configurational > 0 ? fmt::format(" configurational {}", configurational) : "");
+}
+
+std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
+                                        const Provenance& provenance) {
+  return read_runs(in, path, [&](std::string_view head, Lines& lines) {
+    if (head != identity_line(provenance))
+      lines.refuse(fmt::format(
+          "'{}' holds the runs of another study, or of a version of polhode with other starts; "
+          "give another --output, --force to start anew, or --from-record for its tables",
+          path));
+  });
+}
+
+std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string& path) {
+  return read_runs(in, path, [&](std::string_view head, Lines& lines) {
+    if (!head.starts_with(record_mark))
+      lines.refuse(fmt::format("'{}' begins with '{}', but the record of a study begins with '{}'",
+                               path, head, record_mark));
+  });
 }
 
 StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)

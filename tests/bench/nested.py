@@ -19,7 +19,7 @@ import nested
 def curve(scheme, evaluations, factor, steps, usable=lambda h: True):
     """Points of a scheme with R = factor h² [fs⁻²] at evaluations per step."""
     return [{"scheme": scheme, "step_fs": h, "force_evaluations_per_ps": 1000 * evaluations / h, "R": factor * h * h,
-             "stable": True, "drift_chance": 0.5 if usable(h) else 0.001} for h in steps]
+             "stable": usable(h)} for h in steps]
 
 
 class Curves(unittest.TestCase):
@@ -31,17 +31,17 @@ class Curves(unittest.TestCase):
     def test_nothing_is_read_beyond_what_was_measured(self):
         own = curve("hoa2", 2, 2e-4, (2, 4, 8), usable=lambda h: h < 8)
         self.assertIsNone(curves.at_ratio(own, 2e-4 * 3.9))  # below the smallest R
-        cost, step = curves.at_ratio(own, 5e-3)  # 5 fs would drift: the longest step without
+        cost, step = curves.at_ratio(own, 5e-3)  # with 8 fs it blew up: the longest step before
         self.assertEqual((cost, step), (500, 4))
         self.assertIsNone(curves.at_ratio(curve("hoa2", 2, 2e-4, (2, 4), usable=lambda h: False), 1e-2))
 
-    def test_one_seeming_drift_in_a_hundred_points_is_chance(self):
+    def test_a_curve_ends_where_its_energy_is_lost_whatever_the_chance_of_a_drift(self):
         own = curve("hoa2", 2, 2e-4, (2, 4, 8))
-        own[0]["drift_chance"] = 0.005  # above 0.01 / 3
-        self.assertEqual(len(curves.usable(own)), 3)
-        own[1]["drift_chance"] = 0.003
+        own[1].update(R=1.2, drift_chance=0.0034)  # two runs with a drift of 185 times its error
         self.assertEqual(len(curves.usable(own)), 1)
-        own[1].update(drift_chance=0.5, stable=False)
+        own[1].update(R=3e-3, drift_chance=0.0034)
+        self.assertEqual(len(curves.usable(own)), 3)
+        own[1].update(stable=False)
         self.assertEqual(len(curves.usable(own)), 1)
 
     def test_the_figure_draws_single_schemes_and_the_best_of_each_pair(self):

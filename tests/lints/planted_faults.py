@@ -74,7 +74,7 @@ def main():
         if code != 1 or f"{path}:{line}: " not in output:
             wrong.append(f"{name} does not name {path}:{line} with {text!r}:\n{output}")
     print("\n".join(wrong) or f"{len(FAULTS)} planted faults found; skipped: {skipped or 'none'}")
-    sys.exit(1 if wrong else 0)
+    sys.exit(1 if wrong else 77 if skipped else 0)
 
 
 if __name__ == "__main__":

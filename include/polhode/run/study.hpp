@@ -98,6 +98,10 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
                const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
                Workers& workers = Workers::serial());
 
+/// The runs from the first `starts` starts. Drifts are compared between points, and more runs see
+/// smaller ones: a report counts the same starts at every point, whatever else its record holds.
+std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts);
+
 /// Points from runs, in the order of schemes and steps.
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
                                                const std::vector<StudyRun>& runs);

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""What the tables of a study count, and tables of a record that is there."""
+
+import json
+import unittest
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+RECORD = "study-runs.csv"
+
+
+class Study(Sandbox):
+    def points(self, *options):
+        process = self.polhode("study", "run.toml", "--json", *options)
+        self.assertEqual(process.returncode, 0, process.err)
+        return json.loads(process.out)["points"], process.err
+
+    def test_every_point_counts_the_same_starts(self):
+        """Runs that a record has beyond those asked for would give some points more than others."""
+        self.write("run.toml", edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]')))
+        both, _ = self.points()
+        self.assertEqual([p["runs"] for p in both], [2, 2])
+        more, _ = self.points("--steps", "4 fs", "--runs", "5")
+        self.assertEqual([p["runs"] for p in more], [5])
+        again, log = self.points()
+        self.assertEqual(again, both)
+        self.assertIn("3 runs from later ones are left out", log)
+
+    def test_tables_of_a_record(self):
+        self.write("run.toml", SMALL)
+        of_study, _ = self.points()
+        record = (self.folder / RECORD).read_text()
+        # A record of another version of the program, as its first line says.
+        self.write("old.csv", edited(record, (record.splitlines()[0], "# study 0123456789abcdef")))
+        before = (self.folder / "old.csv").read_bytes()
+        of_record, _ = self.points("--from-record", "old.csv", "--output", "new")
+        self.assertEqual(of_record, of_study)
+        self.assertEqual((self.folder / "old.csv").read_bytes(), before)
+        self.assertFalse((self.folder / "new-runs.csv").exists())
+        # The same file is refused where runs would be added to it.
+        self.write(RECORD, before)
+        self.refused(("study", "run.toml"), ["another study", "--from-record", "--force"])
+        # Tables are not written over without --force.
+        self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
+
+    def test_a_record_that_is_none(self):
+        self.write("run.toml", SMALL)
+        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "--from-record"])
+        self.refused(("study", "run.toml", "--from-record", "run.toml"), ["run.toml:1", "begins with", "# study"])
+
+
+if __name__ == "__main__":
+    sandbox.main()

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""Kept tables are those that the program of today makes of the kept runs, and the pages say what these say."""
+
+import argparse
+import csv
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from collections import Counter
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+FIGURE = ROOT / "docs/figure1"
+PROGRAM = None
+sys.path.insert(0, str(ROOT / "bench/family"))
+
+import family
+
+
+def rows(path):
+    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    return list(csv.DictReader(lines))
+
+
+class PaperFigure(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as folder:
+            made = subprocess.run([PROGRAM, "study", "--from-record", FIGURE / "figure1-runs.csv", "--output", "figure1", "--json"],
+                                  cwd=folder, text=True, capture_output=True, check=False)
+            if made.returncode != 0:
+                raise AssertionError(made.stderr)
+            cls.report = json.loads(made.stdout)
+            cls.points = rows(Path(folder) / "figure1.csv")
+        cls.page = (ROOT / "docs/efficiency.md").read_text(encoding="utf-8")
+
+    def close(self, a, b, what):
+        """Equal to the digits that sums in another order keep."""
+        if isinstance(a, float) and isinstance(b, (int, float)):
+            self.assertLessEqual(abs(a - b), 1e-9 * max(abs(a), abs(b)), what)
+        else:
+            self.assertEqual(a, b, what)
+
+    def test_the_kept_table(self):
+        kept = rows(FIGURE / "figure1.csv")
+        self.assertEqual(len(kept), len(self.points))
+        for old, new in zip(kept, self.points):
+            for column, value in old.items():
+                if column == "scheme" or value == "":
+                    self.assertEqual(value, new[column])
+                else:
+                    self.close(float(value), float(new[column]), column)
+
+    def test_the_kept_claims(self):
+        kept = json.loads((FIGURE / "figure1.json").read_text(encoding="utf-8"))
+        self.assertEqual(len(kept["claims"]), len(self.report["claims"]))
+        for old, new in zip(kept["claims"], self.report["claims"]):
+            self.assertEqual(old["verdict"], new["verdict"], old["claim"])
+            self.assertEqual(old["claim"], new["claim"])
+
+    def test_every_point_has_the_same_number_of_runs(self):
+        self.assertEqual(Counter(p["runs [1]"] for p in self.points), {"10": len(self.points)})
+
+    def test_the_page_has_these_points(self):
+        for p in self.points:
+            row = (f"| {p['scheme']} | {float(p['step [fs]']):g} | {float(p['cost [1/ps]']):.0f} | {p['runs [1]']} "
+                   f"| {100 * float(p['R [1]']):.4g} ± {100 * float(p['R_error [1]']):.2g} "
+                   f"| {float(p['drift [kJ/mol/ps]']):.3g} ± {float(p['drift_error [kJ/mol/ps]']):.2g} |")
+            self.assertIn(row, self.page)
+
+    def test_the_page_has_these_verdicts(self):
+        """In the order of the claims: three ratios, the crossing, the ends."""
+        table = self.page[self.page.index("## The paper's claims"):]
+        said = re.findall(r"\b(not reproduced|reproduced|not decided)\b", "\n".join(
+            line for line in table.splitlines() if line.startswith("| ") and "---" not in line))
+        self.assertEqual(said, [re.match("not reproduced|reproduced|not decided", c["verdict"])[0] for c in self.report["claims"]])
+
+
+class Family(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.kept = json.loads((ROOT / "bench/results/2026-11-21-family.json").read_text(encoding="utf-8"))
+        cls.page = (ROOT / "docs/family.md").read_text(encoding="utf-8")
+
+    def test_the_record_and_the_page_name_the_number_of_runs_that_the_points_have(self):
+        for system, of in self.kept["systems"].items():
+            command, = (c for c in self.kept["conditions"] if f"--systems {system} " in c)
+            self.assertIn(command, self.page)
+            runs = int(re.search(r"--runs (\d+)", command)[1])
+            self.assertEqual({p["runs"] for p in of["points"]}, {runs}, system)
+
+    def test_the_ranking_and_the_page_are_what_the_points_say(self):
+        listed = subprocess.run([PROGRAM, "schemes", "--json"], text=True, capture_output=True, check=True).stdout
+        orders = {s["name"]: s["order"] for s in json.loads(listed)}
+        again = {system: {"ranking": family.ranking(of["points"], orders)} for system, of in self.kept["systems"].items()}
+        self.assertEqual(family.tables({"systems": again}), family.tables(self.kept))
+        self.assertIn(family.tables(self.kept).strip(), self.page)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", type=Path, required=True)
+    options, rest = parser.parse_known_args()
+    PROGRAM = options.program.resolve()
+    unittest.main(argv=["kept_results", *rest])
