@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words of a line, between blanks.
+// Words of a line, separated by blanks.
 #pragma once
 
 #include <string_view>
@@ -8,15 +8,15 @@ namespace polhode {
 
 inline constexpr std::string_view blanks = " \t\r\f\v";
 
-/// Without blanks at both ends.
+/// Removes blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(blanks);
   if (begin == text.npos) return {};
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-/// Takes the first word, with the blanks around it, away from the front of a text; empty at its
-/// end.
+/// Removes the first word, with the blanks around it, from the front of a text and returns it;
+/// empty at the end of the text.
 inline std::string_view take_word(std::string_view& text) {
   text = trimmed(text);
   const std::string_view word = text.substr(0, text.find_first_of(blanks));

@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-// Molecules and mixing as a topology file tells them; pairs of the run file come behind its own.
+// Takes molecules and mixing from a topology file; pairs of the run file are appended to its own.
 void take_topology_file(const Config& config, const Frame& start, System& system) {
   RigidTopology read = read_topology(config.system.topology, &start);
   system.topology = std::move(read.topology);
@@ -97,7 +97,8 @@ void draw_momenta(System& system, std::uint64_t seed) {
 
 void rescale(State& state, const Topology& topology, const Bodies& bodies, double wanted) {
   Vec3<double> drift = total_momentum(state);
-  for (std::size_t i = 0; i < state.size(); ++i)  // the total momentum carries no temperature
+  for (std::size_t i = 0; i < state.size(); ++i)  // the total momentum does not contribute to the
+                                                  // temperature
     state.p.add(i, -(bodies.m[i] / topology.mass()) * drift);
   const Energies e = energies(state, bodies, Load{});
   const Freedoms n = freedoms(topology);
