@@ -22,7 +22,6 @@ struct TopFigure {
 ///
 /// @param J  three positive principal moments, any consistent units
 /// @param L  body-frame angular momentum, not zero
-/// If gnuplot is missing, a warning tells how to draw the figure later.
 /// @throws Error  if a moment or L is zero, or a file cannot be written
 void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L);
 

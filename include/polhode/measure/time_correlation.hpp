@@ -32,7 +32,6 @@ enum class Product {
 /// Bodies are distributed over groups, 32 or as many as there are bodies. Each group is one task,
 /// so all sums are bitwise identical for any number of threads; errors come from the scatter
 /// between groups.
-/// sums have the same bits for any number of threads; errors come from the scatter of the groups.
 class TimeCorrelation {
  public:
   /// @param lags  number of lags, 0 to lags − 1, in frames

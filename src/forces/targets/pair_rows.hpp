@@ -329,7 +329,7 @@ void pair_forces_of(const PairJob<T>& job) {
               FixedShape<1, 1, 1, 4, 3, 1>>(job);
 }
 
-// Derivatives are asked for less often, and of fewer kinds of molecules.
+// Derivatives are needed less often, and for fewer kinds of molecules.
 template <class T>
 void pair_derivative_of(const PairJob<T>& job) {
   run_fitting<Dual<Pack<T>>, FourSiteWater, ThreeSiteWater, FiveSiteWater>(job);
