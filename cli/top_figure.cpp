@@ -38,7 +38,7 @@ Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   };
   if (Orbit::is_stationary(top)) return {omega(L)};
   const Orbit orbit(top);
-  // On the separatrix the period is infinite: ten times 1/p in both directions is nearly the whole.
+  // On the separatrix the period is infinite: u from −10 to 10 covers nearly all of the loop.
   const double half = std::isinf(orbit.K) ? 10 : 2 * orbit.K;
   Curve curve;
   constexpr int points = 480;

@@ -93,10 +93,10 @@ struct Terms {
 /// Rounding to float has an rms of 0.4 × 2⁻²⁴. Three roundings make up r², to which a term u of
 /// power n responds n/2 times, and about four its powers, products and the sum: together 0.7
 /// √((n/2)² + 1) × 2⁻²⁴ of its force n u/r. A switch adds the force w'(r) u, a shift subtracts a
-/// term of the same size again, and a reaction field adds at most (r/r_c)³ of 1/r. Positions
-/// rounded by 2⁻²⁴ nm change a force by n (n + 1) u/r² times that, and in a site switch by the
-/// curvature of w, up to 7.5 over its width squared. The torque on one body of a pair is computed
-/// from that on the other and the moment R × f: two roundings of that, some 0.6 × 2⁻²⁴ R f.
+/// term of the same size again, and a reaction field adds at most (r/r_c)³ of 1/r. Rounding
+/// positions by δ = 2⁻²⁴ nm changes a force by n (n + 1) u/r² δ; a site switch adds u w'' δ, where
+/// w'' is at most 7.5 over the width squared. The torque on one body of a pair is computed from
+/// that on the other and the moment R × f: two roundings of that, some 0.6 × 2⁻²⁴ R f.
 inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings) {
   const State& state = scene.state;
   const Switch<> w(settings.switch_from, settings.cutoff, settings.smoothness);

@@ -55,8 +55,8 @@ struct GatherJob {
   MeshBodies bodies;
   int order;
   const MeshGrid<T>& grid;  ///< K times the potential of the charges [kJ/mol/e]
-  T* sums;                  ///< force and torque of each slot, as in ChunkSums; added to
-  Mat3<double>* arms;       ///< Σ arm ⊗ force over sites, added to; null if not needed
+  T* sums;                  ///< accumulates force and torque of each slot, as in ChunkSums
+  Mat3<double>* arms;       ///< accumulates Σ arm ⊗ force over sites; null if not needed
 };
 
 /// Bodies whose charges are displaced: each charge becomes a dipole, the derivative of its

@@ -18,8 +18,8 @@ namespace polhode {
 /// reused.
 std::string study_identity(const Config& config, const System& system);
 
-/// The runs in a record. An incomplete last line was truncated by an interruption and is ignored:
-/// its run is repeated. The numbers of a run are finite, and empty if it blew up.
+/// The runs in a record. An incomplete last line, left by an interruption, is ignored and its run
+/// repeated. The numbers of a run are finite, and empty if it blew up.
 /// @param path        for errors
 /// @param provenance  of the study that is being resumed
 /// @throws Error  with the line, if the record belongs to another study, or another line is

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The derivatives, along displacements of the charges, of the charges on the grid and of the forces
-// from a potential there: like the spread and gather loops, with one more derivative of the
-// splines.
+// The directional derivatives of the spread and gather loops: charges on the grid, and forces from
+// the potential there, differentiated along a displacement of the charges. They need one more
+// derivative of the splines.
 #include "mesh_places.hpp"
 
 namespace polhode::POLHODE_LOOPS {
