@@ -66,7 +66,7 @@ template <class Real>
 struct MaskOf<Dual<Real>> : MaskOf<Real> {};
 
 template <class Real>
-requires(!std::is_same_v<Mask<Real>, bool>)  // otherwise the general one does
+requires(!std::is_same_v<Mask<Real>, bool>)  // for plain numbers the general overload serves
     Dual<Real> select(Mask<Real> mask, Dual<Real> if_true, Dual<Real> if_false) {
   return {select(mask, if_true.value, if_false.value), select(mask, if_true.slope, if_false.slope)};
 }

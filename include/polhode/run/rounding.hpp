@@ -45,9 +45,9 @@ double kick_weights(const NestedScheme& scheme, double lambda);
 
 /// The rms deviation of the total energy from its mean due to rounding alone [kJ/mol]. Every
 /// evaluation changes the energy by w h times an independent power: a random walk with variance
-/// power² h Σw² per unit time. Over a time t, a walk has the mean variance t/6 of that about its
-/// own mean (t/2 about its start, minus t/3 for the mean). The noise of the energy itself is added:
-/// σ² = power² h t Σw²/6 + energy².
+/// power² h Σw² per unit time. Over a time t, the mean variance of such a walk about its own mean
+/// is t/6 times that rate (t/2 about its start, minus t/3 for the mean). The noise of the energy
+/// itself is added: σ² = power² h t Σw²/6 + energy².
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length);
 

@@ -7,7 +7,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// A charge q displaced at velocity v, in grid spacings, contributes to a grid point at u
+// Per unit of a displacement along v, in grid spacings, a charge q adds to a grid point at u
 // q (v·∇) w_x w_y w_z = q [v_x s_x w_y w_z + w_x (v_y s_y w_z + w_y v_z s_z)], s the slopes of w.
 template <class T, int order>
 void spread(const SpreadDipolesJob<T>& dipoles) {
