@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode advise [FILE]: the cheapest scheme and step that keep an accuracy.
+// polhode advise [FILE]: finds the cheapest scheme and step that meet an accuracy.
 #include <fmt/core.h>
 
 #include <memory>

@@ -26,7 +26,7 @@ std::string percent(const Estimate& x) {
   return fmt::format("{:.3g} ± {:.2g} %", 100 * x.value, 100 * x.error);
 }
 
-/// A bound of the quality, in the unit that users write.
+/// A bound on the quality, in the unit that users enter.
 std::string bound_text(Quality quality, double bound) {
   return quality == Quality::drift ? fmt::format("{:.3g} kJ/mol/ns", in_kJ_per_ns(bound))
                                    : fmt::format("{:.3g} %", 100 * bound);
@@ -44,7 +44,7 @@ const char* name_of(Quality quality) {
   return "";
 }
 
-/// T_k/T − 1 of one kind of motion; 0 without freedoms.
+/// T_k/T − 1 of one kind of motion; 0 without degrees of freedom.
 Estimate bias(const AdviserPoint& point, std::size_t kind) {
   return mean(each(point.runs, [kind](const Outcome& run) { return run.bias[kind]; }));
 }

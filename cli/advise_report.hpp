@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the adviser found: a page of text, JSON, a table and a figure.
+// Output of the adviser: a page of text, JSON, a table and a figure.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct AdviceFiles {
 /// "an R of at most 0.5 %".
 std::string described(const Criterion& criterion);
 
-/// Why there is no answer, and what could be asked instead.
+/// Why there is no answer, and what to ask for instead.
 std::string unreachable(const Advice& advice, const Criterion& criterion);
 
 /// "hoa2 at 4.52 fs: R = 0.44 ± 0.01 %, below 0.49 % in 97.5 of 100 runs of 15 ps"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode analyze TRAJECTORY: structure, motion and dielectric constant from its frames.
+// polhode analyze TRAJECTORY: structure, dynamics and dielectric constant from its frames.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ struct Options {
   bool force = false, json = false;
 };
 
-/// "a, b" in words.
+/// Splits "a, b" into words.
 std::vector<std::string> words(const std::string& text) {
   std::vector<std::string> found;
   std::istringstream parts(text);
@@ -72,7 +72,7 @@ Topology molecules_option(const std::string& text) {
   return topology;
 }
 
-/// What the dipole's fluctuations need of the forces under which the frames were made.
+/// Takes from the forces what the dielectric constant depends on.
 void set_surrounding(SummarySettings& settings, const ForceSettings& forces) {
   switch (forces.electrostatics) {
     case Electrostatics::ewald:
@@ -160,7 +160,7 @@ SummarySettings summary_settings(const Options& o, const std::optional<Config>& 
   return s;
 }
 
-/// The files that will be written, of whatever the frames turn out to allow.
+/// The files that may be written, depending on what the frames allow.
 std::vector<std::string> outputs(const Options& o, const AnalysisSettings& settings) {
   std::set<Observable> what = settings.what;
   if (what.empty())

@@ -11,9 +11,9 @@
 namespace polhode::cli {
 namespace {
 
-constexpr double wavenumber = 1e12 / 29979245800.0;  // of 1/ps [1/cm]
+constexpr double wavenumber = 1e12 / 29979245800.0;  // 1/ps in wavenumbers [1/cm]
 
-/// Adds a column of values, and one of their errors.
+/// Adds a column of values, and a column of their errors.
 void add(AnalysisFile& file, const std::string& name, const std::string& unit,
          const std::vector<Estimate>& values, bool drawn = true) {
   file.table.columns.push_back({name, unit});
@@ -25,7 +25,7 @@ void add(AnalysisFile& file, const std::string& name, const std::string& unit,
   }
 }
 
-/// A file whose first column runs over lags, or whatever `at(k)` tells.
+/// A file whose first column is the lag, or the value of `at(k)`.
 template <class At>
 AnalysisFile file_over(const std::string& name, const std::string& column, const std::string& unit,
                        std::size_t rows, const At& at, CurvesFigure figure) {
@@ -41,7 +41,7 @@ AnalysisFile file_of_lags(const std::string& name, std::size_t lags, double inte
       std::move(figure));
 }
 
-/// A name for a quantity of one part: without the molecule where there is only one.
+/// The name of a quantity of one part; if there is only one molecule, its name is omitted.
 std::string of_part(const Analysis& a, std::size_t part, const std::string& what) {
   return a.topology.parts.size() == 1 ? what : a.topology.parts[part].molecule.name + " " + what;
 }
@@ -108,7 +108,7 @@ std::vector<NamedCorrelation> velocity_correlations(Analysis& a, Workers& worker
   return curves;
 }
 
-/// Autocorrelations over their value at lag 0, which a column of its own tells.
+/// Autocorrelation functions divided by their value at lag 0, which has its own column.
 std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
   const std::vector<NamedCorrelation> curves = velocity_correlations(a, workers);
   const std::size_t lags = curves.front().curve.mean().size();
@@ -161,7 +161,7 @@ AnalysisFile density_file(const Analysis& a) {
   return file;
 }
 
-/// Diffusion in 10⁻⁹ m²/s, from nm²/ps.
+/// Diffusion coefficient converted from nm²/ps to 10⁻⁹ m²/s.
 double in_si(double diffusion) { return 1000 * diffusion; }
 
 nlohmann::json pair(const Estimate& e, double scale = 1) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What polhode analyze writes and prints.
+// Output of polhode analyze.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,12 +14,12 @@ namespace polhode::cli {
 
 /// A table with its figure.
 struct AnalysisFile {
-  std::string name;  ///< between the prefix and the ending: "rdf"
+  std::string name;  ///< between the prefix and the extension: "rdf"
   Table table;
   CurvesFigure figure;
 };
 
-/// The files that observables have, by name, in the order of `analysis_files`.
+/// The names of the files of each observable, in the order of `analysis_files`.
 std::vector<std::string> file_names(const std::set<Observable>& what);
 
 /// Curves of all observables that were computed.

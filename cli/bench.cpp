@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode bench: how fast this computer runs water, and what keeps it from being faster.
+// polhode bench: how fast this computer simulates water, and what limits it.
 #include <fmt/core.h>
 
 #include <fstream>
@@ -23,7 +23,7 @@ struct Options {
   bool quick = false, json = false;
 };
 
-/// As the system names it.
+/// The processor's name according to the operating system.
 std::string processor() {
   std::ifstream info("/proc/cpuinfo");
   for (std::string line; std::getline(info, line);)

@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double noisy = 0.1;  // a spread that a reader should know of
+constexpr double noisy = 0.1;  // a spread that is reported to the user
 
 const char* name_of(Precision precision) {
   return precision == Precision::mixed ? "mixed" : "double";
@@ -23,7 +23,7 @@ const char* name_of(Precision precision) {
 
 std::string threads_text(int n) { return fmt::format("{} thread{}", n, n == 1 ? "" : "s"); }
 
-/// Seconds with three digits and a unit.
+/// A time with three digits and a unit.
 std::string duration(double seconds) {
   const double us = 1e6 * seconds;
   return us < 1000  ? fmt::format("{:.3g} µs", us)
@@ -80,7 +80,7 @@ void print_evaluations(const std::vector<SystemTiming>& systems) {
              "list build");
   for (const SystemTiming& s : systems)
     for (const EvaluationTiming& e : s.evaluations) {
-      // fmt pads by width on the screen, so that µ counts as one.
+      // fmt pads by display width, so µ counts as one column.
       fmt::print("{:<9}{:>8}{:>11}{:>10}{:>7}{:>15}{:>12}{:>7}{:>7}{:>12}\n", name_of(s.precision),
                  s.threads, e.switch_from, duration(e.forces.best),
                  fmt::format("{:.0f} %", percent(e.forces.spread())), duration(e.energies.best),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a benchmark says: tables, a verdict in words, JSON.
+// Results of a benchmark: tables, a summary in words, JSON.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace polhode::cli {
 
-/// What was measured on.
+/// The computer that was measured.
 struct Computer {
   std::string processor, target;
   std::vector<int> threads;
@@ -19,7 +19,7 @@ void print_benchmark(const Benchmark& benchmark, const Computer& computer);
 
 std::string benchmark_json(const Benchmark& benchmark, const Computer& computer);
 
-/// The numbers that matter, in plain words, a sentence each.
+/// The most important results, one sentence each.
 std::vector<std::string> verdict(const Benchmark& benchmark);
 
 }  // namespace polhode::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode convert IN OUT: frames of one format into another.
+// polhode convert IN OUT: converts frames from one format to another.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -25,7 +25,7 @@ struct Options {
   bool force = false;
 };
 
-/// A file that takes its name when it is complete, and is gone if it never is.
+/// A file that is renamed when it is complete, and removed if it never is.
 class Draft {
  public:
   explicit Draft(const std::string& path)
@@ -89,7 +89,7 @@ int convert(const Options& o) {
   Progress progress("converting");
   std::size_t read = 0, written = 0;
   bool lost = false;
-  // Times of files are rounded: as float, or to some decimals.
+  // Times in files are rounded, to floats or to some decimals.
   const auto slack = [](double time) { return 1e-6 * std::max(1.0, std::abs(time)); };
   for (Frame frame; reader->next(frame);) {
     if (interrupted()) {

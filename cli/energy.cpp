@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode energy [FILE]: single-point energies, and the load of every body as CSV.
+// polhode energy [FILE]: single-point energies, and forces and torques on all bodies as CSV.
 #include <fmt/core.h>
 
 #include <memory>
@@ -24,7 +24,7 @@ struct Options {
   bool forces = false, gradient = false, json = false;
 };
 
-/// What the energies of a law consist of beside sums over pairs within the cutoff [kJ/mol].
+/// The terms of the energy besides the sums over pairs within the cutoff [kJ/mol].
 std::vector<std::pair<std::string, double>> terms_of(const ForceField& forces, const Load& load) {
   const ConstantTerms& constant = forces.constant_terms();
   std::vector<std::pair<std::string, double>> terms;

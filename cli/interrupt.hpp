@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and SIGTERM as a question that loops may ask: what was computed is then written.
+// Ctrl-C and SIGTERM as a flag that loops poll, so that the results so far are still written.
 #pragma once
 
 namespace polhode::cli {
 
-/// From now on the signals only set a flag; a second one ends the program at once.
+/// From now on, the first signal only sets a flag; a second one terminates the program.
 void catch_interrupts();
 
 bool interrupted();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode molecules [NAME]: the models within the program, or what one of them is.
+// polhode molecules [NAME]: lists the built-in models, or describes one model.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace {
 
 double in_debye(double dipole) { return dipole / unit("D", Dimension::dipole); }
 
-// Charges of a few digits sum to zero but for their rounding.
+// Charges with few digits sum to zero only up to rounding.
 double rounded(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
 
 nlohmann::json as_json(const Molecule& m) {
@@ -58,7 +58,7 @@ void print_one(const Molecule& m) {
                s.r.y, s.r.z, s.mass, s.charge, s.sigma, s.epsilon);
 }
 
-// The molecules that a name means: a model's, or those of a topology file, each once.
+// The molecules that a name refers to: a model, or those of a topology file, each once.
 std::vector<Molecule> named(const std::string& name) {
   if (!name.ends_with(".top") && !is_data_file(name)) return {read_molecule(name)};
   std::vector<Molecule> molecules;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values as options give them.
+// Parsing of option values.
 #pragma once
 
 #include <fmt/core.h>
@@ -16,7 +16,7 @@
 
 namespace polhode::cli {
 
-/// "2 fs" in ps.
+/// Converts "2 fs" to ps.
 /// @throws Error  if the unit is missing or the time is not positive
 inline double positive_time(const std::string& text, const std::string& option) {
   const double t = quantity(text, Dimension::time, option);
@@ -26,7 +26,7 @@ inline double positive_time(const std::string& text, const std::string& option) 
   return t;
 }
 
-/// A command as it would be typed, without the options that are empty.
+/// The command as it could be typed, without empty options.
 inline std::string typed_command(std::string command,
                                  const std::vector<std::pair<std::string, std::string>>& options) {
   for (const auto& [option, value] : options) {
@@ -38,8 +38,8 @@ inline std::string typed_command(std::string command,
   return command;
 }
 
-/// The scheme of a name or a text, with one within it or not.
-/// @throws Error  with the option if there is no such scheme
+/// The scheme of a name or a text, nested or not.
+/// @throws Error  naming the option, if there is no such scheme
 inline NestedScheme scheme_option(const std::string& text, const std::string& option) {
   try {
     return nested_scheme_of(text);

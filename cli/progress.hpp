@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One line on the terminal that tells how far a long job is and when it will end. Silent where
-// standard error is no terminal.
+// A progress line on the terminal: the fraction done and the expected end. Silent if standard error
+// is not a terminal.
 #pragma once
 
 #include <chrono>
@@ -15,9 +15,9 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// @param fraction  of the work that is done, 0 to 1
+  /// @param fraction  of the work done, 0 to 1
   void show(double fraction, const std::string& now = {});
-  /// Of a job whose end is not known.
+  /// For a job of unknown length.
   void show(const std::string& now);
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The promise of [integrator] accuracy: the adviser chooses a step that keeps R below it, and at
-// the end of the run it is told whether it was kept.
+// The accuracy guarantee of [integrator] accuracy: the adviser chooses a step that keeps R below
+// the bound, and at the end of the run it is reported whether R was below it.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -12,26 +12,26 @@
 namespace polhode::cli {
 
 struct Promise {
-  double accuracy = 0;  ///< of R [1]
-  double length = 0;    ///< of the stretches of a run that it is about [ps]
-  Estimate expected;    ///< R, mean of the runs that confirmed it
+  double accuracy = 0;  ///< bound on R [1]
+  double length = 0;    ///< of the sections of a run to which the bound applies [ps]
+  Estimate expected;    ///< R, mean of the confirming runs
 };
 
-/// Whether a run goes on from where it was left, and whether files that exist may be overwritten.
+/// Whether a suspended run is resumed, and whether existing files may be overwritten.
 struct Beginning {
   bool go_on = false, force = false;
 };
 
-/// Chooses the step, and the scheme if the run file has none, where the run file asks for an
-/// accuracy, and tells on standard error. Nothing where it does not, or after an interrupt. What
-/// was chosen is kept in PREFIX-promise.json, and taken from there by a run that goes on: only with
-/// the same scheme and step is it the same run.
-/// @throws RunError  if no scheme keeps it
+/// If the run file asks for an accuracy, chooses the step, and the scheme unless the run file has
+/// one, and reports them on standard error. Empty otherwise, and after an interrupt. The choice is
+/// saved in PREFIX-promise.json, from which a resumed run takes it: it must continue with the same
+/// scheme and step.
+/// @throws RunError  if no scheme meets the bound
 std::optional<Promise> promised(Config& config, Beginning beginning, Workers& workers);
 
 struct Kept {
   Promise promise;
-  Estimate ratio;  ///< R over stretches of the promised length
+  Estimate ratio;  ///< R over sections of that length
   bool kept() const { return ratio.value <= promise.accuracy; }
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode run [FILE]: a trajectory with its energies, pictures and summary.
+// polhode run [FILE]: a trajectory with its energies, plots and summary.
 #include <fmt/core.h>
 
 #include <filesystem>
@@ -52,7 +52,7 @@ Config configured(const Options& o) {
   return config;
 }
 
-/// The command with the options that change what is computed.
+/// The command with those options that affect the results.
 std::string typed(const Options& o) {
   return typed_command("polhode run", {{"", o.file},
                                        {"--scheme", o.scheme},
@@ -89,8 +89,8 @@ TrajectorySettings trajectory_settings(const Config& config) {
   return settings;
 }
 
-/// The checkpoint to go on from, if that is asked for and there is one. Refuses to overwrite what
-/// is there.
+/// The checkpoint to resume from, if requested and if there is one. Refuses to overwrite existing
+/// files.
 std::optional<FoundCheckpoint> begun(const Options& o, const RunFileNames& names,
                                      const TrajectorySettings& settings,
                                      const std::string& identity, const Maker& maker) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run tells at its end, for eyes and for machines.
+// The results of a run, as text and as JSON.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace polhode::cli {
 
-/// What the run was computed with.
+/// Execution settings of a run.
 struct Means {
   int threads;
   std::string target;

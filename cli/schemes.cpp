@@ -35,7 +35,7 @@ nlohmann::json as_json(const Scheme& scheme) {
           {"text", text_of(scheme)}};
 }
 
-/// The flows in order: A drifts, B kicks, G kicks with a gradient.
+/// The flows in order: A for a drift, B for a kick, G for a gradient kick.
 std::string flows(const Scheme& scheme) {
   std::string letters;
   for (const Stage& s : scheme.stages())

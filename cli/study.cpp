@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode study [FILE]: accuracy against cost of each scheme, the paper's figure.
+// polhode study [FILE]: accuracy against cost for each scheme, the figure of the paper.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -35,7 +35,7 @@ struct Options {
   bool quick = false, force = false, json = false;
 };
 
-/// A small version that is honest about its size: fewer runs, shorter ones, fewer steps.
+/// A reduced version, reported as such: fewer and shorter runs, fewer steps.
 void make_quick(StudySettings& study) {
   study.runs = 4;
   study.length = 8;
@@ -114,7 +114,7 @@ int study(const Options& o) {
   for (const StudyPoint& point : points) check_near(system.forces, point.scheme, config.source);
 
   const StudyFiles files(o.output);
-  // Results of a study that goes on are written again; those of another one are not touched.
+  // A resumed study rewrites its results; those of another study are left alone.
   if (!std::filesystem::exists(files.runs))
     for (const std::string& file : files.all()) refuse_existing(file, o.force);
   const Provenance provenance{POLHODE_VERSION, typed_command("polhode study", {{"", o.file}}),

@@ -15,7 +15,7 @@
 namespace polhode::cli {
 namespace {
 
-// R at which the guideline table gives costs, the paper's limits among them.
+// Values of R for which the guideline table lists costs, including those of the paper.
 const std::vector<double> table_ratios = {0.03, 0.015, 0.01, 0.007, 0.004, 0.002, 0.001, 0.0001};
 
 Table point_table(const StudyReport& report) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a study tells: tables, a figure, and a page of text.
+// Results of a study: tables, a figure, and a page of text.
 #pragma once
 
 #include <string>

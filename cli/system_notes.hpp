@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lines in the log about a system: its molecules where a file told them, and forces that are not
-// what everybody expects.
+// Log lines about a system: molecules that come from a topology file, and unusual force settings.
 #pragma once
 
 #include <fmt/core.h>
@@ -14,10 +13,9 @@
 
 namespace polhode::cli {
 
-/// On standard error: molecules that a topology file told, and how they became rigid; how far atoms
-/// of the start lay from rigid bodies, if that is more than rounding, and massless sites, if it is
-/// more than the atoms explain; a total momentum that was removed; that a single atom has no
-/// temperature.
+/// On standard error: the molecules of a topology file, and how their rigid shapes were determined;
+/// the distance of atoms in the start configuration from the rigid bodies, if it exceeds rounding,
+/// and of massless sites, if it exceeds what that of the atoms explains.
 inline void note_molecules(const System& system) {
   for (std::size_t k = 0; k < system.origins.size(); ++k) {
     const auto& [molecule, count] = system.topology.parts[k];
@@ -43,8 +41,8 @@ inline void note_molecules(const System& system) {
                "has no temperature\n");
 }
 
-/// On standard error: the mixing rule and the pairs that are given, unless the usual rule holds for
-/// all; grid, order and split of a mesh; a net charge.
+/// On standard error: the mixing rule and explicit pairs, unless all pairs follow the default rule;
+/// grid, order and split of a mesh; a net charge.
 inline void note_forces(const System& system) {
   const ForceSettings& forces = system.forces;
   if (const std::string mixing = described(forces.mixing); !mixing.empty())

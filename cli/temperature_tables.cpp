@@ -11,9 +11,9 @@
 namespace polhode::cli {
 namespace {
 
-/// @param columns  of what the differences are
+/// @param columns  the kinds of differences
 /// @param at       the differences at a point
-/// @param limits   the lines through them
+/// @param limits   the fitted lines
 template <std::size_t n>
 void print_excesses(const std::vector<Curve>& curves, const std::vector<EquipartitionFit>& fits,
                     const char* title, const std::array<const char*, n>& columns, const auto& at,

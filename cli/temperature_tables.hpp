@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How far the temperatures of translation and rotation, kinetic and configurational, are apart with
-// a step and without: for the page of text, JSON and tables of a study and of the adviser.
+// Differences between the temperatures of translation and rotation, kinetic and configurational, as
+// functions of the step and for zero step: as text, as JSON, and as tables of a study and of the
+// adviser.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,18 +12,18 @@
 
 namespace polhode::cli {
 
-/// Differences of temperatures by scheme and step, and without a step; nothing if none is known.
-/// @param fits  of the curves, in their order
+/// Temperature differences by scheme and step, and for zero step; prints nothing if there are none.
+/// @param fits  of the curves, in the same order
 void print_temperatures(const std::vector<Curve>& curves,
                         const std::vector<EquipartitionFit>& fits);
 
-/// The differences at a point: "excess_K" of rotation about each axis less translation, and
-/// "configurational_excess_K" of each motion.
+/// The differences at a point: "excess_K", rotation about each axis minus translation, and
+/// "configurational_excess_K" of each kind of motion.
 void add_excesses(nlohmann::json& json, const EfficiencyPoint& point);
-/// Their limits without a step: "equipartition" and "configurational".
+/// Their limits for zero step: "equipartition" and "configurational".
 void add_limits(nlohmann::json& json, const std::vector<EquipartitionFit>& fits);
 
-/// The differences as columns, and as fields of a row.
+/// The differences as table columns, and as fields of a row.
 void add_excess_columns(std::vector<Table::Column>& columns);
 void add_excesses(std::vector<Cell>& row, const EfficiencyPoint& point);
 

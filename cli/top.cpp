@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode top: one free top, exact against NO_SQUISH, or a table of tops.
+// polhode top: the rotation of one free top, exact and with NO_SQUISH, or a table of tops.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,8 +28,8 @@ struct TopOptions {
 
 constexpr const char* axis_names[] = {"1", "2", "3"};
 
-/// Refuses what is no rigid body, or no motion of one. `name_J` and `name_L` are how the input
-/// calls them: "I" and "L" in a table.
+/// Rejects input that is not a rigid body, or not a possible motion of one. `name_J` and `name_L`
+/// are the names used in the input: "I" and "L" in a table.
 void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std::string& name_J,
                const std::string& where) {
   const auto refuse = [&](const std::string& text, const std::string& key) {
@@ -65,7 +65,7 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
            name_J + "1 to " + name_J + "3");
   for (std::size_t k = 0; k < 3; ++k) {
     const double others = J[(k + 1) % 3] + J[(k + 2) % 3];
-    // Moments are often given to five digits: flat bodies, J3 = J1 + J2, then fail by a rounding.
+    // Moments often have only five digits, so flat bodies, J3 = J1 + J2, may fail by rounding.
     if (J[k] > others * (1 + 1e-4))
       refuse(fmt::format("{}{} = {} is larger than the sum of the two other moments, {}: no mass "
                          "distribution has such moments; correct one of the three",
@@ -85,8 +85,8 @@ std::vector<std::string> cells(std::string line) {
   return out;
 }
 
-/// Columns I1 I2 I3 L1 L2 L3 t of a CSV file, turned into the text that goes to stdout. All rows
-/// are checked and computed before the first is written.
+/// Converts the columns I1 I2 I3 L1 L2 L3 t of a CSV file to the text for stdout. All rows are
+/// checked and computed before the first is written.
 std::string rotated_table(const std::string& file, RotorMethod method) {
   std::ifstream in(file);
   if (!in) throw Error("the table cannot be opened; check its name and that it may be read", file);
@@ -139,12 +139,13 @@ std::string rotated_table(const std::string& file, RotorMethod method) {
   return text;
 }
 
-/// The state of one of the two integrators along the way, and how far it is off.
+/// State of one of the two integrators during the run, with its errors.
 struct Track {
   Quaternion<double> attitude;
   Vec3<double> L;
   double energy_error = 0, momentum_error = 0;  ///< relative
-  double angle = 0;                             ///< of the attitude from the closed form
+  double angle = 0;                             ///< between its attitude and that of the closed
+                                                ///< form
 
   void measure(const Vec3<double>& J, const Vec3<double>& L0, const FreeRotation& exact) {
     const auto energy = [&](const Vec3<double>& l) {

@@ -20,17 +20,17 @@ namespace {
 using Curve = std::vector<Vec3<double>>;
 constexpr double pi = std::numbers::pi;
 
-/// From where one looks [degrees], as gnuplot's `set view`.
+/// Viewing direction [degrees], as in gnuplot's `set view`.
 constexpr double tilt = 68, turn = 128;
 
-/// Whether a point of the ellipsoid faces the viewer: its normal J ω points towards them.
+/// Whether a point of the ellipsoid faces the viewer, i.e. its normal J ω points towards them.
 bool is_visible(const Vec3<double>& J, const Vec3<double>& w) {
   const double a = tilt * pi / 180, b = turn * pi / 180;
   const Vec3<double> viewer{std::sin(a) * std::sin(b), -std::sin(a) * std::cos(b), std::cos(a)};
   return dot(scaled(J, w), viewer) > 0;
 }
 
-/// ω along the loop that L runs through, once around; a single point if it stays.
+/// ω along the loop of L, once around; a single point if L is constant.
 Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   const ScaledTop top(J, L, 0);
   const auto omega = [&](const Vec3<double>& l) {
@@ -38,12 +38,12 @@ Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   };
   if (Orbit::is_stationary(top)) return {omega(L)};
   const Orbit orbit(top);
-  // On the separatrix the period is infinite: ten rates to both sides is all but the whole.
+  // On the separatrix the period is infinite: u from −10 to 10 covers nearly all of the loop.
   const double half = std::isinf(orbit.K) ? 10 : 2 * orbit.K;
   Curve curve;
   constexpr int points = 480;
   for (int n = 0; n <= points; ++n) {
-    // denser where L lingers: equal steps of u are close together near the middle axis
+    // denser where L moves slowly: equal steps of u are close together near the middle axis
     const double u = half * (2.0 * n / points - 1);
     curve.push_back(
         omega(top.in_units_of_caller(orbit.L_at(orbit.at(orbit.elapsed(u / orbit.p))))));
@@ -51,7 +51,7 @@ Curve polhode_of(const Vec3<double>& J, const Vec3<double>& L) {
   return curve;
 }
 
-/// Polhodes of the same energy, for L²/2E between the moments, on all sides of the ellipsoid.
+/// Polhodes of the same energy, with L²/2E between the moments, on all sides of the ellipsoid.
 std::vector<Curve> family(const Vec3<double>& J, double twice_E) {
   std::array<std::size_t, 3> axis{0, 1, 2};
   std::sort(axis.begin(), axis.end(), [&](std::size_t i, std::size_t j) { return J[i] < J[j]; });
@@ -133,7 +133,7 @@ std::string data_text(const Vec3<double>& J, const Vec3<double>& L, double twice
     }
     if (!any_point) text += "NaN NaN NaN\n\n";
   };
-  // A gap of two blank lines would start a new block.
+  // Two blank lines would start a new block.
   const auto squeezed = [&](std::size_t from) {
     std::string out;
     for (std::size_t k = from; k < text.size(); ++k)
@@ -163,7 +163,7 @@ std::string quoted(const std::string& name) {
   return text + "'";
 }
 
-/// gnuplot runs in the folder of the script, where all files of the picture are.
+/// gnuplot runs in the folder of the script, which contains all files of the figure.
 std::string file_name(const std::string& path) {
   return quoted(std::filesystem::path(path).filename().string());
 }
@@ -215,7 +215,7 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
       "{:.5g})   {{/:Italic L}}²/2{{/:Italic E}} = {:.5g}\" at screen 0.5,0.955 center tc rgb "
       "'#333333'\n",
       J.x, J.y, J.z, L.x, L.y, L.z, norm2(L) / twice_E);
-  // Lines are drawn after the surface, which would cover them in a plot of its own order.
+  // Lines are drawn after the surface, which would otherwise hide them.
   const std::string plot = fmt::format(
       "set multiplot\n"
       "splot {0} index 0 using 1:2:3:(0) with pm3d\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode tune-scheme [FILE]: η of hoa2's family and η, ξ of gier4's for one system and step.
+// polhode tune-scheme [FILE]: η for hoa2's family and η, ξ for gier4's, for one system and step.
 #include <fmt/core.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode verify NAME|TEXT: the order of a scheme by the slope of its energy error.
+// polhode verify NAME|TEXT: the order of a scheme from the slope of its energy error.
 #include <fmt/core.h>
 
 #include <cmath>
@@ -31,7 +31,8 @@ Action verify_verb(CLI::App& app) {
     const NestedScheme scheme = nested_scheme_of(o->scheme);
     const OrderMeasurement m = measured_order(scheme, o->lambda);
     const int declared = o->order ? o->order : scheme.order();
-    // A symmetric scheme errs by C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²), below 0.1 here.
+    // The error of a symmetric scheme is C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²),
+    // here < 0.1.
     const bool holds = declared != 0 && std::abs(m.order - declared) < 0.1;
     if (o->json) {
       nlohmann::json points = nlohmann::json::array();

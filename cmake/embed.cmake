@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Data files that the program carries within itself: molecule models, the default run and its start.
+# Data files built into the program: molecule models, the default run and its start configuration.
 
 # polhode_embed(VARIABLE FILE...): VARIABLE names a generated source that defines embedded_files().
 function(polhode_embed variable)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Loops over packs are compiled once for each instruction set, with its flags. Inline functions of the
-# standard library that such a file instantiates must not be shared with the rest of the program, or
-# the linker might keep the copy with the wrong instructions: each set is linked into one object whose
-# only global symbols are the project's own, which bear the name of the set.
+# Loops over packs are compiled once per instruction set, with its flags. Such a file may
+# instantiate inline functions of the standard library; if these were shared with the rest of the
+# program, the linker might keep the copy with the wrong instructions. So each set is linked into
+# one object whose only global symbols are the project's own, with the name of the set in them.
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   set(POLHODE_TARGET_NAMES scalar sse4 avx2 avx512)
@@ -21,9 +21,9 @@ function(polhode_compile_per_target library)
     add_library(${objects} OBJECT ${ARGN})
     target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags hwy::hwy)
     target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast
-                           -fno-tree-vectorize)  # packs say what is to be done at once
+                           -fno-tree-vectorize)  # vectorization is explicit in packs
     target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES)
-    if(POLHODE_SANITIZE)  # built where it runs, so sharing does no harm
+    if(POLHODE_SANITIZE)  # runs only on the build machine, so sharing is harmless
       target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
     else()
       set(merged ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)

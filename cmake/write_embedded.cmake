@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Writes a C++ source that holds each file as a raw string under its path below data/.
+# Writes a C++ source that contains each file as a raw string, by its path below data/.
 string(REPLACE "|" ";" files "${FILES}")
 set(text "#include \"polhode/io/embedded.hpp\"\n\nnamespace polhode {\n\n")
 string(APPEND text "std::span<const EmbeddedFile> embedded_files() {\n")

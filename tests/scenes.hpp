@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Small systems that the tests share.
+// Small systems shared by the tests.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ inline Quaternion<double> random_attitude(std::mt19937_64& random) {
   return normalized(Quaternion<double>{w, x, y, z});
 }
 
-/// Molecules at some of the places, in random order, each off its place by about `jitter` [nm],
+/// Molecules at some of the given positions, in random order, displaced by about `jitter` [nm],
 /// with thermal-like momenta from a fixed seed.
 inline Scene populated(const Topology& topology, const Vec3<double>& box,
                        std::vector<Vec3<double>> places, double jitter, unsigned seed) {
@@ -79,7 +79,7 @@ inline Scene spread(const Topology& topology, const Vec3<double>& box, unsigned 
   return populated(topology, box, places, 0.01 * a, seed);
 }
 
-/// Five waters close together in vacuum: the switch begins far beyond them.
+/// Five waters close together in vacuum, well inside the switching distance.
 inline Scene water_cluster() { return lattice({{"tip4p", 5}}, 0.32, 40, 7); }
 inline ForceSettings no_truncation() { return {.cutoff = 19, .switch_from = 18}; }
 

@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Calls f once with each instruction set in force.
+/// Calls f once for each instruction set, with that set in use.
 template <class Function>
 void for_each_target(const Function& f) {
   const Target before = current_target();

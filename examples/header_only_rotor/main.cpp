@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The Dzhanibekov effect, with nothing but the rotor's headers.
+// The Dzhanibekov effect, using only the headers of the rotor.
 //
-// A wing nut that spins about its axis of middle moment of inertia flips over, again and again: the
+// A wing nut spinning about its axis of middle moment of inertia flips over again and again:
 // rotation about the middle axis is unstable, and a small tilt grows as exp(λ t) with
-// λ² = (J₃ − J₂)(J₂ − J₁)/(J₁ J₃) ω². The angular momentum in the laboratory cannot change
-// meanwhile; it is the body that turns around it. Here a nut is carried over a thousand turns in
-// steps, once with the exact free rotation and once with NO_SQUISH, the second-order splitting that
-// most molecular dynamics programs use. Angular momentum stays in both; the energy stays in the
-// exact one only.
+// λ² = (J₃ − J₂)(J₂ − J₁)/(J₁ J₃) ω². The angular momentum in the laboratory frame is constant; it
+// is the body that turns around it. Here a nut is followed over a thousand turns in steps, once
+// with the exact free rotation and once with NO_SQUISH, the second-order splitting used by most
+// molecular dynamics programs. Both conserve angular momentum; only the exact one conserves the
+// energy.
 //
 //     c++ -std=c++20 -O2 -I include examples/header_only_rotor/main.cpp -o nut && ./nut
 #include <cmath>
@@ -23,7 +23,7 @@ double energy(const Vec3<double>& J, const Vec3<double>& L) {
   return 0.5 * (L.x * L.x / J.x + L.y * L.y / J.y + L.z * L.z / J.z);
 }
 
-/// Largest relative error of the energy along the way.
+/// Rotates the nut by `steps` steps; returns the largest relative error of the energy.
 double carry(RotorMethod method, const Vec3<double>& J, const Vec3<double>& ell, double step,
              int steps) {
   Quaternion<double> attitude;  // body → lab
@@ -55,8 +55,8 @@ int main() {
   const double exact = carry(RotorMethod::series, J, ell, step, steps);
   const double split = carry(RotorMethod::no_squish, J, ell, step, steps);
 
-  // One rounding a step, without bias, is a random walk of some ε √N times six; a split step of
-  // ω h = 0.1 errs by (ω h)² of order one over twelve.
+  // One unbiased rounding per step makes a random walk of about ε √N; the bound is six times that.
+  // A split step with ω h = 0.1 has a relative error of about (ω h)²/12.
   const double bound = 12 * 0x1p-53 * std::sqrt(steps);
   const bool conserved = exact < bound && split > 1e-5;
   std::printf("exact energy error below %.1e: %s\n", bound, conserved ? "yes" : "no");

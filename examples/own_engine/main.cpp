@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A rigid dipole on an anchor: the table of schemes and the free rotor in an engine of your own.
+// A tethered rigid dipole: the table of schemes and the free rotor in an engine of your own.
 //
-// A water-like top hangs from a spring at the origin and its dipole feels a field E along z that
-// grows with height, V = k |q|²/2 − (1 + g z) μ·E. Translation and rotation are coupled: the field
-// pulls the body upward the better it is aligned, and turns it the harder the higher it is. Each
-// scheme of the table is played with two steps; a scheme of order k errs in energy as hᵏ, so
-// halving the step divides its error by 2ᵏ. Everything below the forces is headers only:
+// A water-like top is attached to the origin by a spring, and its dipole interacts with a field E
+// along z that increases with height, V = k |q|²/2 − (1 + g z) μ·E. Translation and rotation are
+// coupled: the better the body is aligned, the more the field pulls it upward, and the higher it
+// is, the stronger the torque. Each scheme of the table is run with two steps; the energy error of
+// a scheme of order k is proportional to hᵏ, so halving the step divides it by 2ᵏ. Everything below
+// the forces is header-only:
 //
 //     g++ -std=c++20 -O2 -I include examples/own_engine/main.cpp
 #include <algorithm>
@@ -61,7 +62,7 @@ void kick(Body& b, const Stage& stage, double h) {
     const Vec3 torque = polhode::to_body(b.attitude, now.tau);
     const Vec3 v{c * torque.x / J.x, c * torque.y / J.y, c * torque.z / J.z};
     const auto turned = polhode::normalized(
-        b.attitude * Quaternion<double>{1, v.x / 2, v.y / 2, v.z / 2});  // R(v) for a tiny v
+        b.attitude * Quaternion<double>{1, v.x / 2, v.y / 2, v.z / 2});  // R(v) for a small v
     const Load there = load(b.q + (c / m) * now.f, turned);
     now.f += (1 / lambda) * (there.f - now.f);
     now.tau += (1 / lambda) * (there.tau - now.tau);
@@ -70,7 +71,7 @@ void kick(Body& b, const Stage& stage, double h) {
   b.ell += stage.fraction * h * now.tau;
 }
 
-// e^{At}: straight flight and the exact free rotation (vanzon2008, Eq. 2).
+// e^{At}: free flight and the exact free rotation (vanzon2008, Eq. 2).
 void drift(Body& b, double t) {
   b.q += (t / m) * b.p;
   const Vec3 L = polhode::to_body(b.attitude, b.ell);
@@ -101,8 +102,8 @@ int main() {
   std::printf("%-16s %5s %5s  %12s %12s  %s\n", "scheme", "order", "h/fs", "error, h", "h/2",
               "measured");
   for (const Scheme& scheme : polhode::schemes) {
-    const double h =
-        scheme.order() > 4 ? 0.006 : 0.001;  // [ps]; of order 6 only rounding is left at 1 fs
+    const double h = scheme.order() > 4 ? 0.006 : 0.001;  // [ps]; at 1 fs, the error of sixth-order
+                                                          // schemes is all rounding
     const double coarse = largest_error(scheme, h, 200);
     const double fine = largest_error(scheme, h / 2, 400);
     const double order = std::log2(coarse / fine);

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Cores by affinity.
+/// Number of cores in the affinity mask.
 int bound_cores() {
 #ifdef __linux__
   for (int cores = 1024; cores <= 1 << 20; cores *= 2) {  // until the kernel's set fits
@@ -45,7 +45,7 @@ std::string first_line(const fs::path& file) {
   return line;
 }
 
-/// Quota over period in cores, "max" and -1 meaning no bound.
+/// Quota divided by period, in cores; "max" and -1 mean no limit.
 std::optional<int> cores(const std::string& quota, const std::string& period) {
   const double q = std::atof(quota.c_str()), p = std::atof(period.c_str());
   if (!(q > 0) || !(p > 0)) return std::nullopt;
@@ -56,7 +56,7 @@ std::optional<int> least(std::optional<int> a, std::optional<int> b) {
   return a && b ? std::min(a, b) : a ? a : b;
 }
 
-/// The bound of one group, in either version.
+/// The limit of one group, in either version.
 std::optional<int> bound_of(const fs::path& group) {
   std::istringstream words(first_line(group / "cpu.max"));
   std::string quota, period;
@@ -65,8 +65,8 @@ std::optional<int> bound_of(const fs::path& group) {
                                            first_line(group / "cpu.cfs_period_us")));
 }
 
-/// Least bound of a group and of those around it. A container may see its own group as the root, so
-/// a folder that is not there is passed over.
+/// The smallest limit of a group and its ancestors. In a container a group may appear as the root,
+/// so folders that do not exist are skipped.
 std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
   std::optional<int> bound = bound_of(mount);
   for (group = group.relative_path(); !group.empty(); group = group.parent_path())
@@ -74,7 +74,7 @@ std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
   return bound;
 }
 
-/// The number that a text says.
+/// Parses and checks a number of threads.
 int judged(const std::string& text, const std::string& place) {
   const int allowed = allowed_threads();
   int n = 0;

@@ -28,12 +28,12 @@ void pause() {
 #endif
 }
 
-/// Asks, awake, until `done` or for 30 µs at most: some times what it takes to fall asleep and be
-/// woken, and little of what another process on the core would lose.
+/// Spins until `done` holds, for at most 30 µs: several times the cost of falling asleep and waking
+/// up, and little time taken from another process on the core.
 template <class Done>
 bool spin(const Done& done) {
   constexpr std::chrono::microseconds longest(30);
-  constexpr int pauses = 16;  // between two looks at the clock
+  constexpr int pauses = 16;  // between two readings of the clock
   const auto start = std::chrono::steady_clock::now();
   do {
     for (int n = 0; n < pauses; ++n) {
@@ -44,13 +44,13 @@ bool spin(const Done& done) {
   return done();
 }
 
-/// A number on which threads sleep until it changes. std::atomic::wait would yield some times
-/// before it sleeps, and a process beside this one takes each yield for a whole slice of time.
+/// A number on which threads sleep until it changes. std::atomic::wait would first yield several
+/// times, and each yield can give a whole time slice to another process.
 struct Sleepable {
   std::atomic<std::uint32_t> value{0};
   std::atomic<int> sleepers{0};
 
-  /// Returns at once if the value is another one; may return early.
+  /// Returns at once if the value differs; may return early.
   void sleep_while(std::uint32_t old) {
 #ifdef __linux__
     sleepers.fetch_add(1);
@@ -75,10 +75,11 @@ struct Sleepable {
   }
 };
 
-// The gate: one number that says whether there is work, how many of the pool's threads are at it,
-// and which call it belongs to. A thread joins by one exchange on the whole number, so only while
-// the gate is open; once it is closed and nobody is inside, the caller owns the work again. The
-// count of calls wraps around: a thread that slept through exactly 2¹⁶ calls misses one.
+// The gate: one number that encodes whether there is work, how many threads of the pool are inside,
+// and which call the work belongs to. A thread joins by one compare-and-exchange of the whole
+// number, hence only while the gate is open; once it is closed and nobody is inside, the work
+// belongs to the caller again. The call counter wraps around: a thread that slept through exactly
+// 2¹⁶ calls misses one.
 using Gate = std::uint32_t;
 constexpr Gate over = 1, open = 2, one_inside = 4, one_call = Gate{1} << 16;
 constexpr Gate inside(Gate gate) { return gate / one_inside % (one_call / one_inside); }
@@ -100,7 +101,8 @@ class Workers::Pool {
   ~Pool() { end(); }
 
   void run(const Work& work) {
-    if (busy_.exchange(true, std::memory_order_acquire)) {  // within a task, or a call of another
+    if (busy_.exchange(true, std::memory_order_acquire)) {  // inside a task, or during a call by
+                                                            // another thread
       for (std::size_t k = 0; k < work.count; ++k) work.call(work.task, k);
       return;
     }
@@ -123,7 +125,7 @@ class Workers::Pool {
  private:
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// Does tasks until there is none left.
+  /// Runs tasks until none are left.
   void take() {
     const Work work = work_;
     std::size_t k = 0;
@@ -152,9 +154,9 @@ class Workers::Pool {
     }
   }
 
-  /// The life of one of the pool's threads.
+  /// Main loop of a pool thread.
   void wait_and_work() {
-    Gate done = 0;  // the call whose work was joined last
+    Gate done = 0;  // the last call whose work was joined
     for (;;) {
       Gate gate = 0;
       const auto called = [&] {
@@ -182,11 +184,11 @@ class Workers::Pool {
     for (std::thread& thread : threads_) thread.join();
   }
 
-  // What many write stands on lines of its own.
+  // Variables written by many threads get their own cache lines.
   alignas(64) Sleepable gate_;
   alignas(64) std::atomic<std::size_t> next_{0};
   alignas(64) Work work_;
-  Sleepable ended_;  // how often a call was closed before its last worker left
+  Sleepable ended_;  // number of calls that were closed before their last worker left
   std::atomic<bool> busy_{false};
   std::mutex throwing_;
   std::exception_ptr thrown_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Distances between rows and planes of a grid.
+// Strides of the rows and planes of a grid that avoid cache conflicts.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// Room for so many numbers in whole cache lines, not a multiple of four of them: what stands at
-/// equal places of rows so far apart does not share few sets of a cache.
+/// The stride for so many numbers, in whole cache lines but not a multiple of four of them: the
+/// same column of successive rows would otherwise map to few sets of the cache.
 template <class T>
 std::size_t spread_lines(std::size_t numbers) {
   constexpr std::size_t line = pack_bytes / sizeof(T);
@@ -18,7 +18,7 @@ std::size_t spread_lines(std::size_t numbers) {
   return (count % 4 == 0 ? count + 1 : count) * line;
 }
 
-/// The same with an odd number of lines: for planes, of which many more are read in turn.
+/// The same with an odd number of lines: for planes, many more of which are read in turn.
 template <class T>
 std::size_t odd_lines(std::size_t numbers) {
   constexpr std::size_t line = pack_bytes / sizeof(T);

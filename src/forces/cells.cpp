@@ -54,7 +54,8 @@ void Slots::sort(const State& state, const CellGrid& grid, Workers& workers) {
     std::uint32_t* const count = &cell_end[p * grid.size()];
     const std::uint32_t first = first_body_[p], end = first + parts[p].count;
     for (std::uint32_t i = first; i < end; ++i) ++count[cell_of_[i]];
-    std::uint32_t slot = parts[p].first;  // counts become first slots, then ends as bodies enter
+    std::uint32_t slot = parts[p].first;  // counts become first slots, then end slots as bodies are
+                                          // entered
     for (std::size_t c = 0; c < grid.size(); ++c) {
       const std::uint32_t here = count[c];
       count[c] = slot;

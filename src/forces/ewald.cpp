@@ -30,7 +30,7 @@ std::vector<Complex> phases(const PointCharges& charges, double edge, std::size_
 template <class Split>
 void add_pairs(const PointCharges& charges, const Box& box, const Split& split, double cutoff,
                EwaldSum& sum) {
-  // The nearest image of a pair is within half an edge, so images up to these matter.
+  // The minimum image is within half an edge, so images up to these can be within the cutoff.
   Vec3<int> images;
   for (std::size_t d = 0; d < 3; ++d)
     images[d] = static_cast<int>(std::floor(cutoff / box.edge[d] + 0.5));
@@ -56,7 +56,8 @@ void add_pairs(const PointCharges& charges, const Box& box, const Split& split, 
           for (int z = -reach.z; z <= reach.z; ++z) {
             if (same && x == 0 && y == 0 && z == 0) continue;
             const Vec3<double> shift{x * box.edge.x, y * box.edge.y, z * box.edge.z};
-            visit(i, j, nearest + shift, i == j ? 0.5 : 1.0);  // an own image is met twice
+            visit(i, j, nearest + shift, i == j ? 0.5 : 1.0);  // a charge meets each of its own
+                                                               // images twice
           }
     }
 }
@@ -109,7 +110,7 @@ EwaldSum reciprocal_sum(const PointCharges& charges, const Box& box, const Split
     return n < 0 ? std::conj(forward) : forward;
   };
   std::vector<Complex> layer(count), wave(count);
-  for (int x = 0; x <= most[0]; ++x)  // k and −k contribute alike
+  for (int x = 0; x <= most[0]; ++x)  // k and −k contribute equally
     for (int y = x == 0 ? 0 : -most[1]; y <= most[1]; ++y) {
       for (std::size_t i = 0; i < count; ++i)
         layer[i] = charges.q[i] * phase(0, x, i) * phase(1, y, i);

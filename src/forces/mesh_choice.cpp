@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-/// What charges there are, and ⟨|S(k)|²⟩/V of bodies at random [e²/nm³].
+/// The charges of a system, and ⟨|S(k)|²⟩/V for randomly placed bodies [e²/nm³].
 class Crowd {
  public:
   Crowd(const Topology& topology, const Box& box) : volume_(box.volume()) {
@@ -54,8 +54,8 @@ class Crowd {
   std::vector<Pair> pairs_;
 };
 
-/// The mean square of the error, for spacings of the grid instead of the box: a sum over waves is
-/// an integral but for its coarseness, so a small grid will do.
+/// The mean square error for given grid spacings, independent of the size of the box: the sum over
+/// waves approximates an integral, so a small grid suffices.
 double mean_square_error(const Crowd& crowd, const Vec3<double>& spacing, int order,
                          const CompactSplit& split) {
   constexpr int points = 12, half = points / 2, aliases = 3;
@@ -76,7 +76,8 @@ double mean_square_error(const Crowd& crowd, const Vec3<double>& spacing, int or
     for (int y = 0; y <= half; ++y)
       for (int z = 0; z <= half; ++z) {
         if (x + y + z == 0) continue;
-        // Sums over aliases of U², U² k², U² k² γ, and of the first and the last two with the form.
+        // Sums over aliases of U², U² k², U² k² γ, and of the first and the last two times the form
+        // factor.
         double u = 0, uk = 0, ukg = 0, u_form = 0, ukg_form = 0, kgg_form = 0;
         for (const Alias& a : axis[0][x])
           for (const Alias& b : axis[1][y])
@@ -97,7 +98,7 @@ double mean_square_error(const Crowd& crowd, const Vec3<double>& spacing, int or
   return units::coulomb * units::coulomb * crowd.mean_square() * std::max(total, 0.0) / volume;
 }
 
-/// Sizes that the transform likes, even and of small prime factors.
+/// Sizes suited to the transform: even, with small prime factors.
 bool liked(std::size_t n) {
   if (n % 2 != 0) return false;
   for (const std::size_t factor : {2, 3, 5, 7})
@@ -105,8 +106,8 @@ bool liked(std::size_t n) {
   return n == 1;
 }
 
-/// Seconds, from timings of bench_mesh on one core: a charge and a grid point, there and back. For
-/// some sizes the library has a piece of code that does them at once.
+/// Time per evaluation [s] from timings of bench_mesh on one core: a cost per charge and one per
+/// grid point, both directions. FFTW has dedicated code for some sizes.
 double expected_seconds(double charges, const MeshSettings& settings) {
   double points = 1, each = 0;
   for (const std::size_t n : settings.points) {
@@ -157,7 +158,7 @@ MeshSettings cheapest_mesh(double relative_error, double cutoff, const Box& box,
   MeshSettings best{{}, 0, 0, cutoff};
   double least = std::numeric_limits<double>::infinity();
   for (int order = MeshSettings::lowest_order; order <= MeshSettings::highest_order; ++order) {
-    // For each exponent the coarsest spacing that will do; it has one maximum over exponents.
+    // For each exponent the coarsest sufficient spacing, which has a single maximum over exponents.
     double coarsest = 0;
     int exponent = 0;
     for (int m = 3; m <= CompactSplit::most; ++m) {

@@ -7,7 +7,7 @@ namespace polhode {
 
 Influence::Influence(const MeshSettings& settings, const Box& box)
     : split_(settings.cutoff, settings.exponent), volume_(box.volume()) {
-  // Aliases n + l points fall as l^(2 − 2 order): those beyond are below 1e-9 of all.
+  // Aliases n + l points fall off as l^(2 − 2 order): the sum of those left out is below 1e-9.
   constexpr int aliases = 30;
   for (std::size_t d = 0; d < 3; ++d) {
     const auto points = static_cast<double>(settings.points[d]);
@@ -36,7 +36,7 @@ InfluenceValue Influence::operator()(const std::array<std::size_t, 3>& n) const 
   const double all = x.all * y.all * z.all;
   const double all_k2 =
       x.all_k2 * y.all * z.all + x.all * y.all_k2 * z.all + x.all * y.all * z.all_k2;
-  // Σ U² ρ and its slope; aliases of small shares change neither the error nor anything else.
+  // Σ U² ρ and its slope; aliases with small shares do not affect the error.
   const double least = 1e-3 * x.near[0].share * y.near[0].share * z.near[0].share;
   TransformValue density{0, 0};
   for (const Alias& a : x.near)

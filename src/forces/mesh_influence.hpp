@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The influence function: what a mesh multiplies the waves of its charges by.
+// The influence function: the factor of each wave of the charges on the mesh.
 #pragma once
 
 #include <array>
@@ -13,20 +13,21 @@ namespace polhode {
 
 struct InfluenceValue {
   double factor;  ///< G: E = ½ Σ G |S|² [kJ/mol/e²]
-  double slope;  ///< H: −dE/dε = ½ Σ |S|² (G + H k ⊗ k) for a strain that moves charges along
+  double slope;  ///< H: −dE/dε = ½ Σ |S|² (G + H k ⊗ k) for a strain that moves the charges with it
 };
 
-/// With forces that are the gradient of the energy, the factor that makes their mean square error
-/// least [ballenegger2012] is
+/// If forces are the gradient of the energy, their mean square error is smallest for the factor
+/// [ballenegger2012]
 ///   G = Σ U² k² γ / (Σ U² · Σ U² k²),
-/// where the sums are over k and its aliases, U(k) is the transform of a charge's share and γ the
-/// energy wanted, 4 π K ρ(k)/(k² V). U depends on the grid alone, so G's derivative by volume is
-/// that of ρ and k², and the trace of the virial as exact as forces are.
+/// with sums over k and its aliases, U(k) the transform of the assignment function, and γ the
+/// desired energy 4 π K ρ(k)/(k² V). U depends on the grid alone, so the volume derivative of G is
+/// that of ρ and k², and the trace of the virial is as exact as the forces.
 class Influence {
  public:
   Influence(const MeshSettings& settings, const Box& box);
 
-  /// The wave number of index n along an edge [1/nm]: n or, beyond half of all, n − points.
+  /// Wave number of index n along an edge [1/nm]; indices above half the points are negative:
+  /// n − points.
   double k(std::size_t d, std::size_t n) const { return axes_[d][n].k; }
   InfluenceValue operator()(const std::array<std::size_t, 3>& n) const;
 
@@ -37,8 +38,8 @@ class Influence {
   };
   struct Wave {
     double k;
-    std::array<Alias, 2> near;  // itself and the alias that has the next largest share
-    double all, all_k2;         // Σ U² and Σ U² k² over aliases
+    std::array<Alias, 2> near;  // itself and the alias with the next largest share
+    double all, all_k2;         // Σ U² and Σ U² k² over all aliases
   };
   CompactSplit split_;
   double volume_;

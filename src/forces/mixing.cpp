@@ -14,8 +14,8 @@ namespace polhode {
 namespace {
 
 void check_site(const std::string& word, const Topology& topology) {
-  std::vector<std::string> names;  // of sites with Lennard-Jones terms
-  bool bare = false;               // it is there, but without
+  std::vector<std::string> names;  // of sites with Lennard-Jones parameters
+  bool bare = false;               // whether the site exists, but without Lennard-Jones parameters
   for (const auto& part : topology.parts)
     for (const Site& site : part.molecule.sites) {
       std::string name = part.molecule.name + '.' + site.name;

@@ -47,8 +47,9 @@ double most_cells(const Topology& topology) {
 
 constexpr std::size_t slots_at_once = 1024;  // put into fixed point by one task
 
-// Work is cut by the number of bodies alone, so that sums do not depend on the number of threads:
-// pieces large enough that a piece's own rows outweigh those of its neighbours that it touches.
+// The work is divided by the number of bodies alone, so that sums do not depend on the number of
+// threads. Chunks are large enough that their own rows outnumber those of neighbouring chunks they
+// add to.
 std::vector<ListChunk> chunks_of(const Slots& slots) {
   std::vector<ListChunk> chunks;
   const std::size_t all = slots.size();
@@ -110,7 +111,7 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
   };
   for (const auto& a : topology.parts)
     for (const auto& b : topology.parts) longest = std::max(longest, settings.cutoff + reach(a, b));
-  // One image in each direction is enough while the range is within the shortest edge.
+  // One image in each direction is enough as long as the range does not exceed the shortest edge.
   const double skin = std::min(settings.skin, box.shortest_edge() - longest);
   if (skin <= 0)
     throw Error(
@@ -147,7 +148,7 @@ void NeighbourList::build(const State& state, std::size_t width, Workers& worker
   const auto begin = std::chrono::steady_clock::now();
   slots_.sort(state, grid_, workers);
   std::array<std::vector<std::int32_t>, 3> fixed;
-  for (auto& f : fixed) f.resize(slots_.size() + slot_block);  // packs read beyond the last
+  for (auto& f : fixed) f.resize(slots_.size() + slot_block);  // packs read past the last slot
   const auto fix = [&](const Column<double>& place, std::size_t d, std::size_t s) {
     fixed[d][s] = static_cast<std::int32_t>(place[s] *
                                             (static_cast<double>(fixed_point_edge) / box_.edge[d]));

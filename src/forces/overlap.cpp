@@ -18,7 +18,7 @@ namespace polhode {
 namespace {
 
 struct Contact {
-  std::uint32_t number = 0;  // of the site, in the order of the bodies
+  std::uint32_t number = 0;  // index of the site, in the order of the bodies
   std::uint32_t body = 0;
   Vec3<double> r;  // wrapped
 };
@@ -31,13 +31,14 @@ struct Overlap {
 using Cell = std::array<std::int64_t, 3>;
 
 // Contacts sorted by the bucket of their cell. Cells are at least as wide as the closest contact,
-// so that partners are in a cell or next to it. Their rows and layers are laid one after another
-// over the buckets, round and round if there are more cells: memory goes with the number of sites
-// and not with the size of the box, and what is close in the box is mostly close in memory.
+// so partners are in the same or an adjacent cell. Rows and layers of cells are mapped one after
+// another onto the buckets, wrapping around if there are more cells than buckets: memory scales
+// with the number of sites rather than the volume of the box, and what is close in the box is
+// mostly close in memory.
 class Buckets {
  public:
   Buckets(const Topology& topology, const State& state);
-  /// The overlap whose later site, and then whose earlier one, comes first.
+  /// The overlap that comes first in the order of the later site, then of the earlier one.
   std::optional<Overlap> first_overlap() const;
 
  private:
@@ -66,13 +67,13 @@ class Buckets {
 
   Vec3<double> edge_;
   Cell cells_;
-  std::uint64_t row_, layer_;         // from one to the next; odd, so that few fall on each other
-  std::uint64_t mask_;                // buckets are a power of two: this is one less
-  std::vector<std::uint32_t> begin_;  // of each bucket, and the end
-  std::vector<Contact> contacts_;     // of one bucket in the order of their numbers
+  std::uint64_t row_, layer_;         // strides in buckets; odd, so that few cells share a bucket
+  std::uint64_t mask_;                // number of buckets, a power of two, minus one
+  std::vector<std::uint32_t> begin_;  // first contact of each bucket, and the end
+  std::vector<Contact> contacts_;     // within a bucket, in the order of their numbers
 };
 
-// Calls visit(body, site position) for all sites that can touch, in the order of the bodies.
+// Calls visit(body, site position) for all sites that can overlap, in the order of the bodies.
 template <class Visit>
 void each_site(const Topology& topology, const State& state, Visit visit) {
   std::size_t i = 0;
@@ -123,7 +124,7 @@ Buckets::Buckets(const Topology& topology, const State& state) : edge_(state.box
   each_site(topology, state, [&](std::size_t body, const Vec3<double>& r) {
     contacts_[begin_[bucket_of(r)]++] = {number++, static_cast<std::uint32_t>(body), r};
   });
-  // Every bucket has been filled up to the beginning of the next.
+  // Filling has advanced every bucket's start to that of the next: shift them back.
   std::copy_backward(begin_.begin(), begin_.end() - 1, begin_.end());
   begin_.front() = 0;
 }

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t slots_at_once = 4 * slot_block;  // placed by one task
+constexpr std::size_t slots_at_once = 4 * slot_block;  // placed per task
 
 std::size_t most_sites_of(const Topology& topology) {
   std::size_t most = 0;
@@ -20,7 +20,7 @@ std::size_t most_sites_of(const Topology& topology) {
   return most;
 }
 
-/// The width of packs of pairs.
+/// The number of pairs in a pack.
 template <class T>
 std::size_t lanes() {
   return POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
@@ -76,7 +76,7 @@ void PairEngine<T>::derivative(const State& state, const Vec3Column& dq, const V
   sum_pairs(POLHODE_CURRENT_OVERLOAD(pair_derivative, PairLoop), false, &displacements_, slope);
 }
 
-/// Brings the list and the records to a state.
+/// Updates the list and the records for a state.
 template <class T>
 void PairEngine<T>::update(const State& state) {
   if (list_.width() == lanes<T>() && place(state) < list_.allowed2()) return;
@@ -84,7 +84,7 @@ void PairEngine<T>::update(const State& state) {
   place(state);
 }
 
-/// Sets a Load to 0, and what the mesh does to bodies.
+/// Resets a Load to 0 and adds the mesh.
 template <class T>
 void PairEngine<T>::clear(const State& state, Load& load) {
   if (load.f.size() != state.size()) load = Load(state.size());
@@ -93,7 +93,7 @@ void PairEngine<T>::clear(const State& state, Load& load) {
   std::fill_n(mesh_sums_.data(), mesh_sums_.size(), T{});
 }
 
-/// Sums what a loop over pairs does, with what the mesh did, to a Load.
+/// Adds the sums of the pair loops and of the mesh to a Load.
 template <class T>
 void PairEngine<T>::sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>* displacements,
                               Load& load) {
@@ -106,7 +106,7 @@ void PairEngine<T>::sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>
   }
 }
 
-/// body(part, task, first, end) for the slots of each task.
+/// Calls body(part, task, first, end) for the slots of each task.
 template <class T>
 template <class Body>
 void PairEngine<T>::each_task_of_slots(const Body& body) {
@@ -173,7 +173,7 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
           sums, displacements});
 }
 
-/// Adds what all chunks did to the slots of one of them, in the order of the chunks.
+/// Adds the contributions of all chunks to the slots of one of them, in the order of the chunks.
 template <class T>
 void PairEngine<T>::collect(std::size_t c, Load& load) const {
   constexpr std::uint32_t block = slot_block;
@@ -188,7 +188,8 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
     std::array<double, block * stride> total{};
     if (mesh_) std::copy_n(&mesh_sums_[first * stride], n * stride, total.begin());
     for (std::size_t k = 0; k < sums_.size(); ++k) {
-      // Windows begin at blocks, so that a block lies in one piece in a window or not at all.
+      // Windows begin at block boundaries, so a block is either contiguous in a window or not in
+      // it.
       const SlotWindow& window = list_.chunks()[k].windows[own.part];
       const std::uint32_t at = first - window.first + (first < window.first ? part.count : 0);
       if (at >= window.count) continue;

@@ -19,7 +19,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t slots_at_once = 4 * slot_block;  // gathered by one task
+constexpr std::size_t slots_at_once = 4 * slot_block;  // gathered per task
 
 template <class T>
 void check(const MeshSettings& settings) {
@@ -44,7 +44,7 @@ void check(const MeshSettings& settings) {
                  "ask for less accuracy, or take a longer cutoff or a smaller box");
 }
 
-/// Numbers that stand beyond the end of a row and mean its beginning.
+/// Padding of a row that stands for its periodic continuation.
 template <class T>
 void fold(MeshGrid<T>& grid, std::size_t z, std::size_t beyond) {
   for (std::size_t y = 0; y < grid.points[1]; ++y) {
@@ -107,8 +107,8 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
   field_ = std::make_unique<Field>(settings);
   make_influence();
 
-  // Work is cut by the number of threads: what a grid point gets, it gets in the order of slots.
-  // Charges that reach two slabs are prepared twice, so slabs are not thin.
+  // The work is divided by the number of threads, but each grid point is summed in the order of
+  // slots. Charges that touch two slabs are processed twice, so slabs should not be thin.
   const auto [nx, ny, nz] = settings.points;
   const auto threads = static_cast<std::size_t>(workers.threads());
   const std::size_t groups = std::min<std::size_t>(nz, 64);
@@ -119,7 +119,7 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
     const double spacing = box.edge.z / static_cast<double>(nz);
     const auto before = static_cast<std::size_t>(std::ceil(part.reach / spacing)) + 1;
     const std::size_t span = 2 * before + static_cast<std::size_t>(settings.order);
-    part.reached.resize(nz + 1);  // of rounding at the end
+    part.reached.resize(nz + 1);  // one more, as rounding may place a centre at the upper end
     for (std::size_t z = 0; z <= nz; ++z)
       for (std::size_t k = 0; k < std::min(span, nz); ++k)
         part.reached[z] |= std::uint64_t{1} << (z + k + before * (nz - 1)) % nz * groups / nz;
@@ -199,7 +199,7 @@ void ParticleMesh<T>::spread_on(Field& field, const Slots& slots, const SiteReco
                 [&](std::size_t s) { spread_to(field, s, slots, records, displacements); });
 }
 
-/// Finds which planes the charges of each block of slots may reach.
+/// Finds the planes that the charges of each block of slots can touch.
 template <class T>
 void ParticleMesh<T>::find_extents(const Slots& slots, const SiteRecords<T>& records) {
   const double planes = static_cast<double>(settings_.points[2]);
@@ -292,7 +292,7 @@ MeshLoad ParticleMesh<T>::convolve_on(Field& field, bool energies) {
   return load;
 }
 
-/// Waves of one k_y: to waves along z, times the influence function, and back.
+/// Waves of one k_y: transform along z, multiply by the influence function, transform back.
 template <class T>
 void ParticleMesh<T>::convolve_row(Field& field, std::size_t y, T* waves, const T** rows,
                                    WaveSums* sums) {
@@ -325,7 +325,7 @@ void ParticleMesh<T>::convolve_row(Field& field, std::size_t y, T* waves, const 
   loads_[y] = load;
 }
 
-/// gather(block, bodies) for the bodies of each task.
+/// Calls gather(block, bodies) for the bodies of each task.
 template <class T>
 template <class Gather>
 void ParticleMesh<T>::each_charged_block(const Slots& slots, const Gather& gather) {

@@ -10,10 +10,11 @@
 namespace polhode {
 namespace {
 
-// ∫ (1 − w(r)) r^(2−n) dr from the switch to infinity, by Simpson's rule within the switch.
+// ∫ (1 − w(r)) r^(2−n) dr from the start of the switch to infinity, by Simpson's rule inside the
+// switch.
 double left_out(const ForceSettings& s, int n) {
   const Switch<> w(s.switch_from, s.cutoff, s.smoothness);
-  constexpr int steps = 400;  // the error falls with the fourth power: below 1e-10 of the integral
+  constexpr int steps = 400;  // fourth-order rule: error below 1e-10 of the integral
   const double h = (s.cutoff - s.switch_from) / steps;
   double sum = 0;
   for (int k = 0; k <= steps; ++k) {

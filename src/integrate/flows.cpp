@@ -16,7 +16,7 @@ POLHODE_DECLARE_LOOPS(void drift(State&, const Bodies&, double, std::size_t, std
 
 namespace {
 
-// Bodies of a block, so that each takes about 2 µs with the widest packs.
+// Bodies per block, chosen so that each takes about 2 µs with the widest packs.
 constexpr std::size_t drift_block = 256, kick_block = 2048, displace_block = 1024;
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* example = "B(1/6) A(1/2) B(2/3, 1/48) A(1/2) B(1/6)";
 
-/// Reads a scheme from left to right; errors tell the position.
+/// Parses a scheme from left to right; errors give the position.
 class Reader {
  public:
   explicit Reader(std::string_view text) : text_(text) {}
@@ -64,7 +64,7 @@ class Reader {
     return result;
   }
 
-  double number() {  // a fraction of two decimals, or one
+  double number() {  // a decimal number, or a fraction of two
     const double above = decimal();
     skip_space();
     if (at_ >= text_.size() || text_[at_] != '/') return above;

@@ -20,7 +20,7 @@ constexpr std::uint64_t format_version = 4;
 constexpr std::size_t length_at = magic.size() + sizeof(std::uint64_t);
 constexpr std::size_t number = sizeof(std::uint64_t);
 
-// The polynomial of ECMA-182, with the rest as in the XZ format (its CRC64).
+// The polynomial of ECMA-182, with the other parameters as in the XZ format (its CRC64).
 using Crc64 = boost::crc_optimal<64, 0x42f0e1eba9ea3693, ~0ull, ~0ull, true, true>;
 
 std::string contents(const std::string& path) {
@@ -48,7 +48,7 @@ CheckpointWriter::CheckpointWriter(std::ostream& out, const Maker& maker)
     : out_(out), sum_(std::make_unique<Sum>()) {
   put(magic.data(), magic.size());
   (*this)(format_version);
-  const std::uint64_t length = 0;  // known at the end
+  const std::uint64_t length = 0;  // filled in at the end
   out_.write(reinterpret_cast<const char*>(&length), number);
   (*this)(maker.version);
   (*this)(maker.target);

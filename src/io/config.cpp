@@ -22,7 +22,7 @@ namespace {
 
 using std::filesystem::path;
 
-// Sets `value` if the key is there.
+// Sets `value` if the key exists.
 template <class T>
 void take(T& value, const std::optional<T>& found) {
   if (found) value = *found;
@@ -72,7 +72,7 @@ Vec3<double> read_box(TomlTable& table) {
     const double edge = *table.quantity("box", Dimension::length, "2.5 nm");
     return {edge, edge, edge};
   }
-  if (!table.holds_list("box"))  // a bare number, or a kind that has no business here
+  if (!table.holds_list("box"))  // reports a bare number, or a value of the wrong type
     table.quantity("box", Dimension::length, "2.5 nm");
   const auto edges = table.texts("box");
   table.require(edges->size() == 3, "box", "must be one edge or a list of three");
@@ -220,7 +220,7 @@ void read_forces(TomlTable table, ForceSettings& forces) {
   forces.truncation = by_molecule                   ? Truncation::molecule_switch
                       : truncation == "site-switch" ? Truncation::site_switch
                                                     : Truncation::site_shift;
-  // Bare Coulomb forces of single sites would end where they are strong.
+  // Unscreened Coulomb forces between single sites would be truncated where they are large.
   const std::string electrostatics =
       one_of(table, "electrostatics", by_molecule ? "coulomb" : "reaction-field",
              {"coulomb", "reaction-field", "damped-shifted-force", "pme"});
@@ -256,7 +256,7 @@ void read_forces(TomlTable table, ForceSettings& forces) {
                               most_damping, most_damping / forces.cutoff));
   }
   const auto from = table.quantity("switch", Dimension::length, "0.85 nm");
-  // Without a word, the switch takes the outer 15 % of the range, as 0.85 nm does of 1 nm.
+  // By default the switch covers the outer 15 % of the range: from 0.85 nm for a cutoff of 1 nm.
   forces.switch_from = from.value_or(0.85 * forces.cutoff);
   table.require(forces.switch_from > 0 && forces.switch_from < forces.cutoff, "switch",
                 fmt::format("must be longer than 0 nm and shorter than the cutoff, {} nm: between "
@@ -312,7 +312,7 @@ void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& syst
     topology.parts.push_back({read_molecule(component.model), component.count});
   for (TomlTable table : tables) {
     mixing.pairs.push_back(read_pair(table));
-    if (!system.topology.file.empty()) continue;  // checked where the topology is read
+    if (!system.topology.file.empty()) continue;  // checked when the topology is read
     try {
       check(mixing, topology);
     } catch (const Error& e) {
@@ -321,7 +321,7 @@ void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& syst
   }
 }
 
-// Throws, with the place of the key, unless the name or text is a scheme.
+// Throws, with the place of the key, unless the name or text is a valid scheme.
 void check_scheme(const std::string& scheme, std::string_view key, const TomlTable& table) {
   try {
     nested_scheme_of(scheme);
@@ -330,7 +330,7 @@ void check_scheme(const std::string& scheme, std::string_view key, const TomlTab
   }
 }
 
-// A list of schemes, if there is one.
+// A list of schemes, if the key exists.
 void take_schemes(TomlTable& table, std::string_view key, std::vector<std::string>& schemes) {
   take(schemes, table.texts(key));
   table.require(!schemes.empty(), key, "must name at least one scheme");

@@ -12,7 +12,7 @@
 namespace polhode {
 namespace {
 
-// A text of a message, short enough to be read.
+// A text shortened for display in a message.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
   return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";

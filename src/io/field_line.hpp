@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line of a text file as fields between blanks, with the place that its errors tell.
+// A line of a text file as fields separated by blanks, with its place for errors.
 #pragma once
 
 #include <cstddef>
@@ -21,19 +21,19 @@ class FieldLine {
 
   std::size_t size() const { return fields_.size(); }
   std::string_view operator[](std::size_t k) const { return fields_[k]; }
-  /// The name in field k, to be kept.
-  /// @throws Error  if it is longer than `longest_name`: macros can make a short file long
+  /// The name in field k, checked for its length.
+  /// @throws Error  if it is longer than `longest_name`: macros can expand a short file enormously
   std::string word(std::size_t k) const;
   const TextPlace& place() const { return place_; }
 
-  /// The number in field k; `what` says what it is, "charge".
-  /// @throws Error  if it is none, or not finite
+  /// The number in field k; `what` names the quantity, such as "charge".
+  /// @throws Error  if it is not a finite number
   double number(std::size_t k, std::string_view what) const;
-  /// @throws Error  if it is no whole number from `least` to `most`
+  /// @throws Error  if it is not an integer from `least` to `most`
   std::int64_t integer(std::size_t k, std::string_view what, std::int64_t least,
                        std::int64_t most) const;
-  /// @param what  names the fields that must be there
-  /// @throws Error  if there are less than `least`
+  /// @param what  names the required fields
+  /// @throws Error  if there are fewer than `least`
   void require(std::size_t least, std::string_view what) const;
 
   [[noreturn]] void refuse(const std::string& what) const;

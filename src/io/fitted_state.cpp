@@ -22,21 +22,21 @@ bool begins_with(std::string_view word, std::string_view start) {
   return std::equal(start.begin(), start.end(), word.begin(), same);
 }
 
-// Names differ between programs ("OW", "O", "OH2"); what they share is the element in front, after
-// digits that some put there ("1HW").
+// Names differ between programs ("OW", "O", "OH2"); they share the element at the beginning,
+// sometimes preceded by digits ("1HW").
 bool matches(std::string_view atom, const Site& site) {
   if (atom == site.name) return true;
-  if (atom == "X" && site.mass == 0) return true;  // in XYZ files, which know elements alone
+  if (atom == "X" && site.mass == 0) return true;  // in XYZ files, which have only elements
   while (!atom.empty() && std::isdigit(static_cast<unsigned char>(atom.front())))
     atom.remove_prefix(1);
   return begins_with(atom, site.mass > 0 ? std::string_view(site.element)
                                          : std::string_view(site.name).substr(0, 1));
 }
 
-// The atom of each site of one molecule; sites without mass may have none.
+// The atom of each site of one molecule; null for missing sites without mass.
 using Match = std::vector<const Atom*>;
 
-// Takes the atoms of the next molecule away from the front of `atoms`.
+// Removes the atoms of the next molecule from the front of `atoms`.
 Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, const Frame& frame) {
   Match match;
   const Atom* first = atoms.empty() ? nullptr : &atoms.front();
@@ -68,7 +68,7 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
   return match;
 }
 
-// The rigid body nearest to the atoms of one molecule, put into body i of `fitted`.
+// Fits body i of `fitted` to the atoms of one molecule.
 void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Match& match,
          const Frame& frame) {
   State& state = fitted.state;
@@ -124,7 +124,7 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
   state.ell.set(i, to_lab(attitude, L));
 }
 
-// Making a molecule whole by minimum images needs it shorter than half of the box.
+// A molecule can be made whole by minimum images only if it is shorter than half of the box.
 void check_size(const Molecule& molecule, const Frame& frame) {
   double longest = 0;
   for (const Site& a : molecule.sites)

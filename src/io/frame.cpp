@@ -11,14 +11,14 @@
 namespace polhode {
 namespace {
 
-// J⁻¹ L, where a vanishing moment holds no angular momentum.
+// J⁻¹ L; for a vanishing moment the angular momentum is zero, too.
 double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
 bool visible(const Site& site, MasslessSites massless) {
   return massless == MasslessSites::kept || site.mass != 0;
 }
 
-// The element that a name begins with; ions are residues of one atom, with the element's own name.
+// The element that a name begins with; ions are residues of one atom, named after the element.
 std::string element_of(const AtomKind& kind) {
   static constexpr std::string_view organic = "HBCNOFPSIK";
   static constexpr std::array<std::string_view, 12> ions = {"LI", "NA", "RB", "CS", "MG", "CA",
@@ -48,7 +48,7 @@ void complete_elements(Frame& frame) {
 }
 
 std::string title_of(const State& state) {
-  return fmt::format("polhode t= {:.6f}", state.time);  // GROMACS finds the time here
+  return fmt::format("polhode t= {:.6f}", state.time);  // GROMACS reads the time from here
 }
 
 std::size_t atom_count(const Topology& topology, MasslessSites massless) {

@@ -31,7 +31,7 @@ std::unique_ptr<FrameWriter> appended(const std::string& path, const Topology& t
 
 // clang-format off
 constexpr std::array formats = {
-    //     ending  names  velocities
+    //     extension  names  velocities
     Format{"gro",  true,  true,  gro_reader,  appended<append_gro>},
     Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>, nullptr, pdb_limits},
     Format{"xyz",  true,  true,  xyz_reader,  appended<append_xyz>},
@@ -119,7 +119,7 @@ class Names {
   std::string source_;
 };
 
-// Frames of a format that does not name atoms, with names.
+// Adds names to the frames of a format without atom names.
 class NamedReader : public FrameReader {
  public:
   NamedReader(std::unique_ptr<FrameReader> frames, const Frame& names)
@@ -142,7 +142,7 @@ std::unique_ptr<FrameReader> named(std::unique_ptr<FrameReader> frames, const Fo
   return std::make_unique<NamedReader>(std::move(frames), *names);
 }
 
-// Frames of a stream, with the stream.
+// A reader together with the stream that it reads from.
 class FileReader : public FrameReader {
  public:
   FileReader(const Format& format, const std::string& path)
@@ -170,7 +170,7 @@ const Format& format_of(const std::string& path) {
 
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names) {
   const Format& format = format_of(path);
-  opened(path);  // or an error that tells what is there instead
+  opened(path);  // throws a precise error if the file cannot be opened
   if (format.open != nullptr) return named(format.open(path), format, names);
   return named(std::make_unique<FileReader>(format, path), format, names);
 }
@@ -222,7 +222,7 @@ std::vector<std::string_view> writable_formats() {
 Frame read_start(const std::string& name_or_path) {
   const std::string path = "start/" + name_or_path + ".gro";
   if (const auto text = embedded_text(path)) return parse_gro(*text, path);
-  opened(name_or_path);  // or an error that tells what is there instead
+  opened(name_or_path);  // throws a precise error if the file cannot be opened
   if (!format_of(name_or_path).has_names)
     throw Error(
         fmt::format("'{0}' is of a format without names of atoms, which a start needs; "

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int most_steps = 1000;
 
-/// Where the outer scheme ends: a slash that is not that of a fraction.
+/// End of the outer scheme: the first slash that is not part of a fraction.
 std::size_t slash(std::string_view text) {
   int open = 0;
   for (std::size_t i = 0; i < text.size(); ++i) {

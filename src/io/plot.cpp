@@ -30,12 +30,12 @@ bool on_path(const std::string& program) {
   return false;
 }
 
-// Starts gnuplot in the script's folder, silently, and waits: its exit code, or −1.
+// Runs gnuplot silently in the script's folder and waits for it; returns its exit code, or −1.
 int gnuplot(const fs::path& script) {
   const std::string folder = script.has_parent_path() ? script.parent_path().string() : ".";
   const std::string file = script.filename().string();
   const pid_t child = ::fork();
-  if (child == 0) {  // only calls that are safe between fork and exec
+  if (child == 0) {  // only async-signal-safe calls between fork and exec
     const int nowhere = ::open("/dev/null", O_WRONLY);
     if (nowhere >= 0) {
       ::dup2(nowhere, STDOUT_FILENO);

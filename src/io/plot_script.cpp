@@ -11,12 +11,12 @@
 namespace polhode {
 namespace {
 
-// Okabe and Ito's colours, distinct for all kinds of colour vision.
+// The palette of Okabe and Ito, distinguishable for all kinds of colour vision.
 constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                 "#E69F00", "#56B4E9", "#000000"};
 constexpr std::array<std::pair<int, int>, 4> symbols = {{{7, 6}, {5, 4}, {9, 8}, {13, 12}}};
 
-// A text within double quotes.
+// A text in double quotes.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
@@ -27,7 +27,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string head(const std::string& image, const std::string& format, int width, int height) {
-  // A bitmap has twice the points in each direction, for print and sharp screens.
+  // Bitmaps have twice the resolution, for print and high-density screens.
   const std::string terminal = format == "png"
                                    ? fmt::format(
                                          "pngcairo size {},{} fontscale 2 linewidth 2 pointscale 2 "
@@ -49,7 +49,7 @@ set grid linewidth 0.5 linecolor "#e4e4e4"
                      image, terminal, quoted(image));
 }
 
-// The largest R at costs of `from` or more, lines between marks included.
+// The largest R at costs of at least `from`, including the lines between points.
 double highest_beyond(const std::vector<EfficiencyCurve>& curves, double from) {
   double highest = 0;
   for (const EfficiencyCurve& curve : curves) {
@@ -67,7 +67,7 @@ double highest_beyond(const std::vector<EfficiencyCurve>& curves, double from) {
   return highest;
 }
 
-// The largest cost at which some curve still rises above a ratio: beyond, all lie on the axis.
+// The largest cost at which some curve exceeds a ratio; beyond it, all are close to the axis.
 double last_cost_above(const std::vector<EfficiencyCurve>& curves, double ratio) {
   double last = 1;
   for (const EfficiencyCurve& curve : curves)
@@ -96,7 +96,7 @@ Ranges ranges_of(const std::vector<EfficiencyCurve>& curves) {
   return r;
 }
 
-// A step too long for the scheme is among the marks.
+// Whether the points include a step that is too large for the scheme.
 bool end_known(const EfficiencyCurve& curve) {
   return std::any_of(curve.marks.begin(), curve.marks.end(), [](auto& m) { return !m.stable; });
 }
@@ -106,8 +106,8 @@ bool any_rounded(const EfficiencyCurve& curve) {
                      [](auto& m) { return m.stable && m.rounded; });
 }
 
-// One data block for each curve: cost, R [%], its error, 1 at the end of stability, and 1 where R
-// is that of rounding.
+// One data block per curve: cost, R [%], its error, 1 at the stability limit, and 1 where R is
+// dominated by rounding.
 std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
   std::string text;
   for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -115,7 +115,7 @@ std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
         "\n# {}: force evaluations per ps, R [%], its standard error, last stable, rounded\n"
         "$curve{} << EOD\n",
         curves[k].scheme, k);
-    bool first = true;  // marks ascend in cost, so the first stable one has the longest step
+    bool first = true;  // points ascend in cost, so the first stable one has the largest step
     for (const EfficiencyMark& mark : curves[k].marks) {
       if (!mark.stable) continue;
       text +=
@@ -261,8 +261,8 @@ std::string efficiency_script(const std::vector<EfficiencyCurve>& unsorted,
     std::sort(curve.marks.begin(), curve.marks.end(),
               [](const auto& a, const auto& b) { return a.cost < b.cost; });
   const Ranges r = ranges_of(curves);
-  // The inset with its labels covers the upper right of the frame, from these fractions on; the
-  // linear axis is stretched until no curve runs there.
+  // The inset with its labels covers the upper right of the frame, beyond these fractions; the
+  // linear axis is extended until no curve passes there.
   constexpr double inset_left = 0.34, inset_bottom = 0.36;
   const double wanted = std::min(highest, 1.08 * r.ratio_high);
   const double left = 0.6 * r.cost_low, right = 1.1 * last_cost_above(curves, 0.02 * wanted);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The texts that gnuplot reads.
+// Generates gnuplot scripts.
 #pragma once
 
 #include <string>

@@ -119,7 +119,7 @@ std::vector<std::string> symbols(Dimension dimension) {
   return names;
 }
 
-// The name, the text and what to write: everything that complaints about a quantity share.
+// Name, text and example: what all error messages about a quantity have in common.
 struct Written {
   std::string_view text, name;
   Dimension dimension;
@@ -131,7 +131,7 @@ struct Written {
   }
 };
 
-// Takes the number at the front of `rest` away.
+// Parses the number at the front of `rest` and removes it.
 double number(std::string_view& rest, const Written& written) {
   rest = trimmed(rest);
   if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);

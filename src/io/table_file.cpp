@@ -19,14 +19,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Comments are single lines.
+// Comments must be single lines.
 std::string one_line(std::string text) {
   for (char& c : text)
     if (c == '\n' || c == '\r') c = ' ';
   return text;
 }
 
-// A text with commas or quotes stands in quotes, its own doubled (RFC 4180).
+// A text with commas or quotes is quoted, and its own quotes are doubled (RFC 4180).
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string result = "\"";

@@ -42,7 +42,8 @@ std::string file_text(const std::string& path) {
   std::ifstream file = opened(path);
   std::error_code unknown;
   const auto size = std::filesystem::file_size(path, unknown);
-  return stream_text(file, path, unknown ? 0 : size);  // what has no size, a pipe, grows
+  return stream_text(file, path, unknown ? 0 : size);  // files of unknown size (pipes) are read in
+                                                       // growing pieces
 }
 
 std::string stream_text(std::istream& in, const std::string& file, std::size_t expected) {

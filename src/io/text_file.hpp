@@ -9,17 +9,17 @@
 
 namespace polhode {
 
-/// The whole text of a file, or an Error that names it.
+/// The contents of a file; throws an Error that names it.
 std::string file_text(const std::string& path);
 
 /// The same from a stream.
-/// @param expected  length, where it is known: memory for so many bytes is taken at once
+/// @param expected  length, if known: that much memory is reserved at once
 std::string stream_text(std::istream& in, const std::string& file, std::size_t expected = 0);
 
-/// A file open for reading, or an Error that names it.
+/// A file opened for reading; throws an Error that names it.
 std::ifstream opened(const std::string& path);
 
-/// What to say of the first byte that no text has, if there is one.
+/// A message about the first byte that cannot occur in a text file, if there is one.
 std::optional<std::string> odd_byte(std::string_view text, const std::string& file);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A table of a TOML file that knows where it stands, so that every complaint names file, line and
-// key. It remembers which keys were asked for; all others are unknown.
+// A table of a TOML file that knows its position, so that every error names file, line and key. It
+// records which keys were read; all others are unknown.
 #pragma once
 
 #include <toml++/toml.h>
@@ -25,7 +25,7 @@ class TomlTable {
 
   bool has(std::string_view key) { return find(key) != nullptr; }
 
-  // What stands under a key, if anything does.
+  // The value of a key, if it exists.
   std::optional<std::string> text(std::string_view key);
   std::optional<double> quantity(std::string_view key, Dimension dimension,
                                  std::string_view example = {});
@@ -42,15 +42,15 @@ class TomlTable {
   /// "water.toml:9, forces.cutoff"; the table's own place if it has no such key.
   std::string where(std::string_view key) const;
 
-  /// Throws `key = value complaint`, or without a key just the complaint.
+  /// Throws `key = value complaint`, or without a key only the complaint.
   [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;
 
-  /// Throws unless `good` holds: `step = "-2 fs" must be ...`.
+  /// Throws unless `good` is true: `step = "-2 fs" must be ...`.
   void require(bool good, std::string_view key, const std::string& must) const {
     if (!good) refuse(key, must);
   }
 
-  /// Throws if the table has a key that nobody asked for.
+  /// Throws if the table has a key that was never read.
   void refuse_unknown() const;
 
  private:

@@ -25,7 +25,7 @@ struct Type {
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs) {
   std::map<std::string, Type> types;
-  std::map<std::string, std::set<std::string>> types_of;  // of a site's name
+  std::map<std::string, std::set<std::string>> types_of;  // by site name
   for (const TypedSite& site : sites) {
     types[site.type].epsilon = site.epsilon;
     types[site.type].sites.insert(site.name);

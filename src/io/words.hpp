@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Words of a line, between blanks.
+// Words of a line, separated by blanks.
 #pragma once
 
 #include <string_view>
@@ -8,7 +8,7 @@ namespace polhode {
 
 inline constexpr std::string_view blanks = " \t\r\f\v";
 
-/// Without blanks at both ends.
+/// Removes blanks at both ends.
 inline std::string_view trimmed(std::string_view text) {
   const auto begin = text.find_first_not_of(blanks);
   if (begin == text.npos) return {};

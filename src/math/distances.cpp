@@ -23,7 +23,7 @@ struct Frame {
   Vec3<double> origin;
   std::array<Vec3<double>, 3> axes{};
   int dimension = 0;
-  double largest = 0;  // distance of the points that spanned it
+  double largest = 0;  // distance of the points that span it
 
   Vec3<double> rest(const Vec3<double>& r) const {
     Vec3<double> off = r - origin;
@@ -38,13 +38,14 @@ struct Frame {
   }
 };
 
-// Distances d that are rounded lift a point out of what others span: by h with h² about 2 d times
-// the rounding. One that breaks the triangle inequality has h² < 0, and is found by its distance.
+// Rounded distances d place a point outside the span of the others, by h with h² about 2 d times
+// the rounding. A point that violates the triangle inequality has h² < 0, and is detected by its
+// distance.
 bool is_flat(double height2, double length) {
   return height2 < 2 * std::max(length, distance_rounding) * distance_rounding;
 }
 
-// The known neighbours of one point, with directions in which they lie far apart first.
+// The placed neighbours of one point, ordered so that their directions are well separated.
 struct Support {
   Frame frame;
   std::vector<Neighbour> spanning;  // frame.dimension + 1 of them
@@ -55,7 +56,7 @@ class Placing {
   Placing(std::size_t count, const Neighbours& neighbours)
       : neighbours_(neighbours), points_(count), placed_(count, false) {}
 
-  // Whether all points could be placed from that first one.
+  // Whether all points could be placed starting from `first`.
   bool from(std::size_t first) {
     std::fill(placed_.begin(), placed_.end(), false);
     space_ = {};
@@ -104,7 +105,7 @@ class Placing {
   bool place(std::size_t i) {
     const Support s = support(i);
     if (s.spanning.empty()) return false;
-    // |r − b|² − |r|² is linear in r: one equation for every axis, triangular by construction.
+    // |r − b|² − |r|² is linear in r: one equation per axis, triangular by construction.
     const double d2 = s.spanning[0].length * s.spanning[0].length;
     std::array<double, 3> c{};
     for (int k = 0; k < s.frame.dimension; ++k) {
@@ -122,7 +123,7 @@ class Placing {
       if (s.frame.dimension < space_.dimension) return false;
       static constexpr std::array<Vec3<double>, 3> unit = {
           Vec3<double>{1, 0, 0}, Vec3<double>{0, 1, 0}, Vec3<double>{0, 0, 1}};
-      // Out of what all points span so far: the next axis of space.
+      // Outside the span of all points so far: add an axis to the space.
       const Vec3<double> up = unit[static_cast<std::size_t>(space_.dimension)];
       space_.add(up);
       r += std::sqrt(height2) * up;
@@ -146,7 +147,7 @@ class Placing {
   const Neighbours& neighbours_;
   std::vector<Vec3<double>> points_;
   std::vector<bool> placed_;
-  Frame space_;  // what all placed points span
+  Frame space_;  // span of all placed points
   std::size_t left_ = 0;
 };
 

@@ -16,7 +16,7 @@ Estimate mean(std::span<const double> values) {
   return {average, n > 1 ? std::sqrt(squares / (n - 1) / n) : 0.0};
 }
 
-// The variance is (n − 1)/n Σ (value − mean)², (n − 1)² times that of the mean.
+// The jackknife variance is (n − 1)/n Σ (value − mean)², (n − 1)² times that of the mean.
 double jackknife_error(std::span<const double> without) {
   return mean(without).error * static_cast<double>(without.size() - 1);
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// FFTW makes plans on one thread at a time; any thread may carry them out.
+// FFTW's planner is not thread-safe; plans may be executed from any thread.
 #pragma once
 
 #include <mutex>
 
 namespace polhode {
 
-/// To be held while a plan is made or destroyed.
+/// To be held while a plan is created or destroyed.
 inline std::mutex& fourier_planning() {
   static std::mutex mutex;
   return mutex;

@@ -15,7 +15,7 @@ Shape centred(Shape shape) {
   return shape;
 }
 
-// The shape turned so that it lies on `onto`; both are centred.
+// The shape rotated onto `onto`; both are centred.
 Shape turned(Shape shape, const Shape& onto) {
   const std::vector<double> weight(shape.size(), 1.0);
   const Quaternion<double> turn = best_rotation(shape, onto, weight);

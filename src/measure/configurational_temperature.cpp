@@ -19,7 +19,8 @@ Vec3<double> signs(Random& random) {
 
 ConfigurationalSample configurational_sample(const State& state, const Bodies& bodies,
                                              const Load& load, ForceField& forces, Random random) {
-  // Each freedom moves by as much as its inertia lets it: 1/√m along, 1/√J_k about an axis.
+  // The displacement of each degree of freedom is scaled by its inertia: 1/√m for translation,
+  // 1/√J_k for rotation about an axis.
   Vec3Column dq(state.size()), dtheta(state.size());
   for (std::size_t i = 0; i < state.size(); ++i) {
     const auto root = [](double x) { return std::sqrt(x); };
@@ -31,7 +32,7 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
   forces.directional_derivative(state, dq, dtheta, slope);
   ConfigurationalSample sample{squared_force(state, bodies, load), {}};
   for (std::size_t i = 0; i < state.size(); ++i) {
-    // About its own axis a body turns without moving the axis: no term for its frame.
+    // A rotation about its own axis leaves the axis where it is: no frame term.
     const Vec3<double> tau = to_body(state.attitude[i], slope.tau[i]);
     sample.curvature[0] -= dot(dq[i], slope.f[i]);
     for (std::size_t k = 0; k < 3; ++k) sample.curvature[1 + k] -= dtheta[i][k] * tau[k];

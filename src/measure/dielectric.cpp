@@ -17,7 +17,7 @@ double variance(std::span<const double> mean) {
   return mean[M2] - norm2(Vec3<double>{mean[Mx], mean[My], mean[Mz]});
 }
 
-// ε from the means of M, M² and V; not positive where fluctuations are too large for any ε.
+// ε from the means of M, M² and V; not positive if the fluctuations are too large for any ε.
 double permittivity(std::span<const double> mean, double temperature, double surrounding) {
   // 1/ε₀ is 4π times Coulomb's constant.
   const double g = 4 * units::pi * units::coulomb * variance(mean) /

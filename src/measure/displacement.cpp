@@ -58,7 +58,7 @@ Estimate diffusion(const BlockMeans& squared, double interval, const FitWindow& 
 }
 
 double image_drag(double temperature, double viscosity, double edge) {
-  constexpr double xi = 2.837297;  // of the cubic lattice of images: yeh2004, Eq. 12
+  constexpr double xi = 2.837297;  // for a cubic lattice of images: yeh2004, Eq. 12
   return xi * units::boltzmann * temperature / (6 * units::pi * viscosity * edge);
 }
 

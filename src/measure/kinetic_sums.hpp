@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the loops over packs return to energies().
+// Result of the loops over packs, for energies().
 #pragma once
 
 #include "polhode/base/vec3.hpp"

@@ -21,7 +21,7 @@ Topology body() {
 
 class Field {
  public:
-  /// @param anharmonic  1: b and g as they are; 0: without them
+  /// @param anharmonic  1: full field; 0: without the terms of b and g
   Field(const Molecule& molecule, double anharmonic)
       : sites_(molecule.sites), cubic_(900 * anharmonic), quartic_(5000 * anharmonic) {}
 
@@ -111,12 +111,12 @@ double energy_error(const NestedScheme& scheme, double lambda, double h, std::si
 }  // namespace
 
 OrderMeasurement measured_order(const NestedScheme& scheme, double lambda) {
-  // Several periods, with steps that are coarse for the scheme [ps]; those of many stages are good
-  // at 20 fs already.
+  // Several periods, with steps that are large for the scheme [ps]; schemes with many stages still
+  // reach their order at 20 fs.
   constexpr double length = 0.64;
   const double longest = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
-  // A finite difference divides rounding by λ; without one, a few units of 2⁻⁵³ a step add up as
-  // a random walk over some hundred to some ten thousand steps.
+  // A finite difference amplifies rounding by 1/λ; otherwise a few units of 2⁻⁵³ per step add up as
+  // a random walk over a few hundred to some ten thousand steps.
   const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;

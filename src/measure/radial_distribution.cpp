@@ -28,14 +28,13 @@ bool names(const std::string& word, const Site& site) {
   return word == site.name || word == without_digits(site.name);
 }
 
-// A site of a frame, within the box.
+// A site of a frame, wrapped into the box.
 struct PlacedSite {
   Vec3<double> r;
   std::uint32_t body, kind;
 };
 
-// Sites sorted by cells that are at least `reach` wide, or one cell along an edge, and not more than
-// sites.
+// Sites sorted by cells that are at least as wide as the cutoff, or span the whole edge.
 struct CellSort {
   std::array<std::size_t, 3> cells;
   std::vector<PlacedSite> sites;
@@ -63,7 +62,7 @@ struct CellSort {
     for (const PlacedSite& site : unsorted) sites[next[cell_of(site)]++] = site;
   }
 
-  // The cell itself and its neighbours of higher number, each once although a small box has few.
+  // The cell itself and its neighbours with higher numbers, each once even if a small box has few.
   std::set<std::size_t> later_neighbours(std::size_t cell) const {
     const std::array at = {cell % cells[0], cell / cells[0] % cells[1],
                            cell / (cells[0] * cells[1])};
@@ -81,7 +80,7 @@ struct CellSort {
   }
 };
 
-// The nearest image of a difference between two places in the box.
+// The minimum image of the difference of two positions in the box.
 Vec3<double> nearest(Vec3<double> d, const Vec3<double>& edge, const Vec3<double>& half) {
   for (std::size_t k = 0; k < 3; ++k)
     d[k] += d[k] > half[k] ? -edge[k] : d[k] < -half[k] ? edge[k] : 0.0;
@@ -97,9 +96,9 @@ struct Maximum {
   double place, height;  // in bins from the middle of bin 0; [1]
 };
 
-// The maximum of a polynomial through the top of the highest peak.
+// The maximum of a polynomial fitted to the top of the highest peak.
 Maximum top_of(std::span<const double> g) {
-  constexpr double share = 0.9;  // the top is where g is above this part of its largest value
+  constexpr double share = 0.9;  // the top is where g exceeds this fraction of its maximum
   const auto top = static_cast<std::ptrdiff_t>(std::max_element(g.begin(), g.end()) - g.begin());
   const auto at = [&](std::ptrdiff_t k) { return g[static_cast<std::size_t>(k)]; };
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
@@ -122,7 +121,7 @@ Maximum top_of(std::span<const double> g) {
     for (Eigen::Index j = powers; j-- > 0;) sum = sum * x + c[j];
     return sum;
   };
-  constexpr int parts = 2000;  // of the interval: far below a bin
+  constexpr int parts = 2000;  // of the interval: much finer than a bin
   double best = static_cast<double>(low - top);
   for (int k = 1; k <= parts; ++k) {
     const double x = static_cast<double>(low - top) + static_cast<double>(high - low) * k / parts;
@@ -184,8 +183,8 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       throw Error(fmt::format("no site is named '{}'{} (there are: {})", words[w],
                               did_you_mean(words[w], all_names), listed(all_names)));
 
-  // How often a pair of sites of two kinds counts: once if both words are the same, else once for
-  // each way round.
+  // Weight of a pair of sites of two kinds: 1 if both selections are the same, else 1 for each
+  // direction.
   counts_.assign(kinds.size(), std::vector<std::vector<Count>>(kinds.size()));
   for (std::size_t a = 0; a < kinds.size(); ++a)
     for (std::size_t b = 0; b < kinds.size(); ++b)
@@ -213,7 +212,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
 
 void RadialDistribution::add(const State& state, Workers& workers) {
   const Vec3<double> edge = state.box.edge, half = edge / 2.0;
-  // Half of an edge as text files round it is still half of it.
+  // Half an edge, as rounded by text files, still counts as half.
   if (reach_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
     throw Error(fmt::format(
         "the reach of {:g} nm is more than half of the shortest box edge ({:.4f} nm) at {:g} ps: "

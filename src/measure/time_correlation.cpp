@@ -13,7 +13,7 @@ constexpr std::size_t most_groups = 32;
 
 using Waves = Column<std::complex<double>>;
 
-// Functions of a vector whose products, added, make a Product of two vectors.
+// Number of functions of one vector whose products add up to a Product of two vectors.
 std::size_t terms(Product product) {
   switch (product) {
     case Product::displacement:
@@ -59,7 +59,7 @@ TimeCorrelation::TimeCorrelation(std::size_t bodies, std::size_t lags,
       lags_(lags),
       groups_(std::min(bodies, most_groups)),
       products_(std::move(products)),
-      transform_(2 * lags),  // lags do not reach around the end of two windows
+      transform_(2 * lags),  // lags do not wrap around the end of two windows
       history_(bodies * 3 * 2 * lags),
       origins_(lags, 0.0),
       sums_(groups_, std::vector(products_.size(), std::vector<double>(lags, 0.0))) {}
@@ -75,7 +75,7 @@ void TimeCorrelation::add(const std::function<Vec3<double>(std::size_t)>& value,
   if (fresh_ == lags_) sum_up(workers);
 }
 
-// Adds the products of the fresh frames with all that are held, and keeps the last window of them.
+// Adds the products of the new frames with all frames held, and keeps the last window of them.
 void TimeCorrelation::sum_up(Workers& workers) {
   if (fresh_ == 0) return;
   workers.each(groups_, [&](std::size_t group) { sum_up(group); });
@@ -90,8 +90,8 @@ void TimeCorrelation::sum_up(Workers& workers) {
   fresh_ = 0;
 }
 
-// Σ_t b(t) a(t − lag) over fresh t, where a is all that is held and b the same with zeros before
-// the fresh frames: the transform of it is that of b times the conjugate of that of a.
+// Σ_t b(t) a(t − lag) over new t, where a holds all frames and b the new ones, preceded by zeros:
+// its transform is that of b times the complex conjugate of that of a.
 void TimeCorrelation::sum_up(std::size_t group) {
   const std::size_t held = before_ + fresh_, window = 2 * lags_;
   Scratch scratch(transform_);
@@ -99,13 +99,14 @@ void TimeCorrelation::sum_up(std::size_t group) {
     const Product product = products_[p];
     std::vector<double>& sums = sums_[group][p];
     Waves correlation(transform_.waves());
-    std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and the frames before
+    std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and the preceding frames
     for (std::size_t i = group; i < bodies_; i += groups_) {
       const double* const x = &history_[3 * i * window];
       const auto vector = [&](std::size_t t) {
         return Vec3<double>{x[t], x[window + t], x[2 * window + t]};
       };
-      // Displacements do not depend on the origin: near it, differences of squares keep digits.
+      // Displacements do not depend on the origin; close to it, differences of squares retain
+      // digits.
       const Vec3<double> origin = product == Product::displacement ? vector(0) : Vec3<double>{};
       for (std::size_t k = 0; k < terms(product); ++k) {
         for (std::size_t t = 0; t < transform_.size(); ++t)

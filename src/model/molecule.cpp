@@ -11,8 +11,8 @@
 namespace polhode {
 namespace {
 
-// Moments closer than this, relative to the largest, count as equal, or as zero: geometries are
-// given with 10 digits or more, and their squares carry a few times that rounding.
+// Moments that differ by less than this, relative to the largest, count as equal, or as zero:
+// geometries have at least 10 digits, and their squares carry a few times that rounding.
 constexpr double same_moment = 1e-9;
 
 // More than a rigid molecule needs: the pair loops take 64 sites that interact, and sizes are found
@@ -39,7 +39,7 @@ void check(const Site& site, const std::string& molecule) {
     refuse("epsilon is given but sigma is 0; a Lennard-Jones site needs both");
 }
 
-// `rounding` bounds the moments that coordinates of one single mass point leave behind.
+// `rounding` bounds the moments that rounded coordinates give to a single mass point.
 Top kind(Vec3<double>& J, double rounding) {
   const double tiny = same_moment * J.z;
   if (J.z <= rounding) {
@@ -56,7 +56,8 @@ Top kind(Vec3<double>& J, double rounding) {
   return low || high ? Top::symmetric : Top::asymmetric;
 }
 
-// A body without inertia about an axis cannot take a torque about it: its sites lie on that axis.
+// A body without inertia about an axis cannot take up a torque about it: all its sites must lie on
+// that axis.
 void check_lever(Site& site, Top top, const std::string& molecule) {
   if (top != Top::linear && top != Top::atom) return;
   double& along = site.r.x;

@@ -15,10 +15,10 @@
 namespace polhode {
 namespace {
 
-// What random numbers are for: every purpose has its own stream.
+// Uses of random numbers: each has its own stream.
 enum Stream : std::uint64_t { shuffling, attitudes, momenta };
 
-// Cells along each edge: the edge that has the longest cells gets one more until all bodies fit.
+// Cells along each edge: the edge with the longest cells gets one more until all bodies fit.
 std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
   std::array<std::size_t, 3> n = {1, 1, 1};
   while (n[0] * n[1] * n[2] < bodies) {
@@ -31,8 +31,9 @@ std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
   return n;
 }
 
-// A place for every body. Which places a component has is random (Fisher and Yates); its bodies
-// then follow the lattice, so that what is near in the box is near in memory.
+// A lattice point for every body. Which points belong to which component is random (Fisher and
+// Yates); the bodies of each component are in lattice order, so that neighbours in the box are
+// neighbours in memory.
 std::vector<std::size_t> drawn_places(const Topology& topology, std::size_t places, Random random) {
   std::vector<std::size_t> place(places);
   std::iota(place.begin(), place.end(), std::size_t{0});

@@ -23,7 +23,7 @@ std::size_t batch_size(const Workers& workers) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(workers.threads()));
 }
 
-// The next frames, those too early left out. Fewer than wanted at the end of the file.
+// The next frames, skipping those before `from`. Fewer than requested at the end of the file.
 std::size_t read(FrameReader& reader, std::vector<Frame>& batch, double from) {
   std::size_t count = 0;
   while (count < batch.size() && reader.next(batch[count]))
@@ -31,7 +31,7 @@ std::size_t read(FrameReader& reader, std::vector<Frame>& batch, double from) {
   return count;
 }
 
-// Gives atoms without names those of the topology, with or without its massless sites.
+// Names the atoms of a frame without names after the topology, with or without massless sites.
 void name_atoms(Frame& frame, const Topology& topology) {
   if (frame.kinds.size() != 1 || !frame.kinds.front().name.empty()) return;
   for (const MasslessSites massless : {MasslessSites::kept, MasslessSites::left_out}) {
@@ -69,7 +69,7 @@ class Assembly {
   Assembly(Analysis& result, const AnalysisSettings& settings)
       : result_(result), settings_(settings) {}
 
-  // Makes the observables, once the first frames are there.
+  // Creates the observables, once the first frames have been read.
   void begin(const std::vector<FittedState>& states) {
     const State& first = states.front().state;
     result_.first = first.time;
@@ -120,7 +120,8 @@ class Assembly {
   }
 
   void end() {
-    if (timed() && !settings_.interval)  // the mean of all has less rounding than the first
+    if (timed() && !settings_.interval)  // the mean interval has a smaller rounding error than the
+                                         // first one
       result_.interval = (result_.last - result_.first) / static_cast<double>(result_.frames - 1);
     if (result_.displacement && result_.displacement->longest_step() > safe_step)
       result_.notes.push_back(fmt::format(
@@ -181,7 +182,7 @@ class Assembly {
       result_.dipole.emplace(result_.topology);
   }
 
-  // The interval between frames, or why there is none.
+  // Sets the interval between frames, or returns the reason why there is none.
   std::string no_interval(const std::vector<FittedState>& states) {
     if (states.size() < 2) return "correlations in time need two frames at least";
     result_.interval = settings_.interval.value_or(states[1].state.time - states[0].state.time);
@@ -190,7 +191,7 @@ class Assembly {
                        states[0].state.time, states[1].state.time);
   }
 
-  // Files hold times as floats at worst: a relative rounding of 2⁻²⁴.
+  // At worst, files store times as floats: a relative rounding error of 2⁻²⁴.
   void check_time(double time) const {
     if (settings_.interval) return;
     const double due = result_.first + static_cast<double>(result_.frames) * result_.interval;

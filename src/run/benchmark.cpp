@@ -19,7 +19,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t tile = 512;               // molecules of the start within the program
+constexpr std::size_t tile = 512;               // molecules of the built-in configuration
 constexpr std::array switches = {0.765, 0.85};  // [nm]
 struct Motion {
   const char* scheme;
@@ -38,11 +38,11 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// How long and how often each thing is measured; large systems are measured less often.
+// Duration and number of repeats of each measurement; large systems are measured less often.
 struct Effort {
-  double limit, evaluations, steps;  // [s] of each repeat
+  double limit, evaluations, steps;  // [s] per repeat
   std::size_t repeats, fewest;
-  double longest;  // [s] for one size, once there are the fewest repeats
+  double longest;  // [s] for one size, after the smallest number of repeats
 };
 constexpr Effort normal{0.5, 0.02, 0.05, 9, 2, 12}, quick{0.2, 0.01, 0.02, 5, 2, 3};
 
@@ -90,7 +90,7 @@ System liquid_water(std::size_t molecules, Workers& workers) {
   return water;
 }
 
-// Repeats of what is measured of one kind of evaluation.
+// Repeats of the measurements of one kind of evaluation.
 struct EvaluationRepeats {
   std::vector<double> forces, energies, list;
   double lanes = 0;
@@ -98,7 +98,7 @@ struct EvaluationRepeats {
 
 void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings& settings,
             Workers& workers, double seconds) {
-  // In another place each time: how fast memory is depends on its addresses.
+  // Use other addresses each time, since the speed of memory depends on them.
   const std::vector<std::byte> elsewhere(1 + 1088 * repeats.list.size());
   ForceField forces(water.topology, settings, water.state.box, workers);
   Load load;
@@ -117,7 +117,7 @@ void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings
   }
 }
 
-// The forces, with a clock; the list has its own.
+// The forces with a stopwatch; the list has its own.
 struct TimedForces {
   ForceField& forces;
   double seconds = 0;
@@ -172,7 +172,7 @@ void repeat(StepRepeats& repeats, const Motion& motion, System& water,
   repeats.rebuilds += static_cast<double>(list.rebuilds()) - rebuilds_before;
   repeats.steps += static_cast<double>(steps);
 
-  // Drifts and kicks apart, on a state that is thrown away.
+  // Time drifts and kicks separately, on a state that is discarded.
   State state = water.state;
   for (std::size_t n = 0; n < fewest; ++n) {
     const Clock first;
@@ -193,7 +193,7 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
   const auto stages = [&](Flow flow) {
     double n = 0;
     for (const Stage& stage : scheme.stages())
-      n += stage.flow == flow ? (stage.xi != 0 ? 3 : 1) : 0;  // a gradient kick is three
+      n += stage.flow == flow ? (stage.xi != 0 ? 3 : 1) : 0;  // a gradient kick counts as three
     return n;
   };
   s.forces = forces.best;
@@ -206,7 +206,7 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
   return s;
 }
 
-// All kinds of evaluations and steps of one size, in turn.
+// All kinds of evaluations and steps for one size, in turn.
 class Measurement {
  public:
   Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,
@@ -256,7 +256,7 @@ class Measurement {
   struct Kind {
     const Limit& limit;
     Workers& workers;
-    System moving;  // goes on from one repeat to the next
+    System moving;  // is advanced from one repeat to the next
     std::array<EvaluationRepeats, switches.size()> evaluations;
     std::array<StepRepeats, motions.size()> steps;
   };
@@ -291,7 +291,7 @@ std::size_t pairs_within(const State& state, double distance) {
   std::size_t n[3], cells = 1, pairs = 0;
   for (std::size_t d = 0; d < 3; ++d) {
     n[d] = static_cast<std::size_t>(box.edge[d] / distance);
-    if (n[d] < 3) n[d] = 1;  // else a neighbour on one side is one on the other as well
+    if (n[d] < 3) n[d] = 1;  // otherwise the neighbours on both sides are the same cell
     cells *= n[d];
   }
   std::vector<std::vector<Vec3<double>>> bodies(cells);
@@ -315,7 +315,8 @@ std::size_t pairs_within(const State& state, double distance) {
               for (const Vec3<double>& a : bodies[(x * n[1] + y) * n[2] + z])
                 for (const Vec3<double>& b : bodies[(i % n[0] * n[1] + j % n[1]) * n[2] + k % n[2]])
                   pairs += norm2(box.minimum_image(a - b)) < distance * distance;
-  return (pairs - state.size()) / 2;  // every pair was met twice, and every body itself
+  return (pairs - state.size()) / 2;  // every pair was counted twice, and every body paired with
+                                      // itself
 }
 
 Benchmark benchmark(const BenchmarkSettings& settings,

@@ -9,7 +9,7 @@ Outcome moved(Course& course, TrajectorySettings settings, const ForceNoise& noi
               const std::function<bool()>& stop) {
   settings.seed = course.seed;
   System& system = course.system;
-  if (course.state)  // a last sample between two intervals is none of a longer run
+  if (course.state)  // drop a final sample that is off the sampling interval
     course.samples.resize(course.state->steps / settings.steps_per_sample() + 1);
   ForceField forces(system.topology, system.forces, system.state.box);
   RunState end;

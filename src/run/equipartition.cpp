@@ -9,7 +9,7 @@ namespace polhode {
 
 namespace {
 
-/// @param excess  the difference of temperatures at a point
+/// @param excess  returns the temperature difference at a point
 std::optional<Line> limit(const Curve& curve, int order, const auto& excess) {
   std::vector<double> x;
   std::vector<Estimate> y;

@@ -87,7 +87,7 @@ std::vector<Guideline> guidelines(const std::vector<Curve>& all,
 }
 
 std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser) {
-  // log(cost ratio) along a fine ladder of R; the largest R at which it changes sign.
+  // log(cost ratio) on a fine grid of R; the crossover is the largest R at which it changes sign.
   const auto advantage = [&](double R) -> std::optional<double> {
     const auto a = cost_at(finer, R), b = cost_at(coarser, R);
     for (const auto& cost : {a, b})
@@ -100,7 +100,7 @@ std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser) {
     const auto here = advantage(R);
     if (here && above && *above <= 0 && *here > 0) {
       const auto a = cost_at(finer, R), b = cost_at(coarser, R);
-      // log cost falls as −log R/exponent, so an error of it moves the crossing by this much.
+      // log cost decreases as −log R/exponent, so its error shifts the crossing by this amount.
       const double slopes = std::abs(1 / b->exponent - 1 / a->exponent);
       const double error = std::hypot(a->error / a->cost, b->error / b->cost);
       return Estimate{R, slopes > 0 ? R * error / slopes : 0.0};

@@ -19,8 +19,8 @@ double seconds_of(const Work& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// The first molecule of the start within the program, with partners at the distances that real
-// ones have, again and again until the packs are full.
+// The first molecule of the built-in configuration with partners at realistic distances, repeated
+// until the packs are full.
 template <class T>
 class WaterPairs {
  public:
@@ -58,7 +58,7 @@ class WaterPairs {
     }
   }
 
-  /// ns per pair of one sweep that is repeated for about 20 µs.
+  /// Time per pair [ns], from sweeps repeated for about 20 µs.
   double operator()(bool ending, bool energies) {
     const auto pairs =
         POLHODE_CURRENT_OVERLOAD(bare_pairs, void (*)(const PairTable&, const PairLaws<T>&, bool,
@@ -91,7 +91,7 @@ Limit measured(Precision precision, double seconds) {
   Column<T> numbers(chains * limit.lanes, T(1));
   WaterPairs<T> pairs(assembled(default_config()), limit.lanes);
 
-  // All kinds in turn, so that a change of the clock rate meets them alike.
+  // All kinds in turn, so that changes of the clock rate affect them equally.
   std::vector<double> times, kinds[2][2];  // [energies][ending]
   const auto start = Clock::now();
   while (times.size() < 5 ||

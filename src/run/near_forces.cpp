@@ -48,7 +48,7 @@ double near_weight(const System& system, const std::optional<InnerScheme>& inner
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   double least_whole = std::numeric_limits<double>::infinity(), least_near = least_whole;
-  for (int k = 0; k < repeats; ++k) {  // the first builds the lists
+  for (int k = 0; k < repeats; ++k) {  // the first pass builds the lists
     least_whole = std::min(least_whole, seconds(whole));
     least_near = std::min(least_near, seconds(near));
   }

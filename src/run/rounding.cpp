@@ -68,7 +68,7 @@ ForceNoise force_noise(const System& system, Workers& workers) {
 double kick_weights(const Scheme& scheme, double lambda) {
   const auto stages = scheme.stages();
   double squares = 0, plain = 0, shifted = 0, first_plain = 0, first_shifted = 0;
-  bool first = true;  // the kicks before the first drift wait for those after the last one
+  bool first = true;  // kicks before the first drift are added to those after the last one
   const auto close = [&] {
     squares += plain * plain + shifted * shifted;
     plain = shifted = 0;

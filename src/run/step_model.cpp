@@ -52,7 +52,7 @@ double StepModel::exponent(double step) const {
 }
 
 double StepModel::longest_step(double ratio, double probability, double longest) const {
-  // Downwards in small steps: beyond its points the bound may rise again towards short steps.
+  // Downwards in small steps: outside its points, the bound may rise again towards small steps.
   constexpr double factor = 0.998;
   double step = longest;
   while (bound(step, probability) > ratio && step > 0.01 * longest) step *= factor;

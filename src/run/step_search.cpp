@@ -9,12 +9,14 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t most_points = 12;
-constexpr double ladder = 1.25;  // from rung to rung, where there is no law to follow
-constexpr double shortest = 1.0 / 64, most_shrinking = 0.25;  // of the first step, of a step
+constexpr double ladder = 1.25;  // ratio of successive steps, where there is no power law to follow
+constexpr double shortest = 1.0 / 64, most_shrinking = 0.25;  // smallest step relative to the first
+                                                              // one; largest reduction of a step
 constexpr double least_slope = 0.5;  // of log R against log h: rounding and kinks flatten it
-constexpr double nearby = 0.7;       // of where R meets the bound: steps that the model is made of
+constexpr double nearby = 0.7;       // the model uses steps from this fraction of where R equals
+                                     // the bound
 
-/// The points before the first that is not usable, and where that lies.
+/// The points before the first that is not usable, and the step of that one.
 struct Range {
   std::vector<AdviserPoint> usable;
   double end = std::numeric_limits<double>::infinity();  // [ps]
@@ -38,12 +40,12 @@ double exponent(const AdviserPoint& a, const AdviserPoint& b) {
   return (log_ratio(b) - log_ratio(a)) / std::log(b.step / a.step);
 }
 
-/// A longer step than the longest usable one, as far as is safe.
+/// A step larger than the largest usable one, limited to a safe increase.
 double longer(double wanted, double longest, double end) {
   return std::min({wanted, most_growth * longest, std::sqrt(longest * end)});
 }
 
-/// Where the mean of log R meets the bound, beyond the points by the law of the order.
+/// Where the mean of log R equals the bound, extrapolated with the scheme's order.
 double meeting(const StepSearch& search, const Range& range) {
   const auto& p = range.usable;
   const double wanted = std::log(search.criterion.bound);
@@ -61,7 +63,7 @@ double meeting(const StepSearch& search, const Range& range) {
   return last.step * std::exp((wanted - log_ratio(last)) / slope);
 }
 
-/// The same, as far as is safe.
+/// The same, limited to a safe increase.
 double crossing(const StepSearch& search, const Range& range) {
   const double at = meeting(search, range), longest = range.usable.back().step;
   return at > longest ? longer(at, longest, range.end) : at;
@@ -91,7 +93,7 @@ std::optional<double> next_of_ladder(const StepSearch& search, const Range& rang
   const auto broken =
       std::find_if(p.begin(), p.end(), [&](const AdviserPoint& point) { return !keeps(point); });
   if (broken == p.begin()) {
-    // Shorter steps help against a bias, not against noise: two of them are tried.
+    // A smaller step helps against a bias, but not against noise: two are tried.
     const double step = p.front().step / ladder;
     return step > 0.6 * search.first ? std::optional(step) : std::nullopt;
   }
@@ -151,7 +153,7 @@ FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& 
   const double longest = around.back().step;
   const double step =
       found.model->longest_step(search.criterion.bound, promise_probability, longest);
-  // A law of two or three points is not followed far.
+  // A model of two or three points is not extrapolated far.
   if (step > 0.6 * around.front().step) found.step = step;
   return found;
 }

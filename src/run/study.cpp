@@ -16,8 +16,8 @@
 namespace polhode {
 namespace {
 
-// The default ladders [fs]: fine enough to interpolate, from about R = 0.1 % (0.001 % for schemes
-// of fourth order) to the end of stability.
+// The default ladders of steps [fs]: fine enough to interpolate, from about R = 0.1 % (0.001 % for
+// fourth-order schemes) to the stability limit.
 std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
   std::vector<double> fs;
   const Scheme& scheme = nested.outer;
@@ -31,13 +31,13 @@ std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
                 : std::vector<double>{2, 3, 4, 5, 6, 7, 8, 9};
   else
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8} : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
-  // Schemes with more stages than those of the paper are for longer steps, at equal cost.
+  // Schemes with more stages than those of the paper use larger steps, at equal cost.
   const double stretch = std::max(1.0, scheme.force_evaluations() / 3.0);
   for (double& h : fs) h *= stretch / 1000;
   return fs;
 }
 
-/// Of near forces, to share out work before anything is measured.
+/// Assumed weight of near forces, for distributing the work before anything is measured.
 constexpr double typical_near_weight = 0.3;
 
 bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
@@ -136,7 +136,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
       work += jobs.back().work() * config.study.length;
     }
   if (jobs.empty()) return;
-  // The dearest first, so that the last ones to end are short.
+  // The most expensive first, so that the last ones to end are short.
   std::stable_sort(jobs.begin(), jobs.end(),
                    [](const Job& a, const Job& b) { return a.work() > b.work(); });
 
@@ -173,7 +173,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
     const auto start = static_cast<std::size_t>(job.start);
     const StudyRun run =
         one_run(starts[start], start, job.point, config, near_weights.at(job.point.name), progress);
-    if (stopped()) return;  // it may have been cut short
+    if (stopped()) return;  // the run may have been cut short
     {
       const std::lock_guard lock(guard);
       finished(run);
@@ -196,7 +196,8 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     EfficiencyPoint e;
     e.scheme = point.name;
     e.step = point.step;
-    std::vector<StudyRun> own;  // by their starts: sums do not depend on which run ended first
+    std::vector<StudyRun> own;  // sorted by initial configuration: sums do not depend on which run
+                                // ended first
     for (const StudyRun& run : runs)
       if (run.scheme == e.scheme && same(run.step, e.step)) own.push_back(run);
     std::sort(own.begin(), own.end(),

@@ -27,8 +27,8 @@ constexpr const char* record_head =
     "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K];weight of near forces;"
     "configurational translation [K];configurational rotation 1 [K];"
     "configurational rotation 2 [K];configurational rotation 3 [K]";
-/// Columns of records: without rounding, without the temperatures of parts, without the weight of
-/// near forces, without configurational temperatures, and whole.
+/// Number of columns in records: without rounding, without temperatures by kind of motion, without
+/// the weight of near forces, without configurational temperatures, and complete.
 constexpr std::size_t first_fields = 9, second_fields = 10, third_fields = 14, fourth_fields = 15,
                       fields = 19;
 
@@ -49,7 +49,7 @@ std::string record_line(const StudyRun& run) {
   return line;
 }
 
-/// How many columns a record has by its head.
+/// The number of columns of a record, from its header.
 std::size_t columns(std::string_view head, const Lines& lines) {
   const auto count = static_cast<std::size_t>(std::count(head.begin(), head.end(), ';')) + 1;
   if (count == first_fields || count == second_fields || count == third_fields ||
@@ -64,7 +64,7 @@ std::size_t columns(std::string_view head, const Lines& lines) {
 constexpr const char* remedy =
     "; delete the line, and its run is done again, or give --force to start anew";
 
-/// A line's fields between its semicolons.
+/// The fields of a line, separated by semicolons.
 class Fields {
  public:
   Fields(std::string_view line, std::size_t count, const Lines& lines) : lines_(lines) {
@@ -120,7 +120,7 @@ StudyRun record_run(const Fields& line, std::size_t count) {
   run.drift = line.number(5, "drift");
   run.total = line.amount(6, "fluctuation of the total energy");
   run.potential = line.amount(7, "fluctuation of the potential energy");
-  // Without forces there is no R to read: nothing over nothing.
+  // Without forces R cannot be read: it is 0/0.
   run.ratio = run.potential > 0 ? line.amount(4, "R") : run.total / run.potential;
   run.temperature = line.amount(8, "temperature");
   if (count >= second_fields) run.rounding = line.amount(9, "R of rounding");

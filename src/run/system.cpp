@@ -18,7 +18,7 @@
 namespace polhode {
 namespace {
 
-// Molecules and mixing as a topology file tells them; pairs of the run file come behind its own.
+// Takes molecules and mixing from a topology file; pairs of the run file are appended to its own.
 void take_topology_file(const Config& config, const Frame& start, System& system) {
   RigidTopology read = read_topology(config.system.topology, &start);
   system.topology = std::move(read.topology);

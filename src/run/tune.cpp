@@ -18,9 +18,9 @@ ErrorTerms difference(const ErrorTerms& a, const ErrorTerms& b) {
   return {a.alpha - b.alpha, a.beta - b.beta};
 }
 
-/// The least of a function of η, which has one minimum between position and velocity Verlet.
+/// The minimum of a function of η, which is unique between position and velocity Verlet.
 FamilyMember least(const std::function<double(double)>& variance) {
-  constexpr int bits = 26;  // half the digits: more cannot be told at a minimum
+  constexpr int bits = 26;  // half of the digits: a minimum cannot be located more precisely
   return {boost::math::tools::brent_find_minima(variance, 0.0, 0.5, bits).first, 0};
 }
 
@@ -78,7 +78,7 @@ FamilyMember best_plain_at_short_steps(const ErrorCovariance& covariance) {
 }
 
 FamilyMember best_gradient(const ErrorCovariance& c, const Scheme& reference) {
-  // Brackets that vary exactly together leave one combination open, which stays as it is.
+  // If the brackets are perfectly correlated, one combination is undetermined and kept.
   constexpr double least_part = 1e-9;
   const double aa = c.aa * (1 + least_part), bb = c.bb * (1 + least_part);
   const double determinant = aa * bb - c.ab * c.ab;
@@ -96,7 +96,7 @@ struct Runs {
   std::vector<double> ratios;
 };
 
-/// Shares out runs, and reports how many are done.
+/// Distributes runs, and reports how many are done.
 class Series {
  public:
   Series(const Config& config, const TuneSettings& settings, const StudyProgress& progress,
@@ -113,7 +113,8 @@ class Series {
 
   bool stopped() const { return progress_.stop && progress_.stop(); }
 
-  /// Runs of a scheme: the first half of the starts measures brackets, the second confirms.
+  /// Runs a scheme: the first half of the initial configurations measures brackets, the second
+  /// confirms.
   Runs runs(const Scheme& scheme, bool brackets) {
     const auto n = static_cast<std::size_t>(settings_.runs);
     Runs result{std::vector<ErrorCovariance>(brackets ? n : 0), std::vector<double>(n)};
@@ -140,7 +141,8 @@ class Series {
  private:
   void advance(const std::string& what) {
     const std::lock_guard lock(guard_);
-    const double all = 8 * settings_.runs;  // starts of both halves, two families by 3 series
+    const double all = 8 * settings_.runs;  // initial configurations of both halves, two families
+                                            // of 3 series each
     if (progress_.report) progress_.report(++done_ / all, what);
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the targets of trajectories share.
+// Shared by the fuzz targets for trajectories.
 #pragma once
 
 #include <sstream>
@@ -10,7 +10,7 @@
 
 namespace polhode::fuzz {
 
-/// Reads all frames of a file with these bytes.
+/// Reads all frames of a file with the given bytes.
 inline void read_all_frames(std::string_view bytes, std::string_view format) {
   std::istringstream in{std::string(bytes)};
   const auto frames = read_frames(in, format, "fuzz." + std::string(format));

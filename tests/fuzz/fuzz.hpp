@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A fuzz target: one reader, fed with any bytes. It must return or refuse them with an Error that
-// says where, within the limits of memory and time that driver.cpp sets.
+// A fuzz target: one reader, fed with arbitrary bytes. It must return, or reject them with an Error
+// that says where, within the limits of memory and time that driver.cpp sets.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace polhode::fuzz {
 
-/// Feeds a text to a reader; an Error is an answer, anything else that is thrown is a finding.
+/// Passes a text to a reader; an Error is a valid outcome, any other exception is a bug.
 void read(std::string_view text);
 
 }  // namespace polhode::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All laws of forces, a crowd that feels all of them, and distances between forces.
+// All force laws, a mixture that interacts by all of them, and distances between forces.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +26,7 @@ inline std::vector<NamedLaw> all_laws() {
   const std::string names[] = {"molecule switch", "site switch", "site shift"};
   for (const Truncation truncation : {molecule_switch, site_switch, site_shift})
     for (const int smoothness : {1, 2, 3}) {
-      if (truncation == site_shift && smoothness > 1) continue;  // it has none
+      if (truncation == site_shift && smoothness > 1) continue;  // has no class
       const auto add = [&](Electrostatics electrostatics, double dielectric, const char* what) {
         laws.push_back({names[int(truncation)] + " " + std::to_string(smoothness) + ", " + what,
                         {truncation, 0.75, 0.55, smoothness, electrostatics, dielectric, 0.1}});
@@ -39,7 +39,7 @@ inline std::vector<NamedLaw> all_laws() {
   return laws;
 }
 
-/// All kinds of bodies at once: atoms, linear, symmetric, spherical, asymmetric.
+/// All kinds of bodies together: atoms, linear, symmetric, spherical, asymmetric.
 inline scenes::Scene mixture() {
   return scenes::lattice(
       {{"argon", 3}, {"co2", 3}, {"n2", 2}, {"benzene", 2}, {"ch4", 3}, {"tip4p", 5}}, 0.62, 1.9,
@@ -82,21 +82,21 @@ inline double rms_distance(const Vec3Column& a, const std::vector<Vec3<double>>&
   return std::sqrt(sum / double(a.size()));
 }
 
-/// What roundings are relative to, from all terms of the energy.
+/// What rounding errors are relative to, from all terms of the energy.
 struct Terms {
   double sum = 0;              ///< Σ |u| [kJ/mol]
-  double f2 = 0, tau2 = 0;     ///< mean squares of what float makes of forces and torques
-  double u2 = 0, virial2 = 0;  ///< squares of what float makes of the energy and the virial
-  double f2_of_places = 0;     ///< the same of forces, from places rounded to 2⁻²⁴ nm
+  double f2 = 0, tau2 = 0;     ///< mean squares of the float errors of forces and torques
+  double u2 = 0, virial2 = 0;  ///< squares of the float errors of the energy and the virial
+  double f2_of_places = 0;     ///< the same for forces, from positions rounded to 2⁻²⁴ nm
 };
 
-/// A rounding to float has an rms of 0.4 × 2⁻²⁴. Three make r², which a term u of power n feels n/2
-/// times, and four or so its powers, products and the sum: together 0.7 √((n/2)² + 1) × 2⁻²⁴ of its
-/// force n u/r. In a switch there is the force w'(r) u as well, in a shift as much again is taken
-/// off, and a reaction field adds (r/r_c)³ of 1/r at most. Places rounded by 2⁻²⁴ nm change a force
-/// by n (n + 1) u/r² of that, and in a switch of sites by the bend of w, up to 7.5 over its width
-/// squared. The torque on one body of a pair is that on the other and the moment R × f: two
-/// roundings of that, some 0.6 × 2⁻²⁴ R f.
+/// Rounding to float has an rms of 0.4 × 2⁻²⁴. Three roundings make up r², to which a term u of
+/// power n responds n/2 times, and about four its powers, products and the sum: together 0.7
+/// √((n/2)² + 1) × 2⁻²⁴ of its force n u/r. A switch adds the force w'(r) u, a shift subtracts a
+/// term of the same size again, and a reaction field adds at most (r/r_c)³ of 1/r. Rounding
+/// positions by δ = 2⁻²⁴ nm changes a force by n (n + 1) u/r² δ; a site switch adds u w'' δ, where
+/// w'' is at most 7.5 over the width squared. The torque on one body of a pair is computed from
+/// that on the other and the moment R × f: two roundings of that, some 0.6 × 2⁻²⁴ R f.
 inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings) {
   const State& state = scene.state;
   const Switch<> w(settings.switch_from, settings.cutoff, settings.smoothness);
@@ -118,7 +118,7 @@ inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings)
           const double r =
               norm(R + to_lab(state.attitude[j], b.r) - to_lab(state.attitude[i], a.r));
           if (!by_molecule && r > settings.cutoff) continue;
-          const double end = by_molecule ? norm(R) : by_site ? r : 0;  // where the switch is asked
+          const double end = by_molecule ? norm(R) : by_site ? r : 0;  // argument of the switch
           const double bend = !by_site || w(end).slope == 0 ? 0 : 7.5 * end / (width * width);
           const double slope = std::abs(w(end).slope);
           const double beyond = settings.electrostatics == Electrostatics::reaction_field

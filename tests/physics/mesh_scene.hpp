@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A scene as a particle mesh sees it, and what direct sums make of it.
+// A scene in the data structures of a particle mesh, and its reference values from direct sums.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ inline Molecule ion(const char* name, double charge) {
       name, {{.name = "I", .mass = 30, .charge = charge, .sigma = 0.3, .epsilon = 0.3}});
 }
 
-/// Water, linear molecules and ions of two kinds, in a box of three different edges; a net charge.
+/// Water, linear molecules and two kinds of ions, in a box with three different edges; a net
+/// charge.
 inline scenes::Scene charged_mixture() {
   return scenes::spread({{{read_molecule("tip4p"), 30},
                           {ion("anion", -1), 3},
@@ -75,7 +76,7 @@ struct MeshScene {
   }
 };
 
-/// The mesh's load of a state, with all that belongs to it made anew.
+/// The mesh's Load for a state, with all its data created anew.
 template <class T>
 MeshLoad mesh_load(const Topology& topology, const State& state, const MeshSettings& settings,
                    BodyLoads& loads, Workers& workers = Workers::serial()) {
@@ -83,21 +84,23 @@ MeshLoad mesh_load(const Topology& topology, const State& state, const MeshSetti
   return MeshScene<T>(topology, state)(mesh, loads);
 }
 
-/// What the mesh is to compute, from direct sums: all of the Ewald sum less pairs and constants.
+/// What the mesh should compute, from direct sums: the complete Ewald sum minus pairs and
+/// constants.
 struct ExactMesh {
   double energy;
   Mat3<double> virial;          ///< of charges that move with the box
   std::vector<Vec3<double>> f;  ///< on each charge, without those of the same body
   BodyLoads bodies;
-  double rms;  ///< of the electrostatic force on a charge, of all others [kJ/mol/nm]
+  double rms;  ///< rms electrostatic force on a charge due to all others [kJ/mol/nm]
 
   ExactMesh(const Topology& topology, const State& state, const CompactSplit& split) {
     const PointCharges charges = point_charges(topology, state);
-    // Beyond half of the shortest edge erfc is 1e-14; as little is beyond the longest wave vector.
+    // At half of the shortest edge erfc is 1e-14; the terms beyond the longest wave vector are as
+    // small.
     const double alpha = 5.4 / (0.5 * state.box.shortest_edge());
     const EwaldSum all = ewald_sum(charges, state.box, GaussianSplit{alpha},
                                    {0.5 * state.box.shortest_edge(), 2 * alpha * 5.6});
-    // Without wave vectors: pairs, and the rest of the constants.
+    // Without wave vectors: pairs, and the other constants.
     const EwaldSum near = ewald_sum(charges, state.box, split, {split.cutoff(), 0});
     energy = all.energy.total() - near.energy.total();
     virial = all.virial;

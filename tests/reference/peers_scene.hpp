@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies from the files of peers/.
+// Bodies reconstructed from the files of peers/.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -39,7 +39,7 @@ inline Molecule molecule(const json& model) {
   return rigid_molecule(model["name"], std::move(sites));
 }
 
-/// Right-handed axes: the first along a, the second towards b. Any second where b is parallel to a.
+/// Right-handed axes: the first along a, the second towards b, arbitrary if b is parallel to a.
 inline Mat3<double> axes(const Vec3<double>& a, const Vec3<double>& b) {
   const Vec3<double> x = a / norm(a);
   Vec3<double> y = b - dot(b, x) * x;
@@ -84,7 +84,7 @@ struct Scene {
   State state;
 };
 
-/// The bodies that the file's site coordinates make.
+/// The bodies reconstructed from the site coordinates of a file.
 inline Scene rebuild(const json& file, const Box& box) {
   Scene scene;
   for (std::size_t k = 0; k < file["bodies"].size(); ++k)
@@ -110,7 +110,7 @@ inline Scene rebuild(const json& file, const Box& box) {
         off = std::max(off, largest(to_lab(turn, sites[k].r) - arms[k]));
     }
   REQUIRE(row == file["sites"].size());
-  REQUIRE(off < 3e-15);  // rigid, and the models' own: some roundings of 2.5 nm
+  REQUIRE(off < 3e-15);  // rigid, and equal to the models: some roundings of 2.5 nm
   return scene;
 }
 

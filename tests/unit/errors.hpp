@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of what an error says and where, and texts with a fault.
+// Checks of the text and place of an error, and texts with a planted fault.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// The error that an expression throws, with every one of `parts` in its text and place.
+/// Checks that an expression throws an error with every one of `parts` in its text or place.
 template <class Action>
 void check_error(Action action, std::initializer_list<const char*> parts) {
   try {
@@ -32,7 +32,7 @@ void check_error(Action action, std::initializer_list<const char*> parts) {
   }
 }
 
-/// A text with the first place of a word replaced, which must be there.
+/// A text with the first occurrence of a word replaced; the word must occur.
 inline std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);
   REQUIRE(at != text.npos);

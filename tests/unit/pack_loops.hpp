@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What packs do, one pack at a time, for tests without packs.
+// Pack operations, one pack at a time, for tests that do not use packs.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 namespace polhode {
 
 POLHODE_DECLARE_LOOPS(
-    /// Numbers in a pack.
+    /// Number of lanes.
     std::size_t lanes_of(const double*); std::size_t lanes_of(const float*);
-    /// column[k, i] = row[i, k], as many as a pack is wide in each direction.
+    /// column[k, i] = row[i, k], for a square of as many rows as a pack has lanes.
     void transposed(const double* row, double* column);
     void transposed(const float* row, float* column);
     /// Adds value[k, lane], 0 ≤ k < 6, to number k of the record of 8 with the lane's index.
@@ -24,7 +24,7 @@ POLHODE_DECLARE_LOOPS(
     /// 1/r, 1/r² and 1/r³ of each r².
     void inverse_powers(const double* r2, double* first, double* second, double* third);
     void inverse_powers(const float* r2, float* first, float* second, float* third);
-    /// How many lanes of `x` are below 0, and `first` + lane for each, from `to` on.
+    /// The number of lanes of `x` below 0; stores `first` + lane for each, starting at `to`.
     std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t* to);
     /// p − from, both ways; p + q as bits.
     void fixed_differences(const std::int32_t* p, std::int32_t from, float* read, float* in_pack);

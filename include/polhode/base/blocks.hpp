@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns cut into blocks, the same ones whatever the number of threads.
+// Columns cut into blocks that do not depend on the number of threads.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,9 @@ constexpr std::size_t blocks(std::size_t size, std::size_t block) {
   return (size + block - 1) / block;
 }
 
-/// Calls task(first, end) for every block of 0 ≤ i < size, `size` itself ending the last. A block
-/// should be some µs of work, several times what a fork and a join cost, and hold whole packs.
+/// Calls task(first, end) for every block of 0 ≤ i < size, in parallel; the last block ends at
+/// `size`. A block should take a few µs, several times the cost of a fork and a join, and hold
+/// whole packs.
 template <class Task>
 void each_block(std::size_t size, std::size_t block, Workers& workers, const Task& task) {
   workers.each(blocks(size, block),

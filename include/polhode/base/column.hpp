@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Columns: one number for each body, contiguous, aligned for the widest pack and padded to a whole
-// number of them, so that loops over packs need no remainder. Padding holds a harmless value.
+// Columns: one number per body, contiguous, aligned for the widest pack and padded to a whole
+// number of packs, so that loops over packs need no remainder. The padding holds a harmless value.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace polhode {
 
-/// Bytes of the widest pack; columns start at and end on multiples of it.
+/// Bytes of the widest pack; columns start and end at multiples of it.
 inline constexpr std::size_t pack_bytes = 64;
 
 template <class T>
@@ -53,7 +53,7 @@ class Column {
   std::vector<T, AlignedAllocator<T>> data_;
 };
 
-/// Three columns that hold a vector for each body.
+/// Three columns that hold one vector per body.
 struct Vec3Column {
   Column<double> x, y, z;
 
@@ -71,7 +71,7 @@ struct Vec3Column {
   void add(std::size_t i, const Vec3<double>& v) { set(i, (*this)[i] + v); }
 };
 
-/// Four columns that hold a unit quaternion for each body; padding is the identity.
+/// Four columns that hold one unit quaternion per body; the padding is the identity.
 struct QuaternionColumn {
   Column<double> w, x, y, z;
 

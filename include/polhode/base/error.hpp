@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The two ways in which things go wrong for a user. Form of a text: what is (value, unit), what
-// must be (bound), why in half a sentence, what to do; then, added where it is known, the place.
+// The two kinds of errors that a user may see. The text says: what is wrong (value, unit), what it
+// must be (bound), why in half a sentence, and what to do; the place is added where it is known.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// Wrong input: a file, a value, an option. Front ends print it and exit with code 2.
+/// Bad input: a file, a value, an option. Front ends print it and exit with code 2.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& what_and_remedy, std::string where = {})
@@ -18,14 +18,14 @@ class Error : public std::runtime_error {
   /// File, line and key, as far as known: "water.toml:9, forces.cutoff".
   const std::string& where() const { return where_; }
 
-  /// The same error with its place, unless a more exact one is known already.
+  /// The same error with its place, unless a more precise one is already known.
   Error at(const std::string& where) const { return where_.empty() ? Error(what(), where) : *this; }
 
  private:
   std::string where_;
 };
 
-/// A run that cannot go on although its input was sound: the trajectory blew up. Exit code 1.
+/// A run that cannot continue although its input was valid: the trajectory blew up. Exit code 1.
 class RunError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Packs: as many numbers as the instruction set handles at once, behaving as one Real. The only
-// file with vector types. It is included by files that are compiled once per instruction set (the
-// `targets` folders), each with its own compiler flags.
+// Packs: a SIMD vector of as many numbers as the instruction set processes at once, with the
+// interface of a single Real. The only file that uses vector types. It is included by files that
+// are compiled once per instruction set (the `targets` folders), each with its own compiler flags.
 #pragma once
 
 #include <hwy/highway.h>
@@ -18,7 +18,7 @@ inline namespace HWY_NAMESPACE {  // packs of different instruction sets are dif
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The largest pack of doubles or floats of this instruction set.
+/// The widest pack of doubles or floats of this instruction set.
 template <class T>
 struct Pack {
   using value_type = T;
@@ -30,7 +30,7 @@ struct Pack {
   hn::Vec<Tag> v;
 
   Pack() : v(hn::Zero(Tag())) {}
-  Pack(T value) : v(hn::Set(Tag(), value)) {}  // implicit, as a Real is made of a literal
+  Pack(T value) : v(hn::Set(Tag(), value)) {}  // implicit, so that a literal can serve as a Real
   Pack(hn::Vec<Tag> value) requires(!std::is_same_v<hn::Vec<Tag>, T>) : v(value) {}
 
   static Pack load(const T* p) { return Pack(hn::Load(Tag(), p)); }
@@ -46,7 +46,7 @@ struct Pack {
   Pack& operator*=(Pack b) { return *this = *this * b; }
 };
 
-/// The truth of a comparison, lane by lane.
+/// The result of a comparison, lane by lane.
 template <class T>
 struct PackMask {
   hn::Mask<typename Pack<T>::Tag> m;
@@ -80,7 +80,7 @@ template <class T>
 bool all(PackMask<T> mask) {
   return hn::AllTrue(typename Pack<T>::Tag(), mask.m);
 }
-/// The first `count` lanes.
+/// A mask that selects the first `count` lanes.
 template <class T>
 PackMask<T> first_lanes(std::size_t count) {
   return {hn::FirstN(typename Pack<T>::Tag(), count)};
@@ -98,7 +98,7 @@ template <class T>
 Pack<T> abs(Pack<T> a) {
   return Pack<T>(hn::Abs(a.v));
 }
-/// a b + c with one rounding where the hardware has it.
+/// a b + c, with a single rounding where the hardware supports it.
 template <class T>
 Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
   return Pack<T>(hn::MulAdd(a.v, b.v, c.v));
@@ -116,10 +116,13 @@ struct MaskOf<Pack<T>> {
   using type = PackMask<T>;
 };
 
-/// Negative powers of a distance r from a = r²: the hardware's estimate y of 1/√a and e = 1 − a y²,
-/// so that 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e. It ends where the next term is below
-/// half a unit in the last place: |e| < 2⁻¹³ for the estimate of AVX-512 (14 bits), |e| < 2⁻¹⁰ for
-/// those of 12 bits, which a step of second order brings below 2⁻²⁰ in double precision.
+/// Negative powers of a distance r from a = r². With the hardware's estimate y of 1/√a and
+/// e = 1 − a y², 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e, truncated where the next term is
+/// below half a unit in the last place: |e| < 2⁻¹³ for the estimate of AVX-512 (14 bits) and
+/// |e| < 2⁻¹⁰ for those of 12 bits, which a second-order step reduces to below 2⁻²⁰ in double
+/// precision.
+/// Lane types: float, double. Largest errors of 1/r, 1/r² and 1/r³: 1.25, 2.75 and 3.5 ULP; in
+/// scalar packs 1, 2.5 and 4 ULP (tests/unit/pack_test.cpp). Valid range: a that is a normal float.
 template <class T>
 class InversePowers<Pack<T>> {
  public:
@@ -146,7 +149,7 @@ class InversePowers<Pack<T>> {
   static constexpr bool fine_estimate = false;
 #endif
 
-  // y (c1 e + c2 e² + c3 e³); what is common to several powers is computed once.
+  // y (c1 e + c2 e² + c3 e³); what the powers have in common is computed once.
   Real correction(double c1, double c2, double c3) const {
     const auto c = [](double x) { return Real(static_cast<T>(x)); };
     const Real ye = y_ * e_;
@@ -180,7 +183,7 @@ class InversePowers<Pack<T>> {
   Real y_, y2_, e_;
 };
 
-/// 1/√a, for a within the range of floats.
+/// 1/√a: accuracy and range as for InversePowers.
 template <class T>
 Pack<T> inverse_sqrt(Pack<T> a) {
   return InversePowers<Pack<T>>(a).first();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs of a column's values: as many bodies at once as a pack is wide.
+// Packs of the values of a column: as many bodies at once as a pack has lanes.
 #pragma once
 
 #include "polhode/base/column.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Packs and whole numbers: coordinates in fixed point, whose differences are exact, and lists of
-// the lanes that a mask selects.
+// Packs and integers: coordinates in fixed point, whose differences are exact, and lists of the
+// lanes that a mask selects.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,21 @@ inline namespace HWY_NAMESPACE {
 
 using FixedTag = hn::RebindToSigned<Pack<float>::Tag>;
 
-/// p[k] − from, exact in 32 bits with overflow from end to end, then rounded.
+/// p[k] − from, exact in 32 bits with wrap-around, then rounded to float.
 inline Pack<float> fixed_point_difference(const std::int32_t* p, std::int32_t from) {
   const FixedTag fixed;
   return Pack<float>(
       hn::ConvertTo(Pack<float>::Tag(), hn::Sub(hn::LoadU(fixed, p), hn::Set(fixed, from))));
 }
 
-/// The same for numbers that stand in a pack as bits.
+/// The same for integers held as the bits of a pack.
 inline Pack<float> fixed_point_difference(Pack<float> bits, std::int32_t from) {
   const FixedTag fixed;
   return Pack<float>(
       hn::ConvertTo(Pack<float>::Tag(), hn::Sub(hn::BitCast(fixed, bits.v), hn::Set(fixed, from))));
 }
 
-/// Doubles rounded to floats.
+/// Doubles converted to floats.
 inline Pack<float> narrowed(const std::array<Pack<double>, halves>& a) {
   const Pack<float>::Tag tag;
 #if HWY_TARGET == HWY_SCALAR
@@ -37,7 +37,7 @@ inline Pack<float> narrowed(const std::array<Pack<double>, halves>& a) {
 #endif
 }
 
-/// Doubles rounded to fixed point, as bits.
+/// Doubles rounded to fixed point, held as the bits of a pack.
 inline Pack<float> narrowed_to_fixed_point(const std::array<Pack<double>, halves>& a) {
   const Pack<float>::Tag tag;
   const FixedTag fixed;
@@ -50,7 +50,7 @@ inline Pack<float> narrowed_to_fixed_point(const std::array<Pack<double>, halves
 #endif
 }
 
-/// Whole numbers of 32 bits, one for each lane of a pack.
+/// 32-bit integers, one per lane of a pack.
 template <class T>
 struct PackIndex {
   using Tag = hn::Rebind<std::int32_t, typename Pack<T>::Tag>;
@@ -70,11 +70,11 @@ struct PackIndex {
   friend PackIndex operator<<(PackIndex a, std::size_t bits) {
     return {hn::ShiftLeftSame(a.v, static_cast<int>(bits))};
   }
-  /// Keeps the sign.
+  /// Arithmetic shift: preserves the sign.
   friend PackIndex operator>>(PackIndex a, std::size_t bits) {
     return {hn::ShiftRightSame(a.v, static_cast<int>(bits))};
   }
-  /// Adds b to the negative numbers.
+  /// Adds b to the negative elements.
   PackIndex wrapped(std::int32_t b) const {
     return {hn::Add(v, hn::And(hn::BroadcastSignBit(v), hn::Set(Tag(), b)))};
   }
@@ -84,7 +84,7 @@ inline Pack<double> as_doubles(PackIndex<double> a) {
   return Pack<double>(hn::PromoteTo(Pack<double>::Tag(), a.v));
 }
 
-/// The sum of fixed-point numbers, those of a pack as bits, with overflow from end to end.
+/// The sum of fixed-point numbers, those of the pack held as bits, with wrap-around.
 inline Pack<float> fixed_point_sum(Pack<float> bits, PackIndex<float> b) {
   return Pack<float>(
       hn::BitCast(Pack<float>::Tag(), hn::Add(hn::BitCast(FixedTag(), bits.v), b.v)));
@@ -103,8 +103,8 @@ inline Pack<double> gathered(const double* from, const std::uint32_t* index) {
 #endif
 }
 
-/// Stores `first` + k for each lane k that the mask selects, one after the other, and returns how
-/// many. The rest of a pack beyond them is overwritten.
+/// Stores `first` + k for each lane k that the mask selects, consecutively, and returns their
+/// number. The rest of the pack after them is overwritten.
 template <class T>
 std::size_t store_counted(std::uint32_t first, PackMask<T> mask, std::uint32_t* to) {
   const hn::RebindToUnsigned<typename Pack<T>::Tag> words;

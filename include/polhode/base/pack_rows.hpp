@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Packs from and to records. Records that lie anywhere in memory are read as rows, a vector load
-// each, and turned into packs with one number of every record by shuffles in registers; a gather
-// would fetch numbers one by one. The way back adds packs to records.
+// Conversion between records and packs. A record holds the numbers of one body, contiguous in
+// memory; a pack holds one number of each of several bodies. Records at arbitrary addresses are
+// read as rows, one vector load each, and transposed in registers by shuffles, because a gather
+// would fetch the numbers one by one. The way back adds packs to records.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace polhode {
 inline namespace HWY_NAMESPACE {
 
 #if HWY_TARGET != HWY_SCALAR
-/// Turns a square of 16-byte blocks: block b of vector a goes to block a of vector b.
+/// Transposes a square of 16-byte blocks: block b of vector a goes to block a of vector b.
 template <class T>
 void transpose_blocks(hn::Vec<typename Pack<T>::Tag>* v) {
   [[maybe_unused]] const typename Pack<T>::Tag tag;
@@ -23,7 +24,7 @@ void transpose_blocks(hn::Vec<typename Pack<T>::Tag>* v) {
     v[1] = hn::ConcatUpperUpper(tag, v[1], v[0]);
     v[0] = low;
   } else if constexpr (blocks == 4) {
-    const auto even = [](auto x, auto y) {  // blocks 0 and 2 of x and y in turn
+    const auto even = [](auto x, auto y) {  // blocks 0 and 2 of x and y, interleaved
       return hn::OddEvenBlocks(hn::SwapAdjacentBlocks(y), x);
     };
     const auto odd = [](auto x, auto y) { return hn::OddEvenBlocks(y, hn::SwapAdjacentBlocks(x)); };
@@ -38,8 +39,8 @@ void transpose_blocks(hn::Vec<typename Pack<T>::Tag>* v) {
 #endif
 
 #if HWY_TARGET != HWY_SCALAR
-/// Turns squares of four floats, one in each block: lane i of block b of column[k] goes to lane k
-/// of block b of vector i.
+/// Transposes 4 × 4 floats within each 16-byte block: lane i of block b of the k-th argument goes
+/// to lane k of block b of vector i.
 template <class Vector>
 std::array<Vector, 4> transpose_within_blocks(Vector a, Vector b, Vector c, Vector d) {
   const hn::DFromV<Vector> tag;
@@ -56,7 +57,8 @@ std::array<Vector, 4> transpose_within_blocks(Vector a, Vector b, Vector c, Vect
 }
 #endif
 
-/// Turns a square of numbers: number k of row(i) goes to lane i of column[k]. `row` yields a Pack.
+/// Transposes a square of numbers: number k of row(i) goes to lane i of column[k]. `row(i)` is a
+/// Pack.
 template <class T, class Rows>
 [[gnu::always_inline]] inline void transpose(const Rows& row, Pack<T>* column) {
 #if HWY_TARGET == HWY_SCALAR
@@ -64,7 +66,7 @@ template <class T, class Rows>
 #else
   using Vector = hn::Vec<typename Pack<T>::Tag>;
   const typename Pack<T>::Tag tag;
-  constexpr std::size_t width = Pack<T>::width, side = 16 / sizeof(T);  // numbers in a block
+  constexpr std::size_t width = Pack<T>::width, side = 16 / sizeof(T);  // numbers per block
   Vector part[side][width / side];  // [column within a block][group of rows]
   for (std::size_t g = 0; g < width / side; ++g) {
     if constexpr (side == 2) {
@@ -84,7 +86,7 @@ template <class T, class Rows>
 #endif
 }
 
-/// A pack of floats as packs of doubles.
+/// A pack of floats converted to doubles, in as many packs as that takes.
 inline constexpr std::size_t halves = Pack<float>::width / Pack<double>::width;
 inline std::array<Pack<double>, halves> widened(Pack<float> a) {
   const Pack<double>::Tag tag;
@@ -98,7 +100,7 @@ inline std::array<Pack<double>, halves> widened(Pack<float> a) {
 }
 inline std::array<Pack<double>, 1> widened(Pack<double> a) { return {a}; }
 
-/// Records have room for eight numbers, in as many vectors as that takes.
+/// Records have room for eight numbers, held in as many vectors as necessary.
 inline constexpr std::size_t record_stride = 8;
 template <class T>
 using RecordTag = hn::CappedTag<T, record_stride>;
@@ -110,8 +112,8 @@ template <std::size_t columns, class T>
 inline constexpr std::size_t record_parts =
     (columns + record_part_width<T> - 1) / record_part_width<T>;
 
-/// Turns columns into records: visit(lane, part, vector) gets the part-th vector of the record of a
-/// lane; a record ends in zeros.
+/// Transposes columns into records: visit(lane, part, vector) receives the part-th vector of the
+/// record of each lane. Unused numbers of a record are zero.
 template <std::size_t columns, class T, class Visit>
 [[gnu::always_inline]] inline void visit_records(const std::array<Pack<T>, columns>& column,
                                                  const Visit& visit) {
@@ -124,7 +126,7 @@ template <std::size_t columns, class T, class Visit>
       transpose<T>([&](std::size_t k) { return number(part * width + k); }, row);
       for (std::size_t i = 0; i < width; ++i) visit(i, part, row[i].v);
     }
-  } else {  // sixteen records, each as wide as half a pack
+  } else {  // sixteen records, each half a pack wide
 #if HWY_TARGET != HWY_SCALAR
     const auto four = [&](std::size_t k) {
       return transpose_within_blocks(number(k).v, number(k + 1).v, number(k + 2).v,
@@ -150,8 +152,8 @@ void add_to_record(RecordPart<T> what, T* part) {
   hn::Store(hn::Add(hn::Load(tag, part), what), tag, part);
 }
 
-/// Adds lane i of column k to number k of record i, for records that are aligned to their stride;
-/// one after the other, as two lanes may mean the same record. `record` yields a pointer.
+/// Adds lane i of column k to number k of record i, one record after the other, because two lanes
+/// may refer to the same one. `record(i)` is a pointer to a record, aligned to the record stride.
 template <std::size_t columns, class T, class Records>
 [[gnu::always_inline]] inline void add_to_records(const std::array<Pack<T>, columns>& value,
                                                   const Records& record) {
@@ -165,7 +167,7 @@ template <std::size_t columns, class T>
 [[gnu::always_inline]] inline void add_sums_to_record(const std::array<Pack<T>, columns>& value,
                                                       T* record) {
   constexpr std::size_t parts = record_parts<columns, T>;
-  RecordPart<T> sum[parts][2];  // even and odd lanes apart: a shorter chain
+  RecordPart<T> sum[parts][2];  // even and odd lanes separately: a shorter dependency chain
   for (auto& part : sum) part[0] = part[1] = hn::Zero(RecordTag<T>());
   visit_records(value, [&](std::size_t lane, std::size_t part, RecordPart<T> row) {
     sum[part][lane % 2] = hn::Add(sum[part][lane % 2], row);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs: eight numbers in a row of a grid, at any address, in one vector or as many as it takes; and
-// places on a grid for packs of points.
+// Runs: eight consecutive numbers in a row of a grid, at any address, in one vector or as many as
+// necessary; and grid positions for packs of points.
 #pragma once
 
 #include <algorithm>
@@ -46,7 +46,7 @@ struct Run {
   }
 };
 
-/// Two runs, in one vector where it is wide enough.
+/// Two runs, in one vector if it is wide enough.
 template <class T>
 struct RunPair {
   static constexpr bool joined = HWY_LANES(T) == 2 * Run<T>::length;
@@ -57,9 +57,9 @@ struct RunPair {
 
   std::conditional_t<joined, hn::Vec<Tag>, Apart> v;
 
-  /// Each of them of one number.
+  /// The first number in all elements of the first run, the second in those of the second.
   static RunPair all(T first, T second) { return joining(Run<T>::all(first), Run<T>::all(second)); }
-  /// Both the same eight numbers.
+  /// The same eight numbers in both runs.
   static RunPair twice(const T* p) {
     const Run<T> run = Run<T>::load(p);
     return joining(run, run);
@@ -76,7 +76,7 @@ struct RunPair {
 #endif
     if constexpr (!joined) return v.second;
   }
-  /// The first, then the second.
+  /// Stores the first run, then the second.
   void store(T* p) const {
     if constexpr (joined)
       hn::StoreU(v, Tag(), p);
@@ -106,16 +106,16 @@ struct RunPair {
   }
 };
 
-/// Where points are on a grid of so many points to an edge: the index of the grid point before each
-/// and, as the result, the distance beyond it, from 0 to 1 up to rounding. A point is a centre [nm]
-/// and an arm [nm], on any image.
+/// Position of points on a grid with `points` points per edge: the index of the grid point below
+/// each and, as the result, the distance beyond it, from 0 to 1 up to rounding. A point is the sum
+/// of a centre and an arm [nm], in any periodic image.
 inline Pack<double> grid_place(Pack<double> centre, Pack<double> arm, std::int32_t points,
                                double edge, std::int32_t* index) {
   const Pack<double> n(points);
   Pack<double> t = (centre + arm) * Pack<double>(points / edge);
   t -= n * Pack<double>(hn::Floor((t * Pack<double>(1.0 / points)).v));
   const Pack<double> before(hn::Floor(t.v));
-  const Pack<double> wrapped =  // rounding may have led to either end
+  const Pack<double> wrapped =  // rounding may have produced either end
       select(before < n, select(before < Pack<double>(0), n - Pack<double>(1), before),
              Pack<double>(0));
   const hn::Rebind<std::int32_t, Pack<double>::Tag> narrow;
@@ -123,8 +123,8 @@ inline Pack<double> grid_place(Pack<double> centre, Pack<double> arm, std::int32
   return t - before;
 }
 
-/// The same for a centre in fixed point, 2³⁰ to an edge. The distance is exact to a rounding of its
-/// own: whole numbers modulo 2³² carry it.
+/// The same for a centre in fixed point, 2³⁰ units to an edge. The distance is exact to one
+/// rounding, because the integer part is computed modulo 2³².
 inline Pack<float> grid_place(Pack<float> centre, Pack<float> arm, std::int32_t points, double edge,
                               std::int32_t* index) {
   const Pack<float>::Tag tag;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Unit quaternions as attitudes: (w, x, y, z) is the active rotation A, body → lab, and its matrix
-// transposed is the paper's S, lab → body: x_body = S x_lab.
+// Unit quaternions as attitudes: (w, x, y, z) is the active rotation A, body → lab. Its transposed
+// matrix is the S of the papers, lab → body: x_body = S x_lab.
 #pragma once
 
 #include "polhode/base/vec3.hpp"
@@ -43,7 +43,7 @@ Quaternion<Real> normalized(const Quaternion<Real>& q) {
   return scaled(q, Real(1) / sqrt(norm2(q)));
 }
 
-/// The paper's S: x_body = S x_lab.
+/// The matrix S of the papers: x_body = S x_lab.
 template <class Real>
 constexpr Mat3<Real> matrix_S(const Quaternion<Real>& q) {
   const Real two(2);
@@ -55,13 +55,13 @@ constexpr Mat3<Real> matrix_S(const Quaternion<Real>& q) {
            q.w * q.w - q.x * q.x - q.y * q.y + q.z * q.z}};
 }
 
-/// S v: a lab-frame vector seen from the body.
+/// S v: a lab-frame vector expressed in the body frame.
 template <class Real>
 constexpr Vec3<Real> to_body(const Quaternion<Real>& q, const Vec3<Real>& v) {
   return matrix_S(q) * v;
 }
 
-/// Sᵀ v: a body-frame vector seen from the lab.
+/// Sᵀ v: a body-frame vector expressed in the lab frame.
 template <class Real>
 constexpr Vec3<Real> to_lab(const Quaternion<Real>& q, const Vec3<Real>& v) {
   return transpose(matrix_S(q)) * v;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What physics may ask of a number type beyond + - * /, for plain double and float. Packs and dual
-// numbers overload the same names, so that a law is written once for all of them.
+// What physics may require of a number type beyond + - * /, for plain double and float. Packs and
+// dual numbers overload the same names, so that a law is written once for all of them.
 #pragma once
 
 #include <cmath>
 
 namespace polhode {
 
-/// The truth value of a comparison of Reals: bool for numbers, a lane mask for packs.
+/// The result of a comparison of Reals: bool for numbers, a lane mask for packs.
 template <class Real>
 struct MaskOf {
   using type = bool;
@@ -20,11 +20,11 @@ constexpr Real select(bool condition, Real if_true, Real if_false) {
   return condition ? if_true : if_false;
 }
 
-/// Whether a comparison holds in any lane; a number has one.
+/// Whether a comparison holds in any lane; a plain number has one lane.
 constexpr bool any(bool mask) { return mask; }
 
-/// The type of numbers that multiply Reals and are the same for all of them: the Real itself, but
-/// for dual numbers a plain one, which has no slope to be computed.
+/// The type of factors that are the same for all Reals: the Real itself, but for a dual number the
+/// plain number, which has no derivative to compute.
 template <class Real>
 struct ConstantOf {
   using type = Real;
@@ -32,7 +32,7 @@ struct ConstantOf {
 template <class Real>
 using Constant = typename ConstantOf<Real>::type;
 
-/// A number of the text, or of a law, as a Constant of Reals of any precision.
+/// A literal, or a parameter of a law, as a Constant of Reals of any precision.
 template <class Real, class T>
 constexpr Constant<Real> constant(T x) {
   using C = Constant<Real>;
@@ -53,8 +53,8 @@ constexpr void subtract_product(Real& sum, const Real& a, const Real& b) {
   sum -= a * b;
 }
 
-/// The value of a function at x whose derivative there is at hand: a dual number takes its slope
-/// from that, which is cheaper than to differentiate the formula of the value.
+/// The value of a function at x together with its known derivative there: a dual number takes its
+/// slope from the derivative, which is cheaper than differentiating the formula of the value.
 template <class Real>
 constexpr Real with_derivative(const Real& value, const Real&, const Real&) {
   return value;
@@ -69,7 +69,7 @@ Real inverse_sqrt(Real a) {
   return Real(1.0) / sqrt(a);
 }
 
-/// 1/r, 1/r² and 1/r³ from r². Packs have a shorter way to each than by products.
+/// 1/r, 1/r² and 1/r³ from r². Packs compute each in a cheaper way than by products.
 template <class Real>
 class InversePowers {
  public:

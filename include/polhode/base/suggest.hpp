@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a mistyped name probably meant.
+// Suggestions for mistyped names.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,15 @@
 
 namespace polhode {
 
-/// Insertions, deletions, replacements and swaps of neighbours that turn one word into the other.
+/// The number of insertions, deletions, replacements and swaps of adjacent letters that turn one
+/// word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name with the smallest edit distance, unless even that changes more than about a third of
-/// the word (one letter of a short one).
+/// The name with the smallest edit distance, unless that distance exceeds about a third of the word
+/// (one letter of a short word).
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names);
 
-/// "; did you mean 'gier4'?", or nothing if no name is near; the end of an error's text.
+/// "; did you mean 'gier4'?", or nothing if no name is close; appended to an error message.
 std::string did_you_mean(std::string_view word, std::span<const std::string> names);
 
 /// "a, b, c".

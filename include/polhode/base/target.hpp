@@ -11,21 +11,21 @@ enum class Target { scalar, sse4, avx2, avx512 };
 
 const char* name(Target target);
 
-/// The targets that were compiled and that this processor runs, slowest first.
+/// The instruction sets that were compiled in and that this processor supports, slowest first.
 std::vector<Target> available_targets();
 
-/// The target in use: the last of the available ones, unless the environment variable
-/// POLHODE_TARGET or force_target() names another.
-/// @throws Error  if POLHODE_TARGET names one that does not exist or does not run here
+/// The instruction set in use: the fastest available one, unless the environment variable
+/// POLHODE_TARGET or force_target() selects another.
+/// @throws Error  if POLHODE_TARGET names one that does not exist or that this processor lacks
 Target current_target();
 
-/// Use this target from now on; for tests and benchmarks. Not while other threads compute.
+/// Use this instruction set from now on; for tests and benchmarks. Not while other threads compute.
 void force_target(Target target);
 
 // A file in a `targets` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
-// build sets to loops_scalar, loops_sse4 and so on. Their callers declare them once for all targets
-// with POLHODE_DECLARE_LOOPS and pick the current one with POLHODE_CURRENT_LOOPS, or, of overloads,
-// the one of a pointer type with POLHODE_CURRENT_OVERLOAD.
+// build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares them for all
+// instruction sets, POLHODE_CURRENT_LOOPS selects the current one, and POLHODE_CURRENT_OVERLOAD
+// does so for overloaded functions, given the type of a function pointer.
 #if defined(__x86_64__)
 #define POLHODE_DECLARE_LOOPS(...) \
   namespace loops_scalar {         \
@@ -56,7 +56,7 @@ void force_target(Target target);
 #define POLHODE_CURRENT_OVERLOAD(function, ...) (static_cast<__VA_ARGS__>(&loops_scalar::function))
 #endif
 
-/// One of four functions, by target.
+/// One of four functions, by instruction set.
 template <class Function>
 constexpr Function pick(Target target, Function scalar, Function sse4, Function avx2,
                         Function avx512) {

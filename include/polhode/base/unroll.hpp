@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops that unroll where their length is known when they are compiled.
+// Loops that unroll if their length is known at compile time.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@ namespace polhode {
 template <std::size_t n>
 using Count = std::integral_constant<std::size_t, n>;
 
-/// body(k) for 0 ≤ k < n, written out.
+/// Calls body(k) for 0 ≤ k < n, unrolled.
 template <std::size_t n, class Body>
 [[gnu::always_inline]] constexpr void each(Count<n>, const Body& body) {
   [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
@@ -21,7 +21,7 @@ template <std::size_t n, class Body>
   (std::make_index_sequence<n>{});
 }
 
-/// body(k) for 0 ≤ k < n, as a loop.
+/// Calls body(k) for 0 ≤ k < n, as a loop.
 template <class Body>
 [[gnu::always_inline]] constexpr void each(std::size_t n, const Body& body) {
   for (std::size_t k = 0; k < n; ++k) body(k);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Vectors and matrices of three dimensions over any Real: double, float, a pack, a dual number.
+// Three-dimensional vectors and matrices over any Real: double, float, a pack, a dual number.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +42,7 @@ constexpr Vec3<Real> cross(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// sum += a × b, in the order that multiply-adds take.
+/// sum += a × b, in the order suited to multiply-adds.
 template <class Real>
 constexpr void add_cross(Vec3<Real>& sum, const Vec3<Real>& a, const Vec3<Real>& b) {
   add_product(sum.x, a.y, b.z);
@@ -61,7 +61,7 @@ constexpr void add_scaled(Vec3<Real>& sum, const Real& s, const Vec3<Real>& a) {
   add_product(sum.z, s, a.z);
 }
 
-/// Entry by entry: J⁻¹ L and the like, for diagonal tensors held as a Vec3.
+/// Element-wise product: J⁻¹ L and the like, for diagonal tensors held as a Vec3.
 template <class Real>
 constexpr Vec3<Real> scaled(const Vec3<Real>& a, const Vec3<Real>& b) {
   return {a.x * b.x, a.y * b.y, a.z * b.z};
@@ -77,7 +77,7 @@ Real norm(const Vec3<Real>& a) {
   return sqrt(norm2(a));
 }
 
-/// Rows of a 3 × 3 matrix.
+/// A 3 × 3 matrix by rows.
 template <class Real>
 struct Mat3 {
   Vec3<Real> row0{}, row1{}, row2{};

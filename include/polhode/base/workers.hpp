@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads that share the work of one loop: a fork and a join for each call.
+// A thread pool that shares the work of one loop: a fork and a join per call.
 #pragma once
 
 #include <cstddef>
@@ -7,28 +7,31 @@
 
 namespace polhode {
 
-/// A fixed number of threads, the calling one among them. Between calls the others wait: for some
-/// ten µs awake, so that the next call costs a µs or two, then asleep, so that a process beside
-/// this one has the cores. A thread that gets no core joins no work, and nobody waits for it.
+/// A fixed number of threads, including the calling one. Between calls the others wait: first they
+/// spin for a few tens of µs, so that the next call costs only a µs or two, then they sleep and
+/// leave the cores to other processes. A thread that gets no core takes no work, and nobody waits
+/// for it.
 class Workers {
  public:
-  /// @param threads  at least 1; more than the cores allowed gains nothing (base/threads.hpp)
+  /// @param threads  at least 1; more than the allowed cores gains nothing (base/threads.hpp)
   explicit Workers(int threads);
   ~Workers();
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// The calling thread alone.
+  /// The calling thread only.
   static Workers& serial();
 
   int threads() const { return threads_; }
 
   /// Calls task(k) once for every 0 ≤ k < count, in any order and on any thread, and returns when
-  /// all are done. What the tasks wrote is then visible to the caller. No allocation. From within a
-  /// task, or while another thread's call is under way, the calling thread does all of it alone.
+  /// all are done. What the tasks have written is then visible to the caller. Does not allocate.
+  /// Called from within a task, or while another thread's call is in progress, it runs all tasks on
+  /// the calling thread.
   ///
-  /// If a task throws, those not yet begun are left out, and what the smallest k threw is thrown
-  /// here: tasks begin in order, so it is what one thread alone would have met first.
+  /// If a task throws, tasks not yet started are skipped, and the exception of the smallest k is
+  /// rethrown here: tasks start in order, so it is the one that a single thread would have met
+  /// first.
   template <class Task>
   void each(std::size_t count, const Task& task) {
     if (count > 1 && threads_ > 1)
@@ -48,7 +51,7 @@ class Workers {
   void fork(const Work& work);
 
   int threads_;
-  std::unique_ptr<Pool> pool_;  // none for one thread
+  std::unique_ptr<Pool> pool_;  // null for one thread
 };
 
 }  // namespace polhode

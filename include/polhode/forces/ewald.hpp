@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Electrostatics of a periodic box by direct Ewald summation: every pair and every wave vector, in
-// double, for any split of 1/r. The mesh is tested against it. Surroundings conduct ("tin foil"),
-// so the term of the box's dipole is absent [ewald1921].
+// Electrostatics of a periodic box by direct Ewald summation over all pairs and wave vectors, in
+// double precision, for any split of 1/r: the reference for the particle mesh. The boundary is
+// conducting ("tin foil"), so there is no term for the dipole of the box [ewald1921].
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@
 
 namespace polhode {
 
-/// Point charges, those of a body consecutive and beside each other, not on different images.
+/// Point charges; those of one body are consecutive and belong to the same periodic image.
 struct PointCharges {
   std::vector<Vec3<double>> r;    ///< [nm]
   std::vector<double> q;          ///< [e]
-  std::vector<std::size_t> body;  ///< charges of the same one do not interact
+  std::vector<std::size_t> body;  ///< charges of the same body do not interact
 
   std::size_t size() const { return q.size(); }
 };
@@ -28,11 +28,13 @@ PointCharges point_charges(const Topology& topology, const State& state);
 
 /// The energies of an Ewald sum by term [kJ/mol].
 struct EwaldEnergies {
-  double pairs = 0;           ///< short-range part, between different bodies and with their images
-  double reciprocal = 0;      ///< smooth part, over wave vectors
-  double self = 0;            ///< less the smooth part of each charge with itself
-  double intramolecular = 0;  ///< less the smooth part between charges of the same body
-  double background = 0;      ///< of a net charge with the even density that makes up for it
+  double pairs = 0;           ///< short-range part: pairs of different bodies, and a body with its
+                              ///< images
+  double reciprocal = 0;      ///< smooth part, summed over wave vectors
+  double self = 0;            ///< self-energy: minus the smooth part of each charge with itself
+  double intramolecular = 0;  ///< exclusions: minus the smooth part between charges of the same
+                              ///< body
+  double background = 0;      ///< of a net charge with the uniform neutralising background
   double total() const { return pairs + reciprocal + self + intramolecular + background; }
 };
 
@@ -43,19 +45,19 @@ struct EwaldSum {
   Mat3<double> virial{};
 };
 
-/// What an Ewald sum takes along: pairs closer than `cutoff` [nm], wave vectors shorter than
-/// `longest` [1/nm].
+/// Range of an Ewald sum: pairs closer than `cutoff` [nm], wave vectors shorter than `longest`
+/// [1/nm].
 struct EwaldRange {
   double cutoff;
   double longest;
 };
 
-/// The part of the sum over wave vectors alone, with its forces and virial.
+/// The reciprocal part of the sum alone, with its forces and virial.
 template <class Split>
 EwaldSum reciprocal_sum(const PointCharges& charges, const Box& box, const Split& split,
                         double longest);
 
-/// The whole sum.
+/// The complete sum.
 template <class Split>
 EwaldSum ewald_sum(const PointCharges& charges, const Box& box, const Split& split,
                    const EwaldRange& range);

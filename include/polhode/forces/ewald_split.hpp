@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ways to split 1/r into a short-range part, summed over pairs, and a smooth part, summed over wave
-// vectors: 1/r = u(r) + smooth(r). The smooth part is the potential of a unit charge spread over a
-// density of that name; transform(k) is the density's Fourier transform, 1 at k = 0.
+// Splits of 1/r into a short-range part, summed over pairs, and a smooth part, summed over wave
+// vectors: 1/r = u(r) + smooth(r). The smooth part is the potential of a unit charge spread over
+// the density that names the split; transform(k) is the density's Fourier transform, 1 at k = 0.
 #pragma once
 
 #include <cmath>
@@ -11,13 +11,13 @@
 
 namespace polhode {
 
-/// A transform with its slope.
+/// A Fourier transform and its slope.
 struct TransformValue {
   double value;  ///< 1 at k = 0
-  double slope;  ///< k d/dk of it
+  double slope;  ///< k d/dk of the transform
 };
 
-/// Ewald's split: a Gaussian density of width 1/(√2 α), whose u(r) = erfc(α r)/r never ends.
+/// Ewald's split: a Gaussian density of width 1/(√2 α); u(r) = erfc(α r)/r is positive at all r.
 struct GaussianSplit {
   double alpha;  ///< [1/nm]
 
@@ -41,7 +41,7 @@ struct GaussianSplit {
   double integral() const { return units::pi / (alpha * alpha); }
 };
 
-/// A density C (1 − r²/a²)^m that ends at a, and with it u(r): the smooth part is the Taylor
+/// A density C (1 − r²/a²)^m that is zero beyond a, and so is u(r): the smooth part is the Taylor
 /// polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. u is of class C^(m+1)
 /// at a, and nothing is cut off.
 class CompactSplit : public SmoothPolynomial {
@@ -66,7 +66,8 @@ class CompactSplit : public SmoothPolynomial {
   double integral() const { return 2 * units::pi * cutoff() * cutoff() / (2 * degree() + 3); }
 
  private:
-  // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, else upwards in n.
+  // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, otherwise by upward
+  // recurrence in n.
   static double reduced_bessel(int n, double x) {
     if (x < n + 1) {
       double term = 1, sum = 1;
@@ -74,7 +75,7 @@ class CompactSplit : public SmoothPolynomial {
         sum += term *= -x * x / (2.0 * k * (2 * n + 2 * k + 1));
       return sum;
     }
-    double before = std::cos(x), now = std::sin(x) / x;  // of n = −1 and 0
+    double before = std::cos(x), now = std::sin(x) / x;  // for n = −1 and 0
     for (int k = 0; k < n; ++k) {
       const double next = (2 * k + 3) * (2 * k + 1) * (now - before) / (x * x);
       before = now, now = next;

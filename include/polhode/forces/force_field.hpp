@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The forces of a system: State → Load, over a neighbour list, in packs.
+// The forces of a system, State → Load, computed with a neighbour list and packs.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 
 namespace polhode {
 
-/// Energies that do not depend on where bodies are [kJ/mol], and their virial.
+/// Energies that do not depend on the positions of the bodies [kJ/mol], and their virial.
 struct ConstantTerms {
-  double dispersion = 0;                                ///< Lennard-Jones beyond the truncation
+  double dispersion = 0;                                ///< long-range dispersion correction
   double self = 0, intramolecular = 0, background = 0;  ///< see OwnCharges, MeshConstant
   Mat3<double> virial{};
   double coulomb() const { return self + intramolecular + background; }
 };
 
-/// What forces depend on beside the state, in their last bits: the neighbour list, which follows
-/// from where bodies were when it was built.
+/// What the last bits of the forces depend on besides the state: the neighbour list, which is
+/// determined by the positions from which it was built.
 struct ListMemory {
-  Vec3Column built_at;       ///< centre of each body then [nm]; empty if there is no list yet
+  Vec3Column built_at;       ///< centre of each body at that time [nm]; empty if there is no list
+                             ///< yet
   std::size_t rebuilds = 0;  ///< so far
 };
 
@@ -32,40 +33,40 @@ struct ListMemory {
 /// leaves the centre of mass in its place. While the total momentum is 0, that is the motion.
 class ForceField {
  public:
-  /// @param workers  the threads that share an evaluation; results do not depend on their number
-  /// @throws Error   if the cutoff does not fit the box, or a setting is out of its domain
+  /// @param workers  threads that share an evaluation; results do not depend on their number
+  /// @throws Error   if the cutoff does not fit into the box, or a setting is out of its domain
   ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers = Workers::serial());
 
-  /// Forces, torques, energies and virial of a state. Does not allocate, except where the list
+  /// Forces, torques, energies and virial of a state. Does not allocate, except when the list
   /// grows.
   void operator()(const State& state, Load& load) { evaluate(state, load, true); }
-  /// Forces and torques alone, which is faster; energies and virial become 0.
+  /// Forces and torques only, which is faster; energies and virial are set to 0.
   void forces_alone(const State& state, Load& load) { evaluate(state, load, false); }
 
   /// The exact derivative of forces and torques along a displacement of all bodies: centres move by
-  /// dq [nm], attitudes turn by the body-frame vectors dtheta [rad]. f and tau of the result are
-  /// per unit of the displacement, in the lab frame; its energies and virial are 0. Over the same
-  /// list in the same loops as the forces; cheapest at the state of the last evaluation, whose
-  /// potential on the mesh serves again. Does not allocate after the first call.
+  /// dq [nm], attitudes rotate by the body-frame vectors dtheta [rad]. f and tau of the result are
+  /// per unit of the displacement, in the lab frame; its energies and virial are 0. Uses the same
+  /// list and loops as the forces; cheapest at the state of the last evaluation, whose mesh
+  /// potential is reused. Does not allocate after the first call.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& slope);
 
   ListMemory list_memory() const;
-  /// Builds the list as it was: from here on the forces are those of the field that it belonged to,
-  /// to the last bit.
+  /// Rebuilds the list from the positions in `memory`: from then on the forces agree to the last
+  /// bit with those of the force field that the memory was taken from.
   void take_over(const ListMemory& memory);
 
   std::uint64_t evaluations() const { return evaluations_; }
-  /// Of the neighbour list, with those before it was taken over.
+  /// Rebuilds of the neighbour list, including those before it was restored.
   std::size_t list_rebuilds() const { return neighbours().rebuilds() + earlier_rebuilds_; }
   const NeighbourList& neighbours() const {
     return std::visit([](const auto& e) -> const NeighbourList& { return e.neighbours(); },
                       engine_);
   }
-  /// With the mesh that is used, if Ewald's sum was asked for.
+  /// The settings in use; with PME, including the mesh that was chosen.
   const ForceSettings& settings() const { return settings_; }
-  /// What belongs to the energies whatever the places of bodies.
+  /// Terms that do not depend on the positions of the bodies.
   const ConstantTerms& constant_terms() const { return constant_; }
   const Topology& topology() const { return topology_; }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The pair laws, each written once for every Real: numbers, packs, dual numbers. A law is a
-// function of the distance r of two sites and returns u and s = −u'(r)/r, so that the force of the
-// first on the second is s (r₂ − r₁).
+// function of the distance r between two sites and returns u and s = −u'(r)/r; the force of the
+// first site on the second is s (r₂ − r₁).
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct PairValue {
   Real s;  ///< −u'/r [kJ/mol/nm²]
 };
 
-/// The same, the derivative of u taken from s: du/d(r²) = −s/2.
+/// The same value, with the derivative of u taken from s: du/d(r²) = −s/2.
 template <class Real>
 PairValue<Real> with_derivative(const PairValue<Real>& at_r, Real r2) {
   return {with_derivative(at_r.u, constant<Real>(-0.5) * at_r.s, r2), at_r.s};
@@ -46,9 +46,9 @@ struct LennardJones {
   }
 };
 
-/// Coulomb's law with a reaction field of a dielectric continuum beyond the cutoff:
-/// u = K q₁ q₂ (1/r + k r² − c) with k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c²
-/// [tironi1995]. With k = c = 0 it is Coulomb's law. The strength K q₁ q₂ multiplies outside.
+/// Coulomb's law with the reaction field of a dielectric continuum beyond the cutoff: u = K q₁ q₂
+/// (1/r + k r² − c) with k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c² [tironi1995].
+/// k = c = 0 gives the plain Coulomb law. The factor K q₁ q₂ is applied by the caller.
 template <class T = double>
 struct ReactionField {
   T k = 0;  ///< [1/nm³]
@@ -68,14 +68,14 @@ struct ReactionField {
   }
 };
 
-/// The smooth step w: 1 up to `from`, 0 from `to` on; between them, with x = (r − from)/(to −
-/// from), the polynomial of lowest degree whose first `smoothness` derivatives vanish at both ends.
+/// The smooth step w: 1 up to `from`, 0 beyond `to`; in between, with x = (r − from)/(to − from),
+/// the polynomial of lowest degree whose first `smoothness` derivatives vanish at both ends.
 template <class T = double>
 class Switch {
  public:
   template <class Real>
   struct Value {
-    Real w;      ///< 1 to 0
+    Real w;      ///< from 1 to 0
     Real slope;  ///< w'(r) [1/nm]
   };
 
@@ -94,8 +94,8 @@ class Switch {
   }
 
  private:
-  // w = 1 − xⁿ⁺¹ p(x), with whole coefficients and p(1) = 1, so that w(1) = 0 exactly;
-  // dw/dx = −c xⁿ (1 − x)ⁿ.
+  // w = 1 − xⁿ⁺¹ p(x), with integer coefficients and p(1) = 1, so that w(1) = 0 exactly; dw/dx = −c
+  // xⁿ (1 − x)ⁿ.
   template <class Real>
   static Value<Real> C1(Real x) {
     using C = Constant<Real>;
@@ -120,12 +120,12 @@ class Switch {
   int smoothness_;
 };
 
-/// What is taken off Coulomb's law within the cutoff a, for the kernels: a polynomial in
-/// y = 1 − r²/a². u = 1/r less the polynomial ends smoothly at a. The strength K q₁ q₂ multiplies
-/// outside.
+/// The polynomial subtracted from 1/r inside the cutoff a, in the form the kernels use: powers of
+/// y = 1 − r²/a². u = 1/r minus the polynomial goes smoothly to zero at a. The factor K q₁ q₂ is
+/// applied by the caller.
 template <class T = double>
 struct SmoothPart {
-  int degree = 0;                                      ///< of −u'/r; u has one more
+  int degree = 0;                                      ///< of −u'/r; that of u is one higher
   T inverse_a2 = 0;                                    ///< 1/a² [1/nm²]
   std::array<T, SmoothPolynomial::most + 1> u{}, s{};  ///< coefficients [1/nm], [1/nm³]
 
@@ -140,8 +140,8 @@ struct SmoothPart {
   }
 };
 
-/// The polynomial that the force field takes off Coulomb's law, if it does: the smooth part of
-/// Ewald's split, or that of the damped shifted force.
+/// The polynomial that the force field subtracts from 1/r, if any: the smooth part of the PME
+/// split, or that of the damped shifted force.
 inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& settings) {
   if (settings.electrostatics == Electrostatics::damped_shifted_force)
     return damped_shifted_force(settings.cutoff, settings.damping, settings.smoothness);
@@ -149,7 +149,7 @@ inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& se
   return std::nullopt;
 }
 
-/// All that two sites need to know of the force field beside their own parameters.
+/// What the interaction of two sites depends on besides their own parameters.
 template <class T = double>
 struct PairLaws {
   ReactionField<T> reaction_field;

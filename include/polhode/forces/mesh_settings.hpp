@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What makes a particle mesh: the grid, how charges are shared among its points, the split.
+// Parameters of the particle mesh: the grid, the spreading of charges onto it, and the split.
 #pragma once
 
 #include <array>
@@ -10,8 +10,8 @@ namespace polhode {
 struct MeshSettings {
   static constexpr int lowest_order = 4, highest_order = 8;
 
-  std::array<std::size_t, 3> points{16, 16, 16};  ///< of the grid along each edge
-  int order = 5;                                  ///< of the B-spline
+  std::array<std::size_t, 3> points{16, 16, 16};  ///< grid points along each edge
+  int order = 5;                                  ///< of the B-splines
   int exponent = 6;                               ///< m of the split
   double cutoff = 1.0;                            ///< a of the split [nm]
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lennard-Jones parameters of two sites: mixed from their own by a rule, or given.
+// Lennard-Jones parameters of two sites: mixed from their own by a rule, or given explicitly.
 #pragma once
 
 #include <string>
@@ -14,11 +14,12 @@ enum class MixingRule {
   geometric,          ///< σ and ε geometric means
 };
 
-/// What is given for two sites in place of what the rule makes of theirs.
+/// Explicit parameters for two sites, in place of the result of the mixing rule.
 struct PairOverride {
-  std::string first, second;  ///< "tip4p.OW": molecule and site, all of that name, in either order
+  std::string first, second;  ///< "tip4p.OW": molecule and site, meaning all sites of that name; in
+                              ///< either order
   double sigma = 0;           ///< Lennard-Jones diameter [nm]
-  double epsilon = 0;         ///< Lennard-Jones well depth [kJ/mol]; 0 for none
+  double epsilon = 0;         ///< Lennard-Jones well depth [kJ/mol]; 0 for no interaction
 };
 
 struct Mixing {
@@ -26,8 +27,8 @@ struct Mixing {
   std::vector<PairOverride> pairs;
 };
 
-/// @throws Error  if an override names a site that is not there or has no Lennard-Jones terms of
-///                its own, stands twice, or has a number out of its domain
+/// @throws Error  if an override names an unknown site or one without Lennard-Jones parameters of
+///                its own, occurs twice, or has a number out of its domain
 void check(const Mixing& mixing, const Topology& topology);
 
 /// "geometric mixing; tip4p.OW with argon.Ar: sigma 0.33 nm, epsilon 0.8 kJ/mol"; empty for the

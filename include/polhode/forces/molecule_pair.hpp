@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The interaction of two rigid molecules: all pairs of their sites, ended smoothly at the cutoff.
-// Written once for numbers, packs (one molecule with several partners) and dual numbers of either,
-// which yield the derivative of forces and torques along a displacement of the molecules.
+// The interaction of two rigid molecules: the sum over all pairs of their sites, truncated smoothly
+// at the cutoff. Written once as a template over the number type: plain numbers, packs (one
+// molecule with several partners at once, one in each lane) and dual numbers of either, which also
+// give the derivative of forces and torques along a displacement of the molecules.
 #pragma once
 
 #include <algorithm>
@@ -14,15 +15,16 @@
 
 namespace polhode {
 
-/// How the pairs at hand end: as the force field's truncation says, or not at all, for molecules
-/// that are known to be closer than where any switch begins. Less their smooth part charges end by
-/// themselves, and Lennard-Jones has a switch of sites, or none.
+/// Cutoff treatment of the pairs at hand. `none` and `smooth_none` are for molecules known to lie
+/// inside the switching distance, where nothing is truncated. With `smooth` (PME, damped shifted
+/// force) the Coulomb energy vanishes at the cutoff by itself, because a polynomial is subtracted
+/// from 1/r, and Lennard-Jones is switched site by site.
 enum class Ending { none, molecule_switch, site_switch, site_shift, smooth_none, smooth };
 
 constexpr bool is_smooth(Ending ending) {
   return ending == Ending::smooth || ending == Ending::smooth_none;
 }
-/// What pairs that do not end have in place of an ending.
+/// The treatment of pairs inside the switching distance: the same laws without truncation.
 constexpr Ending without_end(Ending ending) {
   return is_smooth(ending) ? Ending::smooth_none : Ending::none;
 }
@@ -37,21 +39,21 @@ constexpr Ending ending_of(const ForceSettings& settings) {
                                                               : Ending::site_shift;
 }
 
-/// What molecule a does to molecule b; b does the opposite force to a.
+/// Force and torque that molecule a exerts on molecule b; the force on a is −f.
 template <class Real>
 struct PairLoad {
   Vec3<Real> f{};                   ///< force on b [kJ/mol/nm]
   Vec3<Real> tau_b{};               ///< torque on b about its centre [kJ/mol]
-  Real lennard_jones{}, coulomb{};  ///< [kJ/mol]; only where they are wanted
+  Real lennard_jones{}, coulomb{};  ///< [kJ/mol]; only if requested
 
-  /// Torque on a about its centre [kJ/mol]. All forces act along lines between sites or centres, so
-  /// that the torques about any one point cancel: tau_a + tau_b + R × f = 0. It is 0 only to
-  /// rounding where all sites are at the centre.
+  /// Torque on a about its centre [kJ/mol]. Every force acts along the line between two sites or
+  /// between the centres, so the torques about any common point cancel: tau_a + tau_b + R × f = 0.
+  /// If all sites are at the centre, the result is 0 only to rounding.
   Vec3<Real> tau_a(const Vec3<Real>& R) const { return -(tau_b + cross(R, f)); }
 };
 
-/// The sites of two molecules, their numbers known when the loops over them are compiled: these
-/// unroll. Sites stand in the order of InteractionSites.
+/// The numbers of sites of two molecules as compile-time constants, so that the loops over sites
+/// unroll. Sites are in the order of InteractionSites.
 template <std::size_t sites_a_, std::size_t charged_a_, std::size_t dispersive_a_,
           std::size_t sites_b_ = sites_a_, std::size_t charged_b_ = charged_a_,
           std::size_t dispersive_b_ = dispersive_a_>
@@ -59,9 +61,8 @@ struct FixedShape {
   static constexpr Count<sites_a_> sites_a{};
   static constexpr Count<sites_b_> sites_b{};
   static constexpr std::size_t most_a = sites_a_, most_b = sites_b_;
-  /// Sites of b whose pairs are computed step by step together: enough that a step need not wait
-  /// for the one before, and few enough for the registers, of which dual numbers take twice as
-  /// many.
+  /// How many sites of b are processed together: enough to hide the latency of each operation, and
+  /// few enough to stay in registers, of which dual numbers need twice as many.
   template <class Real>
   static constexpr std::size_t at_once = is_dual<Real> ? 1 : std::min<std::size_t>(2, sites_b_);
   static constexpr bool coulomb(std::size_t a, std::size_t b) {
@@ -82,7 +83,7 @@ struct FixedShape {
   }
 };
 
-/// Any numbers of sites.
+/// Numbers of sites known only at run time.
 struct AnyShape {
   static constexpr std::size_t most_a = most_sites, most_b = most_sites;
   template <class Real>
@@ -102,8 +103,8 @@ struct AnyShape {
   }
 };
 
-/// Energy and force of a pair of sites, less what they are at the cutoff: u(r) − u(r_c) −
-/// (r − r_c) u'(r_c), and nothing beyond it [toxvaerd2011].
+/// Shifted-force energy and force of a pair of sites: u(r) − u(r_c) − (r − r_c) u'(r_c)
+/// for r < r_c, zero beyond [toxvaerd2011].
 template <class Real>
 PairValue<Real> shifted(const PairValue<Real>& at_r, const PairValue<Constant<Real>>& at_cutoff,
                         Real r, Real inverse_r, Constant<Real> rc) {
@@ -113,20 +114,20 @@ PairValue<Real> shifted(const PairValue<Real>& at_r, const PairValue<Constant<Re
           select(within, at_r.s - f * inverse_r, Real(0))};
 }
 
-/// Sums over the site pairs of molecules a and b.
+/// Sums over the site pairs of molecules a and b. The cutoff treatments are
 ///
-/// `molecule_switch`:  U = w(R) Σ u(r), R the distance of the centres of mass
+/// `molecule_switch`:  U = w(R) Σ u(r), R the distance between the centres of mass
 /// `site_switch`:      U = Σ w(r) u(r)
 /// `site_shift`:       U = Σ [u(r) − u(r_c) − (r − r_c) u'(r_c)] for r < r_c
 ///
-/// with u = u_LJ + K q q (1/r + k r² − c).
+/// with u = u_LJ + K q q (1/r + k r² − c), where k and c describe the reaction field, and
 ///
-/// `smooth`:           U = Σ w(r) u_LJ(r) + K q q (1/r − smooth part) for r < r_c
+/// `smooth`:           U = Σ w(r) u_LJ(r) + K q q (1/r − P(r)) for r < r_c, P the SmoothPolynomial
 ///
-/// @tparam energies  whether the energies are wanted; forces never depend on that
-/// @param R       centre of b relative to that of a [nm], the image meant
-/// @param site_a  a callable: the k-th site of a relative to a's centre, lab frame [nm]
-/// @param site_b  the same of b, relative to b's
+/// @tparam energies  whether energies are computed; the forces are the same either way
+/// @param R       vector from the centre of a to that of b, with its periodic image [nm]
+/// @param site_a  callable: position of the k-th site of a relative to a's centre, lab frame [nm]
+/// @param site_b  the same for b, relative to b's centre
 template <Ending ending, bool energies, class Shape, class Real, class T, class SitesOfA,
           class SitesOfB>
 [[gnu::always_inline]] inline PairLoad<Real> molecule_pair(
@@ -137,7 +138,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
   constexpr bool by_site = ending == Ending::site_switch || ending == Ending::smooth;
   constexpr bool need_u = energies || ending == Ending::molecule_switch;
   PairLoad<Real> load;
-  typename Switch<T>::template Value<Real> end{};  // of the whole pair
+  typename Switch<T>::template Value<Real> end{};  // w(R) and w'(R) of the molecule switch
   Real inverse_R{};
   if constexpr (by_molecule) {
     const Real R2 = norm2(R);
@@ -145,7 +146,8 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
     end = laws.switching(R2 * inverse_R);
   }
 
-  // Sites of b some at a time: for each of them, body(k, b), and for each pair, body(k, a, b).
+  // Sites of b are processed in groups of `at_once`; k numbers the sites of a group. each_b calls
+  // body(k, b) for each site of b, each_pair calls body(k, a, b) for each interacting pair.
   constexpr std::size_t at_once = Shape::template at_once<Real>;
   each(
       shape.groups_b(Count<at_once>{}), [&](auto group) __attribute__((always_inline)) {
@@ -165,6 +167,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
                 body(k, a, b);
         };
 
+        // Site-site vectors, their squares, and the negative powers of the distances.
         each_b([&](auto k, std::size_t b)
                    __attribute__((always_inline)) { arm[k] = site_b(b), f_b[k] = {}; });
         each_pair([&](auto k, auto a, std::size_t) __attribute__((always_inline)) {
@@ -176,7 +179,10 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
         });
         std::array<std::array<Real, Shape::most_a>, at_once> y;
         std::array<std::array<Polynomial<Real>, Shape::most_a>, at_once> smooth_u,
-            smooth_s;  // of y
+            smooth_s;  // in y
+        // Charges: u and −u'/r of the polynomial subtracted from 1/r, by Horner's rule in
+        // y = 1 − r²/a². All pairs of the group take one step at a time, so that no step has to
+        // wait for the previous one.
         if constexpr (is_smooth(ending)) {
           const SmoothPart<T>& law = laws.smooth;
           const auto each_charged = [&](const auto& body) __attribute__((always_inline)) {
@@ -199,12 +205,14 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
                 smooth_u[k][a].step(y[k][a], C(law.u[n]));
               });
         }
+        // The sum of −u'/r over the laws of each pair, and the energies if needed.
         each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
           const InversePowers<Real>& inverse = inverse_r[k][a];
           const Real square = r2[k][a];
           const std::size_t pair = b * shape.sites_a + a;
           typename Switch<T>::template Value<Real> site_end{};
           if constexpr (by_site) site_end = laws.switching(square * inverse.first());
+          // A law with its cutoff treatment: switched, shifted, or unchanged.
           const auto ended = [&](PairValue<Real> at_r, const auto& at_cutoff)
               __attribute__((always_inline)) {
             at_r = with_derivative(at_r, square);
@@ -253,6 +261,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
                     : !shape.coulomb(a, b)     ? lennard_jones()
                                                : coulomb() + lennard_jones();
         });
+        // Forces on the sites of b, then the force and the torque on b.
         each_pair([&](auto k, auto a, std::size_t)
                       __attribute__((always_inline)) { add_scaled(f_b[k], s[k][a], r[k][a]); });
         each_b([&](auto k, std::size_t) __attribute__((always_inline)) {
@@ -261,7 +270,7 @@ template <Ending ending, bool energies, class Shape, class Real, class T, class 
         });
       });
 
-  if constexpr (by_molecule) {  // U = w(R) u: beside w s on all sites, −w'(R) u between the centres
+  if constexpr (by_molecule) {  // U = w(R) u: forces w s between sites, −w'(R) u between centres
     load.f = end.w * load.f - (end.slope * (load.lennard_jones + load.coulomb) * inverse_R) * R;
     load.tau_b = end.w * load.tau_b;
     load.lennard_jones = end.w * load.lennard_jones;

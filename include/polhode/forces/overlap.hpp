@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Starts in which molecules sit inside each other.
+// Detects initial configurations with overlapping molecules.
 #pragma once
 
 #include "polhode/model/state.hpp"
@@ -7,11 +7,11 @@
 
 namespace polhode {
 
-/// The closest that sites with mass or Lennard-Jones of two molecules may be [nm]: half of the
-/// shortest contact in liquids, that of a hydrogen bond (0.17 nm).
+/// The smallest distance allowed between sites of two molecules that have mass or Lennard-Jones
+/// parameters [nm]: half of the shortest contact in liquids, the hydrogen bond (0.17 nm).
 inline constexpr double closest_contact = 0.085;
 
-/// @throws Error  naming two molecules if any are closer than that, the first in the order of sites
+/// @throws Error  naming the first pair of molecules, in the order of sites, with closer sites
 void check_overlap(const Topology& topology, const State& state);
 
 }  // namespace polhode

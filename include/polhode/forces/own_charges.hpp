@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the smooth part of a law of charges counts too much, wherever bodies are.
+// Self-energy and exclusion corrections of the smooth part of the electrostatics, which do not
+// depend on the positions of bodies.
 #pragma once
 
 #include "polhode/forces/smooth_polynomial.hpp"
@@ -7,8 +8,8 @@
 
 namespace polhode {
 
-/// The smooth part is of all pairs of charges; each charge with itself and the charges of one body
-/// with each other are taken off again [kJ/mol].
+/// The smooth part is summed over all pairs of charges, so the self-interaction of each charge and
+/// the interaction of charges within the same body are subtracted again [kJ/mol].
 struct OwnCharges {
   double self = 0, intramolecular = 0;
   double net = 0;  ///< sum of all charges [e]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A force evaluation over the neighbour list in one precision: place the sites, sum the pairs chunk
-// by chunk, and what a mesh does, bring the sums together.
+// by chunk, add the mesh contribution, and reduce the sums.
 #pragma once
 
 #include <memory>
@@ -16,24 +16,24 @@
 
 namespace polhode {
 
-/// @tparam T  in which pairs are computed: double or float
+/// @tparam T  precision of the pairs: double or float
 template <class T>
 class PairEngine {
  public:
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers);
 
-  /// Forces and torques of a state, and the energies and the virial if wanted, else 0. With Ewald's
-  /// sum the settings hold a mesh; what does not depend on places is left out.
+  /// Forces and torques of a state; energies and virial too if `energies`, otherwise 0. With PME
+  /// the settings must contain a mesh; terms that do not depend on positions are not included.
   void operator()(const State& state, Load& load, bool energies);
 
   /// The derivative of forces and torques along a displacement of all bodies: centres move by dq
-  /// [nm], attitudes turn by dtheta [rad], body frame. Energies and virial become 0. The list, and
-  /// the mesh's potential if this state was the last one, serve again.
+  /// [nm], attitudes rotate by dtheta [rad], body frame. Energies and virial are set to 0. The list
+  /// is reused, and so is the mesh potential if this was the state of the last evaluation.
   void derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta, Load& slope);
 
   const NeighbourList& neighbours() const { return list_; }
-  /// Builds the list for the places of a state.
+  /// Builds the list from the positions of a state.
   void build_list(const State& state);
 
  private:
@@ -57,9 +57,9 @@ class PairEngine {
   NeighbourList list_;
   std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
   SiteRecords<T> records_;
-  SiteRecords<T> displacements_, records_before_;  // once derivatives are asked for
-  std::unique_ptr<ParticleMesh<T>> mesh_;          // if there is one
-  Column<T> mesh_sums_;                            // as in ChunkSums, of all slots
+  SiteRecords<T> displacements_, records_before_;  // allocated when derivatives are first requested
+  std::unique_ptr<ParticleMesh<T>> mesh_;          // null without PME
+  Column<T> mesh_sums_;                            // of all slots, as in ChunkSums
   std::vector<ChunkSums<T>> sums_;                 // of each chunk
   std::vector<double> moved2_;                     // of each task of place()
 };

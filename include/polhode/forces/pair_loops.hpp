@@ -11,13 +11,13 @@
 
 namespace polhode {
 
-/// Where a body and its sites are, one record a slot: three numbers for its centre in the box, then
-/// x, y, z of each site relative to the centre, lab frame [nm]. Centres are in nm for double; for
-/// float they are in fixed point, 2³⁰ to an edge of the box, as the bits of the number, so that
-/// differences of centres are exact before they are rounded.
+/// Positions of bodies and their sites, one record per slot: three numbers for the centre in the
+/// box, then x, y, z of each site relative to the centre, lab frame [nm]. In double precision
+/// centres are in nm; in single precision they are in fixed point, 2³⁰ to a box edge, stored as the
+/// bits of a float, so that differences of centres are exact before they are rounded.
 template <class T>
 struct SiteRecords {
-  std::size_t stride = 0;  ///< numbers a record; records are aligned for packs
+  std::size_t stride = 0;  ///< numbers per record; records are aligned for packs
   Column<T> values;
 
   SiteRecords() = default;
@@ -27,9 +27,9 @@ struct SiteRecords {
   const T* of(std::size_t slot) const { return &values[slot * stride]; }
 };
 
-/// Sums of forces [kJ/mol/nm] and torques [kJ/mol] that one chunk of the list does, for the slots
-/// in its windows. They are in the precision of the pairs: some hundred terms each, whose own
-/// rounding outweighs that of their sum; sums over chunks are double.
+/// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in its
+/// windows. They have the precision of the pairs: each sum has a few hundred terms, whose own
+/// rounding outweighs that of the sum. Sums over chunks are in double.
 template <class T>
 struct ChunkSums {
   static constexpr std::size_t stride = 8;  ///< force, torque, and two numbers that stay 0
@@ -39,23 +39,24 @@ struct ChunkSums {
   Mat3<double> virial{};
 };
 
-/// A chunk with the partners of one molecule type.
+/// A chunk and the partners of one molecule type.
 template <class T>
 struct PairJob {
   const PairTable& table;
   const PairLaws<T>& laws;
   Ending ending;
-  bool energies;  ///< and the virial
+  bool energies;  ///< whether energies and the virial are computed
   const NeighbourList& list;
   const ListChunk& chunk;
   std::size_t partner_part;
   const SiteRecords<T>& records;
   ChunkSums<T>& sums;
-  /// For derivatives: how centres and sites relative to them move, in the order of the records.
+  /// For derivatives: displacements of centres and of sites relative to them, laid out as the
+  /// records.
   const SiteRecords<T>* displacements = nullptr;
 };
 
-/// Bodies of one molecule type to be placed.
+/// Bodies of one molecule type whose sites are to be placed.
 template <class T>
 struct PlaceJob {
   const State& state;
@@ -65,7 +66,7 @@ struct PlaceJob {
   SiteRecords<T>& records;
 };
 
-/// How they are displaced.
+/// Their displacements.
 template <class T>
 struct DisplaceJob {
   const State& state;
@@ -77,19 +78,19 @@ struct DisplaceJob {
 };
 
 POLHODE_DECLARE_LOOPS(
-    /// Fills the records of a job's slots; the square of the largest displacement since the list
-    /// was built [nm²].
+    /// Fills the records of a job's slots; returns the square of the largest displacement since the
+    /// list was built [nm²].
     double place_sites(const PlaceJob<double>& job); double place_sites(const PlaceJob<float>& job);
     /// Fills the records of displacements of a job's slots.
     void displace_sites(const DisplaceJob<double>& job);
     void displace_sites(const DisplaceJob<float>& job);
-    /// Adds the forces, torques and, if wanted, energies and virial of a job's pairs to its sums.
+    /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to its sums.
     void pair_forces(const PairJob<double>& job); void pair_forces(const PairJob<float>& job);
     /// Adds the derivatives of forces and torques of a job's pairs along its displacements to its
     /// sums.
     void pair_derivative(const PairJob<double>& job);
     void pair_derivative(const PairJob<float>& job);
-    /// How many pairs stand in a pack.
+    /// The number of pairs in a pack.
     std::size_t pair_lanes(const PairJob<double>*); std::size_t pair_lanes(const PairJob<float>*);)
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which sites of two molecule types interact, and with which strengths.
+// Which sites of two molecule types interact, and how strongly.
 #pragma once
 
 #include <type_traits>
@@ -11,15 +11,15 @@
 
 namespace polhode {
 
-/// The most interacting sites that one molecule may have: the pair loops keep them on the stack.
+/// Maximum number of interacting sites per molecule: the pair loops keep them on the stack.
 inline constexpr std::size_t most_sites = 64;
 
-/// The interacting sites of a molecule as the pair loops take them: first those with a charge
-/// alone, then those with charge and Lennard-Jones, then those with Lennard-Jones alone.
+/// The interacting sites of a molecule in the order of the pair loops: first those with a charge
+/// only, then those with charge and Lennard-Jones, then those with Lennard-Jones only.
 struct InteractionSites {
   std::vector<Site> sites;
-  std::size_t charged = 0;     ///< the first so many have a charge
-  std::size_t dispersive = 0;  ///< the last so many have Lennard-Jones
+  std::size_t charged = 0;     ///< number of sites with a charge, at the front
+  std::size_t dispersive = 0;  ///< number of sites with Lennard-Jones, at the back
   std::size_t size() const { return sites.size(); }
 
   /// @throws Error  if there are more than most_sites
@@ -27,7 +27,7 @@ struct InteractionSites {
 };
 
 /// The strengths of all pairs of a site of one molecule type with one of another: dense, the index
-/// of the first molecule's site running faster; 0 where a pair does not interact.
+/// of the first molecule's site running fastest; 0 for pairs that do not interact.
 template <class T>
 struct PairStrengths {
   std::vector<T> charge;  ///< K q_a q_b [kJ/mol nm]
@@ -35,7 +35,7 @@ struct PairStrengths {
   std::vector<T> c12;     ///< [kJ/mol nm¹²]
 };
 
-/// Two molecule types.
+/// The site pairs of two molecule types.
 class PairTable {
  public:
   PairTable(const Molecule& first, const Molecule& second, const Mixing& mixing = {});
@@ -55,7 +55,7 @@ class PairTable {
   PairStrengths<float> rounded_;
 };
 
-/// The tables of all pairs of molecule types of a topology.
+/// The tables for all pairs of molecule types of a topology.
 class PairTables {
  public:
   /// @throws Error  if an override of the mixing does not fit the topology

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The smooth part of the electrostatics on a grid, in a time that grows with the number of charges
-// [essmann1995]: charges are spread over grid points, the potential is a product of waves, and the
-// forces are its exact gradient, so that mesh energy is conserved as any other.
+// Particle mesh for the smooth part of the electrostatics, in a time nearly linear in the number of
+// charges [essmann1995]: charges are spread over the grid, the potential is a product in reciprocal
+// space, and the forces are its exact gradient, so that the mesh conserves energy as any other
+// force does.
 #pragma once
 
 #include <memory>
@@ -15,15 +16,16 @@
 
 namespace polhode {
 
-/// What the mesh does as a whole; 0 where energies are not asked for.
+/// Total energy and virial of the mesh; 0 if energies are not requested.
 struct MeshLoad {
-  double energy = 0;      ///< of the smooth part, over wave vectors [kJ/mol]
-  Mat3<double> virial{};  ///< as in Load: −dE/dε for a strain that moves centres of bodies [kJ/mol]
+  double energy = 0;      ///< of the smooth part, summed over wave vectors [kJ/mol]
+  Mat3<double> virial{};  ///< as in Load: −dE/dε for a strain that moves the centres of bodies
+                          ///< [kJ/mol]
 };
 
-/// What the smooth part has too much and does not depend on where bodies are: each charge with
-/// itself, charges of one body with each other, and the mean of the short-range part with a net
-/// charge [kJ/mol].
+/// Corrections of the smooth part that do not depend on the positions of bodies: self-energy of
+/// each charge, exclusion of charges within the same body, and the uniform background that
+/// neutralises a net charge [kJ/mol].
 struct MeshConstant {
   double self = 0, intramolecular = 0, background = 0;
   Mat3<double> virial{};  ///< of the background
@@ -32,51 +34,53 @@ struct MeshConstant {
   MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box);
 };
 
-/// @tparam T  in which the grid is computed: double or float
+/// @tparam T  precision of the grid: double or float
 template <class T>
 class ParticleMesh {
  public:
-  /// @throws Error  if the grid has fewer points to an edge than a spline needs, or an order or an
+  /// @throws Error  if an edge has fewer grid points than a spline needs, or an order or an
   ///                exponent is out of its domain
   ParticleMesh(const Topology& topology, const MeshSettings& settings, const Box& box,
                Workers& workers = Workers::serial());
   ~ParticleMesh();
 
-  /// Adds forces and torques to `sums`, a record for each slot as in ChunkSums; the energy and the
-  /// virial if wanted. The same bits for any number of threads. Does not allocate.
+  /// Adds forces and torques to `sums`, one record per slot as in ChunkSums; computes the energy
+  /// and the virial if requested. Bitwise identical for any number of threads. Does not allocate.
   MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
 
-  // Its three parts, in this order:
-  /// Charges to the grid.
+  // Its three steps, in this order:
+  /// Spreads the charges onto the grid.
   void spread(const Slots& slots, const SiteRecords<T>& records);
-  /// The potential of the charges on the grid; its energy, and the virial of a strain that moves
-  /// charges with the box.
+  /// Replaces the charges on the grid by their potential; returns its energy, and the virial of a
+  /// strain that moves charges with the box.
   MeshLoad convolve(bool energies);
-  /// Forces and torques to `sums`; Σ arm ⊗ force over all sites if wanted.
+  /// Adds forces and torques to `sums`; returns Σ arm ⊗ force over all sites if requested.
   Mat3<double> gather(const Slots& slots, const SiteRecords<T>& records, T* sums, bool arms);
 
   /// Adds the derivatives of forces and torques along a displacement to `sums`.
-  /// @param displacements  of centres and sites, as records
-  /// @param charges_moved  whether charges moved since their potential was computed: then it is
-  ///                       computed anew
+  /// @param displacements  of centres and sites, laid out as the records
+  /// @param charges_moved  whether charges moved since their potential was computed, which is then
+  ///                       computed again
   void derivative(const Slots& slots, const SiteRecords<T>& records,
                   const SiteRecords<T>& displacements, T* sums, bool charges_moved);
 
   const MeshSettings& settings() const { return settings_; }
 
  private:
-  struct Field;  // a grid that holds charges at first, then their potential; and its transform
+  struct Field;  // grid with the charges, later with their potential; and its transform
   struct Part {
     std::vector<double> charges;
-    double reach;                        // of a charge from its centre [nm]
-    std::vector<std::uint64_t> reached;  // groups of planes, for the plane of the centre
+    double reach;                        // largest distance of a charge from its centre [nm]
+    std::vector<std::uint64_t> reached;  // for each plane of the centre: groups of planes its
+                                         // charges can touch
   };
   struct Axis {
-    std::vector<double> k, odd;  // wave number, and 0 in its place where k and −k are the same wave
+    std::vector<double> k, odd;  // wave number; odd: the same, but 0 where k and −k are the same
+                                 // wave
   };
   void make_influence();
   void find_extents(const Slots& slots, const SiteRecords<T>& records);
-  // With displacements, their derivative.
+  // With displacements, spreads the derivative of the charges.
   void spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
                  const SiteRecords<T>* displacements);
   void spread_to(Field& field, std::size_t slab, const Slots& slots, const SiteRecords<T>& records,
@@ -91,14 +95,14 @@ class ParticleMesh {
   Box box_;
   std::vector<Part> parts_;
   std::unique_ptr<Field> field_;
-  std::unique_ptr<Field> derivative_;  // of the field; once it is asked for
+  std::unique_ptr<Field> derivative_;  // of the field; allocated when it is first requested
   bool has_potential_ = false;
   std::array<Axis, 3> axes_;
-  // Of a row of waves: as in ConvolveJob.
+  // Along a row of waves, as in ConvolveJob.
   Column<T> weight_, kx_, kx_squared_;
-  // For |k_y| and |k_z|, a row each.
+  // One row for each |k_y| and |k_z|.
   Column<T> influence_, slope_;
-  // Which planes the slots of a block reach, a bit for each group of planes.
+  // Planes touched by the slots of a block, one bit per group of planes.
   std::vector<std::uint64_t> extents_;
   struct Slab {
     std::uint64_t groups;
@@ -106,7 +110,7 @@ class ParticleMesh {
     std::size_t first, end;  // planes
   };
   std::vector<Slab> slabs_;
-  struct Space {  // of a task
+  struct Space {  // scratch space of a task
     Column<T> waves;
     std::vector<const T*> rows;
     std::vector<WaveSums> sums;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The forces by the shortest way: every pair of molecules, every image in reach, no list, no packs.
-// The pair loops are tested against it, and with dual numbers it yields exact derivatives.
+// The forces in the most direct way: every pair of molecules, every image within range, no list and
+// no packs. The pair loops are tested against it, and with dual numbers it gives exact derivatives.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace polhode {
 
-/// Where a body is; with dual numbers, and how it is displaced.
+/// Position and attitude of a body; with dual numbers, their displacement as well.
 template <class Real>
 struct Pose {
   Vec3<Real> q;
@@ -46,7 +46,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
 
   ReferenceLoad<Real> load{std::vector<Vec3<Real>>(n), std::vector<Vec3<Real>>(n), {}};
   const Vec3<Real> edge{Real(box.edge.x), Real(box.edge.y), Real(box.edge.z)};
-  const auto nearest = [](Real x) {  // the whole number nearest to x, a constant for derivatives
+  const auto nearest = [](Real x) {  // integer nearest to x, a constant in derivatives
     double k = 0;
     while (x > Real(k + 0.5)) k += 1;
     while (x < Real(k - 0.5)) k -= 1;
@@ -80,8 +80,8 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
   return load;
 }
 
-/// Forces, torques, energies and virial of all pairs; of Ewald's sum, the pairs within the cutoff.
-/// Time grows with the square of the number of bodies.
+/// Forces, torques, energies and virial of all pairs; for PME, only the pairs within the cutoff.
+/// The cost grows with the square of the number of bodies.
 template <class Real>
 ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings& settings,
                                    const Box& box, const std::vector<Pose<Real>>& poses) {
@@ -97,8 +97,8 @@ ReferenceLoad<Real> reference_load(const Topology& topology, const ForceSettings
   }
 }
 
-/// The derivative of all that along a displacement: centres move by dq, attitudes turn by dtheta,
-/// body frame.
+/// The derivative of the result along a displacement: centres move by dq, attitudes rotate by
+/// dtheta, body frame.
 inline Load reference_derivative(const Topology& topology, const ForceSettings& settings,
                                  const State& state, const Vec3Column& dq,
                                  const Vec3Column& dtheta) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How rows of the neighbour list become whole packs.
+// How rows of the neighbour list are made to fill whole packs.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,13 @@
 
 namespace polhode {
 
-/// Partners while a row is made: room for a pack beyond the last, as packs are stored whole.
+/// Partners of a row under construction, with room for a pack past the end, since packs are stored
+/// whole.
 class RowBuffer {
  public:
   void clear() { size_ = 0; }
   std::size_t size() const { return size_; }
-  /// The end, with room for n more entries and a pack.
+  /// The end of the row, with room for n more entries and a pack.
   std::uint32_t* end_with_room(std::size_t n) {
     if (words_.size() < size_ + n + slot_block) words_.resize(2 * (size_ + n + slot_block));
     return &words_[size_];
@@ -24,7 +25,7 @@ class RowBuffer {
   void push(Neighbour n) { *end_with_room(1) = n.word(), ++size_; }
   Neighbour pop() { return Neighbour(words_[--size_]); }
   Neighbour operator[](std::size_t k) const { return Neighbour(words_[k]); }
-  /// Takes an entry out; the last one takes its place.
+  /// Removes an entry; the last one takes its place.
   void remove(std::size_t k) { words_[k] = words_[--size_]; }
   const std::uint32_t* begin() const { return words_.data(); }
   const std::uint32_t* end() const { return words_.data() + size_; }
@@ -34,7 +35,7 @@ class RowBuffer {
   std::size_t size_ = 0;
 };
 
-/// Pairs that rows hand to later rows of the same chunk, one list per slot.
+/// Pairs that rows have handed to later rows of the same chunk, one list per slot.
 class HandedPairs {
  public:
   HandedPairs(std::uint32_t first, std::uint32_t end) : first_(first), head_(end - first, none) {}
@@ -43,7 +44,7 @@ class HandedPairs {
     std::uint32_t& head = head_[slot - first_];
     links_.push_back({pair, std::exchange(head, static_cast<std::uint32_t>(links_.size()))});
   }
-  /// Appends what was handed to a slot.
+  /// Appends the pairs handed to a slot.
   void take(std::uint32_t slot, RowBuffer& row) const {
     for (std::uint32_t k = head_[slot - first_]; k != none; k = links_[k].next)
       row.push(links_[k].pair);
@@ -60,9 +61,9 @@ class HandedPairs {
   std::vector<Link> links_;
 };
 
-/// Hands pairs of a slot's row to rows of partners that come later in the chunk, until whole packs
-/// are left; none if that cannot be reached. Pairs that were handed to this row stay: their
-/// partners come earlier.
+/// Hands surplus pairs of a slot's row to the rows of partners that come later in the chunk, so
+/// that whole packs remain; hands over nothing if that cannot be achieved. Pairs handed to this row
+/// stay here, since their partners come earlier.
 inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t width,
                       RowBuffer& row, HandedPairs& later) {
   const std::size_t surplus = row.size() % width;

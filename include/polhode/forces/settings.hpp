@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user chooses about the forces. All molecules feel site-site Lennard-Jones and Coulomb
-// forces in a periodic box; the choice is how they end at the cutoff, and in which precision pairs
-// are computed.
+// Force field settings. All molecules interact by site-site Lennard-Jones and Coulomb forces in a
+// periodic box; the settings choose the cutoff treatment and the precision of the pairs.
 #pragma once
 
 #include <optional>
@@ -11,24 +10,26 @@
 
 namespace polhode {
 
-/// How interactions end. The switches are smooth: fourth-order schemes need the third derivative
-/// of the energy bounded.
+/// Cutoff treatment. The switches are smooth: fourth-order schemes need a bounded third derivative
+/// of the energy.
 enum class Truncation {
   molecule_switch,  ///< w(R) times all site pairs of two molecules, R between centres of mass
-  site_switch,      ///< w(r) times each pair of sites, r between them
-  site_shift,       ///< each pair of sites less its energy and force at the cutoff [toxvaerd2011]
+  site_switch,      ///< w(r) times each site pair, r between the sites
+  site_shift,       ///< each site pair with its energy and force shifted to 0 at the cutoff
+                    ///< [toxvaerd2011]
 };
 
-/// What charges feel within the cutoff.
+/// Electrostatics.
 enum class Electrostatics {
-  coulomb,               ///< Coulomb's law
+  coulomb,               ///< plain Coulomb law
   reaction_field,        ///< with a dielectric continuum beyond the cutoff
-  ewald,                 ///< of all images: within the cutoff by pairs, the smooth rest on a mesh
-  damped_shifted_force,  ///< Coulomb's law less a damping and what it is at the cutoff
+  ewald,                 ///< smooth particle mesh: pairs within the cutoff, the long-range rest on
+                         ///< a mesh
+  damped_shifted_force,  ///< damped Coulomb law, shifted to 0 at the cutoff
 };
 
-/// In which numbers the pairs are computed. Positions, attitudes, momenta and all sums of forces,
-/// torques and energies are double in both.
+/// Precision of the pairs. Positions, attitudes, momenta and all sums of forces, torques and
+/// energies are double in either case.
 enum class Precision {
   full,   ///< pairs in double
   mixed,  ///< pairs in float: sites relative to centres, centres in fixed point
@@ -37,19 +38,20 @@ enum class Precision {
 struct ForceSettings {
   Truncation truncation = Truncation::molecule_switch;
   double cutoff = 1.0;        ///< [nm]
-  double switch_from = 0.85;  ///< where the switch begins [nm]
-  int smoothness = 2;         ///< class of the switch: C¹, C², C³
+  double switch_from = 0.85;  ///< start of the switching range [nm]
+  int smoothness = 2;         ///< differentiability of the switch: C¹, C², C³
   Electrostatics electrostatics = Electrostatics::coulomb;
-  double dielectric = 78.5;  ///< beyond the cutoff, for the reaction field; may be infinite
+  double dielectric = 78.5;  ///< relative permittivity beyond the cutoff, for the reaction field;
+                             ///< may be infinite
   double skin = 0.05;        ///< of the neighbour list [nm]
   Precision precision = Precision::full;
-  Mixing mixing{};  ///< of Lennard-Jones terms of unlike sites
-  /// For Ewald's sum: the rms error of electrostatic forces over their rms.
+  Mixing mixing{};  ///< Lennard-Jones parameters of unlike sites
+  /// For PME: rms error of the electrostatic forces relative to their rms.
   double accuracy = 1e-4;
   double damping = 2;  ///< of the damped shifted force: α [1/nm]
-  /// For Ewald's sum: the mesh; without it, the cheapest of that accuracy.
+  /// For PME: the mesh; if not set, the cheapest one of that accuracy.
   std::optional<MeshSettings> mesh{};
-  /// Whether Lennard-Jones energy and pressure count what the truncation leaves out, for a uniform
+  /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
   /// density of sites.
   bool dispersion_correction = false;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is taken off 1/r within a cutoff so that the rest ends there smoothly: a polynomial in the
-// square of the distance, which costs a kernel a few multiplications and no special function.
+// A polynomial in the square of the distance that is subtracted from 1/r inside a cutoff so that
+// the rest goes smoothly to zero there. It costs a kernel a few multiplications and no special
+// function.
 #pragma once
 
 #include <algorithm>
@@ -9,20 +10,20 @@
 
 namespace polhode {
 
-/// The value of a radial function and its −d/dr over r.
+/// The value of a radial function and −1/r times its derivative.
 struct RadialValue {
   double u;  ///< [1/nm]
   double s;  ///< −u'/r [1/nm³]
 };
 
-/// A polynomial in y = 1 − r²/a² up to its end a, and 1/r beyond: what is taken off 1/r within the
-/// cutoff a, so that the rest u(r) ends there.
+/// A polynomial in y = 1 − r²/a² for r < a, and 1/r beyond. Subtracted from 1/r, it leaves a
+/// short-range u(r) that vanishes for r ≥ a.
 class SmoothPolynomial {
  public:
-  static constexpr int most = 25;  ///< the highest power of y
+  static constexpr int most = 25;  ///< highest power of y
 
   /// @param cutoff  a [nm]
-  /// @param terms   coefficients of 1, y, y², … in a times the smooth part, two at least
+  /// @param terms   coefficients of 1, y, y², … of a times the smooth part, at least two
   SmoothPolynomial(double cutoff, const std::vector<double>& terms)
       : a_(cutoff), degree_(static_cast<int>(terms.size()) - 1) {
     std::copy(terms.begin(), terms.end(), u_.begin());
@@ -31,9 +32,9 @@ class SmoothPolynomial {
 
   double cutoff() const { return a_; }
   int degree() const { return degree_; }
-  /// Coefficient of y^k in a times the smooth part, k ≤ degree.
+  /// Coefficient of y^k of a times the smooth part, k ≤ degree.
   double coefficient(int k) const { return u_[k]; }
-  /// Coefficient of y^k in a³ times −smooth'/r, k < degree.
+  /// Coefficient of y^k of a³ times −smooth'/r, k < degree.
   double slope_coefficient(int k) const { return s_[k]; }
 
   RadialValue smooth(double r) const {
@@ -58,7 +59,7 @@ class SmoothPolynomial {
   std::array<double, most> s_{};
 };
 
-/// The first terms, up to y^last, of a/r in powers of y: (1/2)_k/k!.
+/// The Taylor coefficients of a/r in powers of y, up to y^last: (1/2)_k/k!.
 inline std::vector<double> inverse_distance_terms(int last) {
   std::vector<double> u(static_cast<std::size_t>(last) + 1, 1.0);
   for (std::size_t k = 1; k < u.size(); ++k)

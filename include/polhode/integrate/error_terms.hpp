@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The error of order h² of a palindromic scheme, from its stages (docs/theory.md, "The shadow
-// energy").
+// The O(h²) error terms of a palindromic scheme, computed from its stages (docs/theory.md, "The
+// shadow energy").
 #pragma once
 
 #include "polhode/integrate/scheme.hpp"
 
 namespace polhode {
 
-/// The prefactors in H̃ = H + h² (α V̈ + β W) + O(h⁴), the Hamiltonian that a palindrome follows:
-/// V̈ = {T,{T,V}}, W = {V,{V,T}}.
+/// The prefactors in H̃ = H + h² (α V̈ + β W) + O(h⁴), the Hamiltonian that a palindromic scheme
+/// conserves: V̈ = {T,{T,V}}, W = {V,{V,T}}.
 struct ErrorTerms {
   double alpha = 0, beta = 0;
 };
 
-/// From the middle stage outwards, each pair of stages e^{X/2} · e^{X/2} around what is inside by
-/// the symmetric Campbell-Baker-Hausdorff formula [parisi1988].
-/// @param scheme  a palindrome: any other has an error of order h, which is not told
+/// Works from the middle stage outwards: each pair of stages e^{X/2} · e^{X/2} is wrapped around
+/// the inner part by the symmetric Baker-Campbell-Hausdorff formula [parisi1988].
+/// @param scheme  a palindrome; any other scheme has O(h) errors, which are not computed
 constexpr ErrorTerms error_terms(const Scheme& scheme) {
   const auto stages = scheme.stages();
-  double a = 0, b = 0;  // of the drift and of the kick, so far
+  double a = 0, b = 0;  // sums over the drifts and kicks so far
   ErrorTerms error;
   const std::size_t middle = stages.size() / 2;
   for (std::size_t i = middle; i < stages.size(); ++i) {

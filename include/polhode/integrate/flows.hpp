@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The two flows that every scheme is made of (vanzon2008, Eqs. 2 and 3), and the displacement of
-// gradient kicks. Bodies are moved one by one, so the results are the same bits for any number of
-// threads.
+// The two flows that every scheme is composed of (vanzon2008, Eqs. 2 and 3), and the displacement
+// of gradient kicks. Bodies are advanced independently, so the results are bitwise identical for
+// any number of threads.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@
 
 namespace polhode {
 
-/// e^{At}: every body flies straight and turns freely, both exactly (vanzon2008, Eq. 2):
-/// q ← q + t p/m, S ← P(t) S.
+/// e^{At}: free flight and free rotation of every body, both exact (vanzon2008, Eq. 2): q ← q + t
+/// p/m, S ← P(t) S.
 void drift(State& state, const Bodies& bodies, double t, Workers& workers = Workers::serial());
 
 /// e^{Bt}: forces and torques act (vanzon2008, Eq. 3): p ← p + t f, ℓ ← ℓ + t τ. No torque acts
@@ -24,20 +24,21 @@ void drift(State& state, const Bodies& bodies, double t, Workers& workers = Work
 void kick(State& state, const Bodies& bodies, const Load& load, double t,
           Workers& workers = Workers::serial());
 
-/// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v) turns
-/// a body by the body-frame vector v (vanzon2008, below Eq. 7; S̃ = R(v) S).
+/// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v)
+/// rotates a body by the body-frame vector v (vanzon2008, below Eq. 7; S̃ = R(v) S).
 inline Quaternion<double> rodrigues(const Vec3<double>& v) {
   const double half = norm(v) / 2;
   const double s = half > 0 ? std::sin(half) / (2 * half) : 0.5;
   return {std::cos(half), s * v.x, s * v.y, s * v.z};
 }
 
-/// The displacement that a gradient kick asks the derivative of forces along: f/m of each centre
-/// and J⁻¹ S τ of each attitude, body frame. ∇W is twice the derivative of f and τ along it.
+/// The direction along which a gradient kick needs the derivative of the forces: f/m for each
+/// centre and J⁻¹ S τ for each attitude, body frame. ∇W is twice the derivative of f and τ along
+/// it.
 void gradient_direction(const State& state, const Bodies& bodies, const Load& load, Vec3Column& dq,
                         Vec3Column& dtheta, Workers& workers = Workers::serial());
 
-/// Moves every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
+/// Displaces every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
 /// (vanzon2008, Eq. 7 with c = 2 ξ λ h²).
 void displace(State& state, const Bodies& bodies, const Load& load, double c,
               Workers& workers = Workers::serial());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Plays a scheme on a state: drifts and kicks in order, with forces from any callable.
+// Applies a scheme to a state: drifts and kicks in order, with forces from any callable.
 #pragma once
 
 #include <concepts>
@@ -14,35 +14,35 @@
 
 namespace polhode {
 
-/// Anything that computes the Load of a State. It may offer a second function, forces_alone(state,
-/// load), which leaves the energies out where nobody asks for them; a flow of its own in place of
-/// the drift, drift(state, t), as multiple time steps have; and forget(), memory() and
-/// take_over(memory), as an integrator has them, if that flow remembers.
+/// Anything that computes the Load of a State. Optional members: forces_alone(state, load), which
+/// skips the energies when they are not needed; drift(state, t), a flow that replaces the drift, as
+/// for multiple time steps; and, if that flow keeps data between steps, forget(), memory() and
+/// take_over(memory) with the same meaning as in Integrator.
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
 };
 
 /// A force model with the exact derivative of its forces and torques along a displacement of the
-/// bodies, which gradient kicks ask for.
+/// bodies, as needed by gradient kicks.
 template <class F>
 concept OffersDerivative = requires(F& forces, const State& state, const Vec3Column& displacement,
                                     Load& slope) {
   {forces.directional_derivative(state, displacement, displacement, slope)};
 };
 
-/// What an integrator carries from step to step: another one that takes it over goes on with the
-/// same bits.
+/// What an integrator carries from step to step: an integrator that takes it over continues bitwise
+/// identically.
 struct IntegratorMemory {
-  Load load;              ///< the last one
-  bool current = false;   ///< it belongs to the positions
-  bool complete = false;  ///< it holds energies
+  Load load;              ///< of the last evaluation
+  bool current = false;   ///< whether it belongs to the current positions
+  bool complete = false;  ///< whether it includes energies
   std::uint64_t evaluations = 0, derivatives = 0, measurements = 0;
-  std::vector<IntegratorMemory> inner;  ///< of the scheme within its drifts, if there is one
+  std::vector<IntegratorMemory> inner;  ///< of the inner scheme, if there is one
 };
 
-/// Forces and torques, without energies if the model can leave them out.
-/// @return  whether they are there all the same
+/// Evaluates forces and torques, without energies if the model can skip them.
+/// @return  whether the Load includes energies anyway
 template <ForceModel Forces>
 bool forces_alone(Forces& forces, const State& state, Load& load) {
   if constexpr (requires { forces.forces_alone(state, load); }) {
@@ -54,12 +54,12 @@ bool forces_alone(Forces& forces, const State& state, Load& load) {
   }
 }
 
-/// An integrator owns its scratch space and the last Load; a step does not allocate.
+/// Owns its scratch space and the last Load; a step does not allocate.
 template <ForceModel Forces>
 class Integrator {
  public:
   /// @param forces  kept by reference
-  /// @param lambda  of gradient kicks by finite difference (vanzon2008, Eq. 6)
+  /// @param lambda  for gradient kicks by finite difference (vanzon2008, Eq. 6)
   /// @param workers  for drifts and kicks, kept by reference; the forces have their own
   /// @throws Error  if the scheme has exact gradients and the forces offer no derivative
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4,
@@ -82,21 +82,21 @@ class Integrator {
       gradient_load_ = Load(bodies.size());
   }
 
-  /// Steps e^{Lh}, `steps` times (vanzon2008, Eq. 1). Between two steps the last stage of one and
-  /// the first of the next are one flow, played at once; at the end the state is synchronised:
-  /// positions and momenta belong to the same time.
-  /// @param energies  whether load() will be asked for energies at the end; else it has to compute
-  ///                  them then
+  /// Advances by `steps` steps e^{Lh} (vanzon2008, Eq. 1). The last stage of a step and the first
+  /// of the next are applied as one flow. At the end the state is synchronised: positions and
+  /// momenta belong to the same time.
+  /// @param energies  whether load() will be asked for energies at the end; otherwise they have to
+  ///                  be computed at that point
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {
     const std::span<const Stage> stages = scheme_.stages();
-    // Two drifts in a row are not one where a model cuts each drift in as many inner steps.
+    // If the model divides each drift into a number of inner steps, two drifts cannot be merged.
     const bool mergeable = scheme_.mergeable() && (stages[0].flow == Flow::kick || !has_own_drift);
     const double start = state.time;
     for (std::size_t n = 0; n < steps; ++n) {
       const bool first = n == 0, last = n + 1 == steps;
       for (std::size_t k = 0; k < stages.size(); ++k) {
         if (mergeable && k == 0 && !first)
-          continue;  // played with the last stage of the step before
+          continue;  // was merged with the last stage of the previous step
         Stage stage = stages[k];
         if (mergeable && k + 1 == stages.size() && !last) stage.fraction *= 2;
         play(stage, state, h, energies && last && k + 1 == stages.size());
@@ -105,9 +105,9 @@ class Integrator {
     state.time = start + static_cast<double>(steps) * h;
   }
 
-  /// The Load at the state's positions: that of the last kick where the positions are still the
-  /// same, else a new evaluation, which is counted as a measurement and not as part of the
-  /// integration.
+  /// The Load at the positions of the state: that of the last kick if the positions have not
+  /// changed since, otherwise a new evaluation, which is counted as a measurement rather than as
+  /// part of the integration.
   const Load& load(const State& state) {
     if (!current_ || !complete_) {
       evaluate(state, load_, true);
@@ -116,9 +116,9 @@ class Integrator {
     return load_;
   }
 
-  /// Forces and torques at the state's positions: those of the last kick where the positions are
-  /// still the same, else a new evaluation as part of the integration.
-  /// @param energies  whether that one shall hold energies
+  /// Forces and torques at the positions of the state: those of the last kick if the positions have
+  /// not changed since, otherwise a new evaluation as part of the integration.
+  /// @param energies  whether a new evaluation should include energies
   const Load& forces(const State& state, bool energies = false) {
     if (!current_) {
       evaluate(state, load_, energies);
@@ -127,10 +127,10 @@ class Integrator {
     return load_;
   }
 
-  /// The Load of the last kick, wherever that was.
+  /// The Load of the last kick, at the positions of that kick.
   const Load& last_load() const { return load_; }
 
-  /// To be called when someone else has moved the bodies.
+  /// To be called when the positions were changed from outside.
   void forget() {
     current_ = false;
     if constexpr (requires { forces_.forget(); }) forces_.forget();
@@ -153,7 +153,7 @@ class Integrator {
   const Scheme& scheme() const { return scheme_; }
   std::uint64_t force_evaluations() const { return evaluations_; }  ///< by steps
   std::uint64_t derivatives() const { return derivatives_; }        ///< of forces, by steps
-  std::uint64_t measurements() const { return measurements_; }      ///< for load() alone
+  std::uint64_t measurements() const { return measurements_; }      ///< by load() only
 
  private:
   static constexpr bool has_own_drift = requires(Forces & forces, State& state, double t) {
@@ -184,9 +184,9 @@ class Integrator {
     if (stage.has(Gradient::finite_difference)) finite_difference_kick(stage, state, h);
   }
 
-  /// The part of e^{B̂(ξ)} beyond e^B: ξ h² ∇W (vanzon2008, Eq. 5), ∇W being twice the derivative of
-  /// f and τ along the displacement that they would make (docs/theory.md, "The gradient kick"). The
-  /// step h in ξ h² is the whole one, whatever the kick's weight.
+  /// The additional part of e^{B̂(ξ)} over e^B: ξ h² ∇W (vanzon2008, Eq. 5), where ∇W is twice the
+  /// derivative of f and τ along the displacement that they would cause (docs/theory.md, "The
+  /// gradient kick"). h in ξ h² is the full step, whatever the weight of the kick.
   void exact_gradient_kick(const Stage& stage, State& state, double h) {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);
@@ -194,8 +194,8 @@ class Integrator {
     kick(state, bodies_, gradient_load_, stage.fraction * h * 2 * stage.xi * h * h, workers_);
   }
 
-  /// The same by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ and the same of τ, both in the lab
-  /// frame (vanzon2008, Eqs. 6 and 7).
+  /// The same by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ, and likewise for τ, both in the
+  /// lab frame (vanzon2008, Eqs. 6 and 7).
   void finite_difference_kick(const Stage& stage, State& state, double h) {
     shifted_.q = state.q;
     shifted_.attitude = state.attitude;
@@ -216,10 +216,10 @@ class Integrator {
   double lambda_;
   Workers& workers_;
   Load load_, gradient_load_;
-  Vec3Column dq_, dtheta_;  // direction of the derivative
+  Vec3Column dq_, dtheta_;  // displacement along which the derivative is taken
   State shifted_;           // q̃, S̃
-  bool current_ = false;    // load_ belongs to the positions
-  bool complete_ = false;   // and holds energies
+  bool current_ = false;    // load_ belongs to the current positions
+  bool complete_ = false;   // load_ includes energies
   std::uint64_t evaluations_ = 0, derivatives_ = 0, measurements_ = 0;
 };
 

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Multiple time steps [tuckerman1992]: slow forces for an outer scheme, whose drifts are steps of
-// an inner scheme under the near forces.
+// Multiple time steps (r-RESPA) [tuckerman1992]: an outer scheme with the slow forces, whose drifts
+// are steps of an inner scheme with the near forces.
 #pragma once
 
 #include "polhode/integrate/integrator.hpp"
 
 namespace polhode {
 
-/// A force model that is split, V = V_near + V_slow, for an outer Integrator: its forces are slow
-/// ones, all forces less the near ones, and its drift is e^{(A + B_near)t}, played by an inner
-/// Integrator. Where both meet at the same positions the near forces are evaluated once.
-/// @tparam Near  a part of the forces of Full, cheap and fast
+/// A force model split as V = V_near + V_slow, for use by an outer Integrator: its forces are the
+/// slow ones, i.e. all forces minus the near ones, and its drift is e^{(A + B_near)t}, carried out
+/// by an inner Integrator. If both need the near forces at the same positions, they are evaluated
+/// once.
+/// @tparam Near  a cheap, rapidly varying part of the forces of Full
 template <ForceModel Full, ForceModel Near>
 class NestedForces {
  public:
-  /// @param inner   the scheme of near forces
-  /// @param steps   of the inner scheme in each drift
-  /// @param lambda  of finite differences in the inner scheme
+  /// @param inner   the scheme for the near forces
+  /// @param steps   of the inner scheme per drift
+  /// @param lambda  for finite differences in the inner scheme
   NestedForces(const Scheme& inner, int steps, const Bodies& bodies, Full& full, Near& near,
                double lambda = 1e-4, Workers& workers = Workers::serial())
       : steps_(steps),
@@ -25,17 +26,17 @@ class NestedForces {
         inner_(inner, bodies, near, lambda, workers),
         part_(bodies.size()) {}
 
-  /// Slow forces and torques; the energies and the virial are those of all forces.
+  /// Slow forces and torques; the energies and the virial are those of the total forces.
   void operator()(const State& state, Load& load) {
     full_(state, load);
     take_near(state, load);
   }
-  /// Slow forces and torques alone.
+  /// Slow forces and torques only.
   void forces_alone(const State& state, Load& load) {
     polhode::forces_alone(full_, state, load);
     take_near(state, load);
   }
-  /// The derivative of slow forces and torques: that of all forces less that of the near ones.
+  /// The derivative of the slow forces and torques: that of all forces minus that of the near ones.
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& derivative) requires OffersDerivative<Full> &&
       OffersDerivative<Near> {
@@ -45,11 +46,11 @@ class NestedForces {
     subtract(derivative, part_);
   }
 
-  /// Says which state is the one that drifts move, where its forces may be asked for before the
-  /// first drift: as after take_over().
+  /// Tells which state the drifts advance, in case its forces are needed before the first drift, as
+  /// after take_over().
   void moves(const State& state) { moved_ = &state; }
 
-  /// e^{(A + B_near)t}, to the order of the inner scheme.
+  /// e^{(A + B_near)t}, approximated by the inner scheme.
   void drift(State& state, double t) {
     moves(state);
     inner_.advance(state, t / steps_, static_cast<std::size_t>(steps_), false);
@@ -84,8 +85,9 @@ class NestedForces {
     }
   }
 
-  /// Of the state that is moved: those of the inner scheme. A finite difference asks for displaced
-  /// positions too, which the inner scheme must not take for its own.
+  /// Near forces at the positions of `state`. For the state that is being integrated, those of the
+  /// inner scheme are reused. A finite difference also evaluates displaced positions, which must
+  /// not enter the cache of the inner scheme.
   const Load& near_load(const State& state) {
     if (&state == moved_) return inner_.forces(state);
     polhode::forces_alone(near_, state, part_);
@@ -97,7 +99,7 @@ class NestedForces {
   Full& full_;
   Near& near_;
   Integrator<Near> inner_;
-  Load part_;  // of the near forces, where the inner scheme has none
+  Load part_;  // of the near forces, when the inner scheme has none
   const State* moved_ = nullptr;
   std::uint64_t elsewhere_ = 0, outer_derivatives_ = 0;
 };

@@ -9,16 +9,16 @@
 
 namespace polhode {
 
-/// What stands in each drift of an outer scheme: steps of a scheme of its own, under the near part
-/// of the forces.
+/// The inner scheme: steps with the near forces that make up each drift of an outer scheme.
 struct InnerScheme {
   Scheme scheme;
-  int steps = 1;           ///< in each drift of the outer scheme
-  double switch_from = 0;  ///< distance of molecules where near forces begin to fade [nm]
-  double cutoff = 0;       ///< where they have ended [nm]
+  int steps = 1;           ///< per drift of the outer scheme
+  double switch_from = 0;  ///< distance between molecules at which the switch of the near forces
+                           ///< begins [nm]
+  double cutoff = 0;       ///< distance beyond which they are zero [nm]
 };
 
-/// A scheme, and perhaps one within it. Where there is one the outer kicks are those of the slow
+/// A scheme, and optionally one nested within it; then the kicks of the outer scheme use the slow
 /// part of the forces.
 struct NestedScheme {
   Scheme outer;
@@ -27,7 +27,7 @@ struct NestedScheme {
   NestedScheme(const Scheme& scheme, std::optional<InnerScheme> within = {})
       : outer(scheme), inner(within) {}
 
-  /// That of the coarser of both; 0 if one of them is unknown.
+  /// The lower of the two orders; 0 if one of them is unknown.
   int order() const {
     return inner ? std::min(outer.order(), inner->scheme.order()) : outer.order();
   }
@@ -36,9 +36,9 @@ struct NestedScheme {
     return outer.has(gradient) || (inner && inner->scheme.has(gradient));
   }
 
-  /// Evaluations of the near forces in a step of the outer scheme, which has force_evaluations() of
-  /// the whole ones beside. Outer and inner kicks at the same positions share one; the displaced
-  /// positions of a finite difference have one of their own.
+  /// Evaluations of the near forces per step of the outer scheme, in addition to its
+  /// force_evaluations() of the total forces. Outer and inner kicks at the same positions share
+  /// one; the displaced positions of a finite difference need one of their own.
   int near_evaluations() const {
     if (!inner) return 0;
     const auto within = inner->scheme.stages();
@@ -47,17 +47,17 @@ struct NestedScheme {
     return inner_steps() * inner->scheme.force_evaluations() +
            (shared ? displaced : outer.force_evaluations());
   }
-  /// Evaluations of the derivative of the near forces in a step of the outer scheme: one for each
-  /// exact gradient kick of either.
+  /// Evaluations of the derivative of the near forces per step of the outer scheme: one for each
+  /// exact gradient kick, outer or inner.
   int near_derivatives() const {
     return inner ? inner_steps() * inner->scheme.derivatives() + outer.derivatives() : 0;
   }
-  /// Both together, in evaluations of the near forces.
+  /// Total cost of both, in evaluations of the near forces.
   double near_cost() const { return near_evaluations() + derivative_cost * near_derivatives(); }
 
  private:
   static bool is_drift(const Stage& stage) { return stage.flow == Flow::drift; }
-  /// In a step of the outer scheme.
+  /// Inner steps per step of the outer scheme.
   int inner_steps() const {
     const auto stages = outer.stages();
     return inner->steps * static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));

@@ -14,7 +14,7 @@ namespace polhode {
 
 enum class Flow { drift, kick };
 
-/// How a gradient kick gets ∇W.
+/// How a gradient kick obtains ∇W.
 enum class Gradient {
   exact,              ///< from the derivative of the forces: the scheme is symplectic
   finite_difference,  ///< from forces at displaced positions (vanzon2008, Eqs. 6 and 7)
@@ -35,21 +35,21 @@ constexpr Stage B(double b, double xi = 0, Gradient gradient = Gradient::exact) 
   return {Flow::kick, b, xi, gradient};
 }
 
-/// What the derivative of the forces costs, in force evaluations: as measured for 512 four-site
-/// waters by bench/micro/forces.cpp (docs/gradient.md).
+/// Cost of the derivative of the forces, in force evaluations, as measured for 512 four-site waters
+/// with bench/micro/forces.cpp (docs/gradient.md).
 inline constexpr double derivative_cost = 2.0;
 
-/// The fraction of a stage that is whatever makes its flow advance by one step in all.
+/// Placeholder for a fraction: whatever is needed for the flow to advance by one step in total.
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
-/// A scheme. Anyone's line in a table is checked when it is compiled: the constructor runs at
-/// compile time and refuses one whose drifts or kicks do not sum to one step.
+/// A scheme. User-defined lines of the table are checked at compile time: the constructor is
+/// consteval and rejects schemes whose drifts or kicks do not sum to one step.
 class Scheme {
  public:
   static constexpr std::size_t most_stages = 64;
 
-  /// @param half    the stages up to and including the middle one; the others are their mirror
-  ///                image. One stage of each flow may have `rest` as its fraction
+  /// @param half    the stages up to and including the middle one; the rest is their mirror image.
+  ///                One stage of each flow may have `rest` as its fraction
   /// @param source  key in docs/references.bib
   consteval Scheme(std::string_view name, int order, std::initializer_list<Stage> half,
                    std::string_view source)
@@ -68,18 +68,18 @@ class Scheme {
 
   constexpr std::string_view name() const { return name_; }
   constexpr std::string_view source() const { return source_; }
-  constexpr int order() const { return order_; }  ///< declared; 0 if unknown
+  constexpr int order() const { return order_; }  ///< declared order; 0 if unknown
   constexpr std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
-  /// Force evaluations per step when steps follow each other: a kick whose positions are still
-  /// those of the kick before costs nothing, a gradient kick by finite difference costs one more.
+  /// Force evaluations per step in a sequence of steps: a kick at the positions of the previous
+  /// kick costs nothing; a gradient kick by finite difference costs one more.
   constexpr int force_evaluations() const { return evaluations().forces; }
-  /// Evaluations of the forces' derivative per step: one for each exact gradient kick.
+  /// Evaluations of the derivative of the forces per step: one per exact gradient kick.
   constexpr int derivatives() const { return evaluations().derivatives; }
-  /// Both together, in force evaluations.
+  /// Total cost of both, in force evaluations.
   constexpr double cost() const { return force_evaluations() + derivative_cost * derivatives(); }
 
-  /// The last stage of one step and the first of the next are one flow.
+  /// Whether the last stage of a step and the first of the next are the same flow.
   constexpr bool mergeable() const { return count_ > 1 && palindromic(); }
 
   constexpr bool has(Gradient gradient) const {
@@ -92,7 +92,9 @@ class Scheme {
     int n = 0;
     for (const Stage& stage : stages())
       if (stage.xi != 0) ++n;
-    if (mergeable() && stages_[0].xi != 0) --n;  // the last one is the next step's first
+    if (mergeable() && stages_[0].xi != 0)
+      --n;  // the last one is merged with the first one of the
+            // next step
     return n;
   }
   constexpr bool has_gradient() const { return gradient_kicks() > 0; }
@@ -111,7 +113,7 @@ class Scheme {
     return sum;
   }
 
-  /// Both flows advance by one step, to the rounding of as many sums of decimal coefficients.
+  /// Whether both flows advance by one step, to the rounding of a sum of decimal coefficients.
   constexpr bool consistent() const {
     const auto one = [](double x) { return x - 1 < 1e-14 && 1 - x < 1e-14; };
     return one(total(Flow::drift)) && one(total(Flow::kick));
@@ -123,13 +125,13 @@ class Scheme {
   };
   constexpr Evaluations evaluations() const {
     Evaluations n;
-    bool known = stages_[count_ - 1].flow == Flow::kick;  // by the end of the step before
+    bool known = stages_[count_ - 1].flow == Flow::kick;  // from the end of the previous step
     for (std::size_t i = 0; i < count_; ++i) {
       if (stages_[i].flow == Flow::drift) {
         known = false;
         continue;
       }
-      const bool merged = i + 1 == count_ && mergeable();  // with the next step's first kick
+      const bool merged = i + 1 == count_ && mergeable();  // with the first kick of the next step
       n.forces += known ? 0 : 1;
       n.forces += stages_[i].has(Gradient::finite_difference) && !merged ? 1 : 0;
       n.derivatives += stages_[i].has(Gradient::exact) && !merged ? 1 : 0;
@@ -138,7 +140,7 @@ class Scheme {
     return n;
   }
 
-  /// Gives the `rest` of a flow its value, while stages_ holds the half up to the middle.
+  /// Replaces the `rest` of a flow by its value; stages_ holds the stages up to the middle one.
   constexpr void complete(Flow flow) {
     double left = 1, share = 0;
     std::size_t open = count_;

@@ -9,16 +9,16 @@
 
 namespace polhode {
 
-/// The scheme of that name in the table, or the one that the text spells.
+/// The scheme of that name in the table, or the one that the text describes.
 ///
-/// A text lists all stages: A(a) drifts and B(b) or B(b, xi) kicks, with a number or a fraction of
-/// numbers for each argument; "xi=" before the second is allowed, and B(b, xi, fd) takes the
-/// gradient by finite difference.
-/// @throws Error  if there is no such name (with the nearest one), if the text cannot be read (with
-///                the place), or if its drifts or kicks do not sum to one
+/// A text lists all stages: A(a) for drifts and B(b) or B(b, xi) for kicks. Each argument is a
+/// number or a fraction of two numbers; "xi=" is allowed before the second one, and B(b, xi, fd)
+/// computes the gradient by finite difference.
+/// @throws Error  if the name is unknown (suggesting the nearest one), if the text cannot be parsed
+///                (with the position), or if its drifts or kicks do not sum to one
 Scheme scheme_of(std::string_view name_or_text);
 
-/// All stages as text that scheme_of() reads back to the same bits.
+/// All stages as text; scheme_of() reproduces the same bits from it.
 std::string text_of(const Scheme& scheme);
 
 }  // namespace polhode

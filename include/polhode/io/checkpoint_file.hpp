@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Checkpoint files: numbers in their own bits, sealed, so that what is cut short, changed or made
-// by another program is known before any of it is used.
+// Checkpoint files: numbers in binary, with a checksum, so that a file that is truncated, altered
+// or written by another program is recognised before any of it is used.
 //
-// A file is, with whole numbers of 64 bits in the byte order of the processor: 16 bytes that name
-// the format; its version; the length of the file; version and instruction set of the program that
-// wrote it; what was put into it; and a CRC-64 of all but the length.
+// A file consists of, with 64-bit integers in the byte order of the processor: 16 bytes that
+// identify the format; its version; the length of the file; version and instruction set of the
+// program that wrote it; the contents; and a CRC-64 of everything but the length.
 #pragma once
 
 #include <cstdint>
@@ -18,21 +18,21 @@
 
 namespace polhode {
 
-/// Which program wrote a file. Only the same goes on with the same bits.
+/// The program that wrote a file. Only the same program continues bitwise identically.
 struct Maker {
   std::string version;
   std::string target;  ///< instruction set
 };
 
-/// A checkpoint that is missing, cut short or changed: an earlier one may serve.
+/// A checkpoint that is missing, truncated or altered; an earlier one may be usable.
 class DamagedCheckpoint : public Error {
   using Error::Error;
 };
 
-/// Puts values into a file one after the other, without holding them.
+/// Writes values to a file one after the other, without buffering them all.
 class CheckpointWriter {
  public:
-  /// @param out  a stream in which one can go back
+  /// @param out  a seekable stream
   CheckpointWriter(std::ostream& out, const Maker& maker);
   ~CheckpointWriter();
   void operator()(double x);
@@ -41,7 +41,7 @@ class CheckpointWriter {
   void operator()(const std::string& text);
   void operator()(const Vec3<double>& v);
   void operator()(const Column<double>& column);
-  /// Seals the file; nothing may follow.
+  /// Writes length and checksum; nothing may follow.
   void end();
 
  private:
@@ -51,14 +51,14 @@ class CheckpointWriter {
   std::unique_ptr<Sum> sum_;
 };
 
-/// Takes the values out again, in the same order.
+/// Reads the values back in the same order.
 class CheckpointReader {
  public:
-  /// Reads a file whole and looks at its seal.
-  /// @throws DamagedCheckpoint  if it is not there, is none of these, cut short or changed
-  /// @throws Error              if another program or instruction set wrote it
+  /// Reads the whole file and verifies its checksum.
+  /// @throws DamagedCheckpoint  if it is missing, not a checkpoint, truncated or altered
+  /// @throws Error              if it was written by another program or instruction set
   CheckpointReader(const std::string& path, const Maker& reader);
-  /// The same of bytes that were read from `path`.
+  /// The same for bytes that were read from `path`.
   CheckpointReader(std::string bytes, const std::string& path, const Maker& reader);
   void operator()(double& x);
   void operator()(std::uint64_t& n);
@@ -66,7 +66,7 @@ class CheckpointReader {
   void operator()(std::string& text);
   void operator()(Vec3<double>& v);
   void operator()(Column<double>& column);
-  /// @throws DamagedCheckpoint  unless all was taken
+  /// @throws DamagedCheckpoint  unless everything has been read
   void end() const;
 
  private:

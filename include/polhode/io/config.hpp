@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Run files: TOML, quantities with units. Everything a run or a study needs, in internal units.
+// Run files: TOML, with units for all quantities. The full description of a run or a study, in
+// internal units.
 #pragma once
 
 #include <cstdint>
@@ -18,30 +19,29 @@ namespace polhode {
 struct SystemSettings {
   struct Component {
     std::string model;      ///< name of a model, or path of a molecule file
-    std::size_t count = 0;  ///< 0: as many as the start configuration holds
+    std::size_t count = 0;  ///< 0: as many as the start configuration contains
   };
   std::vector<Component> molecules;
-  TopologySettings topology;        ///< in place of `molecules`
-  std::optional<double> density;    ///< [u/nm³], without a start configuration
-  std::optional<Vec3<double>> box;  ///< [nm], without a start configuration
+  TopologySettings topology;        ///< alternative to `molecules`
+  std::optional<double> density;    ///< [u/nm³], if there is no start configuration
+  std::optional<Vec3<double>> box;  ///< [nm], if there is no start configuration
   double temperature = 297;         ///< [K]
   std::uint64_t seed = 1;
-  /// Path of a coordinate file; "w512" is the one within the program; empty: lattice.
+  /// Path of a coordinate file; "w512" is the built-in one; empty: lattice.
   std::string start;
 };
 
 struct IntegratorSettings {
   std::string scheme = "hoa2";  ///< name, or stages as text
   bool scheme_given = false;
-  /// R that the run is to keep [1]; then the adviser chooses the step, and the scheme if none is
-  /// given.
+  /// Bound on R [1]; if set, the adviser chooses the step, and the scheme unless one is given.
   std::optional<double> accuracy;
-  /// Schemes from which the adviser chooses, names or texts.
+  /// Schemes that the adviser chooses from, as names or texts.
   std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
   double step = 0.002;  ///< [ps]
-  /// Of the finite-difference gradient (vanzon2008, Eq. 6). Without a word 1e-4 in double
-  /// precision, and 1 in mixed: rounding of the forces enters divided by lambda, while the order of
-  /// a scheme does not depend on it.
+  /// For the finite-difference gradient (vanzon2008, Eq. 6). Default: 1e-4 in double precision, 1
+  /// in mixed precision, because the rounding of the forces is amplified by 1/lambda, while the
+  /// order of a scheme does not depend on it.
   double lambda = 1e-4;
   bool lambda_given = false;
   std::string lambda_place;  ///< "water.toml:12, integrator.lambda"
@@ -50,11 +50,11 @@ struct IntegratorSettings {
 struct RunSettings {
   double equilibrate = 0;  ///< [ps], with velocity rescaling
   double length = 15;      ///< [ps]
-  double sample = 0.004;   ///< between samples of the energies [ps]
-  /// Between those of the shadow energy [ps]; 0: none; without a word a hundred steps, where the
-  /// scheme has one.
+  double sample = 0.004;   ///< interval between samples of the energies [ps]
+  /// The same for the shadow energy [ps]; 0: none; default: a hundred steps, for schemes that have
+  /// one.
   std::optional<double> shadow_sample;
-  double configurational_sample = 0;  ///< of configurational temperatures [ps]; 0: none
+  double configurational_sample = 0;  ///< the same for configurational temperatures [ps]; 0: none
 };
 
 struct OutputSettings {
@@ -62,9 +62,9 @@ struct OutputSettings {
   double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
   std::vector<std::string> formats = {"xyz", "gro"};
   bool massless_sites = true;     ///< in trajectories
-  bool velocities = true;         ///< in trajectories, where the format has them
+  bool velocities = true;         ///< in trajectories, if the format has them
   std::string plot = "svg";       ///< "svg", "png" or "none"
-  double checkpoint_every = 300;  ///< [s] of wall-clock time
+  double checkpoint_every = 300;  ///< interval in wall-clock time [s]
 
   FrameChoice choice() const {
     return {massless_sites ? MasslessSites::kept : MasslessSites::left_out, velocities};
@@ -73,12 +73,13 @@ struct OutputSettings {
 
 struct StudySettings {
   std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
-  std::vector<double> steps;          ///< [ps]; empty: a ladder per scheme
+  std::vector<double> steps;          ///< [ps]; empty: a default ladder per scheme
   bool coarse = false;                ///< a ladder with fewer steps
-  int runs = 10;                      ///< independent starts per point
+  int runs = 10;                      ///< independent initial configurations per point
   double length = 15;                 ///< of each run [ps]
-  double decorrelate = 10;            ///< preparation of each start from new momenta [ps]
-  double configurational_sample = 0;  ///< of configurational temperatures [ps]; 0: none
+  double decorrelate = 10;            ///< equilibration of each initial configuration after drawing
+                                      ///< new momenta [ps]
+  double configurational_sample = 0;  ///< interval of configurational temperatures [ps]; 0: none
 };
 
 struct Config {
@@ -89,27 +90,28 @@ struct Config {
   OutputSettings output;
   StudySettings study;
   std::string source;         ///< path of the file, or "default"
-  std::string text;           ///< as read: its hash names outputs
-  bool mixing_given = false;  ///< whether the file has a mixing rule
-  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff": only the box tells if it fits
+  std::string text;           ///< as read; its hash identifies outputs
+  bool mixing_given = false;  ///< whether the file contains a mixing rule
+  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff", since only the box tells whether
+                              ///< the cutoff fits
 };
 
-/// The smallest lambda that is accepted in mixed precision.
+/// The smallest lambda accepted in mixed precision.
 inline constexpr double least_lambda_in_mixed = 0.1;
 
-/// Sets the precision of a run, as an option in place of the run file's word does, and a lambda
-/// that suits it where the run file has none.
-/// @throws Error  if the run file's lambda is below the least one for mixed precision
+/// Sets the precision of a run, overriding that of the run file, and a suitable lambda if the run
+/// file has none.
+/// @throws Error  if the run file's lambda is too small for mixed precision
 void set_precision(Config& config, Precision precision);
 
-/// Reads and checks a run file. A relative path in it is relative to the file.
+/// Reads and validates a run file. Relative paths in it are relative to the file.
 /// @throws Error  with file, line and key
 Config read_config(const std::string& path);
 
-/// The run that the text of a run file describes; `file` is its name in errors.
+/// Parses the text of a run file; `file` is its name in errors.
 Config parse_config(std::string_view text, const std::string& file);
 
-/// The default run: 512 TIP4P waters from the configuration within the program.
+/// The default run: 512 TIP4P waters from the built-in configuration.
 Config default_config();
 
 }  // namespace polhode

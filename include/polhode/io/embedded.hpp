@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Data files that the program carries within itself, by their path below data/.
+// Data files built into the program, by their path below data/.
 #pragma once
 
 #include <optional>
@@ -15,7 +15,7 @@ struct EmbeddedFile {
 
 std::span<const EmbeddedFile> embedded_files();
 
-/// The text of one embedded file, if there is one of that path.
+/// The text of an embedded file, if there is one with that path.
 std::optional<std::string_view> embedded_text(std::string_view path);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A frame: the atoms of one instant as coordinate files know them, without rigid bodies. Readers
-// make it, writers take it, and these functions lead from bodies to atoms and back.
+// A frame: the atoms at one time as in coordinate files, without rigid bodies. Readers produce
+// frames and writers take them; the functions below convert between bodies and atoms.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,11 @@
 
 namespace polhode {
 
-/// What atoms of one name have in common: kept once, for frames of many atoms.
+/// What atoms of the same name have in common: stored once, for frames with many atoms.
 struct AtomKind {
   std::string residue_name;  ///< "SOL"
   std::string name;          ///< "OW"
-  std::string element;       ///< "O"; empty if the file does not tell, or for massless sites
+  std::string element;       ///< "O"; empty if unknown, or for massless sites
 };
 
 struct Atom {
@@ -40,45 +40,46 @@ struct Frame {
   const AtomKind& kind(const Atom& atom) const { return kinds[atom.kind]; }
 };
 
-/// Gives elements to kinds without one, by the names that GROMACS and PDB files use: "OW" is O, and
-/// "NA" in a residue of that name is Na. Names that begin with no such element ("MW") are left.
+/// Assigns elements to kinds without one, from the names that GROMACS and PDB files use: "OW" is O,
+/// and "NA" in a residue of that name is Na. Names that do not begin with an element ("MW") get
+/// none.
 void complete_elements(Frame& frame);
 
 enum class MasslessSites { kept, left_out };
 
-/// All sites of all bodies: r = q + x, v = p/m + ω × x. Molecules stay whole, with their centres
-/// moved into the box.
+/// All sites of all bodies: r = q + x, v = p/m + ω × x. Molecules are whole, with their centres
+/// wrapped into the box.
 Frame frame_of(const State& state, const Topology& topology,
                MasslessSites massless = MasslessSites::kept);
 
-/// The kinds of that frame's atoms: the topology's sites.
+/// The kinds of atoms in such a frame: the sites of the topology.
 std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massless);
 
-/// Calls visit(atom) for the atoms of that frame one after another: a frame need not be held whole.
+/// Calls visit(atom) for each atom of such a frame, so that the frame need not be in memory.
 void each_atom(const State& state, const Topology& topology, MasslessSites massless,
                const std::function<void(const Atom&)>& visit);
 std::size_t atom_count(const Topology& topology, MasslessSites massless = MasslessSites::kept);
-std::string title_of(const State& state);  ///< of that frame: it tells the time [ps]
+std::string title_of(const State& state);  ///< of such a frame: includes the time [ps]
 
-/// What a frame gives for rigid bodies.
+/// Rigid bodies fitted to a frame.
 struct FittedState {
   State state;                  ///< at time 0
-  bool has_velocities = false;  ///< else all momenta are zero
+  bool has_velocities = false;  ///< otherwise all momenta are zero
   double deviation = 0;         ///< largest distance of an atom with mass from its site [nm]
-  /// The same of massless sites [nm], which may lie anywhere: their places follow from the others,
-  /// whatever the file says.
+  /// The same for massless sites [nm]; any value is possible, since their positions in the file are
+  /// ignored and follow from the other sites.
   double massless_deviation = 0;
 };
 
-/// Rigid bodies fitted to atoms. Atoms belong to the topology's bodies in order; sites without mass
+/// Fits rigid bodies to atoms. Atoms belong to the topology's bodies in order; sites without mass
 /// may be missing. Molecules broken across the boundary are made whole; attitudes minimise Σ m
 /// |Δr|² (horn1987), and momenta are those of the atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
-/// @throws Error  if atoms do not match sites, are too few or too many, or if those with mass lie
-///                further than `fit_tolerance` from the model
+/// @throws Error  if atoms do not match sites, are too few or too many, or if those with mass are
+///                farther than `fit_tolerance` from the model
 FittedState fitted_state(const Frame& frame, const Topology& topology);
 
-/// Atoms may lie this far from the sites of a rigid model [nm]: the geometries of water models
-/// differ by up to 0.01 nm, another isomer by more than twice that.
+/// Largest allowed distance of atoms from the sites of a rigid model [nm]: the geometries of water
+/// models differ by up to 0.01 nm, another isomer by more than twice that.
 inline constexpr double fit_tolerance = 0.02;
 
 /// The topology with its only count, if it is 0, set to the number of molecules in the frame.

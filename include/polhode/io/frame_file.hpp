@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Files of frames, read and written one frame at a time: a coordinate file holds one, a trajectory
-// any number, and none is ever held whole.
+// any number. No file is ever in memory as a whole.
 #pragma once
 
 #include <cstddef>
@@ -18,22 +18,22 @@
 
 namespace polhode {
 
-/// Frames of a file in their order.
+/// Reads the frames of a file in order.
 class FrameReader {
  public:
   virtual ~FrameReader() = default;
-  /// Reads the next frame; what `frame` held is replaced and its memory used again.
-  /// @return  false where the file ends
+  /// Reads the next frame into `frame`, replacing its contents and reusing its memory.
+  /// @return  false at the end of the file
   /// @throws Error  with the file and line or offset: what was found, and what was expected
   virtual bool next(Frame& frame) = 0;
-  /// How much of the file has been read, 0 to 1.
+  /// Fraction of the file that has been read, 0 to 1.
   virtual double fraction_read() { return 0; }
 };
 
-/// Opens a file of the format that its ending names.
-/// @param names  kinds and residues of the atoms for formats that have none (XTC, TRR, DCD), in the
-///               file's order; without it such atoms are of one kind without a name
-/// @throws Error  if the file cannot be read or its ending is none of `readable_formats()`
+/// Opens a file; the format is chosen by the file extension.
+/// @param names  kinds and residues of the atoms for formats without names (XTC, TRR, DCD), in the
+///               order of the file; if null, all such atoms are of one unnamed kind
+/// @throws Error  if the file cannot be read or its extension is not one of `readable_formats()`
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
 
 /// The same from a stream, which must outlive the reader.
@@ -42,16 +42,16 @@ std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* n
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
                                          const std::string& file, const Frame* names = nullptr);
 
-/// Where a file stands after whole frames.
+/// Position in a file after a number of whole frames.
 struct FileMark {
   std::uint64_t frames = 0;
-  std::uint64_t bytes = 0;  ///< length of the file; 0 where the format does not count in bytes
+  std::uint64_t bytes = 0;  ///< length of the file; 0 for formats in which it is not used
 };
 
-/// A number of a frame, for formats that hold such beside the atoms.
+/// A named number per frame, for formats that store such numbers besides the atoms.
 struct FrameNumber {
   std::string_view name;  ///< "potential_energy"
-  std::string_view unit;  ///< as H5MD writes it: "kJ mol-1"
+  std::string_view unit;  ///< in the notation of H5MD: "kJ mol-1"
   double value;
 };
 
@@ -59,33 +59,32 @@ struct FrameNumber {
 class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
-  /// Appends the frame of a state; formats that know of bodies write these as well.
-  /// @throws Error     if the format cannot hold such a frame, of which nothing is written then
-  /// @throws RunError  if the file cannot be written to its end
+  /// Appends the frame of a state; formats that store bodies also write these.
+  /// @throws RunError  if the file cannot be written completely
   virtual void write(const State& state) = 0;
-  /// The same with observables, which must be the same ones at each frame; formats that hold none
-  /// leave them out.
+  /// The same with observables, which must be the same for every frame; formats that cannot store
+  /// them ignore them.
   virtual void write(const State& state, std::span<const FrameNumber> /*observables*/) {
     write(state);
   }
-  /// Appends a frame as another file gave it.
+  /// Appends a frame that was read from another file.
   virtual void write(const Frame& frame) = 0;
-  /// Hands all frames to the operating system and to the disk, and tells where the file stands.
+  /// Syncs all frames to disk, and returns the position in the file.
   virtual FileMark mark() = 0;
 };
 
-/// What is written of a state.
+/// Which data of a state to write.
 struct FrameChoice {
   MasslessSites massless = MasslessSites::kept;
-  bool velocities = true;  ///< where the format has them
+  bool velocities = true;  ///< if the format has them
 };
 
-/// Begins a file; what was there is lost.
-/// @throws Error  if the file cannot be written or its ending is none of `writable_formats()`
+/// Creates a file, replacing an existing one.
+/// @throws Error  if the file cannot be written or its extension is not one of `writable_formats()`
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice = {});
 
-/// Goes on with a file after the frames of a mark; what was written later is cut off.
+/// Resumes a file after the frames of a mark; anything after them is truncated.
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice = {});
@@ -103,13 +102,13 @@ struct FormatTraits {
 };
 FormatTraits format_traits(const std::string& path);
 
-/// Endings without their dot: "gro", "pdb", "xyz", "xtc", "trr", "dcd", "h5md"; and read alone,
-/// LAMMPS data files: "data", "lmp".
+/// File extensions without the dot: "gro", "pdb", "xyz", "xtc", "trr", "dcd", "h5md"; and, for
+/// reading only, LAMMPS data files: "data", "lmp".
 std::vector<std::string_view> readable_formats();
 std::vector<std::string_view> writable_formats();
 
-/// A start configuration: "w512", which is within the program, or the first frame of a file of any
-/// format that names atoms.
+/// An initial configuration: the built-in "w512", or the first frame of a file in any format that
+/// has atom names.
 Frame read_start(const std::string& name_or_path);
 
 }  // namespace polhode

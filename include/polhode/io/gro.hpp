@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // GRO files, as GROMACS reads and writes them: positions [nm] and velocities [nm/ps] in columns
-// whose width the distance between the decimal points tells.
+// whose width is the distance between the decimal points.
 #pragma once
 
 #include <iosfwd>
@@ -15,13 +15,13 @@ namespace polhode {
 /// @throws Error  with file and line: what was found, and what was expected
 Frame read_gro(const std::string& path);
 
-/// The first frame in a text; `file` is its name in errors.
+/// Parses the first frame of a text; `file` is its name in errors.
 Frame parse_gro(std::string_view text, const std::string& file);
 
-/// Writes a frame; positions have `decimals` decimals, velocities one more, as GROMACS has it.
+/// Writes a frame; positions have `decimals` decimals, velocities one more, as in GROMACS.
 void write_gro(std::ostream& out, const Frame& frame, int decimals = 10);
 
-/// Writes the frame of a state, without holding it whole.
+/// Writes the frame of a state atom by atom.
 void write_gro(std::ostream& out, const State& state, const Topology& topology, int decimals = 10);
 
 }  // namespace polhode

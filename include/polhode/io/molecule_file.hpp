@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Molecule models: one TOML file each, within the program or a user's own.
+// Molecule models: one TOML file each, built in or supplied by the user.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 
 namespace polhode {
 
-/// A model within the program, by its name, or a user's file, by a path that has a '/' or ends in
+/// Reads a built-in model by name, or a user's file by a path that contains a '/' or ends in
 /// ".toml".
-/// @throws Error  with file, line and key; for an unknown name with the nearest one
+/// @throws Error  with file, line and key; for an unknown name, with the nearest one
 Molecule read_molecule(const std::string& name_or_path);
 
-/// The molecule that the text of a molecule file describes; `file` is its name in errors.
+/// Parses the text of a molecule file; `file` is its name in errors.
 Molecule parse_molecule(std::string_view text, const std::string& file);
 
-/// Names of all models within the program, in alphabetic order.
+/// Names of all built-in models, in alphabetical order.
 std::vector<std::string> molecule_names();
 
-/// Whether a name means a user's file rather than a model within the program.
+/// Whether a name refers to a user's file rather than a built-in model.
 bool is_molecule_path(std::string_view name);
 
 }  // namespace polhode

@@ -9,23 +9,24 @@
 
 namespace polhode {
 
-/// Where near forces begin to fade, of where they end, if the text does not say.
+/// Default start of the switch of the near forces, relative to their cutoff.
 inline constexpr double default_near_switch = 0.7;
 
-/// The scheme of a name or text, as scheme_of() reads it, or two of them: "OUTER / INNER x STEPS
-/// within [FROM to] CUTOFF", where FROM and CUTOFF have one unit.
-/// @throws Error  as scheme_of(), or if what follows the slash cannot be read, or is out of its
-/// domain
+/// The scheme of a name or text, as scheme_of() reads it, or a nested one: "OUTER / INNER x STEPS
+/// within [FROM to] CUTOFF", where FROM and CUTOFF share one unit.
+/// @throws Error  as scheme_of(), or if the part after the slash cannot be parsed or is out of its
+///                domain
 NestedScheme nested_scheme_of(std::string_view text);
 
-/// The scheme of a name or text that has none within its drifts, for whoever serves such alone.
-/// @throws Error  as nested_scheme_of(), or if there is one within
+/// The scheme of a name or text that must not be nested, for callers that support no multiple time
+/// steps.
+/// @throws Error  as nested_scheme_of(), or if the scheme is nested
 Scheme single_scheme_of(std::string_view text);
 
-/// The same with names where schemes have them, else stages.
+/// The same, with the names of schemes if they have one, otherwise their stages.
 std::string name_of(const NestedScheme& scheme);
 
-/// All stages as text that nested_scheme_of() reads back to the same bits.
+/// All stages as text; nested_scheme_of() reproduces the same bits from it.
 std::string text_of(const NestedScheme& scheme);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Figures, drawn by gnuplot from a script that is kept beside the data, to be restyled and run
-// again.
+// Figures, drawn by gnuplot from a script that is left beside the data, so that it can be edited
+// and run again.
 #pragma once
 
 #include <iosfwd>
@@ -11,35 +11,36 @@
 
 namespace polhode {
 
-/// Runs gnuplot on a script in the script's folder. False, with a warning that says why and what to
-/// do, if gnuplot is not installed or does not like the script.
+/// Runs gnuplot on a script in the script's folder. If gnuplot is missing or reports an error,
+/// returns false and prints a warning with the reason and the remedy.
 bool run_gnuplot(const std::string& script, std::ostream& warnings);
 
 /// The energies of a run against time: deviation of the total energy from its mean, and potential
 /// energy, in two panels. `csv` must have the columns "time [ps]", "potential [kJ/mol]" and "total
-/// [kJ/mol]"; the image stands beside it, with the script, under its name with another ending.
+/// [kJ/mol]"; image and script are written beside it, under its name with other extensions.
 /// @param format  "svg" or "png"
 bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
                  std::ostream& warnings);
 
-/// Columns of a CSV file against its first one, as lines.
+/// Columns of a CSV file plotted as lines against its first column.
 struct CurvesFigure {
   std::string csv;
   std::string title, x_label, y_label;
-  std::vector<std::string> columns;  ///< as the head of the file has them, with units
+  std::vector<std::string> columns;  ///< as in the header of the file, with units
 };
 
-/// Draws the figure; script and image stand beside the CSV file, under its name with other endings.
+/// Draws the figure; script and image are written beside the CSV file, under its name with other
+/// extensions.
 /// @param format  "svg" or "png"
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// What a scheme achieves at one step.
+/// Accuracy and cost of a scheme at one step.
 struct EfficiencyMark {
   double cost;           ///< force evaluations per ps
   double ratio;          ///< R = rms of E over rms of V [1]
   double error;          ///< of R [1]
-  bool stable = true;    ///< false: the step is too long for the scheme; not drawn
-  bool rounded = false;  ///< R is that of rounding, not of the scheme
+  bool stable = true;    ///< false: the step is too large for the scheme; not drawn
+  bool rounded = false;  ///< R is dominated by rounding
 };
 
 struct EfficiencyCurve {
@@ -48,15 +49,15 @@ struct EfficiencyCurve {
 };
 
 /// R against cost for each scheme (vanzon2008, Fig. 1), on linear axes up to `highest` R, with a
-/// logarithmic inset of everything. The longest stable step is an open symbol, where a longer one
-/// is known to be unstable; marks at the floor of rounding are crossed out. Writes PREFIX.gp and
+/// logarithmic inset of all data. The largest stable step has an open symbol if a larger one is
+/// known to be unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and
 /// PREFIX.svg or PREFIX.png.
 bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
                      const std::string& format, std::ostream& warnings, double highest = 0.035);
 
-/// R of a scheme against what it costs.
+/// R of a scheme against its cost.
 struct AdviceMark {
-  double seconds;  ///< of wall-clock time for a simulated ps
+  double seconds;  ///< wall-clock time per simulated ps
   double ratio;    ///< R [1]
   double error;    ///< of R [1]
 };
@@ -64,16 +65,16 @@ struct AdviceMark {
 struct AdviceCurve {
   std::string scheme;
   std::vector<AdviceMark> marks;                 ///< measured
-  std::vector<std::pair<double, double>> model;  ///< seconds and R along the law through them
+  std::vector<std::pair<double, double>> model;  ///< seconds and R along the fitted model
 };
 
 struct AdviceFigure {
   std::vector<AdviceCurve> curves;
-  std::optional<double> bound;          ///< of R that was asked for
-  std::optional<AdviceMark> confirmed;  ///< the answer
+  std::optional<double> bound;          ///< the requested bound on R
+  std::optional<AdviceMark> confirmed;  ///< the confirmed answer
 };
 
-/// R against computing time, on logarithmic axes, with the laws that the adviser drew through its
+/// R against computing time, on logarithmic axes, with the models that the adviser fitted to its
 /// runs, the bound, and the answer. Writes PREFIX.gp and PREFIX.svg or PREFIX.png.
 bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
                  std::ostream& warnings);

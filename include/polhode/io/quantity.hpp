@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Quantities as users write them, "2 fs", turned into internal units. The only file that knows
+// Quantities as users write them ("2 fs"), converted to internal units. The only file that contains
 // conversion factors.
 #pragma once
 
@@ -12,32 +12,33 @@ namespace polhode {
 
 enum class Dimension {
   length,          ///< [nm]
-  time,            ///< [ps], simulated
-  wall_clock,      ///< [s], of the clock on the wall
+  time,            ///< [ps], simulated time
+  wall_clock,      ///< [s], wall-clock time
   mass,            ///< [u]
   charge,          ///< [e]
   temperature,     ///< [K]
-  energy,          ///< [kJ/mol]; "K" means energy over Boltzmann's constant
+  energy,          ///< [kJ/mol]; "K" means energy divided by Boltzmann's constant
   density,         ///< [u/nm³]
   dipole,          ///< [e nm]
   pressure,        ///< [kJ/mol/nm³]
-  heating,         ///< [kJ/mol/ps]; "K" means energy over Boltzmann's constant
+  heating,         ///< [kJ/mol/ps]; "K" means energy divided by Boltzmann's constant
   viscosity,       ///< [u/(nm ps)]
   fraction,        ///< [1], written in %
   inverse_length,  ///< [1/nm]
 };
 
-/// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is what the text stands
-/// for, and `example` what to write instead where the dimension's own example misleads.
+/// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is what the text is the
+/// value of, and `example` a suggestion that replaces the example of the dimension where that would
+/// mislead.
 /// @throws Error  if the unit is missing, unknown or of another dimension, or the number not finite
 double quantity(std::string_view text, Dimension dimension, std::string_view name,
                 std::string_view example = {});
 
-/// Three numbers and their common unit: "0 0.015 0 nm".
+/// Three numbers with a common unit: "0 0.015 0 nm".
 Vec3<double> vector_quantity(std::string_view text, Dimension dimension, std::string_view name);
 
-/// What a user should have written instead of a bare number: `step = 2 has no unit; write for
-/// example "2 fs"`.
+/// The message about a bare number, with a suggestion: `step = 2 has no unit; write for example "2
+/// fs"`.
 std::string no_unit(std::string_view name, std::string_view number, Dimension dimension,
                     std::string_view example = {});
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables of results: CSV with a head of comments that says what made them, written whole or not at
-// all, or growing row by row.
+// Tables of results: CSV files with header comments that tell how they were made, written
+// atomically, or row by row.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace polhode {
 
-/// What made an output; the same lines begin every file.
+/// How an output was made; the same lines begin every file.
 struct Provenance {
   std::string version;  ///< of the program
   std::string command;  ///< as typed
@@ -27,10 +27,10 @@ struct Provenance {
 /// Stable 64-bit hash of a text, 16 hexadecimal digits (FNV-1a).
 std::string text_hash(std::string_view text);
 
-/// One field: a number, with as many digits as give the same double again, or a name.
+/// One field: a name, or a number with enough digits to reproduce the double exactly.
 struct Cell {
   std::string text;
-  Cell(double number);  // implicit, as rows mix both
+  Cell(double number);  // implicit, since rows mix both
   Cell(std::string name) : text(std::move(name)) {}
   Cell(const char* name) : text(name) {}
 };
@@ -38,30 +38,30 @@ struct Cell {
 struct Table {
   struct Column {
     std::string name;
-    std::string unit;  ///< "1" for pure numbers; empty for names
+    std::string unit;  ///< "1" for dimensionless numbers; empty for names
   };
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
 };
 
-/// CSV: "# " lines of provenance, a line "time [ps],potential [kJ/mol]", then the rows.
-/// Not-a-number is an empty field.
+/// CSV: "# " lines of provenance, a line "time [ps],potential [kJ/mol]", then the rows. NaN is
+/// written as an empty field.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
 /// A CSV file that grows row by row.
 class GrowingTable {
  public:
-  /// Begins the file; what was there is lost.
+  /// Creates the file, replacing an existing one.
   /// @throws Error  if it cannot be written
   GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
                const Provenance& provenance);
-  /// Goes on with a file after its first bytes; what follows them is cut off.
+  /// Resumes a file after its first bytes; anything after them is truncated.
   /// @throws Error  if the file is shorter, or cannot be written
   GrowingTable(const std::string& path, std::uint64_t bytes);
 
-  /// @throws RunError  if the file cannot be written to its end
+  /// @throws RunError  if the row cannot be written completely
   void add(std::span<const double> row);
-  /// Hands all rows to the disk and tells how long the file is.
+  /// Syncs all rows to disk, and returns the length of the file.
   /// @throws RunError  as add()
   std::uint64_t mark();
 
@@ -71,21 +71,21 @@ class GrowingTable {
   std::ofstream out_;
 };
 
-/// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers that were
-/// written come back with all their bits.
-/// @throws Error  if the file is shorter, has other columns, or a row is not whole
+/// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers are read
+/// back bit by bit as they were written.
+/// @throws Error  if the file is shorter, has other columns, or contains an incomplete row
 void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,
               const std::function<void(std::span<const double>)>& visit);
 
-/// Throws if the file is there and `force` is not given, or if its folder cannot be written to;
-/// call it before anything is computed.
+/// Throws if the file exists and `force` is not set, or if its folder is not writable; to be called
+/// before anything is computed.
 void refuse_existing(const std::string& path, bool force);
 
-/// Writes a file whole or not at all: into a temporary one beside it, which takes its name once it
-/// is on the disk.
-/// @param keep  name that what was there takes; without it, it is lost
-/// @throws Error  if that cannot be done
+/// Writes a file atomically: into a temporary file beside it, which is renamed once it is synced to
+/// disk.
+/// @param keep  new name for an existing file; if empty, that file is replaced
+/// @throws Error  if the file cannot be written
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
                 const std::string& keep = {});
 

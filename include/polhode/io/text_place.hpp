@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where in a text something stands.
+// A position in a text file.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 namespace polhode {
 
 struct TextPlace {
-  std::shared_ptr<const std::string> file;  ///< its name, kept once for all its lines
-  std::size_t line = 0;                     ///< from 1
+  std::shared_ptr<const std::string> file;  ///< its name, stored once for all its lines
+  std::size_t line = 0;                     ///< starting at 1
 };
 
 /// "topol.top:12".

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lennard-Jones parameters that a file gives for pairs of atom types, said of the sites of
+// Lennard-Jones parameters that a file gives for pairs of atom types, translated to the sites of
 // molecules.
 #pragma once
 
@@ -15,18 +15,19 @@ namespace polhode {
 struct TypedSite {
   std::string name;  ///< "SOL.OW"
   std::string type;
-  double epsilon;  ///< of its own [kJ/mol]
+  double epsilon;  ///< its own parameter [kJ/mol]
 };
 
 struct TypePair {
   std::string first, second;  ///< types, in either order
   double sigma = 0;           ///< [nm]
-  double epsilon = 0;         ///< [kJ/mol]; negative: no sigma and epsilon say what is given
+  double epsilon = 0;         ///< [kJ/mol]; negative: the pair cannot be expressed by sigma and
+                              ///< epsilon
   TextPlace place;
 };
 
-/// What the pairs mean for the sites.
-/// @throws Error  if a pair cannot be said of sites, or is given twice with other parameters
+/// The parameters of pairs of sites; if a pair is given twice, the last one applies.
+/// @throws Error  if a pair of types cannot be translated to sites
 std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                                     std::span<const TypePair> pairs);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Extended XYZ, as ASE and OVITO read it: Lattice, Properties and Time in the comment line,
+// Extended XYZ in the dialect of ASE and OVITO: Lattice, Properties and Time in the comment line,
 // positions in Å.
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace polhode {
 
-/// Appends a frame. Positions are in Å, the time in ps and velocities, if the frame has any, in
-/// Å/ps. Massless sites, if the frame has them, are of species X.
+/// Appends a frame. Positions are in Å, the time in ps and velocities, if any, in Å/ps. Massless
+/// sites, if any, have the species X.
 void write_xyz(std::ostream& out, const Frame& frame);
 
-/// Appends the frame of a state, without holding it whole.
+/// Appends the frame of a state atom by atom.
 void write_xyz(std::ostream& out, const State& state, const Topology& topology);
 
 }  // namespace polhode

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Cardinal B-splines: how a point charge is shared among the grid points around it.
+// Cardinal B-splines: how a point charge is spread over the grid points around it.
 #pragma once
 
 #include "polhode/base/real.hpp"
 
 namespace polhode {
 
-/// The B-spline M of an order p at u + p − 1 − j for 0 ≤ j < p, and its derivatives: what a charge
-/// at a distance u, from 0 to 1, beyond a grid point gives to p points in a row. By the recursion
-/// M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k − 1) and M_k'(x) = M_(k−1)(x) − M_(k−1)(x −
-/// 1) [essmann1995, Eqs. 4.1 and 4.2].
-/// @param curvature  if wanted: the second derivatives, by the second of them twice
+/// The B-spline M of order p at u + p − 1 − j for 0 ≤ j < p, and its derivatives: the weights of p
+/// consecutive grid points for a charge at distance u, from 0 to 1, beyond a grid point. From the
+/// recursion M_k(x) = (x M_(k−1)(x) + (k − x) M_(k−1)(x − 1))/(k − 1) and the derivative
+/// M_k'(x) = M_(k−1)(x) − M_(k−1)(x − 1) [essmann1995, Eqs. 4.1 and 4.2].
+/// @param curvature  second derivatives, by applying the latter twice; null if not needed
 template <int order, class Real>
 inline void b_spline(Real u, Real* w, Real* slope, Real* curvature = nullptr) {
   static_assert(order >= 3);  // 4 with second derivatives

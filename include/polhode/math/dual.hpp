@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Dual numbers a + b ε with ε² = 0: a formula evaluated on them yields its value and its derivative
-// along one direction, both exact to rounding. Over packs they are the derivative of the pair
-// loops: what is constant multiplies as a plain number, sums of products and powers of distances
-// take the short ways, and values that nobody asks for are not computed, so that little remains
-// beyond what one would write down by hand.
+// Dual numbers a + b ε with ε² = 0: a formula evaluated with them yields its value and its
+// derivative along one direction, both exact to rounding. Over packs they differentiate the pair
+// loops: constants multiply as plain numbers, sums of products and powers of distances have their
+// own short formulas, and unused values are not computed, so that the cost is close to that of a
+// hand-written derivative.
 #pragma once
 
 #include <type_traits>
@@ -16,7 +16,7 @@ namespace polhode {
 template <class Real>
 struct Dual {
   Real value{};
-  Real slope{};  ///< derivative along the direction chosen
+  Real slope{};  ///< derivative along the chosen direction
 
   constexpr Dual() = default;
   constexpr Dual(Real v, Real s = Real(0)) : value(v), slope(s) {}  // implicit, as a Real is
@@ -66,7 +66,7 @@ template <class Real>
 struct MaskOf<Dual<Real>> : MaskOf<Real> {};
 
 template <class Real>
-requires(!std::is_same_v<Mask<Real>, bool>)  // else the general one does
+requires(!std::is_same_v<Mask<Real>, bool>)  // for plain numbers the general overload serves
     Dual<Real> select(Mask<Real> mask, Dual<Real> if_true, Dual<Real> if_false) {
   return {select(mask, if_true.value, if_false.value), select(mask, if_true.slope, if_false.slope)};
 }

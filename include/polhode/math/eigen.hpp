@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eigenvectors of small symmetric matrices: principal axes, and the best rotation between point
-// sets.
+// Eigenvectors of small symmetric matrices: principal axes, and the best-fit rotation between two
+// sets of points.
 #pragma once
 
 #include <span>
@@ -17,8 +17,9 @@ struct Eigen3 {
 /// Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix.
 Eigen3 symmetric_eigen(const Mat3<double>& m);
 
-/// The rotation A (body → lab) that minimises Σ w |A body − lab|² (horn1987, quaternion form).
-/// Both sets are relative to their weighted centres. Collinear sets get one of the equivalent ones.
+/// The rotation A (body → lab) that minimises Σ w |A body − lab|² (horn1987, quaternion form). Both
+/// sets are relative to their weighted centres. For collinear sets it is one of the equivalent
+/// rotations.
 Quaternion<double> best_rotation(std::span<const Vec3<double>> body,
                                  std::span<const Vec3<double>> lab, std::span<const double> weight);
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Jacobi's elliptic functions and integrals of the first and third kind, for a modulus k and a
-// complement k' that are both given: near k = 1 the complement cannot be recovered from k, and near
-// k' = 1 the modulus cannot be recovered from k'. k' may be as small as 1e-170, where k'²
-// underflows.
+// Jacobi's elliptic functions and integrals of the first and third kind. The modulus k and its
+// complement k' are both given, because near k = 1 the complement cannot be recovered from k, nor
+// near k' = 1 the modulus from k'. k' may be as small as 1e-170, where k'² underflows.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +15,7 @@ struct JacobiFunctions {
   double sn, cn, dn;
 };
 
-/// k and k' = √(1 − k²), each with full relative accuracy.
+/// k and k' = √(1 − k²), each to full relative accuracy.
 struct Modulus {
   double k, complement;
 };
@@ -25,7 +24,7 @@ struct Modulus {
 inline double quarter_period(const Modulus& modulus) {
   if (modulus.complement == 0) return std::numeric_limits<double>::infinity();
   double a = 1, b = modulus.complement;
-  // The distance squares itself: once it is below √ε, the next mean is exact.
+  // Convergence is quadratic: once the difference is below √ε, the next mean is exact.
   while (std::abs(a - b) > 1e-8 * a) {
     const double mean = 0.5 * (a + b);
     b = std::sqrt(a) * std::sqrt(b);
@@ -37,9 +36,9 @@ inline double quarter_period(const Modulus& modulus) {
 namespace elliptic {
 
 /// sn, cn, dn for |u| ≤ K/2 by descending Landen transformations (k → 0, DLMF 22.7.2 to 22.7.4). No
-/// term cancels, so each function keeps its relative accuracy.
+/// terms cancel, so each function keeps its relative accuracy.
 inline JacobiFunctions descending(double u, const Modulus& modulus) {
-  if (!(modulus.k >= 1e-9)) return {std::sin(u), std::cos(u), 1.0};  // off by k² u/4 < ε
+  if (!(modulus.k >= 1e-9)) return {std::sin(u), std::cos(u), 1.0};  // error k² u/4 < ε
   const double half = modulus.k / (1 + modulus.complement);
   const double k1 = half * half;  // (1 − k')/(1 + k')
   const Modulus smaller{k1, std::sqrt((1 - k1) * (1 + k1))};
@@ -48,7 +47,7 @@ inline JacobiFunctions descending(double u, const Modulus& modulus) {
   return {(1 + k1) * s / denominator, c * d / denominator, (1 - k1 * s * s) / denominator};
 }
 
-/// The same by ascending ones (k → 1, DLMF 22.7.6 to 22.7.8), for k > k'.
+/// The same by ascending Landen transformations (k → 1, DLMF 22.7.6 to 22.7.8), for k > k'.
 inline JacobiFunctions ascending(double u, const Modulus& modulus) {
   // For |u| ≤ K/2 the error of tanh and sech is below k'² cosh²u ≈ 4 k', hence the bound.
   if (!(modulus.complement >= 1e-17)) {
@@ -66,8 +65,8 @@ inline JacobiFunctions ascending(double u, const Modulus& modulus) {
 }  // namespace elliptic
 
 /// sn(u), cn(u), dn(u) for |u| ≤ K, where `K` is the quarter period. Relative errors are a few ε;
-/// beyond K/2 the functions come from those of K − |u|, so that cn and dn near their smallest
-/// values are as exact as K − |u| is.
+/// beyond K/2 the functions are computed from those of K − |u|, so cn and dn near their minima are
+/// as accurate as K − |u|.
 inline JacobiFunctions jacobi_functions(double u, const Modulus& modulus, double K) {
   const auto near_zero =
       modulus.k > modulus.complement ? &elliptic::ascending : &elliptic::descending;
@@ -84,7 +83,7 @@ inline double first_kind_integral(double x, double y, double z) {
   for (;;) {
     const double mean = (x + y + z) / 3;
     const double dx = 1 - x / mean, dy = 1 - y / mean, dz = 1 - z / mean;
-    // The remainder's series ends before sixth order: 0.26 · 0.0025⁶ < ε/2.
+    // Error of the series truncated before sixth order: 0.26 · 0.0025⁶ < ε/2.
     if (!(std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) >= 0.0025)) {
       const double e2 = dx * dy - dz * dz, e3 = dx * dy * dz;
       return (1 - e2 / 10 + e3 / 14 + e2 * e2 / 24 - 3 * e2 * e3 / 44) / std::sqrt(mean);
@@ -97,14 +96,14 @@ inline double first_kind_integral(double x, double y, double z) {
   }
 }
 
-/// ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²) for n ≥ 0 and sn ≥ 0 within the
-/// first quarter period, from the values f of the three functions at u; Legendre's (F − Π)/n
-/// without its cancellation for small n.
-/// @source DLMF 19.25.14 and 19.36(i): Carlson's duplication; here its δ = (p−x)(p−y)(p−z) is
-///         sn⁶ n (1+n)(n+k²), known without a difference.
+/// ∫₀ᵘ sn²/(1 + n sn²) du = sn³/3 · R_J(cn², dn², 1, 1 + n sn²) for n ≥ 0 and sn ≥ 0 in the first
+/// quarter period, from the values f of the three functions at u. Equals Legendre's (F − Π)/n
+/// without the cancellation at small n.
+/// @source DLMF 19.25.14 and 19.36(i): Carlson's duplication; here δ = (p−x)(p−y)(p−z) is
+///         sn⁶ n (1+n)(n+k²), available without a subtraction.
 inline double third_kind_integral(const JacobiFunctions& f, double n, double k) {
   const double s2 = f.sn * f.sn;
-  // The first duplication uses the roots cn and dn themselves: their squares may underflow.
+  // The first duplication uses the roots cn and dn themselves, since their squares may underflow.
   double root_x = std::abs(f.cn), root_y = f.dn, root_z = 1;
   double x = root_x * root_x, y = root_y * root_y, z = 1, p = 1 + n * s2;
   double root_p = std::sqrt(p);
@@ -125,7 +124,7 @@ inline double third_kind_integral(const JacobiFunctions& f, double n, double k) 
     p = 0.25 * (p + lambda);
     const double mean = (x + y + z + 2 * p) * 0.2;
     const double dx = 1 - x / mean, dy = 1 - y / mean, dz = 1 - z / mean;
-    // The remainder's series ends before sixth order: 3/10 · 0.0025⁶ < ε/2.
+    // Error of the series truncated before sixth order: 3/10 · 0.0025⁶ < ε/2.
     if (!(std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) >= 0.0025)) {
       const double dp = -0.5 * (dx + dy + dz);
       const double e2 = dx * dy + dx * dz + dy * dz - 3 * dp * dp;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Means and lines with their standard errors, and how likely chance alone explains them.
+// Means and straight-line fits with standard errors, and their statistical significance.
 #pragma once
 
 #include <span>
@@ -8,18 +8,18 @@ namespace polhode {
 
 struct Estimate {
   double value = 0;
-  double error = 0;  ///< standard error; 0 where one value tells nothing about it
+  double error = 0;  ///< standard error; 0 where a single value gives no information about it
 };
 
 /// The mean of independent values and its standard error.
 Estimate mean(std::span<const double> values);
 
-/// The standard error of a value by the jackknife: `without` are the values that leaving out each
-/// of the independent parts in turn gives.
+/// The standard error of a value by the jackknife; `without` holds the values obtained by leaving
+/// out each of the independent parts in turn.
 double jackknife_error(std::span<const double> without);
 
-/// The slope of the least-squares line through (x, y) and its standard error from the residuals,
-/// which are taken as independent.
+/// The slope of the least-squares line through (x, y), and its standard error from the residuals,
+/// assumed independent.
 Estimate slope(std::span<const double> x, std::span<const double> y);
 
 /// A straight line a + b x.
@@ -31,8 +31,8 @@ struct Line {
 /// squares; the errors of its parameters follow from those of y.
 Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
 
-/// The probability that chance alone moves an estimate as far from zero as this one: two-sided
-/// Student t with as many degrees of freedom. 1 if value and error are 0.
+/// p-value: the probability that chance alone makes an estimate at least this far from zero, by a
+/// two-sided Student t test with the given degrees of freedom. 1 if value and error are 0.
 double chance(const Estimate& estimate, double degrees_of_freedom);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fourier transforms of series of real numbers.
+// Fourier transforms of real series.
 #pragma once
 
 #include <complex>
@@ -12,11 +12,11 @@
 
 namespace polhode {
 
-/// Transforms of one length, there and back without a factor: together they multiply by the length.
-/// Plans are estimated, not measured, so that they do not vary from run to run.
+/// Forward and backward transforms of one length, not normalised: together they multiply by the
+/// length. Plans are estimated, not measured, so that they are the same in every run.
 class RealTransform {
  public:
-  /// @param least  shortest length wanted; the length is the next product of small primes
+  /// @param least  minimum length; the actual length is the next product of small primes
   explicit RealTransform(std::size_t least);
   ~RealTransform();
   RealTransform(RealTransform&&) noexcept;
@@ -24,9 +24,9 @@ class RealTransform {
   std::size_t size() const { return size_; }
   std::size_t waves() const { return size_ / 2 + 1; }
 
-  /// waves[k] = Σ series[j] exp(−2πi jk/size). Any thread may call it, on columns of its own.
+  /// waves[k] = Σ series[j] exp(−2πi jk/size). May be called from any thread on its own columns.
   void forward(Column<double>& series, Column<std::complex<double>>& waves) const;
-  /// The way back; `waves` is overwritten.
+  /// The inverse transform; `waves` is overwritten.
   void backward(Column<std::complex<double>>& waves, Column<double>& series) const;
 
  private:
@@ -35,7 +35,7 @@ class RealTransform {
   std::unique_ptr<Plans> plans_;
 };
 
-/// ∫₀^T C(t) cos(2πνt) dt by the trapezoidal rule, for ν = k/(2T) and C at steps of `interval`.
+/// ∫₀^T C(t) cos(2πνt) dt by the trapezoidal rule, for ν = k/(2T) and C at intervals of `interval`.
 std::vector<double> cosine_transform(std::span<const double> values, double interval);
 
 }  // namespace polhode

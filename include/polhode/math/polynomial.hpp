@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Polynomials by Horner's rule, one coefficient at a time, so that a loop may take several of them
-// in step.
+// Polynomials by Horner's rule, one coefficient at a time, so that a loop can advance several of
+// them in step.
 #pragma once
 
 #include "polhode/math/dual.hpp"
 
 namespace polhode {
 
-/// Σ cₙ yⁿ, its coefficients given from the highest down.
+/// Σ cₙ yⁿ, with the coefficients supplied from the highest down.
 template <class Real>
 class Polynomial {
  public:
   Polynomial() = default;
   explicit Polynomial(Real highest) : sum_(highest) {}
   void step(Real y, Real c) { sum_ = sum_ * y + c; }
-  /// After the last coefficient.
+  /// To be called after the last coefficient.
   Real value(Real) const { return sum_; }
 
  private:
   Real sum_{};
 };
 
-/// The derivative grows beside the sum by the same rule; the slope of y multiplies it once, at the
-/// end.
+/// The derivative is accumulated beside the sum by the same rule and multiplied by the slope of y
+/// at the end.
 template <class Real>
 class Polynomial<Dual<Real>> {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Random numbers from a counter (Philox 4x32-10, salmon2011): the n-th number of a stream is a
-// function of seed, stream and n, so streams never overlap and every result can be made again.
+// Counter-based random numbers (Philox 4x32-10, salmon2011): the n-th number of a stream is a
+// function of seed, stream and n, so streams never overlap and every result is reproducible.
 #pragma once
 
 #include <array>
@@ -54,19 +54,20 @@ class Random {
     return std::uint64_t{block_[k]} << 32 | block_[k + 1];
   }
 
-  /// Uniform in the open interval (0, 1): the middle of one of 2⁵² equal parts.
+  /// Uniform in the open interval (0, 1): the midpoints of 2⁵² equal parts.
   double uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
 
-  /// A whole number below n, each with the same chance up to n/2⁶⁴.
+  /// An integer below n; its probabilities are uniform to within n/2⁶⁴.
   std::uint64_t below(std::uint64_t n) { return bits() % n; }
 
-  /// Normal deviate of mean 0 and variance 1 (Box and Muller; the second of each pair is not kept).
+  /// Normal deviate of mean 0 and variance 1 (Box and Muller; the second of each pair is
+  /// discarded).
   double normal() {
     const double r = std::sqrt(-2 * std::log(uniform()));
     return r * std::cos(2 * units::pi * uniform());
   }
 
-  /// Attitude, uniform over all rotations: a normal 4-vector has no preferred direction.
+  /// Uniformly distributed attitude: a normal 4-vector has no preferred direction.
   Quaternion<double> attitude() {
     const double w = normal(), x = normal(), y = normal(), z = normal();
     return normalized(Quaternion<double>{w, x, y, z});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of point sets, freed from where and how they lie.
+// Shapes of point sets, independent of position and orientation.
 #pragma once
 
 #include <cstddef>
@@ -12,22 +12,22 @@ namespace polhode {
 
 using Shape = std::vector<Vec3<double>>;
 
-/// The mean of several copies of a shape, each turned onto the first; its centre is in the origin.
-/// @param copy  gives one copy by its index, in any frame
+/// The mean of several copies of a shape, each rotated onto the first; its centre is at the origin.
+/// @param copy  returns the copy with a given index, in any frame
 Shape mean_shape(std::size_t copies, const std::function<Shape(std::size_t)>& copy);
 
-/// The largest distance of a point from its place when two shapes lie on each other as well as they
-/// can, all points with the same weight.
+/// The largest distance between corresponding points after the best superposition of two shapes,
+/// with equal weights.
 double difference(const Shape& a, const Shape& b);
 
-/// Coordinates of three decimals put points of a line so far off it [nm].
+/// Distance by which coordinates with three decimals may put collinear points off their line [nm].
 inline constexpr double line_rounding = 0.002;
 
-/// Points that lie along a line but for `line_rounding` are put on it: a linear body would else
-/// spin about its axis, which nearly nothing resists.
+/// Puts points that are collinear to within `line_rounding` exactly on a line: a linear body would
+/// otherwise spin about its axis with nearly zero inertia.
 Shape straightened(Shape shape);
 
-/// The same shape in a mirror.
+/// The mirror image of a shape.
 Shape mirrored(Shape shape);
 
 }  // namespace polhode

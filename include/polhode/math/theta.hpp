@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Theta functions of complex argument, and by them an integral of the third kind for any argument.
+// Theta functions of complex argument, and from them an integral of the third kind for any
+// argument.
 #pragma once
 
 #include <complex>
@@ -48,14 +49,14 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 ///
 ///     [√(n(1+n)/(n+k²)) − Z(b, k') − y/K] v − [arg θ₂(y − iπv/2K') − y v/K],
 ///
-/// with y = π b/2K' and q = exp(−π K/K'). The one with the smaller nome is taken, which never
-/// exceeds e^{−π}: four terms suffice for every k, the separatrix (k = 1, q = 0) included. The
-/// subtracted term has the period 2K: it needs v only modulo that, and the linear one takes it
-/// whole.
+/// with y = π b/2K' and q = exp(−π K/K'). The form with the smaller nome is used, which never
+/// exceeds e^{−π}: four terms suffice for every k, including the separatrix (k = 1, q = 0). The
+/// subtracted term has the period 2K and needs v only modulo 2K, whereas the linear term needs the
+/// full v.
 class ThetaIntegral {
  public:
-  /// Whether the nome can be had from k: k² must not underflow. For a top it does
-  /// where two moments are equal, or L is within some 1e-140 of the axis that it circles.
+  /// Whether the nome can be computed from k: k² must not underflow. For a top it does if two
+  /// moments are equal, or if L is within some 1e-140 of the axis that it circles.
   static bool applies(const Modulus& modulus) {
     return modulus.k * modulus.k >= std::numeric_limits<double>::min();
   }
@@ -90,7 +91,7 @@ class ThetaIntegral {
   /// The coefficient of v: the mean of the integrand over a period, times κ.
   double rate() const { return rate_; }
 
-  /// What is subtracted from rate() v, between −π/2 and π/2.
+  /// The term subtracted from rate() v, between −π/2 and π/2.
   /// @param v  reduced modulo 2K to |v| ≤ K
   double argument(double v) const {
     using std::numbers::pi;

@@ -9,16 +9,16 @@
 
 namespace polhode {
 
-/// What every frame tells at once.
+/// Averages that need no more than single frames.
 class Conditions {
  public:
   explicit Conditions(const Topology& topology);
   void add(const State& state, bool has_velocities);
 
   Estimate density() const;      ///< [u/nm³]
-  Estimate temperature() const;  ///< of translations and rotations [K]; 0 without velocities
+  Estimate temperature() const;  ///< from translation and rotation [K]; 0 without velocities
   Estimate volume() const;       ///< [nm³]
-  /// Blocks of time: density, temperature and volume.
+  /// Averages over blocks of time: density, temperature and volume.
   BlockMeans blocks() const { return blocks_.means(); }
 
  private:

@@ -11,12 +11,11 @@
 
 namespace polhode {
 
-/// The permittivity of what surrounds the system at infinity with Ewald's sum as it is used here:
-/// a conductor, "tin foil".
+/// The permittivity of the surroundings at infinity for PME as used here: a conductor ("tin foil").
 inline constexpr double tin_foil = std::numeric_limits<double>::infinity();
 
-/// The total dipole M = Σ μ of molecules without net charge: of no other does M have a meaning in a
-/// periodic box.
+/// The total dipole M = Σ μ of molecules without net charge; for charged molecules M is not defined
+/// in a periodic box.
 class TotalDipole {
  public:
   explicit TotalDipole(const Topology& topology);
@@ -24,14 +23,15 @@ class TotalDipole {
 
   struct Result {
     Estimate constant;  ///< ε
-    Estimate kirkwood;  ///< (⟨M²⟩ − ⟨M⟩²)/Σ μ²: 1 if dipoles do not know of each other
-    double mean_over_rms = 0;    ///< |⟨M⟩|/√⟨M²⟩: small once the run is long enough
-    std::vector<double> stages;  ///< ε of the first block, of the first two, and so on
-    std::vector<double> frames;  ///< that these are from
+    Estimate kirkwood;  ///< (⟨M²⟩ − ⟨M⟩²)/Σ μ², the Kirkwood g factor: 1 for uncorrelated dipoles
+    double mean_over_rms = 0;    ///< |⟨M⟩|/√⟨M²⟩: small for a sufficiently long run
+    std::vector<double> stages;  ///< ε from the first block, from the first two, and so on
+    std::vector<double> frames;  ///< number of frames that each of these is based on
   };
 
-  /// With g = (⟨M²⟩ − ⟨M⟩²)/(3 ε₀ V k_B T), (ε − 1)(2 ε' + 1)/(2 ε' + ε) = g for a surrounding of
-  /// permittivity ε': ε = 1 + g in tin foil, and for a reaction field its own ε' [neumann1983].
+  /// With g = (⟨M²⟩ − ⟨M⟩²)/(3 ε₀ V k_B T), (ε − 1)(2 ε' + 1)/(2 ε' + ε) = g for surroundings of
+  /// permittivity ε': ε = 1 + g for tin foil; for a reaction field, ε' is that of the field
+  /// [neumann1983].
   Result result(double temperature, double surrounding) const;
 
  private:

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Mean-square displacements of centres relative to the centre of mass of all bodies, and the
-// diffusion coefficients that they tell.
+// Mean-square displacements of centres, and diffusion coefficients from them.
 #pragma once
 
 #include <cstddef>
@@ -13,15 +12,15 @@
 
 namespace polhode {
 
-/// Centres followed through the walls of the box: frames may hold them wrapped into it, so each is
-/// carried on by the minimum image of its way since the frame before.
+/// Unwraps trajectories: frames may hold centres wrapped into the box, so each centre is advanced
+/// by the minimum image of its displacement since the previous frame.
 class Unwrapped {
  public:
-  /// The next frame.
+  /// Adds the next frame.
   void follow(const State& state);
   const Vec3Column& centres() const { return q_; }  ///< [nm]
-  /// The longest way along one axis between two frames, over the edge of the box along it. A way
-  /// of half an edge or more looks shorter than it is.
+  /// The largest displacement along one axis between two frames, relative to the box edge along
+  /// that axis. A displacement of half an edge or more appears shorter than it is.
   double longest_step() const { return longest_step_; }
 
  private:
@@ -29,8 +28,8 @@ class Unwrapped {
   double longest_step_ = 0;
 };
 
-/// Beyond this part of an edge between two frames, images can no longer be told apart for sure:
-/// ways spread by chance, and those of half an edge are lost.
+/// Largest relative displacement between two frames for which periodic images can still be told
+/// apart reliably: displacements are random, and those above half an edge are misassigned.
 inline constexpr double safe_step = 0.25;
 
 class Displacement {
@@ -49,20 +48,19 @@ class Displacement {
   std::vector<TimeCorrelation> parts_;
 };
 
-/// Lags that a line is fitted to [ps].
+/// Range of lags for a line fit [ps].
 struct FitWindow {
   double from = 0, to = 0;
 };
 
-/// D = slope/6 of the mean-square displacement [nm²/ps], by a line of least squares through lags
-/// within the window (Einstein's relation; allen2017, section 2.7). Not a number if fewer than two
-/// lags lie there.
+/// D = slope/6 of the mean-square displacement [nm²/ps], by a least-squares line through the lags
+/// within the window (Einstein relation; allen2017, section 2.7). NaN if there are fewer than two.
 /// @param interval  between lags [ps]
 Estimate diffusion(const BlockMeans& squared_displacement, double interval,
                    const FitWindow& window);
 
-/// What the images of a body in a cubic box take from its diffusion [nm²/ps]: ξ k_B T/(6 π η L)
-/// with ξ = 2.837297 (yeh2004, Eq. 12).
+/// Yeh-Hummer finite-size correction: the amount by which the periodic images lower the diffusion
+/// coefficient in a cubic box [nm²/ps], ξ k_B T/(6 π η L) with ξ = 2.837297 (yeh2004, Eq. 12).
 /// @param viscosity  of the liquid [u/(nm ps)]
 double image_drag(double temperature, double viscosity, double edge);
 

@@ -18,22 +18,23 @@ struct Energies {
   double time = 0;                 ///< [ps]
   double lennard_jones = 0;        ///< [kJ/mol]
   double coulomb = 0;              ///< [kJ/mol]
-  double translation = 0;          ///< Σ p²/2m − P²/2M, P the total momentum [kJ/mol]
-  std::array<double, 3> rotation;  ///< Σ L_k²/2J_k for each principal axis [kJ/mol]
-  double pressure = 0;             ///< a third of the pressure tensor's trace [kJ/mol/nm³]
+  double translation = 0;          ///< Σ p²/2m [kJ/mol]
+  std::array<double, 3> rotation;  ///< Σ L_k²/2J_k about each principal axis [kJ/mol]
+  double pressure = 0;             ///< a third of the trace of the pressure tensor [kJ/mol/nm³]
 
   double potential() const { return lennard_jones + coulomb; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
   double total() const { return potential() + kinetic(); }
 };
 
-/// The energies of a state with the Load at its positions. Sums of fixed blocks are added in their
-/// order: the same bits for any number of threads.
+/// The energies of a state, given the Load at its positions. Fixed blocks are summed in order:
+/// bitwise identical for any number of threads.
 Energies energies(const State& state, const Bodies& bodies, const Load& load,
                   Workers& workers = Workers::serial());
 
-/// (Σ p ⊗ p/m − P ⊗ P/M + virial)/V [kJ/mol/nm³], of bodies as wholes: the molecular pressure
-/// tensor [allen2017, section 2.7] with momenta relative to the centre of mass. The Load holds the virial only if it was made with energies.
+/// (Σ p ⊗ p/m + virial)/V [kJ/mol/nm³], with bodies as the moving units: the molecular pressure
+/// tensor [allen2017, section 2.7]. The Load contains the virial only if it was computed with
+/// energies.
 Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load);
 
 /// Σ q × p + ℓ about the origin [u nm²/ps].
@@ -42,14 +43,14 @@ Vec3<double> total_angular_momentum(const State& state);
 /// 2 E/(n k_B) [K]; 0 without freedoms.
 double temperature(double kinetic_energy, double freedoms);
 
-/// Temperatures of kinds of motion [K]; 0 without freedoms.
+/// Temperatures by kind of motion [K]; 0 without degrees of freedom.
 struct Temperatures {
   double all = 0;
   double translation = 0;
   std::array<double, 3> rotation{};  ///< about each principal axis
 };
 
-/// From the mean kinetic energies of samples.
+/// From the mean kinetic energies of the samples.
 Temperatures mean_temperatures(std::span<const Energies> samples, const Freedoms& freedoms);
 
 }  // namespace polhode

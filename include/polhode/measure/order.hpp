@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The order of a scheme, measured: how fast its energy error falls when the step is halved.
+// Measures the order of a scheme: how fast its energy error decreases when the step is halved.
 #pragma once
 
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace polhode {
 
-/// One asymmetric body without symmetry of its sites in a smooth anharmonic field: the smallest
-/// scene that couples translation, rotation and all terms of the gradient kick. The near forces of
-/// an inner scheme, whatever its cutoff, are the harmonic part of the field.
+/// Test system: one asymmetric body with unlike sites in a smooth anharmonic field, the smallest
+/// system that couples translation, rotation and all terms of the gradient kick. The harmonic part
+/// of the field serves as the near forces of an inner scheme, whatever its cutoff.
 struct OrderMeasurement {
   struct Point {
     double step;   ///< [ps]
-    double error;  ///< largest |E − E₀| along the way, over the kinetic energy at start
+    double error;  ///< maximum of |E − E₀| over the run, divided by the initial kinetic energy
   };
-  std::vector<Point> points;  ///< steps halved from one to the next
-  double order = 0;           ///< log₂ of the last ratio of errors that rounding does not touch
-  double uncertainty = 0;     ///< how much the order changed at the last halving
+  std::vector<Point> points;  ///< each with half the step of the one before
+  double order = 0;        ///< log₂ of the last ratio of errors that is not affected by rounding
+  double uncertainty = 0;  ///< change of the order upon the last halving
 };
 
 OrderMeasurement measured_order(const NestedScheme& scheme, double lambda = 1e-4);

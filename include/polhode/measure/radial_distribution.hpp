@@ -17,28 +17,28 @@
 
 namespace polhode {
 
-/// Two words for sites: a site's name, or the name without digits at its end, so that "HW" are HW1
-/// and HW2.
+/// Two selections of sites: a site name, or the name without trailing digits, so that "HW" selects
+/// HW1 and HW2.
 using SitePair = std::array<std::string, 2>;
 
-/// All pairs of words, without digits, of the sites that have mass.
+/// All pairs of names, without trailing digits, of sites that have mass.
 std::vector<SitePair> site_pairs(const Topology& topology);
 
 struct RadialSettings {
   std::vector<SitePair> pairs;
-  double reach = 1.0;  ///< [nm], not beyond half of the shortest edge
+  double reach = 1.0;  ///< cutoff [nm], at most half of the shortest edge
   double bin = 0.002;  ///< [nm]
 };
 
-/// Counts pairs of sites by their distance, nearest images, within one molecule left out, over
-/// those of an ideal gas of molecules of the same density [allen2017, section 2.6]. Cells at least
-/// as wide as the reach; counts are whole numbers, the same for any number of threads.
+/// Histogram of site-site distances by minimum image, excluding pairs within a molecule, relative
+/// to an ideal gas of molecules at the same density [allen2017, section 2.6]. Cells are at least as
+/// wide as the cutoff; counts are integers, the same for any number of threads.
 class RadialDistribution {
  public:
-  /// @throws Error  if a word names no site
+  /// @throws Error  if a selection matches no site
   RadialDistribution(const Topology& topology, const RadialSettings& settings);
 
-  /// @throws Error  if the reach is more than half of an edge of the frame's box
+  /// @throws Error  if the cutoff exceeds half an edge of the frame's box
   void add(const State& state, Workers& workers = Workers::serial());
 
   std::size_t bins() const { return bins_; }
@@ -47,18 +47,19 @@ class RadialDistribution {
   /// g(r) of the k-th pair in each bin.
   std::vector<Estimate> g(std::size_t pair) const;
 
-  /// Sites of the second word within the end of each bin about one of the first.
+  /// Mean number of sites of the second selection around one of the first, up to the end of each
+  /// bin.
   std::vector<double> coordination(std::size_t pair) const;
 
   struct Peak {
     Estimate place;         ///< [nm]
     Estimate height;        ///< [1]
-    double minimum = 0;     ///< place of the lowest g up to 1.6 times the peak's place [nm]
-    Estimate coordination;  ///< up to there
+    double minimum = 0;     ///< position of the smallest g up to 1.6 times the peak position [nm]
+    Estimate coordination;  ///< number of neighbours up to the minimum
   };
-  /// The first peak: the maximum of a cubic of least squares through the bins about the largest g
-  /// in which g is above 0.9 of it. The minimum is looked for where shells of liquids have it: that
-  /// of neighbours ends between 1.2 and 1.5 times its peak.
+  /// The first peak: the maximum of a least-squares cubic through the bins around the largest g, as
+  /// far as g is above 0.9 of it. The minimum is searched for where the first shell of liquids
+  /// ends, between 1.2 and 1.5 times the peak position.
   Peak first_peak(std::size_t pair) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How bodies forget their attitude: autocorrelations of directions fixed in the body.
+// Reorientation: autocorrelation functions of directions fixed in the body.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ struct BodyAxis {
   Vec3<double> direction;  ///< unit vector, body frame
 };
 
-/// The principal axes and the dipole. A linear body has its own axis alone, an atom none.
+/// The principal axes and the dipole. A linear body has only its own axis, an atom none.
 std::vector<BodyAxis> body_axes(const Molecule& molecule);
 
 class Reorientation {
@@ -45,16 +45,16 @@ class Reorientation {
   std::vector<Part> parts_;
 };
 
-/// Times of a correlation function that begins at 1 and decays [ps].
+/// Relaxation times of a correlation function that decays from 1 [ps].
 struct RelaxationTimes {
-  Estimate integral;  ///< ∫ C dt: to the end of the fit by trapezia, beyond it by the exponential
+  Estimate integral;  ///< ∫ C dt: trapezoidal rule up to the end of the fit, the exponential beyond
   Estimate exponential;  ///< of C ~ exp(−t/τ) between `from` and `to`
   double from = 0, to = 0;
 };
 
-/// An exponential is fitted where C lies between 1/e and 1/e³: librations are over by then, and
-/// noise is still small; ln C by a line whose weights are C², as errors of C are all alike there.
-/// None if C does not fall to 1/e³ within its lags.
+/// The exponential is fitted where C is between 1/e and 1/e³: librations have decayed by then, and
+/// the noise is still small. ln C is fitted by a line with weights C², since the errors of C are
+/// all similar there. Empty if C does not decay to 1/e³ within its lags.
 std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, double interval);
 
 }  // namespace polhode

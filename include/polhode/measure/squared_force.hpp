@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bracket W of the schemes' errors, by kind of motion.
+// The bracket W of the scheme errors, by kind of motion.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Something of translations, and of rotations about each principal axis, in this order.
+/// A quantity for translation, and for rotation about each principal axis, in this order.
 template <class T>
 using ByMotion = std::array<T, 4>;
 

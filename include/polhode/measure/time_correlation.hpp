@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Correlations in time of a vector that each body has, over a window of lags, from a stream of
-// frames: every frame is an origin, and no more than two windows are held.
+// Time correlation functions of a vector per body, over a window of lags, from a stream of frames:
+// every frame is a time origin, and no more than two windows are held in memory.
 #pragma once
 
 #include <cstddef>
@@ -14,36 +14,37 @@
 
 namespace polhode {
 
-/// What is averaged over bodies and origins, of a vector a at times t and t + lag.
+/// What is averaged over bodies and origins, for a vector a at times t and t + lag.
 enum class Product {
   displacement,  ///< |a(t + lag) − a(t)|²
   dot,           ///< a(t) · a(t + lag)
   dot_squared,   ///< (a(t) · a(t + lag))²
-  x,             ///< a_x(t) a_x(t + lag), and so for the other components
+  x,             ///< a_x(t) a_x(t + lag), and likewise for the other components
   y,
   z,
 };
 
-/// Sums of products by Fourier transforms of each window together with the one before (Wiener and
-/// Khinchin; frenkel2002, section 4.4). Against a multiple-tau correlator [ramirez2010], which
-/// holds less, it gives every lag exactly as the direct sum does: spectra need evenly spaced lags,
-/// and nothing is smoothed over. Memory: 48 bytes for each body and lag.
+/// Sums of products by Fourier transforms of each window together with the previous one (Wiener and
+/// Khinchin; frenkel2002, section 4.4). Compared with a multiple-tau correlator [ramirez2010],
+/// which needs less memory, it gives every lag exactly as the direct sum does: spectra need evenly
+/// spaced lags, and nothing is smoothed. Memory: 48 bytes per body and lag.
 ///
-/// Bodies are dealt out to groups, 32 or as many as there are bodies. A group is one task, so all
-/// sums have the same bits for any number of threads; errors come from the scatter of the groups.
+/// Bodies are distributed over groups, 32 or as many as there are bodies. Each group is one task,
+/// so all sums are bitwise identical for any number of threads; errors come from the scatter
+/// between groups.
 class TimeCorrelation {
  public:
-  /// @param lags  0 to lags − 1, in frames
+  /// @param lags  number of lags, 0 to lags − 1, in frames
   TimeCorrelation(std::size_t bodies, std::size_t lags, std::vector<Product> products);
 
   std::size_t bodies() const { return bodies_; }
 
-  /// The next frame: value(i) is the vector of body i.
+  /// Adds the next frame: value(i) is the vector of body i.
   void add(const std::function<Vec3<double>(std::size_t)>& value,
            Workers& workers = Workers::serial());
 
-  /// The mean of the k-th product at each lag, in blocks of bodies, of all frames so far. Lags end
-  /// at half of the frames: beyond, fewer than half of the frames are origins.
+  /// The mean of the k-th product at each lag over all frames so far, in blocks of bodies. Lags are
+  /// limited to half of the frames, so that at least half of the frames serve as origins.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
 
  private:
@@ -55,9 +56,9 @@ class TimeCorrelation {
   std::vector<Product> products_;
   RealTransform transform_;
   Column<double> history_;  // [body][component][2 windows]
-  std::size_t before_ = 0;  // frames in front that were origins of all lags once
-  std::size_t fresh_ = 0;   // frames behind them
-  std::size_t frames_ = 0;  // all that came
+  std::size_t before_ = 0;  // older frames, already used as origins for all lags
+  std::size_t fresh_ = 0;   // newer frames, not yet summed
+  std::size_t frames_ = 0;  // total number of frames
   std::vector<double> origins_;
   std::vector<std::vector<std::vector<double>>> sums_;  // [group][product][lag]
 };

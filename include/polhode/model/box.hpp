@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The periodic box: a cuboid with its edges along the lab axes.
+// The periodic box: orthorhombic, with its edges along the lab axes.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ struct Box {
   double volume() const { return edge.x * edge.y * edge.z; }
   double shortest_edge() const { return std::min({edge.x, edge.y, edge.z}); }
 
-  /// The number of whole edges that lie between r and its image nearest to the origin.
+  /// The number of whole box edges between r and its image nearest to the origin.
   Vec3<double> images(const Vec3<double>& r) const {
     return {std::nearbyint(r.x / edge.x), std::nearbyint(r.y / edge.y),
             std::nearbyint(r.z / edge.z)};

@@ -9,7 +9,7 @@ namespace polhode {
 /// Σ q r about the centre of mass [e nm], body frame.
 Vec3<double> dipole_moment(const Molecule& molecule);
 
-/// Whether it is more than rounding of the sites' places.
+/// Whether the dipole exceeds the rounding of the site positions.
 bool has_dipole(const Molecule& molecule);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chemical elements, as far as files of other programs leave it to the reader to know them.
+// Chemical elements, for files that leave them to be inferred.
 #pragma once
 
 #include <string>

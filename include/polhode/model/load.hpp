@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the bodies feel: forces, torques, the potential by term and the virial. It does not know how
-// it was made.
+// The result of a force evaluation: forces, torques, the potential by term, and the virial, however
+// they were computed.
 #pragma once
 
 #include "polhode/base/column.hpp"
@@ -12,11 +12,10 @@ struct Load {
   Vec3Column tau;            ///< torque about the centre of mass [kJ/mol], lab
   double lennard_jones = 0;  ///< [kJ/mol]
   double coulomb = 0;        ///< [kJ/mol]
-  double mesh = 0;           ///< of coulomb, what Ewald's sum does on the mesh [kJ/mol]
-  /// Σ R ⊗ f over pairs of bodies, R between their centres, f on the second [kJ/mol], in general
-  /// −dU/dε for a strain ε that moves centres and keeps attitudes: the pressure tensor is (Σ p ⊗
-  /// p/m
-  /// + virial)/V.
+  double mesh = 0;           ///< the reciprocal-space (mesh) part of coulomb [kJ/mol]
+  /// Σ R ⊗ f over pairs of bodies, R between their centres and f the force on the second [kJ/mol];
+  /// in general −dU/dε for a strain ε that moves the centres and keeps the attitudes. The pressure
+  /// tensor is (Σ p ⊗ p/m + virial)/V.
   Mat3<double> virial{};
 
   Load() = default;

@@ -20,7 +20,7 @@ struct Site {
   double epsilon = 0;   ///< Lennard-Jones well depth [kJ/mol]
 };
 
-/// What kind of rigid body the moments make.
+/// Type of rigid body, by its principal moments.
 enum class Top { atom, linear, spherical, symmetric, asymmetric };
 
 const char* name(Top top);
@@ -40,10 +40,10 @@ struct Molecule {
   double reach() const;  ///< largest distance of an interacting site from the centre [nm]
 };
 
-/// The molecule that a set of sites, given in any frame, makes: mass, centre, principal moments and
-/// axes are computed and the sites are carried into the principal frame (right-handed).
+/// Builds the molecule from a set of sites given in any frame: mass, centre, principal moments and
+/// axes are computed and the sites are transformed into the principal frame (right-handed).
 ///
-/// @throws Error  if no site has mass, or a site's number is not finite or out of its domain
+/// @throws Error  if no site has mass, or a number of a site is not finite or out of its domain
 Molecule rigid_molecule(std::string name, std::vector<Site> sites);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where runs begin without a file: molecules on a lattice, momenta from Maxwell's distribution.
+// Initial configurations without a file: molecules on a lattice, momenta from a Maxwell
+// distribution.
 #pragma once
 
 #include <cstdint>
@@ -9,18 +10,19 @@
 
 namespace polhode {
 
-/// The cube that gives all molecules a mass density [u/nm³].
+/// The cubic box in which all molecules have a given mass density [u/nm³].
 Box cubic_box(const Topology& topology, double density);
 
-/// Centres on a lattice as nearly cubic as the box allows, attitudes uniform at random; components
-/// of a mixture are shuffled over the lattice, and the bodies of one follow it. All momenta are
-/// zero.
-/// @throws Error  if an edge of the box is not longer than 0
+/// Centres on a lattice as nearly cubic as the box allows, with uniformly random attitudes. The
+/// components of a mixture are shuffled over the lattice; the bodies of each component are numbered
+/// in lattice order. All momenta are zero.
+/// @throws Error  if an edge of the box is not positive
 State lattice(const Topology& topology, const Box& box, std::uint64_t seed);
 
-/// Draws all momenta anew at a temperature [K]: p_k with variance m kT, L_k in the body frame with
+/// Draws new momenta at a temperature [K]: p_k with variance m kT, and L_k in the body frame with
 /// variance J_k kT. The total momentum is then removed and the rest rescaled to exactly this
-/// temperature (freedoms()): a single body turns in its place.
+/// temperature, counting 3 N − 3 translational degrees of freedom (3 for a single body) and the
+/// rotational ones.
 void draw_momenta(State& state, const Topology& topology, double temperature, std::uint64_t seed);
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What exists: molecules and their counts, and per body what stays constant in a run.
+// The contents of a system: molecules and their counts, and the constants of each body.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ struct Topology {
   double mass() const;       ///< [u]
 };
 
-/// Per body: mass and principal moments with their inverses. An inverse of a vanishing moment is 0:
-/// no angular momentum lives there.
+/// Mass and principal moments of each body with their inverses. The inverse of a vanishing moment
+/// is 0, since the angular momentum along that axis is always zero.
 struct Bodies {
   Column<double> m;               ///< [u]
   Column<double> inverse_m;       ///< [1/u]

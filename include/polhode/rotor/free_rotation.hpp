@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One entry to all forms of the free rotation, for single bodies of any shape and unit.
+// Common entry point to all forms of the free rotation, for single bodies of any shape and in any
+// units.
 #pragma once
 
 #include "polhode/rotor/free_rotor.hpp"
@@ -11,17 +12,17 @@
 namespace polhode {
 
 enum class RotorMethod {
-  series,             ///< what molecular dynamics uses; the closed form beyond |ω t| = 0.3
+  series,             ///< used in molecular dynamics; the closed form beyond |ω t| = 0.3
   closed,             ///< elliptic functions and Carlson's integral of the third kind
-  theta,              ///< the same with the integral by theta functions
+  theta,              ///< the same, with the integral from theta functions
   recursive,          ///< elliptic functions and two-point Hermite quadrature
   no_squish,          ///< second order, for comparison
   symmetric_product,  ///< second order, for comparison
 };
 
 /// The series within its radius, the closed form beyond it. A single body gains nothing from
-/// sub-steps, and moments that no mass distribution has (J_z > J_x + J_y) are outside the series'
-/// bound.
+/// sub-steps, and moments that no mass distribution has (J_z > J_x + J_y) violate the bound of the
+/// series.
 /// @param J, L, t  as for closed_rotation
 inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<double>& L,
                                               double t) {
@@ -38,7 +39,7 @@ inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<
   return {r, top.in_units_of_caller(carried(r, top.L))};
 }
 
-/// How a free rigid body turns: attitude(t) = attitude(0) * rotation, and its L(t).
+/// The rotation of a free rigid body: attitude(t) = attitude(0) * rotation, and its L(t).
 ///
 /// @param J  principal moments [u nm²], any order; one may be zero (linear body)
 /// @param L  body-frame angular momentum [u nm²/ps], zero along a vanishing moment

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free rotation in closed form, for every top and every time.
+// The free rotation in closed form, for every top and any time.
 #pragma once
 
 #include "polhode/math/theta.hpp"
@@ -7,19 +7,19 @@
 
 namespace polhode {
 
-/// Two independent ways to the integral of the third kind.
+/// Two independent ways to compute the integral of the third kind.
 enum class ThirdKind {
-  carlson,  ///< R_J by duplication, and whole half periods
+  carlson,  ///< R_J by duplication, plus a multiple of its value for a half period
   theta,    ///< a linear term and theta functions; R_J where ThetaIntegral does not apply
 };
 
 /// The angle φ by which the body precesses about L, measured in frames that follow a body axis.
 ///
-/// The textbook angle (vanzon2007a) follows the axis that L circles: its integrand has 1 + N sn²
-/// with N = (J_y−J_x)J_z/((J_z−J_y)J_x), which grows beyond all bounds as J_y → J_z, where L passes
-/// the axis close by. Following x instead gives the same integral with n = m/N. One of the two
-/// numbers is always at most 1: it is taken, and near-symmetric tops need no further care. In both
-/// cases, with the moment J_f of the axis in which L lies nearest (u = 0),
+/// The usual angle (vanzon2007a) follows the axis that L circles. Its integrand contains 1 + N sn²
+/// with N = (J_y−J_x)J_z/((J_z−J_y)J_x), which diverges as J_y → J_z, where L passes close to the
+/// axis. Following x instead gives the same integral with n = m/N. One of the two numbers is always
+/// at most 1 and is used, so near-symmetric tops need no special care. In both cases, with the
+/// moment J_f of the axis to which L is closest (u = 0),
 ///
 ///     φ = |L| t/J_f ± κ ∫ sn²/(1 + n sn²) du from u₀ to u₀ + p t,   κ² = n(1+n)(n+m).
 class PrecessionAngle {
@@ -37,13 +37,13 @@ class PrecessionAngle {
     kappa_ = std::copysign(std::sqrt(n_ * (1 + n_) * (n_ + m)), about_z ? Jx - Jz : Jz - Jx);
   }
 
-  /// φ(t), without reduction to a circle.
-  /// @param v  what elapsed(t) of the orbit gave
-  /// @param u  what at(v) gave
+  /// φ(t), not reduced to one turn.
+  /// @param v  result of elapsed(t) of the orbit
+  /// @param u  result of at(v)
   double operator()(double t, const Orbit::Elapsed& v, const JacobiFunctions& u) const {
-    // Addition theorem of the third kind (byrd1971, 116.03): what remains between u₀ and u₀ + v
-    // depends on u₀ only by an angle, which never crosses ±π: where its sine vanishes its cosine
-    // is positive.
+    // Addition theorem of the third kind (byrd1971, 116.03): the remainder between u₀ and u₀ + v
+    // depends on u₀ only through an angle that never crosses ±π, since its cosine is positive where
+    // its sine vanishes.
     const double sign = std::fmod(v.half_periods, 2.0) == 0 ? 1 : -1;
     const double s0 = orbit_.start().sn, sv = sign * v.reduced.sn;
     const double addition = std::atan2(std::abs(kappa_) * s0 * sv * u.sn,
@@ -58,8 +58,7 @@ class PrecessionAngle {
     return integral.rate() * (orbit_.p * t) - integral.argument(v.v);
   }
 
-  /// The same from R_J, which has no bound on the separatrix: for k = 1 the integral is elementary,
-  /// since sn = tanh and T² dT/((1 + n T²)(1 − T²)) are two partial fractions, and κ = √n (1 + n).
+  /// The same, from R_J.
   double by_carlson(const Orbit::Elapsed& v) const {
     const double k = orbit_.modulus.k;
     if (orbit_.modulus.complement == 0) {
@@ -83,16 +82,16 @@ class PrecessionAngle {
   double n_, steady_, kappa_;
 };
 
-/// Free rotation of a top over a time t, closed form.
+/// Free rotation of a top over a time t in closed form.
 ///
 /// @param J    principal moments [u nm²] in any order, at most one of them zero (a linear body)
 /// @param L    body-frame angular momentum [u nm²/ps], zero along a vanishing moment
-/// @param t    time [ps], any sign and size
-/// @param way  how the integral of the third kind is had
-/// @return   rotation with |q| = 1 to 2 ε and L(t). Errors are a few ε (1 + k), where k is the
-///           change of the result, in ε, when each input changes by one ε: about 4.6 |ω t| for a
-///           well-behaved top, exponential in p t near the separatrix. All scales of units give the
-///           same digits.
+/// @param t    time [ps], any sign and magnitude
+/// @param way  how the integral of the third kind is computed
+/// @return   rotation with |q| = 1 to within 2 ε, and L(t). Errors are a few ε (1 + k), where k is
+///           the change of the result, in ε, if each input changes by one ε: about 4.6 |ω t| for
+///           a well-behaved top, exponential in p t near the separatrix. The digits do not depend
+///           on the scale of the units.
 /// @source   jacobi1849; vanzon2007a; tests/unit/rotor_truth_test.cpp
 inline FreeRotation closed_rotation(const Vec3<double>& J, const Vec3<double>& L, double t,
                                     ThirdKind way = ThirdKind::carlson) {

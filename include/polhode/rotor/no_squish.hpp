@@ -15,7 +15,7 @@ struct SineCosine {
   Real sine, cosine;
 };
 
-/// sin and cos for |x| ≤ 0.3 by Taylor sums, cut off below 3e-17: what packs use.
+/// sin and cos for |x| ≤ 0.3 by Taylor series with a truncation error below 3e-17; used by packs.
 template <class Real>
 SineCosine<Real> small_sine_cosine(Real x) {
   const Real x2 = x * x;
@@ -35,11 +35,11 @@ SineCosine<Real> small_sine_cosine(Real x) {
   return {x * sine, cosine};
 }
 
-/// The free rotation of quaternion q and its conjugate momentum p = 2 q (0, L) over a step t:
-/// e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, each factor turning both by an angle about axis
-/// k (miller2002, Eq. 2.19 and Sec. II C).
+/// The free rotation of quaternion q and its conjugate momentum p = 2 q (0, L) over a step t: e^{z
+/// t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, where each factor rotates both by an angle about
+/// axis k (miller2002, Eq. 2.19 and Sec. II C).
 ///
-/// @param sine_cosine  gives sin and cos of half the angle ω_k t
+/// @param sine_cosine  returns sin and cos of half the angle ω_k t
 template <class Real, class Function>
 void no_squish_step(Quaternion<Real>& q, Quaternion<Real>& p, const Vec3<Real>& inverse_J, Real t,
                     const Function& sine_cosine) {
@@ -66,7 +66,8 @@ void no_squish_step(Quaternion<Real>& q, Quaternion<Real>& p, const Vec3<Real>& 
   turn(Pz, half.z);
 }
 
-/// The rotation of one NO_SQUISH step; the same map as symmetric_product_rotation, in quaternions.
+/// One NO_SQUISH step of the free rotation; the same map as symmetric_product_rotation, in
+/// quaternions.
 ///
 /// @param J, L, t  as for closed_rotation
 /// @source miller2002

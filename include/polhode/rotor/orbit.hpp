@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The path of the angular momentum in the body frame: one of the two loops in which the energy
-// ellipsoid cuts the sphere |L| = const, in Jacobi's elliptic functions of the time.
+// The trajectory of the angular momentum in the body frame: one of the two loops where the energy
+// ellipsoid intersects the sphere |L| = const, in Jacobi's elliptic functions of time.
 #pragma once
 
 #include <cmath>
@@ -12,13 +12,13 @@
 namespace polhode {
 
 /// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t: z is the axis that L circles,
-/// y that of the middle moment, x the third. The amplitudes carry the signs, so that neither the
-/// axes need to be right-handed nor the moments ascending (jacobi1849; vanzon2007a, Sec. 3, where
-/// amplitudes are positive).
+/// y that of the middle moment, x the third. The amplitudes carry signs, so the axes need not be
+/// right-handed nor the moments ascending (jacobi1849; vanzon2007a, Sec. 3, with positive
+/// amplitudes).
 ///
-/// Every invariant is a sum of terms of one sign, formed from the components; 2E J − L² never
-/// appears. Square roots are kept instead of squares, because a component of 1e-170 still decides
-/// when a body turns over near its middle axis.
+/// Every invariant is a sum of terms of one sign, computed from the components; 2E J − L² is never
+/// formed. Square roots are stored instead of squares, because even a component of 1e-170 decides
+/// when a body flips over near its middle axis.
 class Orbit {
  public:
   /// @param top  three positive moments, and L not parallel to ω = J⁻¹ L (use is_stationary())
@@ -29,7 +29,7 @@ class Orbit {
     if (J[high] < J[middle]) std::swap(high, middle);
     if (J[middle] < J[low]) std::swap(low, middle);
 
-    // L² − 2E J_y = (α − β)(α + β) tells which extreme axis is circled.
+    // The sign of L² − 2E J_y = (α − β)(α + β) tells which of the two extreme axes is circled.
     const double alpha = std::abs(top.L[high]) * std::sqrt((J[high] - J[middle]) / J[high]);
     const double beta = std::abs(top.L[low]) * std::sqrt((J[middle] - J[low]) / J[low]);
     x = alpha >= beta ? low : high;
@@ -55,7 +55,7 @@ class Orbit {
     start_ = {L[y] / Ay, L[x] / Ax, L[z] / Az};
   }
 
-  /// Whether L stays where it is: L × J⁻¹L = 0 (spherical tops, spin along an axis, L = 0).
+  /// Whether L is constant: L × J⁻¹L = 0 (spherical tops, rotation about an axis, L = 0).
   static bool is_stationary(const ScaledTop& top) {
     const auto parallel = [&](std::size_t i, std::size_t j) {
       return top.L[i] * top.L[j] * (top.J[i] - top.J[j]) == 0;
@@ -77,18 +77,19 @@ class Orbit {
   }
 
   /// sn, cn, dn of u = u₀ + p t by the addition theorem: no inverse function is needed, since those
-  /// of u₀ are ratios of the components of L.
+  /// of u₀ are ratios of components of L.
   JacobiFunctions at(const Elapsed& v) const {
     const auto [s0, c0, d0] = start_;
     const auto [s, c, d] = v.reduced;
-    // 1 − m s0² s² = c0² + s0² d²; both terms may be 1e-340, so all is divided by the larger root.
+    // 1 − m s0² s² = c0² + s0² d²; both terms may be as small as 1e-340, so divide by the larger
+    // root.
     const double scale = 1 / std::max(std::abs(c0), std::abs(s0) * d);
     const double C0 = c0 * scale, D0 = d0 * scale, C = c * scale, D = d * scale;
     const double denominator = C0 * C0 + s0 * s0 * D * D;
     const double sn = (s0 * C * D + s * C0 * D0) / denominator;
     const double cn = (C0 * C - s0 * s * D0 * D) / denominator;
     const double sign = std::fmod(v.half_periods, 2.0) == 0 ? 1 : -1;
-    // dn by its own formula would cancel near its minimum k'.
+    // dn by the addition theorem would cancel near its minimum k'.
     return {sign * sn, sign * cn, std::hypot(modulus.complement, modulus.k * cn)};
   }
 
@@ -104,8 +105,8 @@ class Orbit {
   double moment(std::size_t axis) const { return moment_[axis]; }
   double norm_L() const { return L_; }
 
-  std::size_t x, y, z;  ///< which body axis plays which role
-  double Ax, Ay, Az;    ///< amplitudes of L [as L]
+  std::size_t x, y, z;  ///< the body axes in these roles
+  double Ax, Ay, Az;    ///< amplitudes of L [units of L]
   double p;             ///< rate of u [1/time]
   Modulus modulus;      ///< k and k'
   double K;             ///< quarter period in u; infinite on the separatrix
@@ -116,11 +117,11 @@ class Orbit {
   JacobiFunctions start_;
 };
 
-/// The frame (c₁, c₂, c₃) with c₃ = L/|L| and c₁ along L × e, for an axis e of the body; columns.
+/// The frame (c₁, c₂, c₃) with c₃ = L/|L| and c₁ along L × e, for a body axis e; by columns.
 struct PrecessionFrame {
   Vec3<double> c1, c2, c3;
 
-  /// @param L     not along `axis`; its components may be small, with relative accuracy
+  /// @param L     not parallel to `axis`; components may be small, with full relative accuracy
   /// @param norm  |L|
   PrecessionFrame(const Vec3<double>& L, std::size_t axis) {
     const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -133,8 +134,8 @@ struct PrecessionFrame {
   }
 };
 
-/// The rotation that carries `before` to `after` while both turn by phi about L:
-/// P = M(after) R_z(phi) M(before)ᵀ with the passive R_z (vanzon2007a, Sec. 3).
+/// The rotation that carries `before` to `after` while both precess by phi about L: P = M(after)
+/// R_z(phi) M(before)ᵀ with the passive R_z (vanzon2007a, Sec. 3).
 inline Quaternion<double> precession(const PrecessionFrame& before, const PrecessionFrame& after,
                                      double phi) {
   const double c = std::cos(phi), s = std::sin(phi);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The free rotation by the recursive method for a fixed time step (vanzon2007b): no elliptic
-// integral of the third kind and no theta function.
+// The free rotation by the recursive method for a fixed time step (vanzon2007b), without elliptic
+// integrals of the third kind or theta functions.
 #pragma once
 
 #include <array>
@@ -15,9 +15,10 @@ namespace recursive {
 inline constexpr std::size_t most_terms = 14;
 using Series = std::array<double, most_terms>;
 
-/// Taylor coefficients of φ'(s) h where time runs as s h, about the point where the angular
-/// momentum is L: Euler's equations close on the derivatives, and φ' = |L| (L_i²/J_i +
-/// L_j²/J_j)/(L_i² + L_j²) with i, j across `axis` is a quotient of two series.
+/// Taylor coefficients of φ'(s) h, where the time is s h, about the point where the angular
+/// momentum is L: Euler's equations determine the derivatives, and φ' = |L|
+/// (L_i²/J_i + L_j²/J_j)/(L_i² + L_j²), with i and j perpendicular to `axis`, is a quotient of two
+/// series.
 inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double norm_L,
                          std::size_t axis, double h) {
   std::array<Vec3<double>, most_terms> l;
@@ -31,7 +32,7 @@ inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double no
     l[n + 1] = rate * (h / static_cast<double>(n + 1));
   }
   const std::size_t i = (axis + 1) % 3, j = (axis + 2) % 3;
-  const double unit = 1 / std::max(std::abs(L[i]), std::abs(L[j]));  // their squares may underflow
+  const double unit = 1 / std::max(std::abs(L[i]), std::abs(L[j]));  // the squares may underflow
   Series rate;
   std::array<double, most_terms> across;
   for (std::size_t n = 0; n < most_terms; ++n) {
@@ -48,9 +49,9 @@ inline Series angle_rate(const Vec3<double>& J, const Vec3<double>& L, double no
   return rate;
 }
 
-/// ∫₀¹ of a function from its Taylor coefficients at both ends: two-point Hermite quadrature
-/// Σ c_nk [f^{(k)}(0) + (−1)ᵏ f^{(k)}(1)], error O(h^{2n+3}), whose order n grows until the sum
-/// stands.
+/// ∫₀¹ of a function from its Taylor coefficients at both ends: two-point Hermite quadrature Σ c_nk
+/// [f^{(k)}(0) + (−1)ᵏ f^{(k)}(1)], error O(h^{2n+3}), with increasing order n until the sum
+/// converges.
 inline double hermite_quadrature(const Series& from, const Series& to) {
   double sum = 0.5 * (from[0] + to[0]), change = std::abs(sum);
   for (std::size_t n = 1; n < most_terms; ++n) {
@@ -71,13 +72,14 @@ inline double hermite_quadrature(const Series& from, const Series& to) {
 }  // namespace recursive
 
 /// Free rotation by the recursive method: L by the addition theorem, the angle about L by two-point
-/// Hermite quadrature. It is meant for steps of |ω t| ≤ 0.5; longer times are cut into such steps,
-/// whose L all come from the start (errors do not pile up) and whose angles are summed with
-/// compensation. From a million of them on, it gives way to the closed form.
+/// Hermite quadrature. Intended for steps with |ω t| ≤ 0.5; longer times are divided into such
+/// steps, whose L are all computed from the initial one (so errors do not accumulate) and whose
+/// angles are summed with compensation. For a million steps or more, the closed form is used
+/// instead.
 ///
 /// @param J, L, t  as for closed_rotation
-/// @return         as for closed_rotation, same accuracy
-/// @cost           about 2 µs a step
+/// @return         as for closed_rotation, with the same accuracy
+/// @cost           about 2 µs per step
 /// @source         vanzon2007b, Sec. IV; tests/unit/rotor_truth_test.cpp
 inline FreeRotation recursive_rotation(const Vec3<double>& J, const Vec3<double>& L, double t) {
   const ScaledTop top(J, L, t);
@@ -86,7 +88,7 @@ inline FreeRotation recursive_rotation(const Vec3<double>& J, const Vec3<double>
 
   const Orbit orbit(top);
   const std::size_t axis = PrecessionAngle(orbit).axis;
-  // |ω| anywhere on the orbit, and the rate at which L goes round it
+  // the largest |ω| on the orbit plus the rate at which L circles
   const double rate = orbit.p + std::hypot(orbit.Ax / top.J[orbit.x], orbit.Ay / top.J[orbit.y],
                                            orbit.Az / top.J[orbit.z]);
   const double count = std::max(1.0, std::ceil(std::abs(top.t) * rate / 0.5));
@@ -101,7 +103,7 @@ inline FreeRotation recursive_rotation(const Vec3<double>& J, const Vec3<double>
     const recursive::Series to = recursive::angle_rate(top.J, later, orbit.norm_L(), axis, h);
     const double part = recursive::hermite_quadrature(from, to) - lost;
     const double sum = phi + part;
-    lost = (sum - phi) - part;  // Kahan: 20000 additions would otherwise cost 100 ε
+    lost = (sum - phi) - part;  // Kahan summation: 20000 additions would otherwise cost 100 ε
     phi = sum;
     from = to;
   }

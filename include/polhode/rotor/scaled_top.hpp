@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What all scalar forms of the free rotation share: the result, and the units in which a top of any
-// size turns without overflow.
+// Common to all scalar forms of the free rotation: the result, and units in which a top of any size
+// can be rotated without overflow.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 
 namespace polhode {
 
-/// Where a free body is after a time t.
+/// State of a free body after a time t.
 struct FreeRotation {
-  /// attitude(t) = attitude(0) * rotation; the matrix_S() of it is the paper's P(t).
+  /// attitude(t) = attitude(0) * rotation; its matrix_S() is the P(t) of the papers.
   Quaternion<double> rotation;
   /// Body-frame angular momentum at t, P(t) L(0).
   Vec3<double> L;
 };
 
-/// A top in units of its own, all powers of two: the largest moment and the largest component of L
-/// are between 1/2 and 1. Nothing is rounded, and every threshold below is a relative one.
+/// A top in its own units, all powers of two: the largest moment and the largest component of L are
+/// between 1/2 and 1. Nothing is rounded, and all thresholds below are relative.
 struct ScaledTop {
   Vec3<double> J, L;
   double t;
@@ -41,7 +41,7 @@ struct ScaledTop {
     t = std::ldexp(time, L_exponent - J_exponent);
   }
 
-  /// J⁻¹ with the convention of linear bodies: 0 where the moment is 0.
+  /// J⁻¹ with the convention for linear bodies: 0 if the moment is 0.
   Vec3<double> inverse_J() const {
     const auto inverse = [](double moment) { return moment == 0 ? 0.0 : 1 / moment; };
     return {inverse(J.x), inverse(J.y), inverse(J.z)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free rotation over one time step, branch-free, for numbers and packs alike.
+// The free rotation over one time step, without branches, for numbers and packs alike.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ constexpr double sine_coefficient(std::size_t n, std::size_t j, bool derivative)
   return n % 2 == 0 ? c : -c;
 }
 
-/// Horner's scheme in e₁ for the terms n to `order` that carry e₂ʲ.
+/// Horner's rule in e₁ for the terms n to `order` that contain e₂ʲ.
 template <std::size_t order, bool derivative, std::size_t j, std::size_t n, class Real>
 Real sine_row(Real e1) {
   constexpr double number = sine_coefficient(n, j, derivative);
@@ -62,8 +62,8 @@ Real sine(Real e1, Real e2) {
     return sine<order, derivative, j + 1>(e1, e2) * e2 + row;
 }
 
-/// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x), formed such that one huge inverse
-/// moment is multiplied by the difference of the two others: a needle loses no digits.
+/// i_x i_z + i_x i_y - i_y i_z = i_x^2 i_y i_z (J_y + J_z - J_x), arranged so that one very large
+/// inverse moment is multiplied by the difference of the other two: a needle loses no digits.
 template <class Real>
 Real triangle(Real x, Real y, Real z) {
   const Mask<Real> ascending = y < z;
@@ -71,7 +71,7 @@ Real triangle(Real x, Real y, Real z) {
   return large * (x - small) + x * small;
 }
 
-/// f(0), f(1), ... f(count - 1) with constants as arguments.
+/// Calls f(0), f(1), ... f(count - 1) with compile-time constants as arguments.
 template <std::size_t count, class Function>
 constexpr void unrolled(const Function& f) {
   [&]<std::size_t... k>(std::index_sequence<k...>) {
@@ -82,30 +82,30 @@ constexpr void unrolled(const Function& f) {
 
 }  // namespace series
 
-/// How many terms are kept, and up to which |omega t| that is enough.
+/// Number of terms, and the largest |omega t| for which they suffice.
 ///
 /// Let b = |omega t|/2. Mass distributions (J_z <= J_x + J_y, cyclic) have |lambda_k| <= omega_k^2,
-/// hence |P|, |Q| <= omega^2, and S is majorised by tan(b) term by term: what is cut off S/tau
-/// after term n is below 2 (2b/pi)^(2n+2), 9e-19 and 1e-17 here. The terms d_n of the angle are
-/// polynomials of the shape and of the direction of L, a compact set; what is cut off them was
-/// scanned, in extended precision against a Taylor series, over 10^6 bodies down to
-/// J_min/J_max = 1e-6 with the corners (flat needles about the middle axis are the worst): 1.7e-17
-/// and 2.8e-17. tests/unit/rotor_series_test.cpp repeats a part of the scan.
+/// hence |P|, |Q| <= omega^2, and S is majorised by tan(b) term by term: the truncation error of
+/// S/tau after term n is below 2 (2b/pi)^(2n+2), 9e-19 and 1e-17 here. The terms d_n of the angle
+/// are polynomials of the shape and of the direction of L, a compact set; their truncation error
+/// was scanned, in extended precision against a Taylor series, over 10^6 bodies down to
+/// J_min/J_max = 1e-6 including the corners (flat needles about the middle axis are the worst):
+/// 1.7e-17 and 2.8e-17. tests/unit/rotor_series_test.cpp repeats part of the scan.
 struct SeriesOrder {
   std::size_t sine, angle;  ///< highest term of S; number of terms of the angle
   double radius;            ///< |omega t| [1]
 };
-inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< cut off: below 3e-17
-inline constexpr SeriesOrder long_series{8, 9, 0.3};    ///< cut off: below 3e-17
-inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< cut off: below 3e-8, for float
+inline constexpr SeriesOrder short_series{6, 6, 0.15};  ///< truncation error below 3e-17
+inline constexpr SeriesOrder long_series{8, 9, 0.3};    ///< truncation error below 3e-17
+inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error below 3e-8, for float
 
-/// The rotation of a free body over one step, times an arbitrary positive number near 1.
+/// The rotation of a free body over one step, multiplied by an arbitrary positive number near 1.
 ///
-/// With tau = t/2, S, C, D = S's companions (C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D = S') and M
-/// the angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with s = L(0)
-/// + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has the
-/// vector part (T J^-1 + delta) s over its scalar part, with one scalar delta: the discrete top of
-/// Moser and Veselov, whose moments are corrected by delta (mclachlan2005). Hence
+/// With tau = t/2, S and its companions C, D (C^2 = 1 - Q S^2, D^2 = 1 - P S^2, E = C D = S'), and
+/// M the angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with
+/// s = L(0) + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has
+/// a vector part (T J^-1 + delta) s relative to its scalar part, with one scalar delta: the
+/// discrete top of Moser and Veselov with moments corrected by delta (mclachlan2005). Hence
 ///
 ///     r ~ (1, (M_x/D)(S i_x + S d), M_y (S i_y + S d), (M_z/C)(S i_z + S d)),   i = J^-1,
 ///
@@ -113,20 +113,22 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< cut off: below 3e-8
 ///
 ///     (1 - P X)(1 - Q X)(1 - y X)(3 F + 2 X F') = K3 + X K2 F + X^2 K1 F^2.
 ///
-/// Its power series is the recursion below. Nothing is divided by a difference of moments, by |L|
-/// or by a component: spherical, symmetric, linear and resting bodies are no special cases.
+/// The recursion below gives its power series. There is no division by a difference of moments, by
+/// |L| or by a component: spherical, symmetric, linear and resting bodies are not special cases.
 ///
-/// @param inverse_J  inverse principal moments [1/(u nm^2)]; 0 stands for the vanishing moment of a
-///                   linear body. The moments obey the triangle inequality.
+/// @param inverse_J  inverse principal moments [1/(u nm^2)]; 0 for the vanishing moment of a linear
+///                   body. The moments obey the triangle inequality.
 /// @param L          body-frame angular momentum [u nm^2/ps]
 /// @param t          time [ps], |omega t| <= order.radius; any sign
-/// @return           (w, x, y, z) with w > 0, to be normalised, alone or in a product
+/// @return           (w, x, y, z) with w > 0; normalise it, or the product that contains it
 /// @cost             long_series about 330 flops and a division; short_series about 230
+/// @accuracy         lane types: float, double; largest error 1 ULP of w in every component
+///                   (tests/unit/rotor_series_test.cpp)
 /// @source           addition theorem: DLMF 22.8; discrete top: moser1991, mclachlan2005;
 ///                   derivation: docs/theory-rotor.md
 template <SeriesOrder order, class Real>
 Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
-  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);    // the unit of time is t/2 from here on
+  const Vec3<Real> i = inverse_J * (Real(0.5f) * t);    // time in units of t/2 from here on
   const Vec3<Real> A{i.z - i.y, i.x - i.z, i.y - i.x};  // L_x' = A_x L_y L_z, cyclic
   const Vec3<Real> L2{L.x * L.x, L.y * L.y, L.z * L.z};
 
@@ -164,7 +166,7 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
   const Real c1 = sum + yX, c2 = PQX + yX * sum, c3 = PQX * yX;
 
   // (2n+3) d_n = ((2n+1) c1 + K2_0) d_(n-1) + ... The newest terms enter last and the division by
-  // 2n+3 is drawn into their coefficients: the chain from term to term is two operations long.
+  // 2n+3 is absorbed into their coefficients: the dependency chain per term is two operations long.
   std::array<Real, order.angle> d;
   Real angle(0);
   series::unrolled<order.angle>([&](auto count) {
@@ -173,7 +175,7 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
     const Real divided = Real(1) / number(2 * n + 3);
     Real e(0);
     if constexpr (n < 3) e = K3[n];
-    // K1 times the squares d_a d_b, a + b = n - 2 - j, without those of d_(n-2)
+    // K1 times the products d_a d_b, a + b = n - 2 - j, except those with d_(n-2)
     series::unrolled<3>([&](auto power) {
       constexpr std::size_t j = power, first = j == 0 ? 1 : 0;
       if constexpr (n >= 2 + j + 2 * first) {
@@ -205,18 +207,19 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
 }
 
 /// L in the body frame after the rotation r: L - 2 w n x L + 2 n x (n x L). Unlike a product with
-/// the matrix of r, this keeps |L| to a rounding of the small change: |r| is off by a rounding that
-/// repeats itself when the body spins steadily, and would add up step by step.
+/// the matrix of r, this conserves |L| to a rounding of the small change: |r| has a rounding error
+/// that is the same in every step when the body rotates steadily, and would accumulate.
 template <class Real>
 Vec3<Real> carried(const Quaternion<Real>& r, const Vec3<Real>& L) {
   const Vec3<Real> n = r.vector(), c = cross(n, L);
   return L + Real(2) * (cross(n, c) - r.w * c);
 }
 
-/// Free rotation over a step of any size, for numbers and packs: one series within its radius, else
-/// as many equal ones as the fastest lane needs; all lanes are treated alike.
+/// Free rotation over a step of any size, for numbers and packs: one series within its radius,
+/// beyond it as many equal sub-steps as the fastest lane needs; all lanes are treated alike.
 ///
-/// @param inverse_J, L, t  as above, |omega t| up to about 20 (beyond, the closed form is cheaper)
+/// @param inverse_J, L, t  as above, |omega t| up to about 20 (beyond that, the closed form is
+///                         cheaper)
 /// @return                 as above
 /// @source                 tests/unit/rotor_series_test.cpp, tests/unit/drift_test.cpp
 template <class Real>

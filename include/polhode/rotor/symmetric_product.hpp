@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, each factor the exact flow of L_k²/(2 J_k), a
-/// turn about body axis k. The error of the attitude is O(t³) a step.
+/// e^{z t/2} e^{y t/2} e^{x t} e^{y t/2} e^{z t/2}, where each factor is the exact flow of L_k²/(2
+/// J_k), a rotation about body axis k. The attitude error is O(t³) per step.
 ///
 /// @param J, L, t  as for closed_rotation
 /// @source dullweber1997

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The adviser's runs as points of a study: what they tell of temperatures, and of their limit
-// without a step.
+// The adviser's runs as points of a study, for their temperatures and the zero-step limits of
+// those.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@
 
 namespace polhode {
 
-/// Runs of a candidate with one step.
+/// The runs of a candidate with one step.
 EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint& point);
 
-/// A curve for each candidate: the runs that chose and those that were to confirm, by growing step,
-/// as far as the adviser found them usable.
+/// One curve per candidate, ordered by step: the exploratory runs and the confirming ones, as far
+/// as the adviser considered them usable.
 std::vector<Curve> curves(const Advice& advice);
 
 }  // namespace polhode

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a trajectory tells: its frames are read once, in batches, and go to the observables wanted.
+// Analysis of a trajectory: its frames are read once, in batches, and passed to the requested
+// observables.
 #pragma once
 
 #include <cstddef>
@@ -23,30 +24,33 @@ namespace polhode {
 enum class Observable { rdf, msd, rotation, velocity, dielectric, density };
 
 struct AnalysisSettings {
-  /// Empty: all that the frames allow. Of a choice, what they do not allow is an error.
+  /// Empty: all that the frames allow. If observables are requested explicitly, those that the
+  /// frames do not allow are an error.
   std::set<Observable> what;
-  double from = 0;                 ///< frames before are left out [ps]
-  std::optional<double> interval;  ///< between frames, in place of their times [ps]
-  double window = 10;              ///< longest lag of correlations [ps]
+  double from = 0;                 ///< earlier frames are skipped [ps]
+  std::optional<double> interval;  ///< between frames, overrides their times [ps]
+  double window = 10;              ///< largest lag of correlation functions [ps]
   std::vector<SitePair> pairs;     ///< empty: `site_pairs`
-  std::optional<double> reach;     ///< of g(r); without it 1 nm, or half of the shortest edge
+  std::optional<double> reach;     ///< cutoff of g(r); default 1 nm, at most half of the shortest
+                                   ///< edge
   double bin = 0.002;              ///< of g(r) [nm]
 };
 
-/// The observables of the frames that were read; those that were not wanted are missing.
+/// The observables of the frames that were read; those not requested are empty.
 struct Analysis {
   Topology topology;
   std::size_t frames = 0;
   double first = 0, last = 0;  ///< times [ps]
-  double interval = 0;         ///< between frames; 0 if nothing needed it [ps]
+  double interval = 0;         ///< between frames; 0 if no observable needed it [ps]
   Box box;                     ///< of the first frame
   bool has_velocities = false;
-  double deviation = 0;            ///< of atoms from the sites of rigid models, at most [nm]
-  bool stopped = false;            ///< before the file ended
-  std::vector<std::string> notes;  ///< what was left out, and what to beware of
+  double deviation = 0;            ///< largest distance of atoms from the sites of the rigid models
+                                   ///< [nm]
+  bool stopped = false;            ///< before the end of the file
+  std::vector<std::string> notes;  ///< observables that were skipped, and warnings
 
-  std::optional<Conditions> conditions;  ///< of every analysis
-  bool density = false;                  ///< whether they are wanted for themselves
+  std::optional<Conditions> conditions;  ///< computed in every analysis
+  bool density = false;                  ///< whether they were requested themselves
   std::vector<SitePair> pairs;
   std::optional<RadialDistribution> radial;
   std::optional<Displacement> displacement;
@@ -60,16 +64,17 @@ struct AnalysisWatch {
   std::function<bool()> stop = [] { return false; };
 };
 
-/// Reads all frames. Memory holds a batch of them, one for each thread, beside the windows of the
-/// correlations; bodies are fitted to frames side by side, observables share the threads.
-/// @throws Error  if frames do not fit the topology, or do not allow what was asked for
+/// Reads all frames. Memory holds one batch of frames, one per thread, and the windows of the
+/// correlation functions. Bodies are fitted to several frames in parallel; observables are computed
+/// in parallel over bodies.
+/// @throws Error  if frames do not fit the topology, or do not allow what was requested
 Analysis analysis(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
                   const AnalysisWatch& watch = {}, Workers& workers = Workers::serial());
 
-/// The names of observables as options have them.
+/// The names of observables, as used in options.
 const std::vector<std::string>& observable_names();
 
-/// The observable of a name.
+/// The observable with a given name.
 /// @throws Error  if there is none
 Observable observable(const std::string& name);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of an analysis: what is read off its curves.
+// The numbers of an analysis: coefficients, times and peaks derived from its curves.
 #pragma once
 
 #include <array>
@@ -11,21 +11,23 @@
 
 namespace polhode {
 
-/// What frames do not tell.
+/// What the frames do not contain.
 struct SummarySettings {
-  std::optional<FitWindow> fit;       ///< of diffusion; without it from a fifth of the lags on
-  std::optional<double> temperature;  ///< [K]; without it that of the velocities
-  std::optional<double> viscosity;    ///< [u/(nm ps)]; without it the published one, if any
-  std::optional<double> surrounding;  ///< permittivity around the system: `tin_foil`, or a field's
+  std::optional<FitWindow> fit;       ///< of the diffusion coefficient; default: from a fifth of
+                                      ///< the lags on
+  std::optional<double> temperature;  ///< [K]; default: that of the velocities
+  std::optional<double> viscosity;    ///< [u/(nm ps)]; default: the published one, if there is one
+  std::optional<double> surrounding;  ///< permittivity of the surroundings: `tin_foil`, or that of
+                                      ///< the reaction field
   std::string no_surrounding;         ///< why there is none
 };
 
 struct AxisRelaxation {
   std::string axis;
-  std::array<std::optional<RelaxationTimes>, 2> rank;  ///< P1, P2; none if not decayed
+  std::array<std::optional<RelaxationTimes>, 2> rank;  ///< P1, P2; empty if C has not decayed
 };
 
-/// How the bodies of one part of the topology move.
+/// Dynamics of the bodies of one part of the topology.
 struct PartSummary {
   std::string molecule;
   std::size_t count = 0;
@@ -36,12 +38,13 @@ struct PartSummary {
 
 struct AnalysisSummary {
   std::optional<double> temperature;  ///< [K]
-  FitWindow fit;                      ///< of diffusion [ps]
+  FitWindow fit;                      ///< of the diffusion coefficient [ps]
   std::optional<double> viscosity;    ///< [u/(nm ps)]
-  std::string viscosity_source;       ///< "--viscosity", or whose; else why there is none
-  std::optional<double> drag;         ///< of images, to be added to diffusion [nm²/ps]
+  std::string viscosity_source;       ///< "--viscosity", or the publication; else why there is none
+  std::optional<double> drag;         ///< Yeh-Hummer finite-size correction, to be added to
+                                      ///< diffusion [nm²/ps]
   std::vector<PartSummary> parts;
-  std::vector<RadialDistribution::Peak> peaks;  ///< of each pair
+  std::vector<RadialDistribution::Peak> peaks;  ///< one per pair
   std::optional<TotalDipole::Result> dielectric;
   std::vector<std::string> notes;  ///< those of the analysis, and what could not be computed
 };

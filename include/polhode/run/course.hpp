@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run that may be left and gone on with: its system, where it stands, and what it has shown.
+// A resumable run: its system, its current state, and its results so far.
 #pragma once
 
 #include <functional>
@@ -13,15 +13,15 @@ namespace polhode {
 
 struct Course {
   System system;
-  std::uint64_t seed = 0;           ///< of its start
-  std::optional<RunState> state{};  ///< nothing before the first step
+  std::uint64_t seed = 0;           ///< of its initial configuration
+  std::optional<RunState> state{};  ///< empty before the first step
   std::vector<Energies> samples{};
 };
 
-/// Moves the run on until the settings' length, as if it had never been left, and tells what the
-/// whole of it shows. Of the settings' seed the course's takes the place.
-/// @param noise  of the forces, for the R that rounding alone makes
-/// @param stop   leaves the run where it is
+/// Advances the run to the length given by the settings, bitwise as if it had never been suspended,
+/// and returns the result of the whole run. The seed of the run replaces that of the settings.
+/// @param noise  of the forces, for the R due to rounding alone
+/// @param stop   suspends the run when it returns true
 Outcome moved(Course& course, TrajectorySettings settings, const ForceNoise& noise,
               const std::function<bool()>& stop = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The energies of a run as a table that grows with it.
+// The energies of a run as a table that grows during the run.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@ namespace polhode {
 
 class EnergyFile {
  public:
-  /// Begins the file; what was there is lost.
+  /// Creates the file, replacing an existing one.
   EnergyFile(const std::string& path, const Topology& topology, const Provenance& provenance);
-  /// Goes on after the rows of a mark.
+  /// Resumes after the rows of a mark.
   EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark);
 
-  /// Appends a row, and makes the energies those that will be read from it: only the pressure
-  /// changes, in its last digit, as the file has it in bar.
-  /// @throws RunError  if there is no room
+  /// Appends a row, and replaces the energies by what will be read back: only the last digit of the
+  /// pressure changes, because the file has it in bar.
+  /// @throws RunError  if the disk is full
   void add(Energies& energies);
-  /// Brings all rows to the disk and tells where the file stands.
+  /// Syncs all rows to disk, and returns the position in the file.
   FileMark mark() { return {rows_, table_.mark()}; }
 
  private:
@@ -33,8 +33,8 @@ class EnergyFile {
   GrowingTable table_;
 };
 
-/// The energies in such a file until a mark.
-/// @throws Error  if it is shorter, or holds anything else
+/// The energies in such a file up to a mark.
+/// @throws Error  if it is shorter, or is not such a file
 std::vector<Energies> read_energies(const std::string& path, const FileMark& mark);
 
 }  // namespace polhode

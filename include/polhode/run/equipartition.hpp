@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far a scheme's steps are from equipartition, and what is left of it without a step.
+// Deviations of a scheme from equipartition, and their extrapolation to zero step.
 #pragma once
 
 #include <array>
@@ -12,14 +12,14 @@
 
 namespace polhode {
 
-/// Fits differences of temperatures, a + b hᵏ, over the usable steps of one scheme: of rotation
-/// about each principal axis less translation, and of the configurational temperature of each
-/// motion less its kinetic one. Without a step all are equal, so a measures what else is wrong:
-/// starts out of equilibrium, chance.
+/// Fits a + b hᵏ to temperature differences over the usable steps of one scheme: rotation about
+/// each principal axis minus translation, and configurational minus kinetic temperature for each
+/// kind of motion. For h → 0 all temperatures are equal, so a measures other errors: insufficient
+/// equilibration, or chance.
 struct EquipartitionFit {
   std::string scheme;
-  int order = 2;                            ///< k, of the scheme; 2 where it is unknown
-  std::array<std::optional<Line>, 3> axes;  ///< a [K], b [K/psᵏ]; nothing with fewer than two steps
+  int order = 2;                            ///< k, of the scheme; 2 if that is unknown
+  std::array<std::optional<Line>, 3> axes;  ///< a [K], b [K/psᵏ]; empty with fewer than two steps
   ByMotion<std::optional<Line>> configurational;  ///< likewise
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run or a study is, as a text: what was computed of one thing is not mixed with another.
+// The identity of a run or a study as text, so that results of different ones are never mixed.
 #pragma once
 
 #include <initializer_list>
@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// Molecules with all their numbers, the start, and the forces.
-/// @param numbers  that say what is done with them: times, above all
+/// Molecules with all their parameters, the initial configuration, and the forces.
+/// @param numbers  further parameters of the computation, such as times
 std::string identity(const Config& config, const System& system,
                      std::initializer_list<double> numbers);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which steps of a scheme to measure, so that the longest one that keeps a bound is found with few
-// runs and without a leap beyond the end of stability.
+// Chooses which steps of a scheme to measure, so that the largest step that meets a bound is found
+// with few runs and without jumping far beyond the stability limit.
 #pragma once
 
 #include <optional>
@@ -14,31 +14,31 @@ namespace polhode {
 struct StepSearch {
   Criterion criterion;
   int order = 2;     ///< of the scheme; 0 if unknown
-  double first = 0;  ///< a step that is surely stable [ps]
+  double first = 0;  ///< a step that is certainly stable [ps]
 };
 
-/// The next step to measure [ps], or nothing when enough is known. Steps grow by at most
-/// `most_growth` from the longest that is usable, so that the end of stability is met in a run that
-/// blows up at worst; where one is known to lie beyond it, by less than half of the way there.
+/// The next step to measure [ps], or nothing when enough is known. Steps grow by at most a factor
+/// of `most_growth` over the largest usable one, so that, at worst, a single run blows up at the
+/// stability limit; if a step beyond the limit is known, by less than half of the distance to it.
 ///
-/// For R the steps aim at where it equals the bound, by the scheme's order and then by what was
-/// measured, and end with points at 1, 0.9 and 0.8 of that step: R has to stay below the bound in
-/// nearly all runs, so the step wanted is shorter. For a drift or a bias, which noise hides at
-/// short steps, they are a ladder until the bound is broken.
-/// @param points  so far, by growing step
+/// For R, the search aims at the step where R equals the bound, first by the scheme's order and
+/// then by interpolation, and ends with points at 1, 0.9 and 0.8 of that step: R must stay below
+/// the bound in nearly all runs, so the final step is smaller. For a drift or a bias, which noise
+/// hides at small steps, the steps form a ladder up to where the bound is violated.
+/// @param points  so far, ordered by step
 std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
 inline constexpr double most_growth = 1.6;
 
-/// No longer step is expected to keep the bound [ps]: for R where it meets the bound, by the law of
-/// the order beyond the points; else, and without a usable point, the end of stability as far as it
-/// is known. Infinite if nothing is known.
+/// Upper estimate of the steps that can meet the bound [ps]: for R the step where it equals the
+/// bound, extrapolated with the scheme's order; otherwise, or without a usable point, the stability
+/// limit as far as it is known. Infinite if nothing is known.
 double longest_expected(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// Whether runs with that step decide about the answer; others only show the way to it.
+/// Whether runs with that step enter the answer, rather than only guide the search for it.
 bool decides(const StepSearch& search, const std::vector<AdviserPoint>& points, double step);
 
-/// What the points say: the longest step that is expected to keep the bound [ps], 0 if there is
+/// Result of the search: the largest step that is expected to meet the bound [ps], 0 if there is
 /// none, and for R the model behind it.
 struct FoundStep {
   double step = 0;
@@ -46,7 +46,7 @@ struct FoundStep {
 };
 FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// The next shorter step with three significant digits.
+/// Rounds a step down to three significant digits.
 double three_digits(double step);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The paper's study: accuracy against cost for each scheme over a ladder of steps, from independent
-// runs (vanzon2008, Fig. 1).
+// The study of the paper: accuracy against cost for each scheme over a range of steps, from
+// independent runs (vanzon2008, Fig. 1).
 #pragma once
 
 #include <array>
@@ -19,26 +19,29 @@
 
 namespace polhode {
 
-/// Between energies [ps]: several times per 10 fs, as the fast librations alias otherwise.
+/// Largest interval between energies [ps]: several per 10 fs, as fast librations would alias
+/// otherwise.
 inline constexpr double longest_sample = 0.0025;
 
-/// One run: a scheme with a step from one of the starts.
+/// One run: a scheme with a step from one of the initial configurations.
 struct StudyRun {
   std::string scheme;
   double step = 0;         ///< [ps]
-  int start = 0;           ///< which of the starts; the same ones serve every scheme
-  bool stable = true;      ///< false: it blew up, and the numbers below are void
+  int start = 0;           ///< index of the initial configuration; the same ones are used for every
+                           ///< scheme
+  bool stable = true;      ///< false: it blew up, and the numbers below are meaningless
   double ratio = 0;        ///< R
   double drift = 0;        ///< [kJ/mol/ps]
   double total = 0;        ///< rms fluctuation of the total energy [kJ/mol]
   double potential = 0;    ///< rms fluctuation of the potential energy [kJ/mol]
   double temperature = 0;  ///< mean over the run [K]
-  double rounding = 0;     ///< R of rounding alone, estimated; 0 in double precision
-  /// Means over the run of kinds of motion; nothing in records that do not know them.
+  double rounding = 0;     ///< R due to rounding alone, estimated; 0 in double precision
+  /// Means over the run for each kind of motion; empty in old records without them.
   std::optional<Temperatures> parts;
-  double near_weight = 0;  ///< time of near forces over all forces; 0 without an inner scheme
-  /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
-  /// they were not asked for.
+  double near_weight = 0;  ///< time of the near forces relative to all forces; 0 without an inner
+                           ///< scheme
+  /// Configurational temperatures over the run [K], 0 for motions without forces; empty if they
+  /// were not requested.
   std::optional<ByMotion<double>> configurational{};
 };
 
@@ -46,54 +49,55 @@ struct StudyRun {
 struct EfficiencyPoint {
   std::string scheme;
   double step = 0;  ///< [ps]
-  /// Force evaluations per ps; with an inner scheme those of all forces, and those of the near ones
-  /// by their weight.
+  /// Force evaluations per ps; with an inner scheme, evaluations of all forces plus those of the
+  /// near forces times their weight.
   double cost = 0;
-  double near_weight = 0;  ///< time of near forces over all forces, mean; 0 without an inner scheme
+  double near_weight = 0;  ///< as in StudyRun, mean
   int runs = 0;
   bool stable = true;      ///< no run blew up
   Estimate ratio;          ///< R with its standard error over the runs
-  Drift drift;             ///< of the series, as the paper has it
+  Drift drift;             ///< of the series of runs, as defined in the paper
   double temperature = 0;  ///< [K]
-  double rounding = 0;     ///< R of rounding alone, mean; 0 in double precision
-  /// T of rotation about each principal axis less that of translation, over the runs that know
-  /// them [K]; nothing without such freedoms.
+  double rounding = 0;     ///< R due to rounding alone, mean; 0 in double precision
+  /// T of rotation about each principal axis minus that of translation, over the runs that have
+  /// them [K]; empty without such degrees of freedom.
   std::array<std::optional<Estimate>, 3> excess;
-  /// Configurational temperature of each motion less its kinetic one, likewise [K].
+  /// Configurational minus kinetic temperature of each kind of motion, likewise [K].
   ByMotion<std::optional<Estimate>> configurational_excess;
   /// No run blew up, and the drift is not significant.
   bool usable() const { return stable && drift.chance >= significance; }
-  /// R is no longer that of the scheme.
+  /// R is dominated by rounding.
   bool at_rounding() const { return stable && ratio.value < rounding_margin * rounding; }
 };
 
 /// The (scheme, step) pairs that a study measures.
 struct StudyPoint {
-  std::string name;  ///< of the scheme, or its text, as the run file has it
+  std::string name;  ///< of the scheme, or its text, as in the run file
   NestedScheme scheme;
   double step;  ///< [ps]
   /// Force evaluations per ps.
-  /// @param near_weight  what one of the near forces counts
+  /// @param near_weight  cost of a near-force evaluation relative to a full one
   double cost(double near_weight) const;
 };
 std::vector<StudyPoint> study_points(const StudySettings& settings);
 
 struct StudyProgress {
-  std::function<void(double done, const std::string& what)> report;  ///< fraction of the work
+  std::function<void(double done, const std::string& what)> report;  ///< called with the fraction
+                                                                     ///< of the work done
   std::function<bool()> stop;
 };
 
-/// Of what is random in one of a series of starts, and in runs from it: derived_seed() of the run
-/// file's seed, so that series of different seeds have no start in common.
+/// Seed of the random numbers of one initial configuration in a series, and of the runs from it:
+/// the run file's seed + 1 + index.
 std::uint64_t start_seed(const Config& config, std::size_t index);
 
-/// One of a series of starts: the system with momenta of its own, drawn from its start_seed(),
-/// equilibrated for `length` [ps]. Void where `stop` ended it.
+/// One initial configuration of a series: the system with its own momenta, drawn with its
+/// start_seed() and equilibrated for `length` [ps]. Not usable if `stop` interrupted it.
 System decorrelated_start(const System& base, const Config& config, std::size_t index,
                           double length, const std::function<bool()>& stop);
 
-/// Runs what is not in `known` yet, as many runs at once as there are workers, and reports each run
-/// as it ends. A run is one thread's.
+/// Performs the runs that are not in `known` yet, as many in parallel as there are workers, and
+/// reports each run when it ends. Each run uses one thread.
 void run_study(const Config& config, const std::vector<StudyRun>& known,
                const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
                Workers& workers = Workers::serial());

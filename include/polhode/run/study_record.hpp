@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The record of a study: its runs as they end, so that an interrupted study can go on.
+// The record of a study: each run is saved when it ends, so that an interrupted study can be
+// resumed.
 #pragma once
 
 #include <fstream>
@@ -13,16 +14,16 @@
 
 namespace polhode {
 
-/// Everything that decides what a run of a study is, as text: a record of another one is not
+/// Everything that determines the runs of a study, as text: records of a different study are not
 /// reused.
 std::string study_identity(const Config& config, const System& system);
 
-/// The runs that a record holds. A last line without its end was cut short and is left out: its run
-/// is done again. A run's numbers are finite, and void where it blew up.
+/// The runs in a record. An incomplete last line, left by an interruption, is ignored and its run
+/// repeated. The numbers of a run are finite, and empty if it blew up.
 /// @param path        for errors
-/// @param provenance  of the study that goes on
-/// @throws Error  with the line, if the record is of another study, or another line is not whole,
-///                or holds what no run gives
+/// @param provenance  of the study that is being resumed
+/// @throws Error  with the line, if the record belongs to another study, or another line is
+///                incomplete or contains impossible values
 std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
                                         const Provenance& provenance);
 
@@ -33,8 +34,8 @@ std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string&
 /// The runs that are done, one line each, appended as they end.
 class StudyRecord {
  public:
-  /// Reads the record if it is there and belongs to the same study, else begins one.
-  /// @throws Error  as read_study_record(), unless `force` is given
+  /// Reads the record if it exists and belongs to the same study, otherwise creates one.
+  /// @throws Error  as read_study_record(), unless `force` is set
   StudyRecord(const std::string& path, const Provenance& provenance, bool force);
   const std::vector<StudyRun>& known() const { return known_; }
   void add(const StudyRun& run);

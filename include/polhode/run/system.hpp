@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Everything that a run file describes, put together and ready to move.
+// Builds the system that a run file describes, ready for simulation.
 #pragma once
 
 #include <string>
@@ -29,19 +29,19 @@ struct System {
   std::vector<std::string> origins{};
 };
 
-/// The molecules of a run file; a count that is left to the start configuration is 0.
+/// The molecules of a run file; a count that is to be taken from the start configuration is 0.
 /// @throws Error  if there is no such model
 Topology described(const SystemSettings& settings);
 
-/// Molecules, start and momenta of a run file.
+/// Molecules, initial configuration and momenta of a run file.
 /// @throws Error  with its place if anything does not fit: counts, box, cutoff, overlapping
-/// molecules
+///                molecules
 System assembled(const Config& config);
 
-/// Draws all momenta anew at the system's temperature, without total momentum.
+/// Draws new momenta at the system's temperature, with zero total momentum.
 void draw_momenta(System& system, std::uint64_t seed);
 
-/// Brings translations and rotations to a temperature [K] by scaling their momenta.
+/// Rescales the momenta of translations and of rotations separately to a temperature [K].
 void rescale(State& state, const Topology& topology, const Bodies& bodies, double temperature);
 
 }  // namespace polhode

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Parameters of schemes for one system and step: the η of hoa2's family, and η and ξ of gier4's,
-// from how the brackets of the O(h²) error fluctuate together (docs/theory.md, "Tuning").
+// Optimal parameters of schemes for one system and step: η of the hoa2 family, and η and ξ of the
+// gier4 family, from the covariances of the brackets in the O(h²) error (docs/theory.md, "Tuning").
 #pragma once
 
 #include <span>
@@ -12,18 +12,18 @@
 
 namespace polhode {
 
-/// B(η) A(1/2) B(1 − 2η, ξ) A(1/2) B(η) (vanzon2008, Eq. 1); hoa2 and gier4 are two of these.
+/// B(η) A(1/2) B(1 − 2η, ξ) A(1/2) B(η) (vanzon2008, Eq. 1), which includes hoa2 and gier4.
 Scheme family_scheme(double eta, double xi);
 
-/// How the energy E of a run and its brackets vary together: means of products of deviations, of
-/// E, a = h² V̈ and b = h² W [kJ²/mol²].
+/// Covariances of the energy E of a run and its brackets: means of products of deviations of E,
+/// a = h² V̈ and b = h² W [kJ²/mol²].
 struct ErrorCovariance {
   double EE = 0, Ea = 0, Eb = 0, aa = 0, ab = 0, bb = 0;
-  double VV = 0;  ///< of the potential energy, the scale of R²
+  double VV = 0;  ///< of the potential energy, the denominator of R²
 
   ErrorCovariance& operator+=(const ErrorCovariance& other);
-  /// The variance of the energy when a scheme's error terms change by so much: that of
-  /// E − Δα a − Δβ b, as H̃ of either scheme is constant.
+  /// The variance of the energy if the scheme's error terms change by that amount: that of E − Δα
+  /// a − Δβ b, since H̃ of either scheme is constant.
   double variance(const ErrorTerms& change) const;
 };
 ErrorCovariance error_covariance(std::span<const BracketSample> samples, double h);
@@ -33,34 +33,36 @@ struct FamilyMember {
   double eta = 0, xi = 0;
 };
 
-/// The η of least variance without gradient, from a run with `reference`.
+/// The η that minimises the variance without gradient kicks, from a run with `reference`.
 FamilyMember best_plain(const ErrorCovariance& covariance, const Scheme& reference);
-/// The η of least fluctuation of α V̈ + β W: of short steps, where nothing else counts.
+/// The η that minimises the fluctuation of α V̈ + β W: optimal in the limit of small steps.
 FamilyMember best_plain_at_short_steps(const ErrorCovariance& covariance);
-/// η and ξ of least variance, from a run with `reference`: a linear least-squares problem in α and
-/// β.
+/// η and ξ that minimise the variance, from a run with `reference`: a linear least-squares problem
+/// in α and β.
 FamilyMember best_gradient(const ErrorCovariance& covariance, const Scheme& reference);
 
 struct TuneSettings {
   double step = 0;         ///< [ps]
-  int runs = 4;            ///< that measure, and as many from other starts that confirm
+  int runs = 4;            ///< for the measurement, and as many from other initial configurations
+                           ///< for confirmation
   double length = 2;       ///< of each [ps]
-  double decorrelate = 2;  ///< preparation of each start [ps]
-  double sample = 0.02;    ///< between brackets [ps]
+  double decorrelate = 2;  ///< equilibration of each initial configuration [ps]
+  double sample = 0.02;    ///< interval between brackets [ps]
 };
 
-/// What tuning brings to one family, beside the member of it that the table has.
+/// Result for one family, compared with its member in the table of schemes.
 struct Tuned {
   Scheme reference, scheme;
   FamilyMember member;
   FamilyMember error;               ///< standard errors by the jackknife over runs
   double predicted_gain = 1;        ///< R of the reference over R, from the covariances
-  Estimate reference_ratio, ratio;  ///< R of both by runs that confirm
-  Estimate gain;                    ///< R of the reference over R in runs from the same starts
+  Estimate reference_ratio, ratio;  ///< R of both in the confirming runs
+  Estimate gain;                    ///< R of the reference over R, in runs from the same initial
+                                    ///< configurations
 };
 
 struct TuneResult {
-  ErrorCovariance covariance;  ///< along runs of hoa2, summed
+  ErrorCovariance covariance;  ///< from runs of hoa2, summed
   double short_steps = 0;      ///< η of best_plain_at_short_steps
   Tuned plain, gradient;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Waves times the influence function.
+// Multiplies the waves by the influence function.
 #include "polhode/base/pack_rows.hpp"
 #include "polhode/forces/mesh_loops.hpp"
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The derivative of charges on a grid, and of forces from a potential there, along displacements
-// of the charges: as the loops that spread and gather, with one more derivative of the splines.
+// The directional derivatives of the spread and gather loops: charges on the grid, and forces from
+// the potential there, differentiated along a displacement of the charges. They need one more
+// derivative of the splines.
 #include "mesh_places.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// A charge q whose place moves by v, in spacings of the grid, gives to a grid point at u the share
+// Per unit of a displacement along v, in grid spacings, a charge q adds to a grid point at u
 // q (v·∇) w_x w_y w_z = q [v_x s_x w_y w_z + w_x (v_y s_y w_z + w_y v_z s_z)], s the slopes of w.
 template <class T, int order>
 void spread(const SpreadDipolesJob<T>& dipoles) {
@@ -74,11 +75,11 @@ void spread(const SpreadDipolesJob<T>& dipoles) {
   }
 }
 
-// The force on a charge is −q ∇φ; its derivative −q (∇φ' + (v·∇) ∇φ), φ' being that of the
-// potential on the grid. With w, s and c for a spline, its slope and its curvature, and sums over y
-// and z of the potential times
-//   A: w_y w_z   B: s_y w_z   C: w_y s_z   and of its derivative A', B', C' alike,
-// the components of the bracket are sums over x of
+// The force on a charge is −q ∇φ, its derivative −q (∇φ' + (v·∇) ∇φ), where φ' is the derivative of
+// the potential on the grid. With w, s and c for a spline, its slope and its second derivative, and
+// the sums over y and z of the potential times
+//   A: w_y w_z   B: s_y w_z   C: w_y s_z   and likewise A', B', C' for its derivative,
+// the components of the bracket are the sums over x of
 //   s (A' + v_y B + v_z C) + v_x c A
 //   w (B' + P) + v_x s B   with P: v_y c_y w_z + v_z s_y s_z
 //   w (C' + Q) + v_x s C   with Q: v_y s_y s_z + v_z w_y c_z
@@ -124,7 +125,7 @@ void gather(const GatherDerivativeJob<T>& derivative) {
           yc[j] = Run<T>::all(weight(y_c, j));
         }
         RunPair<T> AB = RunPair<T>::all(0, 0);
-        Run<T> C = Run<T>::zero(), dA = C, dB = C, dC = C;  // dB and dC with P and Q
+        Run<T> C = Run<T>::zero(), dA = C, dB = C, dC = C;  // dB and dC including P and Q
         for (std::size_t k = 0; k < order; ++k) {
           RunPair<T> of_potential = RunPair<T>::all(0, 0), of_change = of_potential;
           Run<T> curved = Run<T>::zero();

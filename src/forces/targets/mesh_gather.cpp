@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Forces from the potential on the grid: its exact gradient for the splines' weights. What eight
-// grid points of a row share is summed over rows first, one charge after the other; the rest is
-// done for a pack of charges at once.
+// Forces from the potential on the grid: the exact gradient with respect to the splines' weights.
+// The eight grid points of a row are first summed over the rows, one charge after the other; the
+// rest is done for a pack of charges at once.
 #include "mesh_places.hpp"
 
 namespace polhode::POLHODE_LOOPS {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The charged sites of a pack of bodies on the grid.
+// Grid positions of the charged sites of a pack of bodies.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Records of consecutive slots, turned into packs.
+// Records of consecutive slots, transposed into packs.
 template <class T>
 class Places {
  public:
@@ -29,14 +29,14 @@ class Places {
   Vec3<Real> arm(std::size_t site) const {
     return {column_[3 + 3 * site], column_[4 + 3 * site], column_[5 + 3 * site]};
   }
-  // From the records of displacements: how far a site moves in spacings of the grid.
+  // From the records of displacements: the displacement of a site in grid spacings.
   Vec3<Real> in_spacings(std::size_t site) const {
     Vec3<Real> move = centre() + arm(site);
     for (std::size_t d = 0; d < 3; ++d)
       move[d] *= Real(static_cast<T>(static_cast<double>(points_[d]) / box_.edge[d]));
     return move;
   }
-  // The grid point before a site along one edge; the distance beyond it.
+  // Index of the grid point below a site along one edge; returns the distance beyond it.
   Real place(std::size_t site, std::size_t d, std::int32_t* index) const {
     return grid_place(column_[d], column_[3 + 3 * site + d], static_cast<std::int32_t>(points_[d]),
                       box_.edge[d], index);
@@ -49,7 +49,7 @@ class Places {
   std::array<Real, 3 + 3 * most_sites + Real::width> column_;
 };
 
-// Calls f with the order of the splines as a constant.
+// Calls f with the order of the splines as a compile-time constant.
 template <class Function>
 void with_order(int order, const Function& f) {
   switch (order) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Charges to the grid: the weights of a pack of charges at once, then one charge after the other,
-// eight grid points of a row at once.
+// Spreads charges onto the grid: the weights of a pack of charges at once, then one charge after
+// the other, eight grid points of a row at a time.
 #include "mesh_places.hpp"
 
 namespace polhode::POLHODE_LOOPS {

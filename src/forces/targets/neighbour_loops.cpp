@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search for partners, in packs over runs of cells.
+// The search for partners, in packs over runs of slots in neighbouring cells.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,13 +11,13 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Places are compared in fixed point and float: 2⁻³⁰ of an edge and 2⁻²² of a distance, which this
-// exceeds for distances of some nm.
+// Positions are compared in fixed point and float, with errors of 2⁻³⁰ of an edge and 2⁻²² of a
+// distance; for distances of a few nm this bound is larger.
 constexpr double rounding = 1e-5;  // [nm]
 
 using Real = Pack<float>;
 
-// The partners of a body: those certainly closer than where any switch begins, and the others.
+// The partners of a body: those certain to stay inside the switching distance, and the others.
 struct Partners {
   RowBuffer whole, ending;
 };
@@ -27,8 +27,8 @@ struct Run {
   std::uint32_t begin, end;
 };
 
-// Tests the slots of a run; `at` is the place of the body in fixed point, less the image's shift,
-// and `image` the image's bits.
+// Tests the slots of a run. `at` is the position of the body in fixed point, minus the shift of the
+// image, and `image` the bits of the image.
 void scan(const ListJob& job, Run run, const Vec3<std::int32_t>& at, std::uint32_t image,
           const Vec3<float>& unit, float whole2, float listed2, Partners& found) {
   std::uint32_t* const whole_begin = found.whole.end_with_room(run.end - run.begin);
@@ -50,8 +50,8 @@ void scan(const ListJob& job, Run run, const Vec3<std::int32_t>& at, std::uint32
   found.ending.grow(n_ending);
 }
 
-// The slots j of a part with n of them that are ahead of the k-th: 1 to n/2 places, cyclically; of
-// two that are exactly half a turn apart, the first has the other ahead.
+// The slots of a part, n in all, that are ahead of the k-th: by 1 to n/2 places, cyclically. Of two
+// slots exactly n/2 apart, the second is ahead of the first.
 std::array<Run, 2> ahead(const Slots::Part& part, std::uint32_t k) {
   const std::uint32_t n = part.count;
   const std::uint32_t half = n % 2 == 0 && k >= n / 2 ? n / 2 - 1 : n / 2;
@@ -60,7 +60,7 @@ std::array<Run, 2> ahead(const Slots::Part& part, std::uint32_t k) {
   return {Run{from, part.first + n}, Run{part.first, part.first + last - n + 1}};
 }
 
-// The partners of one body after the other; bodies of a cell share the runs of slots to be tested.
+// Finds the partners of bodies in turn; the bodies of a cell share the runs of slots to test.
 class Search {
  public:
   Search(const ListJob& job, std::size_t part, std::size_t partner_part)
@@ -96,13 +96,13 @@ class Search {
  private:
   struct ImageRun {
     Run slots;
-    std::uint32_t image;       // its bits in a word
+    std::uint32_t image;       // its bits in a list entry
     Vec3<std::int32_t> shift;  // in fixed point
   };
 
-  // Rows of cells along x that come within the range of a cell, relative to it.
+  // Rows of cells along x within range of a cell, relative to it.
   struct Row {
-    int y, z, reach;  // cells across, and along x in both directions
+    int y, z, reach;  // offset in cells across, and extent along x in both directions
   };
   std::vector<Row> rows_within_range() const {
     std::vector<Row> rows;
@@ -121,8 +121,8 @@ class Search {
     return rows;
   }
 
-  // visit(cells from, to, image): the pieces of an interval of cells within the box and its images;
-  // what lies beyond them is out of range.
+  // Calls visit(cells from, to, image) for the parts of an interval of cells in the box and its
+  // images; anything beyond those is out of range.
   template <class Visit>
   void over_images(int from, int to, std::size_t d, const Visit& visit) const {
     const auto n = static_cast<int>(grid_.cells[d]);
@@ -133,7 +133,7 @@ class Search {
     }
   }
 
-  // The runs of slots along x in cells that come within the range of a cell, in all images.
+  // Collects the runs of slots along x in cells within range of a cell, in all images.
   void gather_runs(const std::array<std::size_t, 3>& cell) {
     constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
     runs_.clear();
@@ -166,11 +166,11 @@ class Search {
   float listed2_, whole2_;
   Vec3<float> unit_;
   std::vector<Row> rows_;
-  std::array<std::size_t, 3> cell_{~std::size_t{0}, 0, 0};  // the runs belong to it
+  std::array<std::size_t, 3> cell_{~std::size_t{0}, 0, 0};  // the cell of runs_
   std::vector<ImageRun> runs_;
 };
 
-// The smallest cyclic window of a part's slots that holds all marked blocks.
+// The smallest cyclic window of a part's slots that contains all marked blocks.
 SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& marked) {
   constexpr auto block = static_cast<std::uint32_t>(slot_block);
   const std::uint32_t first = part.first / block, blocks = (part.count + block - 1) / block;
@@ -180,9 +180,9 @@ SlotWindow window_of(const Slots::Part& part, const std::vector<std::uint8_t>& m
     if (gap > longest) longest = gap, after = (k + 1) % blocks;
   }
   if (longest >= blocks) return {part.first, 0};
-  const std::uint32_t kept = blocks - longest;  // from `after` on
+  const std::uint32_t kept = blocks - longest;  // starting at `after`
   const bool holds_last = (2 * blocks - 1 - after) % blocks < kept;
-  const std::uint32_t missing = blocks * block - part.count;  // the last block may be part empty
+  const std::uint32_t missing = blocks * block - part.count;  // the last block may be partly empty
   return {part.first + after * block, kept * block - (holds_last ? missing : 0)};
 }
 
@@ -217,7 +217,7 @@ void find_partners(const ListJob& job, ListChunk& chunk) {
         handed_whole.take(slot, found.whole);
         hand_over(slot, end, job.width, found.whole, handed_whole);
       }
-      // What is left beyond whole packs joins the pairs that may end.
+      // The surplus over whole packs joins the pairs that may need truncation.
       while (found.whole.size() % job.width != 0) found.ending.push(found.whole.pop());
       if (same) {
         handed_ending.take(slot, found.ending);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The derivative of the loops over pairs, in double precision.
+// The derivative of the pair loops, in double precision.
 #include "pair_rows.hpp"
 
 namespace polhode::POLHODE_LOOPS {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The loops over pairs in double precision.
+// The pair loops in double precision.
 #include "pair_rows.hpp"
 
 namespace polhode::POLHODE_LOOPS {

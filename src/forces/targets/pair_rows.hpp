@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Pairs of molecules in packs: one molecule with as many partners as a pack is wide. The records of
-// the partners are turned into packs, the forces on them are turned back and added one by one.
+// The pair loops: one molecule with as many partners at once as a pack has lanes. The records of
+// the partners are transposed into packs; the forces on them are transposed back and added one by
+// one.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +17,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// The difference of a coordinate of centres [nm], from the numbers in their records.
+// The difference of one coordinate of two centres [nm], from their records.
 inline Pack<double> coordinate_difference(Pack<double> partner, double own, double) {
   return partner - Pack<double>(own);
 }
@@ -26,7 +27,7 @@ inline Pack<float> coordinate_difference(Pack<float> partner, float own, float u
   return fixed_point_difference(partner, bits) * Pack<float>(unit);
 }
 
-// Coordinate d of centres in the images that words of the list mean.
+// Coordinate d of the partners' centres, shifted to the periodic images given by the list entries.
 inline Pack<double> in_image(Pack<double> c, PackIndex<double> words, std::size_t d, double edge) {
   return c + as_doubles((words << 2 * d) >> 30) * Pack<double>(edge);
 }
@@ -35,14 +36,15 @@ inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d
   return fixed_point_sum(c, (words << 2 * d) & Neighbour::highest_bits);
 }
 
-// The rows of a chunk, pack by pack. While the pairs of a pack are computed, the processor turns
-// the records of the next pack's partners, which depends on nothing, and adds up what the pack
-// before did, whose results are there: these two steps mostly shuffle and move, and pairs multiply.
-// These steps are functions of their own: within the loops over pairs they would be compiled anew
-// for each law and kind of result, which takes long and gains nothing that lasts.
+// Works through the rows of a chunk pack by pack, as a software pipeline: while the pairs of one
+// pack are computed, the processor also transposes the records of the next pack's partners, on
+// which nothing depends yet, and adds up the results of the previous pack, which are complete.
+// These two stages mostly shuffle and move data, whereas the pairs mostly multiply, so they overlap
+// well. Each stage is a separate function: inlined into the pair loop, it would be compiled again
+// for each law and kind of result, at a large cost in compile time and no lasting gain in speed.
 //
-// With dual numbers as the Number of the pairs, records of displacements are read beside the
-// others, and the slopes of forces and torques are added up.
+// If Number is a dual number, the records of displacements are read as well, and the derivatives of
+// forces and torques are added up.
 template <class Number, class Shape>
 class PairRows {
  public:
@@ -63,7 +65,7 @@ class PairRows {
       unit_[d] = static_cast<T>(edge_[d] / static_cast<double>(fixed_point_edge));
   }
 
-  // Dual numbers make functions longer than the compiler would write out by itself.
+  // Dual numbers make functions longer than the compiler would inline by itself.
   template <Ending ending>
   [[gnu::flatten]] void run_with_slopes() {
     run<ending, false>();
@@ -74,13 +76,13 @@ class PairRows {
     std::uint32_t slot = with_partners(job_.chunk.first);
     if (slot == job_.chunk.end) return;
     const std::uint32_t* const entries = job_.chunk.entries.data();
-    std::size_t pack = 0;  // of the chunk
+    std::size_t pack = 0;  // counted from the start of the chunk
     fetch(entries + row(slot).begin, pack);
     while (slot < job_.chunk.end) {
       const ListChunk::Row here = row(slot);
       const std::uint32_t following = with_partners(slot + 1);
       const std::uint32_t* const end = entries + here.end;
-      const std::uint32_t* const after =  // at the end of the chunk any partners do
+      const std::uint32_t* const after =  // after the last pack, any partners will do
           entries + (following < job_.chunk.end ? row(following).begin : here.begin);
       RowSums sums;
       const auto each_pack = [&]<Ending how>(std::uint32_t from, std::uint32_t to)
@@ -110,13 +112,13 @@ class PairRows {
   ListChunk::Row row(std::uint32_t slot) const {
     return job_.chunk.row(slot, job_.partner_part, job_.list.slots().parts.size());
   }
-  // The first slot from one on that has partners, or the end.
+  // The first slot with partners, starting at `slot`, or the end of the chunk.
   std::uint32_t with_partners(std::uint32_t slot) const {
     while (slot < job_.chunk.end && row(slot).begin == row(slot).end) ++slot;
     return slot;
   }
 
-  // What a pack's way through the steps leaves in memory; two packs are on their way at a time.
+  // What the stages of the pipeline leave in memory for a pack; two packs are under way at a time.
   struct Stage {
     static constexpr std::size_t numbers = (3 + 3 * Shape::most_b + Real::width) * Real::width;
     alignas(pack_bytes) T partners[numbers];
@@ -126,14 +128,14 @@ class PairRows {
   };
   Stage& stage(std::size_t pack) { return stages_[pack % 4]; }
 
-  // What the partners in a row do to its body.
+  // Sums over the partners in a row, for the body the row belongs to.
   struct RowSums {
     Vec3<Real> f, tau;
     Real lennard_jones, coulomb;
     Mat3<Real> virial;
   };
 
-  // Where the sums of a molecule type's slots are.
+  // Location of the sums for the slots of one molecule type.
   struct Window {
     T* sums;
     std::int32_t first;  // the window's first slot
@@ -150,7 +152,7 @@ class PairRows {
             static_cast<std::int32_t>(job_.list.slots().parts[part].count)};
   }
 
-  // Asks the caches for what packs to come will most likely need.
+  // Prefetches what the packs to come will most likely need.
   void prefetch(const std::uint32_t* entry) const {
     constexpr std::size_t packs_ahead = 4;
     const std::uint32_t* const later = entry + packs_ahead * Real::width;
@@ -174,7 +176,8 @@ class PairRows {
       turn(*job_.displacements, entry, to.displacements, [](Real number, auto) { return number; });
   }
 
-  // Records of partners into packs, a pack for each number k of theirs: as(pack, k).
+  // Transposes the records of partners into packs, one for each of their numbers k, and
+  // stores as(pack, k).
   template <class As>
   [[gnu::always_inline]] void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
                                    const As& as) const {
@@ -240,8 +243,8 @@ class PairRows {
   static Vec3<Real> wanted(const Vec3<Real>& v) { return v; }
   static Vec3<Real> wanted(const Vec3<Dual<Real>>& v) { return slope(v); }
 
-  // Forces and torques on the partners in a pack, to their sums. Before the first pack there are
-  // none, on whichever partner.
+  // Adds the forces and torques on the partners of a pack to their sums. Before the first pack
+  // these are zero, and it does not matter to which partner they are added.
   [[gnu::noinline]] void add_up(std::size_t pack) {
     const Stage& from = stage(pack);
     std::array<Real, 6> load;
@@ -271,7 +274,7 @@ class PairRows {
   const Shape shape_;
   const PairStrengths<T>& strengths_;
   const Window own_, partner_;
-  const std::size_t numbers_;  // of a partner's record, in whole packs
+  const std::size_t numbers_;  // numbers of a partner's record, rounded up to whole packs
   const Vec3<double> edge_;    // of the box [nm]
   const bool far_apart_;       // records and sums exceed the second-level cache
   Vec3<T> unit_;
@@ -303,7 +306,7 @@ void run(const PairJob<T>& job) {
   }
 }
 
-// The first of the shapes that fits, or the general path.
+// Runs the first shape that fits, otherwise the general one.
 template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {
   if (!((Shapes::fits(job.table) && (run<Number, Shapes>(job), true)) || ...))
@@ -326,7 +329,7 @@ void pair_forces_of(const PairJob<T>& job) {
               FixedShape<1, 1, 1, 4, 3, 1>>(job);
 }
 
-// Derivatives are asked for less often, and of fewer kinds of molecules.
+// Derivatives are needed less often, and for fewer kinds of molecules.
 template <class T>
 void pair_derivative_of(const PairJob<T>& job) {
   run_fitting<Dual<Pack<T>>, FourSiteWater, ThreeSiteWater, FiveSiteWater>(job);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where bodies and their sites are, and how they are displaced: records for the loops over pairs.
+// Fills the records of positions and of displacements for the pair loops.
 #include <algorithm>
 #include <array>
 
@@ -9,7 +9,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// Doubles of as many packs as it takes, as one pack.
+// Packs of doubles converted to one pack of T.
 template <class T, std::size_t parts>
 Pack<T> packed(const std::array<Pack<double>, parts>& a) {
   if constexpr (parts == 1 && sizeof(T) == 8)
@@ -18,7 +18,7 @@ Pack<T> packed(const std::array<Pack<double>, parts>& a) {
     return narrowed(a);
 }
 
-// Columns of numbers to the records of a pack of slots.
+// Transposes columns into the records of a pack of slots.
 template <class T>
 void store_records(const Pack<T>* column, std::size_t numbers, std::size_t slot,
                    SiteRecords<T>& records) {
@@ -30,7 +30,7 @@ void store_records(const Pack<T>* column, std::size_t numbers, std::size_t slot,
   }
 }
 
-// S of a pack of bodies.
+// The matrix S of a pack of bodies.
 inline Mat3<Pack<double>> attitudes(const QuaternionColumn& a, const std::uint32_t* body) {
   return matrix_S(Quaternion<Pack<double>>{gathered(a.w.data(), body), gathered(a.x.data(), body),
                                            gathered(a.y.data(), body), gathered(a.z.data(), body)});
@@ -89,7 +89,7 @@ double place(const PlaceJob<T>& job) {
   alignas(pack_bytes) double lane[Double::width];
   largest.store(lane);
   const double moved2 = *std::max_element(lane, lane + Double::width);
-  return sum(all) < 1e300 ? moved2 : 1e300;  // not where a position is no number
+  return sum(all) < 1e300 ? moved2 : 1e300;  // very large if any position is not finite
 }
 
 // Centres move by dq; a site at r in the body frame moves by Sᵀ (dθ × r) relative to its centre.

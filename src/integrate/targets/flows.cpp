@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loops of drift, kick and displacement over packs of bodies. A range begins at a whole pack;
-// its end is one, or the last body.
+// The loops of drift, kick and displacement over packs of bodies. A range begins at a whole pack
+// and ends at one, or at the last body.
 #include "polhode/integrate/flows.hpp"
 
 #include "polhode/base/pack.hpp"
@@ -14,8 +14,8 @@ using Real = Pack<double>;
 
 namespace {
 
-/// Bodies that turn by more than this in one step are rare, or the run is lost: one by one, in
-/// closed form [1].
+/// Bodies that rotate by more than this in one step are rare, unless the run has blown up: they are
+/// treated one by one, in closed form [1].
 constexpr double most_by_series = 16;
 
 Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, double t,
@@ -35,13 +35,13 @@ Quaternion<Real> closed_rotations(const Vec3Column& J, const Vec3<Real>& L, doub
   return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
 }
 
-/// Half angles of displacements are about 1e-6; up to this one the terms below are enough for every
-/// digit: x^14/15! and x^14/14! are below 5e-20.
+/// Half angles of displacements are about 1e-6; up to this one the terms below are accurate to the
+/// last digit: x^14/15! and x^14/14! are below 5e-20.
 constexpr double longest_half = 0.25;
 
-/// R(v) by the series of sin and cos, or for larger angles body by body.
+/// R(v) by the series of sin and cos; for larger angles body by body.
 Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
-  const Real y = Real(0.25) * norm2(v);  // of the half angle
+  const Real y = Real(0.25) * norm2(v);  // half angle squared
   if (any(y > Real(longest_half * longest_half))) {
     alignas(pack_bytes) double lane[7][Real::width];
     v.x.store(lane[0]);
@@ -56,7 +56,7 @@ Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
     }
     return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
   }
-  Real sine(1), cosine(1);  // sin(x)/x and cos(x), the innermost terms first
+  Real sine(1), cosine(1);  // sin(x)/x and cos(x), innermost terms first
   series::unrolled<6>([&](auto count) {
     constexpr double n = 6 - static_cast<double>(count);
     sine = Real(1) - y * Real(1 / (2 * n * (2 * n + 1))) * sine;
@@ -81,8 +81,8 @@ void drift(State& state, const Bodies& bodies, double t, std::size_t first, std:
     const Quaternion<Real> P = any(angle2 > Real(most_by_series * most_by_series))
                                    ? closed_rotations(bodies.J, L, t, i)
                                    : series_rotation(inverse_J, L, Real(t));
-    // S <- P(t) S. The product is divided by its own length in every step, so |q| - 1 is one
-    // rounding, whatever the number of steps.
+    // S <- P(t) S. The product is normalised in every step, so |q| - 1 is one rounding error,
+    // however many steps are made.
     store_pack(normalized(attitude * P), state.attitude, i);
   }
 }

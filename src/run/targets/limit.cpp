@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the processor can do: multiply-adds that wait for nothing, and the pairs of four-site water
-// alone.
+// Peak performance of the processor: independent multiply-adds, and pairs of four-site water alone.
 #include "polhode/run/limit.hpp"
 
 #include <array>
@@ -11,14 +10,14 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-// More chains than a multiply-add is long in cycles, times two units; and fewer than registers.
+// More chains than the latency of a multiply-add in cycles, times two units; fewer than registers.
 constexpr std::size_t chains = 12;
 
 template <class T>
 void multiply_adds(std::size_t rounds, T* numbers) {
   using Real = Pack<T>;
-  // All loops over the chains are written out, or the chains would live in memory; and they start
-  // from there, or the compiler would see that all are the same.
+  // All loops over the chains are unrolled, otherwise the chains would be kept in memory. They
+  // start from values in memory, otherwise the compiler would see that all are equal.
   const auto each_chain = [](const auto& body) __attribute__((always_inline)) {
     each(Count<chains>{}, body);
   };
@@ -64,7 +63,7 @@ void water_pairs(const PairTable& table, const PairLaws<T>& laws, const T* own, 
     store(load.tau_b, to + 3 * Real::width);
     if constexpr (energies) u += load.lennard_jones + load.coulomb;
   }
-  store(tau_a + Vec3<Real>{u, u, u}, out);  // all that was computed is used
+  store(tau_a + Vec3<Real>{u, u, u}, out);  // makes sure that every result is used
 }
 
 template <class T>
