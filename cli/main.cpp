@@ -78,9 +78,10 @@ int run(int argc, char** argv) {
 
 /// Where it was not foreseen.
 std::string no_memory() {
-  return fmt::format("there is not enough memory; this process may have {:.3g} GB; take fewer "
-                     "molecules, frames, lags or bins",
-                     memory_limit() / 1e9);
+  return fmt::format(
+      "there is not enough memory; this process may have {:.3g} GB; take fewer "
+      "molecules, frames, lags or bins",
+      memory_limit() / 1e9);
 }
 
 }  // namespace

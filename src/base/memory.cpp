@@ -31,9 +31,10 @@ void require_memory(double bytes, const std::string& what, const std::string& re
   const double limit = memory_limit();
   if (bytes <= limit) return;
   constexpr double GB = 1e9;
-  throw Error(fmt::format("{} take at least {:.3g} GB of memory, and this process may have {:.3g}: "
-                          "{}",
-                          what, bytes / GB, limit / GB, remedy));
+  throw Error(
+      fmt::format("{} take at least {:.3g} GB of memory, and this process may have {:.3g}: "
+                  "{}",
+                  what, bytes / GB, limit / GB, remedy));
 }
 
 }  // namespace polhode

@@ -38,8 +38,8 @@ void check(const MeshSettings& settings) {
                       points, MeshGrid<double>::overhang + 1));
   const auto [nx, ny, nz] = settings.points;
   // Charges or their potential, and a quarter of a number each for the influence and its slope.
-  const double bytes = 1.5 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) *
-                       static_cast<double>(nz);
+  const double bytes =
+      1.5 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
   require_memory(bytes, fmt::format("{} x {} x {} points of a mesh", nx, ny, nz),
                  "ask for less accuracy, or take a longer cutoff or a smaller box");
 }

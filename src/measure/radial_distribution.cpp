@@ -34,7 +34,8 @@ struct PlacedSite {
   std::uint32_t body, kind;
 };
 
-// Sites sorted by cells that are at least as wide as the cutoff, or span the whole edge.
+// Sites sorted by cells that are at least `reach` wide, or one cell along an edge, and not more
+// than sites.
 struct CellSort {
   std::array<std::size_t, 3> cells;
   std::vector<PlacedSite> sites;

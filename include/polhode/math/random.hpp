@@ -31,8 +31,8 @@ constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> count
 /// of Philox whose counter no Random has: two derived seeds agree with a chance of 2⁻⁶⁴.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
-  const auto block = philox({word(index), word(index >> 32), ~0u, ~0u},
-                            {word(seed), word(seed >> 32)});
+  const auto block =
+      philox({word(index), word(index >> 32), ~0u, ~0u}, {word(seed), word(seed >> 32)});
   return std::uint64_t{block[0]} << 32 | block[1];
 }
 

@@ -32,9 +32,9 @@ struct Energies {
 Energies energies(const State& state, const Bodies& bodies, const Load& load,
                   Workers& workers = Workers::serial());
 
-/// (Σ p ⊗ p/m + virial)/V [kJ/mol/nm³], with bodies as the moving units: the molecular pressure
-/// tensor [allen2017, section 2.7]. The Load contains the virial only if it was computed with
-/// energies.
+/// (Σ p ⊗ p/m − P ⊗ P/M + virial)/V [kJ/mol/nm³], of bodies as wholes: the molecular pressure
+/// tensor [allen2017, section 2.7] with momenta relative to the centre of mass. The Load holds the
+/// virial only if it was made with energies.
 Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load);
 
 /// Σ q × p + ℓ about the origin [u nm²/ps].

@@ -98,10 +98,9 @@ void kick(State& state, const Bodies& bodies, const Load& load, double t, std::s
     if (any(slim)) {
       const Quaternion<Real> attitude = load_pack<Real>(state.attitude, i);
       const Vec3<Real> L = to_body(attitude, ell);  // L = S ell
-      const Vec3<Real> clean = to_lab(
-          attitude, Vec3<Real>{select(inverse_J.x > none, L.x, none),
-                               select(inverse_J.y > none, L.y, none),
-                               select(inverse_J.z > none, L.z, none)});
+      const Vec3<Real> clean = to_lab(attitude, Vec3<Real>{select(inverse_J.x > none, L.x, none),
+                                                           select(inverse_J.y > none, L.y, none),
+                                                           select(inverse_J.z > none, L.z, none)});
       ell = {select(slim, clean.x, ell.x), select(slim, clean.y, ell.y),
              select(slim, clean.z, ell.z)};
     }
