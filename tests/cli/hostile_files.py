@@ -117,8 +117,8 @@ class HostileFiles(Sandbox):
                                  ["5.00000000", "9.00000000"])
 
     def test_pdb_columns_that_a_serial_pushed_are_refused(self):
-        # y is so long that the digit of x before it makes another number, not nonsense.
-        self.write("in.pdb", CRYST + f"ATOM  100000 {'AR':<4} AR      1    {5.1:8.3f}{1234.5:8.3f}{5:8.3f}  1.00  0.00\n")
+        # y and z are so long that the digit before each makes another number, not nonsense.
+        self.write("in.pdb", CRYST + f"ATOM  100000 {'AR':<4} AR      1    {5.1:8.3f}{1234.5:8.3f}{1005:8.3f}  1.00  0.00\n")
         self.refused(["convert", "in.pdb", "out.xyz"], ["in.pdb:2", "serial", "hybrid-36"])
 
     def test_pdb_serials_are_written_as_hybrid_36(self):

@@ -110,7 +110,7 @@ TEST_CASE("errors in LAMMPS data files tell line, finding and expectation") {
   refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids' here"});
   refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity of atom 8 and no such atom"});
   refused(replaced(good, "lj/cut/coul/long", "buck/coul/long"),
-          {"the pair style is 'buck/coul/long'; it must be lj/cut"});
+          {"the pair style is 'buck/coul/long'; it must be plain lj/cut"});
   refused(replaced(good, "lj/cut/coul/long", "lj/cut/tip4p/long"),
           {"site M stands in no data file", "tip4p"});
   refused(replaced(good, "3 0.1 2.5\n", ""), {"atom type 3 has no Lennard-Jones parameters"});

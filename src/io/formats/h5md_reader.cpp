@@ -147,12 +147,12 @@ class H5mdReader : public FrameReader {
       const std::string own = element + kind, of_positions = std::string("position") + kind;
       if (!hdf5::has(file_, root_ + own) || !hdf5::has(file_, root_ + of_positions)) continue;
       Series::Pairing pairing{moments(own), moments(of_positions)};
+      if (pairing.of_positions.is_list())
+        frames_ = std::min<hsize_t>(frames_, pairing.of_positions.size());
       if (pairing.own == pairing.of_positions)
         frames_ = std::min(frames_, series.extents[0]);  // the file may be growing
       else
         series.pairing = std::move(pairing);
-      if (pairing.of_positions.is_list())
-        frames_ = std::min<hsize_t>(frames_, pairing.of_positions.size());
       return;
     }
     if (series.extents[0] != frames_)
