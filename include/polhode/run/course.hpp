@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <optional>
-#include <vector>
 
 #include "polhode/run/criterion.hpp"
 #include "polhode/run/rounding.hpp"
@@ -15,7 +14,6 @@ struct Course {
   System system;
   std::uint64_t seed = 0;           ///< of its start
   std::optional<RunState> state{};  ///< nothing before the first step
-  std::vector<Energies> samples{};
 };
 
 /// Moves the run on until the settings' length, as if it had never been left, and tells what the

@@ -20,10 +20,9 @@ class EnergyFile {
   /// Goes on after the rows of a mark.
   EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark);
 
-  /// Appends a row, and makes the energies those that will be read from it: only the pressure
-  /// changes, in its last digit, as the file has it in bar.
+  /// Appends a row.
   /// @throws RunError  if there is no room
-  void add(Energies& energies);
+  void add(const Energies& energies);
   /// Brings all rows to the disk and tells where the file stands.
   FileMark mark() { return {rows_, table_.mark()}; }
 
@@ -33,8 +32,8 @@ class EnergyFile {
   GrowingTable table_;
 };
 
-/// The energies in such a file until a mark.
+/// Reads such a file until a mark.
 /// @throws Error  if it is shorter, or holds anything else
-std::vector<Energies> read_energies(const std::string& path, const FileMark& mark);
+void check_energies(const std::string& path, const FileMark& mark);
 
 }  // namespace polhode
