@@ -75,8 +75,10 @@ std::optional<Promise> promised(Config& config, Beginning beginning, Workers& wo
   return promise;
 }
 
-Kept checked(const Promise& promise, std::span<const Energies> samples) {
-  return {promise, ratio_over(promise.length, samples)};
+Kept checked(const Promise& promise, const TrajectoryStatistics& statistics) {
+  const SeriesEstimate whole = statistics.energies.ratio_with_error();
+  const Estimate ratio = statistics.stretches.ratio().value_or(Estimate{whole.value, whole.error});
+  return {promise, ratio};
 }
 
 void print_kept(const Kept& k) {

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
-#include <span>
 
 #include "polhode/run/adviser.hpp"
 
@@ -31,11 +30,13 @@ std::optional<Promise> promised(Config& config, Beginning beginning, Workers& wo
 
 struct Kept {
   Promise promise;
-  Estimate ratio;  ///< R over sections of that length
+  /// R over stretches of the promised length, the mean; of the whole of a run that is not two
+  /// stretches long. Error 0 where it is not known.
+  Estimate ratio;
   bool kept() const { return ratio.value <= promise.accuracy; }
 };
 
-Kept checked(const Promise& promise, std::span<const Energies> samples);
+Kept checked(const Promise& promise, const TrajectoryStatistics& statistics);
 void print_kept(const Kept& kept);
 nlohmann::json as_json(const Kept& kept);
 

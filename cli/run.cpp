@@ -62,7 +62,8 @@ std::string typed(const Options& o) {
                                        {"--precision", o.precision}});
 }
 
-TrajectorySettings trajectory_settings(const Config& config) {
+/// @param stretch  over which R is found as well [ps]; 0: none
+TrajectorySettings trajectory_settings(const Config& config, double stretch) {
   const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
   TrajectorySettings settings{.scheme = scheme.outer,
                               .step = config.integrator.step,
@@ -71,7 +72,8 @@ TrajectorySettings trajectory_settings(const Config& config) {
                               .lambda = config.integrator.lambda,
                               .inner = scheme.inner,
                               .configurational_sample = config.run.configurational_sample,
-                              .seed = config.system.seed};
+                              .seed = config.system.seed,
+                              .stretch = stretch};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
         fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
@@ -130,7 +132,7 @@ int run(const Options& o) {
   Workers workers(threads_wanted(o.threads));
   const auto promise = promised(config, {o.go_on, o.force}, workers);
   if (interrupted()) return 130;
-  const TrajectorySettings settings = trajectory_settings(config);
+  const TrajectorySettings settings = trajectory_settings(config, promise ? promise->length : 0);
   System system = assembled(config);
   check_near(system.forces, {settings.scheme, settings.inner}, config.source);
   const RunFileNames names(config.output);
@@ -179,13 +181,12 @@ int run(const Options& o) {
   try {
     Progress progress("running");
     const Watch watch{
-        [&](std::size_t step, const State& state, Energies& energies) {
+        [&](std::size_t step, const State& state, const Energies& energies) {
           progress.show(static_cast<double>(step) / static_cast<double>(settings.steps()));
           files.sample(step, state, energies);
         },
         interrupted, due, checkpoint};
-    t = trajectory(system, forces, settings, watch, workers, equilibrating ? nullptr : from,
-                   files.samples());
+    t = trajectory(system, forces, settings, watch, workers, equilibrating ? nullptr : from);
     files.flush();
   } catch (const RunError&) {
     if (files.kept())
@@ -193,7 +194,7 @@ int run(const Options& o) {
                  names.checkpoints.newest, *files.kept());
     throw;
   }
-  if (t.samples.empty()) throw RunError(t.failure);
+  if (t.statistics.energies.samples == 0) throw RunError(t.failure);
   if (!t.failure.empty()) {
     fmt::print(stderr, "the energies until then are in {}\n", names.energies);
     throw RunError(t.failure);
@@ -213,7 +214,7 @@ int run(const Options& o) {
                 config.output.plot, std::cerr);
 
   std::optional<Kept> kept;
-  if (promise && !t.stopped) kept = checked(*promise, t.samples);
+  if (promise && !t.stopped) kept = checked(*promise, t.statistics);
   if (o.json) {
     print_json(s, settings, means, names, kept, t.stopped);
   } else {

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "polhode/io/nested_scheme_text.hpp"
@@ -14,8 +15,86 @@ namespace {
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
+/// Fewer samples tell of no fluctuation and no slope at all.
+constexpr std::uint64_t fewest_samples = 3;
+
+std::string not_known(std::uint64_t samples) {
+  return fmt::format("not known from {} samples", samples);
+}
+
+/// Why an error is missing; empty if it is not.
+std::string missing_error(Known known, std::uint64_t samples) {
+  switch (known) {
+    case Known::yes:
+      return "";
+    case Known::too_few_samples:
+      return fmt::format(", its error is {}", not_known(samples));
+    case Known::too_short:
+      return ", the run is too short to tell its error";
+  }
+  return "";
+}
+
+/// A value with its error, in a unit that both are given in.
+std::string with_error(const Estimate& e, Known known, std::uint64_t samples, int digits,
+                       const char* unit) {
+  if (known == Known::yes)
+    return fmt::format("{:.{}g} ± {:.2g} {}", e.value, digits, e.error, unit);
+  return fmt::format("{:.{}g} {}{}", e.value, digits, unit, missing_error(known, samples));
+}
+
 std::string verdict(const Drift& drift) {
-  return drift.chance < significance ? "significant" : "not significant";
+  switch (drift.known) {
+    case Known::yes:
+      return drift.significant() ? "significant" : "not significant";
+    case Known::too_few_samples:
+      return "too few samples";
+    case Known::too_short:
+      return "too short to tell";
+  }
+  return "";
+}
+
+std::string drift_text(const Drift& drift, std::uint64_t samples) {
+  if (samples < fewest_samples) return not_known(samples);
+  const std::string rate = with_error(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
+  if (drift.known != Known::yes) return rate;
+  return fmt::format("{}, {} (chance {:.2g})", rate, verdict(drift), drift.chance);
+}
+
+void print_ratio(const RunSummary& s) {
+  fmt::print("R                     ");
+  if (s.samples < fewest_samples) {
+    fmt::print("{}\n", not_known(s.samples));
+  } else if (s.potential_fluctuation == 0) {
+    fmt::print("not defined: the potential energy is constant\n");
+  } else {
+    fmt::print(
+        "{}   (rms of total energy {:.4g} over that of the potential {:.4g} kJ/mol)\n",
+        with_error({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
+        s.total_fluctuation, s.potential_fluctuation);
+    if (s.rounding > 0)
+      fmt::print("R of rounding         {:.2g} %, estimated{}\n", 100 * s.rounding,
+                 s.ratio.value < rounding_margin * s.rounding
+                     ? "; R is dominated by rounding: precision = \"double\" shows the scheme's"
+                     : "");
+  }
+}
+
+/// A number where it is known.
+nlohmann::json number_if(bool known, double value) {
+  return known && std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
+}
+
+/// Keys of a drift; the error, the chance and whether it is significant are null where they are not
+/// known, and the verdict says why.
+nlohmann::json drift_json(const Drift& drift, std::uint64_t samples) {
+  const bool known = drift.known == Known::yes;
+  return {{"drift_kJ_per_mol_ps", number_if(samples >= fewest_samples, drift.rate.value)},
+          {"drift_error", number_if(known, drift.rate.error)},
+          {"drift_chance", number_if(known, drift.chance)},
+          {"drift_significant", known ? nlohmann::json(drift.significant()) : nlohmann::json()},
+          {"drift_verdict", verdict(drift)}};
 }
 
 }  // namespace
@@ -25,23 +104,15 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
              s.molecules, s.steps, t.step * 1000, name_of({t.scheme, t.inner}), s.length,
              s.sample * 1000);
-  fmt::print(
-      "R                     {:.4g} ± {:.2g} %   (rms of total energy {:.4g} over that of the "
-      "potential {:.4g} kJ/mol)\n",
-      percent(s.ratio.value), percent(s.ratio.error), s.total_fluctuation, s.potential_fluctuation);
-  if (s.rounding > 0)
-    fmt::print("R of rounding         {:.2g} %, estimated{}\n", percent(s.rounding),
-               s.ratio.value < rounding_margin * s.rounding
-                   ? "; R is not the scheme's any more: precision = \"double\" gives it"
-                   : "");
-  fmt::print("drift                 {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g})\n",
-             s.drift.rate.value, s.drift.rate.error, verdict(s.drift), s.drift.chance);
+  print_ratio(s);
+  fmt::print("drift                 {}{}\n", drift_text(s.drift, s.samples),
+             s.walk_known ? "" : "; the random walk of rounding in mixed precision is part of it");
   if (s.shadow)
     fmt::print(
-        "drift of the shadow   {:.3g} ± {:.2g} kJ/mol/ps, {} (chance {:.2g}), which shows {:.2g} "
-        "times sooner; its rms is {:.3g} kJ/mol\n",
-        s.shadow->drift.rate.value, s.shadow->drift.rate.error, verdict(s.shadow->drift),
-        s.shadow->drift.chance, s.shadow->sooner, s.shadow->fluctuation);
+        "drift of the shadow   {}{}; its rms is {:.3g} kJ/mol\n",
+        drift_text(s.shadow->drift, s.shadow->samples),
+        s.shadow->sooner ? fmt::format(", which shows {:.2g} times sooner", *s.shadow->sooner) : "",
+        s.shadow->fluctuation);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
   fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
   const auto kelvin = [](double freedoms, double T) {
@@ -57,7 +128,9 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
                   [](const auto& known) { return known.has_value(); })) {
     const auto text = [&](std::size_t k) {
       const auto& known = s.configurational[k];
-      return known ? fmt::format("{:.2f} ± {:.2g}", known->value, known->error) : "-";
+      if (!known) return std::string("-");
+      return known->known == Known::yes ? fmt::format("{:.2f} ± {:.2g}", known->value, known->error)
+                                        : fmt::format("{:.2f}", known->value);
     };
     fmt::print("\nconfigurational       translation {}, rotation {}, {}, {} K", text(0), text(1),
                text(2), text(3));
@@ -65,8 +138,10 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
   const Freedoms& n = s.freedoms;
   fmt::print("\nfreedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
              n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
-  fmt::print("\npressure              {:.0f} ± {:.0f} bar", in_bar(s.pressure.value),
-             in_bar(s.pressure.error));
+  fmt::print(
+      "\npressure              {:.0f}{} bar{}", in_bar(s.pressure.value),
+      s.pressure.known == Known::yes ? fmt::format(" ± {:.0f}", in_bar(s.pressure.error)) : "",
+      missing_error(s.pressure.known, s.samples));
   fmt::print("\ntotal momentum        {:.2g} u nm/ps\n", s.momentum);
   fmt::print("force evaluations     {} ({:.4g} per ps)", s.force_evaluations,
              static_cast<double>(s.force_evaluations) / s.length);
@@ -93,60 +168,61 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
 
 void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
                 const RunFileNames& files, const std::optional<Kept>& kept, bool stopped) {
-  nlohmann::json report = {{"molecules", s.molecules},
-                           {"scheme", text_of({t.scheme, t.inner})},
-                           {"step_fs", t.step * 1000},
-                           {"steps", s.steps},
-                           {"length_ps", s.length},
-                           {"sample_fs", s.sample * 1000},
-                           {"interrupted", stopped},
-                           {"R", s.ratio.value},
-                           {"R_error", s.ratio.error},
-                           {"R_rounding", s.rounding},
-                           {"rms_total_kJ_per_mol", s.total_fluctuation},
-                           {"rms_potential_kJ_per_mol", s.potential_fluctuation},
-                           {"drift_kJ_per_mol_ps", s.drift.rate.value},
-                           {"drift_error", s.drift.rate.error},
-                           {"drift_chance", s.drift.chance},
-                           {"drift_significant", s.drift.chance < significance},
-                           {"potential_kJ_per_mol", s.potential},
-                           {"total_kJ_per_mol", s.total},
-                           {"temperature_K", s.temperatures.all},
-                           {"temperature_translation_K", s.temperatures.translation},
-                           {"temperature_rotation_K", s.temperatures.rotation},
-                           {"freedoms_translation", s.freedoms.translation},
-                           {"freedoms_rotation", s.freedoms.rotation},
-                           {"pressure_bar", in_bar(s.pressure.value)},
-                           {"pressure_error_bar", in_bar(s.pressure.error)},
-                           {"momentum", s.momentum},
-                           {"force_evaluations", s.force_evaluations},
-                           {"derivative_evaluations", s.derivatives},
-                           {"near_evaluations", s.near_evaluations},
-                           {"near_derivative_evaluations", s.near_derivatives},
-                           {"force_evaluations_for_energies", s.measurements},
-                           {"list_rebuilds", s.list_rebuilds},
-                           {"seconds",
-                            {{"all", s.timings.all()},
-                             {"forces", s.timings.forces},
-                             {"near", s.timings.near},
-                             {"list", s.timings.list},
-                             {"motion", s.timings.motion},
-                             {"energies_and_output", s.timings.measurement}}},
-                           {"ns_per_day", s.ns_per_day},
-                           {"threads", means.threads},
-                           {"target", means.target},
-                           {"files", files.all()}};
-  if (s.shadow)
-    report["shadow"] = {{"rms_kJ_per_mol", s.shadow->fluctuation},
-                        {"drift_kJ_per_mol_ps", s.shadow->drift.rate.value},
-                        {"drift_error", s.shadow->drift.rate.error},
-                        {"drift_chance", s.shadow->drift.chance},
-                        {"drift_significant", s.shadow->drift.chance < significance},
-                        {"times_sooner", s.shadow->sooner}};
+  nlohmann::json report = {
+      {"molecules", s.molecules},
+      {"scheme", text_of({t.scheme, t.inner})},
+      {"step_fs", t.step * 1000},
+      {"steps", s.steps},
+      {"length_ps", s.length},
+      {"sample_fs", s.sample * 1000},
+      {"interrupted", stopped},
+      {"samples", s.samples},
+      {"R", number_if(s.samples >= fewest_samples, s.ratio.value)},
+      {"R_error", number_if(s.ratio.known == Known::yes, s.ratio.error)},
+      {"R_rounding", s.rounding},
+      {"rms_total_kJ_per_mol", s.total_fluctuation},
+      {"rms_potential_kJ_per_mol", s.potential_fluctuation},
+      {"potential_kJ_per_mol", s.potential},
+      {"total_kJ_per_mol", s.total},
+      {"temperature_K", s.temperatures.all},
+      {"temperature_translation_K", s.temperatures.translation},
+      {"temperature_rotation_K", s.temperatures.rotation},
+      {"freedoms_translation", s.freedoms.translation},
+      {"freedoms_rotation", s.freedoms.rotation},
+      {"pressure_bar", in_bar(s.pressure.value)},
+      {"pressure_error_bar", number_if(s.pressure.known == Known::yes, in_bar(s.pressure.error))},
+      {"momentum", s.momentum},
+      {"force_evaluations", s.force_evaluations},
+      {"derivative_evaluations", s.derivatives},
+      {"near_evaluations", s.near_evaluations},
+      {"near_derivative_evaluations", s.near_derivatives},
+      {"force_evaluations_for_energies", s.measurements},
+      {"list_rebuilds", s.list_rebuilds},
+      {"seconds",
+       {{"all", s.timings.all()},
+        {"forces", s.timings.forces},
+        {"near", s.timings.near},
+        {"list", s.timings.list},
+        {"motion", s.timings.motion},
+        {"energies_and_output", s.timings.measurement}}},
+      {"ns_per_day", s.ns_per_day},
+      {"threads", means.threads},
+      {"target", means.target},
+      {"files", files.all()}};
+  report.update(drift_json(s.drift, s.samples));
+  report["walk_of_rounding_known"] = s.walk_known;
+  if (s.shadow) {
+    report["shadow"] = drift_json(s.shadow->drift, s.shadow->samples);
+    report["shadow"]["samples"] = s.shadow->samples;
+    report["shadow"]["rms_kJ_per_mol"] = s.shadow->fluctuation;
+    report["shadow"]["times_sooner"] =
+        s.shadow->sooner ? nlohmann::json(*s.shadow->sooner) : nlohmann::json();
+  }
   if (s.configurational[0])
     for (const auto& known : s.configurational)
       report["temperature_configurational_K"].push_back(
-          known ? nlohmann::json{{"value", known->value}, {"error", known->error}}
+          known ? nlohmann::json{{"value", known->value},
+                                 {"error", number_if(known->known == Known::yes, known->error)}}
                 : nlohmann::json());
   report["promise"] = kept ? as_json(*kept) : nlohmann::json();
   fmt::print("{}\n", report.dump(2));

@@ -63,6 +63,13 @@ std::string conditions(const Config& config) {
       config.study.length, config.study.decorrelate, config.system.temperature, significance);
 }
 
+/// A mean over runs with its error, where there are enough of them.
+std::string with_error(const Estimate& e, int digits, int runs) {
+  if (!std::isfinite(e.value)) return "-";
+  const std::string value = fmt::format("{:.{}g}", e.value, digits);
+  return runs > 1 ? fmt::format("{} ± {:.2g}", value, e.error) : value;
+}
+
 }  // namespace
 
 StudyReport::StudyReport(const Config& config_used,
@@ -95,21 +102,25 @@ std::string study_json(const StudyReport& report) {
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      json["points"].push_back({{"scheme", p.scheme},
-                                {"step_fs", p.step * 1000},
-                                {"force_evaluations_per_ps", p.cost},
-                                {"runs", p.runs},
-                                {"stable", p.stable},
-                                {"usable", i < curve.usable},
-                                {"R", p.ratio.value},
-                                {"R_error", p.ratio.error},
-                                {"drift_kJ_per_mol_ps", p.drift.rate.value},
-                                {"drift_error", p.drift.rate.error},
-                                {"drift_chance", p.drift.chance},
-                                {"temperature_K", p.temperature},
-                                {"R_rounding", p.rounding},
-                                {"rounded", p.at_rounding()},
-                                {"near_weight", p.near_weight}});
+      const auto error_of = [&](const Estimate& e) {  // one run tells none
+        return p.runs > 1 && std::isfinite(e.error) ? nlohmann::json(e.error) : nlohmann::json();
+      };
+      json["points"].push_back(
+          {{"scheme", p.scheme},
+           {"step_fs", p.step * 1000},
+           {"force_evaluations_per_ps", p.cost},
+           {"runs", p.runs},
+           {"stable", p.stable},
+           {"usable", i < curve.usable},
+           {"R", p.ratio.value},
+           {"R_error", error_of(p.ratio)},
+           {"drift_kJ_per_mol_ps", p.drift.rate.value},
+           {"drift_error", error_of(p.drift.rate)},
+           {"drift_chance", p.runs > 1 ? nlohmann::json(p.drift.chance) : nlohmann::json()},
+           {"temperature_K", p.temperature},
+           {"R_rounding", p.rounding},
+           {"rounded", p.at_rounding()},
+           {"near_weight", p.near_weight}});
       add_excesses(json["points"].back(), p);
     }
   add_limits(json, report.equipartition);
@@ -157,16 +168,15 @@ void print_study(const StudyReport& report, const std::vector<std::string>& writ
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      const std::string note = !p.stable                       ? "blew up"
-                               : p.drift.chance < significance ? "drift significant"
-                               : i >= curve.usable             ? "beyond the end of stability"
+      const std::string note = !p.stable               ? "blew up"
+                               : p.drift.significant() ? "drift significant"
+                               : i >= curve.usable     ? "beyond the end of stability"
                                : p.at_rounding()
                                    ? fmt::format("rounding alone makes {:.2g} %", 100 * p.rounding)
                                    : "";
       fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme, p.step * 1000,
-                 p.cost, p.runs,
-                 fmt::format("{:.4g} ± {:.2g}", 100 * p.ratio.value, 100 * p.ratio.error),
-                 fmt::format("{:.3g} ± {:.2g}", p.drift.rate.value, p.drift.rate.error), note);
+                 p.cost, p.runs, with_error({100 * p.ratio.value, 100 * p.ratio.error}, 4, p.runs),
+                 with_error(p.drift.rate, 3, p.runs), note);
     }
 
   fmt::print(

@@ -13,17 +13,18 @@ void join(BlockMeans::Block& block, const BlockMeans::Block& other) {
   for (std::size_t k = 0; k < block.sum.size(); ++k) block.sum[k] += other.sum[k];
 }
 
-BlockMeans::Block total_of(const std::vector<BlockMeans::Block>& blocks) {
-  BlockMeans::Block total = blocks.front();
-  for (std::size_t b = 1; b < blocks.size(); ++b) join(total, blocks[b]);
+}  // namespace
+
+BlockMeans::Block BlockMeans::sum() const {
+  if (blocks_.empty()) return {};
+  Block total = blocks_.front();
+  for (std::size_t b = 1; b < blocks_.size(); ++b) join(total, blocks_[b]);
   return total;
 }
 
-}  // namespace
-
 std::vector<double> BlockMeans::mean() const {
   if (blocks_.empty()) return {};
-  const Block total = total_of(blocks_);
+  const Block total = sum();
   std::vector<double> mean = total.sum;
   for (double& value : mean) value /= total.weight;
   return mean;
@@ -50,7 +51,7 @@ Estimate BlockMeans::estimate(
     const std::function<double(std::span<const double>)>& statistic) const {
   const double value = statistic(mean());
   if (blocks_.size() < 2) return {value, 0};
-  const Block total = total_of(blocks_);
+  const Block total = sum();
   std::vector<double> without, means(total.sum.size());
   for (const Block& block : blocks_) {
     for (std::size_t k = 0; k < means.size(); ++k)
@@ -61,30 +62,30 @@ Estimate BlockMeans::estimate(
 }
 
 void TimeBlocks::add(std::span<const double> sample) {
-  if (blocks_.empty() || blocks_.back().weight >= samples_per_block_) {
-    if (blocks_.size() == most_blocks) {
+  if (blocks.empty() || blocks.back().weight >= samples_per_block) {
+    if (blocks.size() == most_blocks) {
       for (std::size_t b = 0; b < most_blocks / 2; ++b) {
-        BlockMeans::Block joined = blocks_[2 * b];
-        join(joined, blocks_[2 * b + 1]);
-        blocks_[b] = std::move(joined);
+        BlockMeans::Block joined = blocks[2 * b];
+        join(joined, blocks[2 * b + 1]);
+        blocks[b] = std::move(joined);
       }
-      blocks_.resize(most_blocks / 2);
-      samples_per_block_ *= 2;
+      blocks.resize(most_blocks / 2);
+      samples_per_block *= 2;
     }
-    blocks_.push_back({0, std::vector<double>(sample.size(), 0.0)});
+    blocks.push_back({0, std::vector<double>(sample.size(), 0.0)});
   }
-  BlockMeans::Block& last = blocks_.back();
+  BlockMeans::Block& last = blocks.back();
   last.weight += 1;
   for (std::size_t k = 0; k < sample.size(); ++k) last.sum[k] += sample[k];
 }
 
 BlockMeans TimeBlocks::means() const {
-  std::vector<BlockMeans::Block> blocks = blocks_;
-  if (blocks.size() > 1 && 2 * blocks.back().weight < samples_per_block_) {
-    join(blocks[blocks.size() - 2], blocks.back());
-    blocks.pop_back();
+  std::vector<BlockMeans::Block> whole = blocks;
+  if (whole.size() > 1 && 2 * whole.back().weight < samples_per_block) {
+    join(whole[whole.size() - 2], whole.back());
+    whole.pop_back();
   }
-  return BlockMeans(std::move(blocks));
+  return BlockMeans(std::move(whole));
 }
 
 }  // namespace polhode

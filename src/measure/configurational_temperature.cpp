@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "polhode/base/units.hpp"
-#include "polhode/measure/block_means.hpp"
 
 namespace polhode {
 namespace {
@@ -40,33 +39,33 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
   return sample;
 }
 
-ByMotion<std::optional<Estimate>> configurational_temperatures(
-    std::span<const ConfigurationalSample> samples) {
-  constexpr std::size_t motions = std::tuple_size_v<ByMotion<double>>;
-  TimeBlocks blocks;
-  for (const auto& [squares, curvature] : samples) {
-    std::array<double, 2 * motions> both;
-    for (std::size_t k = 0; k < motions; ++k)
-      both[k] = squares[k], both[motions + k] = curvature[k];
-    blocks.add(both);
-  }
+namespace {
+constexpr std::size_t motions = std::tuple_size_v<ByMotion<double>>;
+}
+
+void ConfigurationalStatistics::add(const ConfigurationalSample& sample) {
+  std::array<double, 2 * motions> both;
+  for (std::size_t k = 0; k < motions; ++k)
+    both[k] = sample.squared_force[k], both[motions + k] = sample.curvature[k];
+  blocks.add(both);
+}
+
+ByMotion<std::optional<SeriesEstimate>> ConfigurationalStatistics::temperatures() const {
   const BlockMeans means = blocks.means();
-  ByMotion<std::optional<Estimate>> temperatures;
+  ByMotion<std::optional<SeriesEstimate>> temperatures;
   for (std::size_t k = 0; k < motions && !means.empty(); ++k)
     if (means.mean()[motions + k] != 0)
-      temperatures[k] = means.estimate([k](std::span<const double> mean) {
+      temperatures[k] = series_estimate(means, [k](std::span<const double> mean) {
         return mean[k] / (units::boltzmann * mean[motions + k]);
       });
   return temperatures;
 }
 
-std::optional<ByMotion<double>> configurational_values(
-    std::span<const ConfigurationalSample> samples) {
-  if (samples.empty()) return std::nullopt;
-  const auto temperatures = configurational_temperatures(samples);
+std::optional<ByMotion<double>> ConfigurationalStatistics::values() const {
+  if (blocks.blocks.empty()) return std::nullopt;
+  const auto known = temperatures();
   ByMotion<double> values;
-  for (std::size_t k = 0; k < values.size(); ++k)
-    values[k] = temperatures[k].value_or(Estimate{}).value;
+  for (std::size_t k = 0; k < motions; ++k) values[k] = known[k].value_or(SeriesEstimate{}).value;
   return values;
 }
 

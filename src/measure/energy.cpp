@@ -63,13 +63,7 @@ double temperature(double kinetic_energy, double freedoms) {
   return freedoms > 0 ? 2 * kinetic_energy / (freedoms * units::boltzmann) : 0;
 }
 
-Temperatures mean_temperatures(std::span<const Energies> samples, const Freedoms& freedoms) {
-  Energies mean{};
-  const auto n = static_cast<double>(samples.size());
-  for (const Energies& e : samples) {
-    mean.translation += e.translation / n;
-    for (std::size_t k = 0; k < 3; ++k) mean.rotation[k] += e.rotation[k] / n;
-  }
+Temperatures mean_temperatures(const Energies& mean, const Freedoms& freedoms) {
   Temperatures t{temperature(mean.kinetic(), freedoms.all()),
                  temperature(mean.translation, freedoms.translation),
                  {}};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/shadow.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -30,17 +32,29 @@ ErrorBrackets error_brackets(const State& state, const Bodies& bodies, const Loa
   return brackets;
 }
 
-std::optional<ShadowSummary> shadow_summary(std::span<const BracketSample> samples,
-                                            const Scheme& scheme, double h, const Drift& raw) {
-  if (samples.size() < 3) return std::nullopt;
-  const ErrorTerms terms = error_terms(scheme);
-  std::vector<double> times, values;
-  for (const BracketSample& sample : samples) {
-    times.push_back(sample.energies.time);
-    values.push_back(shadow_energy(sample, terms, h));
-  }
-  ShadowSummary s{fluctuation(values), drift(times, values), 0};
-  if (s.drift.rate.error > 0) s.sooner = std::pow(raw.rate.error / s.drift.rate.error, 2.0 / 3);
+void ShadowStatistics::add(double time, double shadow) {
+  if (samples++ == 0) first = shadow, start = time;
+  const double x = shadow - first;
+  blocks.add(std::array{time - start, x, x * x});
+}
+
+double ShadowStatistics::fluctuation() const {
+  if (samples == 0) return 0;
+  const std::vector<double> mean = blocks.means().mean();
+  return std::sqrt(std::max(0.0, mean[2] - mean[1] * mean[1]));
+}
+
+Drift ShadowStatistics::drift(double walk) const {
+  return series_drift(blocks.means(), 0, 1, walk);
+}
+
+std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw,
+                                            double walk) {
+  if (statistics.samples < 3) return std::nullopt;
+  ShadowSummary s{statistics.samples, statistics.fluctuation(), statistics.drift(walk),
+                  std::nullopt};
+  if (raw.known == Known::yes && s.drift.known == Known::yes && s.drift.rate.error > 0)
+    s.sooner = std::pow(raw.rate.error / s.drift.rate.error, 2.0 / 3);
   return s;
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <type_traits>
 #include <utility>
@@ -75,6 +76,32 @@ void memory(Archive& archive, Of& m) {
 }
 
 template <class Archive, class Of>
+void blocks(Archive& archive, Of& of) {
+  archive(of.samples_per_block);
+  list(archive, of.blocks, [&](auto& block) {
+    archive(block.weight);
+    list(archive, block.sum, [&](auto& x) { archive(x); });
+  });
+}
+
+template <class Archive, class Of>
+void statistics(Archive& archive, Of& s) {
+  auto& first = s.energies.first;
+  counter(archive, s.energies.samples);
+  for (auto* x : {&first.time, &first.lennard_jones, &first.coulomb, &first.translation,
+                  &first.rotation[0], &first.rotation[1], &first.rotation[2], &first.pressure})
+    archive(*x);
+  blocks(archive, s.energies.blocks);
+  counter(archive, s.shadow.samples);
+  archive(s.shadow.first), archive(s.shadow.start);
+  blocks(archive, s.shadow.blocks);
+  blocks(archive, s.configurational.blocks);
+  counter(archive, s.stretches.samples), counter(archive, s.stretches.stretches);
+  for (auto& x : s.stretches.sums) archive(x);
+  archive(s.stretches.mean), archive(s.stretches.squares);
+}
+
+template <class Archive, class Of>
 void run_state(Archive& archive, Of& at) {
   state(archive, at.state);
   optional(archive, at.equilibrated, [&](auto& time) { archive(time); });
@@ -86,11 +113,7 @@ void run_state(Archive& archive, Of& at) {
     vectors(archive, neighbours->built_at);
     counter(archive, neighbours->rebuilds);
   }
-  list(archive, at.brackets, [&](auto& b) { archive(b.second_derivative), archive(b.W); });
-  list(archive, at.configurational, [&](auto& sample) {
-    for (auto& x : sample.squared_force) archive(x);
-    for (auto& x : sample.curvature) archive(x);
-  });
+  statistics(archive, at.statistics);
   for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
                      &at.timings.measurement, &at.timings.near})
     archive(*part);
@@ -117,10 +140,32 @@ void fields(Archive& archive, Of& c) {
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
 }
 
-Checkpoint taken_from(CheckpointReader in) {
+/// Whether all blocks hold as many sums as those of a fresh one.
+bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
+  const std::size_t sums = fresh.blocks.front().sum.size();
+  return blocks.samples_per_block >= 1 &&
+         std::all_of(blocks.blocks.begin(), blocks.blocks.end(), [&](const auto& block) {
+           return block.weight > 0 && block.sum.size() == sums;
+         });
+}
+
+bool fit(const TrajectoryStatistics& read) {
+  TrajectoryStatistics fresh;
+  fresh.energies.add({});
+  fresh.shadow.add(0, 0);
+  fresh.configurational.add({});
+  return fit(read.energies.blocks, fresh.energies.blocks) &&
+         fit(read.shadow.blocks, fresh.shadow.blocks) &&
+         fit(read.configurational.blocks, fresh.configurational.blocks);
+}
+
+Checkpoint taken_from(CheckpointReader in, const std::string& path) {
   Checkpoint checkpoint;
   fields(in, checkpoint);
   in.end();
+  if (!fit(checkpoint.at.statistics))
+    throw DamagedCheckpoint(
+        fmt::format("the checkpoint '{}' holds sums over samples that do not fit together", path));
   return checkpoint;
 }
 
@@ -162,11 +207,11 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
 }
 
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader) {
-  return taken_from(CheckpointReader(path, reader));
+  return taken_from(CheckpointReader(path, reader), path);
 }
 
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path, const Maker& reader) {
-  return taken_from(CheckpointReader(std::move(bytes), path, reader));
+  return taken_from(CheckpointReader(std::move(bytes), path, reader), path);
 }
 
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,

@@ -13,15 +13,15 @@ Outcome outcome(const System& system, const Trajectory& trajectory) {
   Outcome run;
   run.failure = trajectory.failure;
   if (!run.failure.empty()) return run;
-  const auto& samples = trajectory.samples;
-  run.ratio = fluctuation_ratio(samples);
-  run.drift = drift_rate(samples) / static_cast<double>(system.topology.size());
-  run.temperatures = mean_temperatures(samples, freedoms(system.topology));
+  const EnergyStatistics& energies = trajectory.statistics.energies;
+  run.ratio = energies.ratio();
+  run.drift = energies.drift().rate.value / static_cast<double>(system.topology.size());
+  run.temperatures = energies.temperatures(freedoms(system.topology));
   const Temperatures& T = run.temperatures;
   const ByMotion<double> kinds{T.translation, T.rotation[0], T.rotation[1], T.rotation[2]};
   for (std::size_t k = 0; k < kinds.size(); ++k)
     if (kinds[k] > 0) run.bias[k] = kinds[k] / T.all - 1;
-  run.configurational = configurational_values(trajectory.configurational);
+  run.configurational = trajectory.statistics.configurational.values();
   return run;
 }
 

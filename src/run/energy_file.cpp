@@ -45,15 +45,6 @@ std::array<double, 12> row_of(const Energies& e, const Freedoms& freedoms) {
           e.rotation[2]};
 }
 
-Energies energies_of(std::span<const double> row) {
-  return {.time = row[0],
-          .lennard_jones = row[3],
-          .coulomb = row[4],
-          .translation = row[5],
-          .rotation = {row[9], row[10], row[11]},
-          .pressure = row[8] * bar()};
-}
-
 }  // namespace
 
 EnergyFile::EnergyFile(const std::string& path, const Topology& topology,
@@ -63,24 +54,20 @@ EnergyFile::EnergyFile(const std::string& path, const Topology& topology,
 EnergyFile::EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark)
     : freedoms_(freedoms(topology)), rows_(mark.frames), table_(path, mark.bytes) {}
 
-void EnergyFile::add(Energies& energies) {
-  const auto row = row_of(energies, freedoms_);
-  table_.add(row);
+void EnergyFile::add(const Energies& energies) {
+  table_.add(row_of(energies, freedoms_));
   ++rows_;
-  energies = energies_of(row);
 }
 
-std::vector<Energies> read_energies(const std::string& path, const FileMark& mark) {
-  std::vector<Energies> all;
-  each_row(path, mark.bytes, columns(),
-           [&](std::span<const double> row) { all.push_back(energies_of(row)); });
-  if (all.size() != mark.frames)
+void check_energies(const std::string& path, const FileMark& mark) {
+  std::uint64_t rows = 0;
+  each_row(path, mark.bytes, columns(), [&](std::span<const double>) { ++rows; });
+  if (rows != mark.frames)
     throw Error(
         fmt::format("'{}' had {} rows when the checkpoint was written, and has {} in as "
                     "many bytes: it is another file; bring the first one back, or begin "
                     "the run anew with --force",
-                    path, mark.frames, all.size()));
-  return all;
+                    path, mark.frames, rows));
 }
 
 }  // namespace polhode

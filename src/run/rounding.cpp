@@ -100,9 +100,25 @@ double kick_weights(const NestedScheme& scheme, double lambda) {
   return weights;
 }
 
+double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
+                     double step) {
+  return noise.power * noise.power * step * kick_weights(scheme, lambda);
+}
+
+double double_walk(const Energies& e, double step) {
+  const double sizes = e.kinetic() + std::abs(e.lennard_jones) + std::abs(e.coulomb);
+  return std::pow(16 * 0x1p-53 * sizes, 2) / step;
+}
+
+double drift_rate(const EnergyStatistics& energies, double step, double length) {
+  const double rate = energies.drift().rate.value;
+  const double rounding = std::sqrt(1.2 * double_walk(energies.first, step) / length);
+  return std::abs(rate) > 5 * rounding ? rate : 0;
+}
+
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length) {
-  const double walk = noise.power * noise.power * step * length * kick_weights(scheme, lambda) / 6;
+  const double walk = rounding_walk(noise, scheme, lambda, step) * length / 6;
   return std::sqrt(walk + noise.energy * noise.energy);
 }
 

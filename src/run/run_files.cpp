@@ -65,7 +65,7 @@ void RunFiles::go_on(const FoundCheckpoint& from) {
     const OutputMarks& marks = *then.outputs;
     for (std::size_t k = 0; k < marks.frames.size(); ++k)
       check_length(names_.trajectories[k], marks.frames[k].bytes);
-    samples_ = read_energies(names_.energies, marks.energies);
+    check_energies(names_.energies, marks.energies);
     energies_.emplace(names_.energies, topology_, marks.energies);
     for (std::size_t k = 0; k < marks.frames.size(); ++k)
       trajectories_.push_back(
@@ -83,7 +83,7 @@ void RunFiles::begin() {
     trajectories_.push_back(create_frames(path, topology_, choice_));
 }
 
-void RunFiles::sample(std::size_t step, const State& state, Energies& energies) {
+void RunFiles::sample(std::size_t step, const State& state, const Energies& energies) {
   if (!energies_) begin();
   energies_->add(energies);
   if (trajectories_.empty() || step < next_frame_) return;

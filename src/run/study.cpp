@@ -62,18 +62,14 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
                                   {nullptr, progress.stop});
   run.stable = t.failure.empty();
   if (!run.stable) return run;
-  std::vector<double> total, potential;
-  for (const Energies& e : t.samples) {
-    total.push_back(e.total());
-    potential.push_back(e.potential());
-  }
-  run.ratio = fluctuation_ratio(t.samples);
-  run.drift = drift_rate(t.samples);
-  run.total = fluctuation(total);
-  run.potential = fluctuation(potential);
-  run.parts = mean_temperatures(t.samples, freedoms(system.topology));
+  const EnergyStatistics& energies = t.statistics.energies;
+  run.ratio = energies.ratio();
+  run.drift = drift_rate(energies, point.step, config.study.length);
+  run.total = energies.total_fluctuation();
+  run.potential = energies.potential_fluctuation();
+  run.parts = energies.temperatures(freedoms(system.topology));
   run.temperature = run.parts->all;
-  run.configurational = configurational_values(t.configurational);
+  run.configurational = t.statistics.configurational.values();
   if (run.potential > 0)
     run.rounding = rounding_fluctuation(force_noise(start), point.scheme, config.integrator.lambda,
                                         point.step, config.study.length) /

@@ -120,8 +120,8 @@ StudyRun record_run(const Fields& line, std::size_t count) {
   run.drift = line.number(5, "drift");
   run.total = line.amount(6, "fluctuation of the total energy");
   run.potential = line.amount(7, "fluctuation of the potential energy");
-  // Without forces R cannot be read: it is 0/0.
-  run.ratio = run.potential > 0 ? line.amount(4, "R") : run.total / run.potential;
+  // Without forces there is no R to read: nothing over nothing.
+  run.ratio = run.potential > 0 ? line.amount(4, "R") : std::nan("");
   run.temperature = line.amount(8, "temperature");
   if (count >= second_fields) run.rounding = line.amount(9, "R of rounding");
   if (count >= third_fields && !line[10].empty()) {

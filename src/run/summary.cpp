@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/summary.hpp"
 
-#include <vector>
-
 namespace polhode {
 
 RunSummary summary(const System& system, const TrajectorySettings& settings,
@@ -14,31 +12,27 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.sample = static_cast<double>(settings.steps_per_sample()) * settings.step;
   s.freedoms = freedoms(system.topology);
 
-  std::vector<double> total, potential;
-  for (const Energies& e : trajectory.samples) {
-    total.push_back(e.total());
-    potential.push_back(e.potential());
-  }
-  s.total = mean(total).value / static_cast<double>(s.molecules);
-  s.potential = mean(potential).value / static_cast<double>(s.molecules);
-  s.temperatures = mean_temperatures(trajectory.samples, s.freedoms);
-  s.configurational = configurational_temperatures(trajectory.configurational);
-  std::vector<double> pressures;
-  for (const Energies& e : trajectory.samples) pressures.push_back(e.pressure);
-  s.pressure = block_mean(pressures);
+  const NestedScheme scheme{settings.scheme, settings.inner};
+  const EnergyStatistics& energies = trajectory.statistics.energies;
+  s.samples = energies.samples;
+  s.total = energies.total() / static_cast<double>(s.molecules);
+  s.potential = energies.potential() / static_cast<double>(s.molecules);
+  s.total_fluctuation = energies.total_fluctuation();
+  s.potential_fluctuation = energies.potential_fluctuation();
+  s.temperatures = energies.temperatures(s.freedoms);
+  s.pressure = energies.pressure();
+  s.ratio = energies.ratio_with_error();
+  s.configurational = trajectory.statistics.configurational.temperatures();
   s.momentum = norm(total_momentum(system.state));
 
-  if (trajectory.samples.size() > 2) {
-    s.total_fluctuation = fluctuation(total);
-    s.potential_fluctuation = fluctuation(potential);
-    s.ratio = fluctuation_ratio_with_error(trajectory.samples);
-    s.drift = drift(trajectory.samples);
-    s.shadow = shadow_summary(trajectory.brackets, settings.scheme, settings.step, s.drift);
-    if (s.potential_fluctuation > 0)
-      s.rounding = rounding_fluctuation(noise, {settings.scheme, settings.inner}, settings.lambda,
-                                        settings.step, s.length) /
-                   s.potential_fluctuation;
-  }
+  const double walk = rounding_walk(noise, scheme, settings.lambda, settings.step) +
+                      double_walk(energies.first, settings.step);
+  s.walk_known = system.forces.precision == Precision::full || noise.power > 0;
+  s.drift = energies.drift(walk);
+  s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift, walk);
+  if (s.potential_fluctuation > 0)
+    s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /
+                 s.potential_fluctuation;
   s.force_evaluations = trajectory.force_evaluations;
   s.derivatives = trajectory.derivatives;
   s.near_evaluations = trajectory.near_evaluations;

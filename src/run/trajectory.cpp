@@ -113,7 +113,7 @@ class Clocks {
 template <class Model>
 Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& whole,
                     TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
-                    Workers& workers, const RunState* from, std::vector<Energies> samples);
+                    Workers& workers, const RunState* from);
 
 }  // namespace
 
@@ -159,13 +159,11 @@ void TrajectorySettings::check_shadow() const {
 }
 
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
-                      const Watch& watch, Workers& workers, const RunState* from,
-                      std::vector<Energies> samples) {
+                      const Watch& watch, Workers& workers, const RunState* from) {
   TimedForces whole{forces};
   if (!settings.inner) {
     Integrator integrator(settings.scheme, system.bodies, whole, settings.lambda, workers);
-    return followed(system, integrator, whole, nullptr, settings, watch, workers, from,
-                    std::move(samples));
+    return followed(system, integrator, whole, nullptr, settings, watch, workers, from);
   }
   ForceField near_forces(system.topology, near_settings(forces.settings(), *settings.inner),
                          system.state.box, workers);
@@ -174,8 +172,7 @@ Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettin
                       settings.lambda, workers);
   nested.moves(system.state);
   Integrator integrator(settings.scheme, system.bodies, nested, settings.lambda, workers);
-  Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers, from,
-                               std::move(samples));
+  Trajectory result = followed(system, integrator, whole, &near, settings, watch, workers, from);
   result.near_evaluations = nested.near_evaluations();
   result.near_derivatives = nested.near_derivatives();
   return result;
@@ -186,20 +183,17 @@ namespace {
 template <class Model>
 Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& whole,
                     TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
-                    Workers& workers, const RunState* from, std::vector<Energies> samples) {
+                    Workers& workers, const RunState* from) {
   Trajectory result;
-  result.samples = std::move(samples);
+  TrajectoryStatistics& statistics = result.statistics;
+  const ErrorTerms terms = error_terms(settings.scheme);
   const std::size_t steps = settings.steps(), interval = settings.steps_per_sample();
   double start = system.state.time;
   if (from) {
     system.state = from->state;
     start = from->start;
     result.steps = from->steps;
-    for (const ErrorBrackets& brackets : from->brackets)
-      result.brackets.push_back(
-          {result.samples.at(result.brackets.size() * settings.samples_per(settings.shadow_sample)),
-           brackets});
-    result.configurational = from->configurational;
+    statistics = from->statistics;
     integrator.take_over(from->integrator);
     whole.forces.take_over(from->list);
     if (near) near->forces.take_over(from->near_list);
@@ -209,11 +203,9 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
   const auto checkpoint = [&] {
     if (!watch.checkpoint) return;
     clocks.moved();
-    std::vector<ErrorBrackets> brackets;
-    for (const BracketSample& sample : result.brackets) brackets.push_back(sample.brackets);
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
                       whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
-                      std::move(brackets), result.configurational, clocks.timings()});
+                      statistics, clocks.timings()});
     clocks.skip();
   };
   Load complete;
@@ -241,16 +233,21 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
       blown_up(settings, result.steps, "the total energy is no longer a finite number");
     if (watch.sample) watch.sample(result.steps, system.state, now);
     const auto due = [&](double every) {
-      return every > 0 && result.samples.size() % settings.samples_per(every) == 0;
+      return every > 0 && statistics.energies.samples % settings.samples_per(every) == 0;
     };
     if (due(settings.configurational_sample))
-      result.configurational.push_back(configurational_sample(
+      statistics.configurational.add(configurational_sample(
           system.state, system.bodies, all_forces(), whole.forces, signs_at(result.steps)));
-    if (due(settings.shadow_sample))
-      result.brackets.push_back(
-          {now, error_brackets(system.state, system.bodies, integrator.last_load(), whole.forces)});
-    result.samples.push_back(now);
-    const Energies& first = result.samples.front();
+    if (due(settings.shadow_sample)) {
+      const BracketSample both{
+          now, error_brackets(system.state, system.bodies, integrator.last_load(), whole.forces)};
+      statistics.shadow.add(now.time, shadow_energy(both, terms, settings.step));
+      if (watch.brackets) watch.brackets(both);
+    }
+    statistics.energies.add(now);
+    const Energies& first = statistics.energies.first;
+    if (settings.stretch > 0)
+      statistics.stretches.add(now, first, settings.samples_per(settings.stretch));
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
       blown_up(
           settings, result.steps,
@@ -272,7 +269,7 @@ Trajectory followed(System& system, Integrator<Model>& integrator, TimedForces& 
   };
 
   try {
-    if (result.samples.empty()) {
+    if (statistics.energies.samples == 0) {
       checkpoint();
       sample();
     }

@@ -123,14 +123,18 @@ class Series {
       if (stopped()) return;
       System system = starts_[brackets ? r : n + r];
       ForceField forces(system.topology, system.forces, system.state.box);
+      std::vector<BracketSample> samples;
+      const Watch watch{.stop = progress_.stop, .brackets = [&](const BracketSample& sample) {
+                          samples.push_back(sample);
+                        }};
       const Trajectory t = trajectory(system, forces,
                                       {scheme, settings_.step, settings_.length, longest_sample,
                                        config_.integrator.lambda, brackets ? settings_.sample : 0},
-                                      {nullptr, progress_.stop});
+                                      watch);
       failures[r] = t.failure;
       if (!t.failure.empty() || stopped()) return;
-      result.ratios[r] = fluctuation_ratio(t.samples);
-      if (brackets) result.covariances[r] = error_covariance(t.brackets, settings_.step);
+      result.ratios[r] = t.statistics.energies.ratio();
+      if (brackets) result.covariances[r] = error_covariance(samples, settings_.step);
       advance(std::string(scheme.name()));
     });
     for (const std::string& failure : failures)

@@ -93,7 +93,7 @@ TEST_CASE("a force without its energy shows as an R that does not fall with the 
       integrator.advance(system.state, h, static_cast<std::size_t>(std::lround(0.004 / h)));
       samples.push_back(energies(system.state, system.bodies, integrator.load(system.state)));
     }
-    return fluctuation_ratio(samples);
+    return EnergyStatistics(samples).ratio();
   };
   // From one start, and over 1 ps, R scatters little between two small steps: a quarter for h².
   CHECK(ratio(0.001, 1) / ratio(0.0005, 1) == doctest::Approx(4).epsilon(0.3));

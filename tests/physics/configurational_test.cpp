@@ -133,17 +133,19 @@ TEST_CASE("in the canonical ensemble every configurational temperature is its te
   scenes::Scene scene = scenes::lattice({{"tip4p", 18}, {"n2", 6}, {"argon", 3}}, 0.42, 1.3, 9);
   ForceField forces(scene.topology, {.cutoff = 0.5, .switch_from = 0.35, .skin = 0.02},
                     scene.state.box);
-  std::vector<ConfigurationalSample> samples;
+  ConfigurationalStatistics samples;
+  std::uint64_t stream = 0;
   const double taken = sampled(scene, forces, T, 2000, [&](const Load& load) {
-    samples.push_back(
-        configurational_sample(scene.state, scene.bodies, load, forces, Random(5, samples.size())));
+    samples.add(
+        configurational_sample(scene.state, scene.bodies, load, forces, Random(5, stream++)));
   });
   CHECK(taken > 0.5);
   CHECK(taken < 0.999);  // or the energies that decide would not be those of this ensemble
-  const auto temperatures = configurational_temperatures(samples);
+  const auto temperatures = samples.temperatures();
   for (std::size_t k = 0; k < temperatures.size(); ++k) {
     CAPTURE(k);
     REQUIRE(temperatures[k]);
+    REQUIRE(temperatures[k]->known == Known::yes);
     CHECK(std::abs(temperatures[k]->value - T) < 5 * temperatures[k]->error);
     CHECK(temperatures[k]->error < 0.02 * T);
   }
@@ -154,13 +156,15 @@ TEST_CASE("a motion without forces or inertia has no configurational temperature
   ForceField forces(argon.topology, scenes::no_truncation(), argon.state.box);
   Load load;
   forces(argon.state, load);
-  const std::vector<ConfigurationalSample> one{
-      configurational_sample(argon.state, argon.bodies, load, forces, Random(1))};
-  const auto temperatures = configurational_temperatures(one);
+  const ConfigurationalSample sample =
+      configurational_sample(argon.state, argon.bodies, load, forces, Random(1));
+  ConfigurationalStatistics one;
+  one.add(sample);
+  const auto temperatures = one.temperatures();
   REQUIRE(temperatures[0]);
   CHECK(temperatures[0]->value ==
-        one[0].squared_force[0] / (units::boltzmann * one[0].curvature[0]));
-  CHECK(temperatures[0]->error == 0);  // one sample tells nothing about it
+        sample.squared_force[0] / (units::boltzmann * sample.curvature[0]));
+  CHECK(temperatures[0]->known == Known::too_few_samples);
   for (std::size_t k = 1; k < temperatures.size(); ++k) CHECK(!temperatures[k]);
-  for (const auto& none : configurational_temperatures({})) CHECK(!none);
+  for (const auto& none : ConfigurationalStatistics{}.temperatures()) CHECK(!none);
 }

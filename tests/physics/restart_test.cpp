@@ -24,25 +24,39 @@ void add(Bits& bits, const Column<double>& column) {
 }
 void add(Bits& bits, const Vec3Column& v) { add(bits, v.x), add(bits, v.y), add(bits, v.z); }
 
+void add(Bits& bits, const TimeBlocks& blocks) {
+  add(bits, blocks.samples_per_block);
+  for (const auto& [weight, sum] : blocks.blocks) {
+    add(bits, weight);
+    for (const double x : sum) add(bits, x);
+  }
+}
+
 // All that a run leaves behind but its times.
 Bits bits(const State& state, const Trajectory& t) {
-  Bits all{
-      t.steps,        t.force_evaluations, t.derivatives,    t.near_evaluations, t.near_derivatives,
-      t.measurements, t.list_rebuilds,     t.samples.size(), t.brackets.size()};
+  const TrajectoryStatistics& s = t.statistics;
+  Bits all{t.steps,
+           t.force_evaluations,
+           t.derivatives,
+           t.near_evaluations,
+           t.near_derivatives,
+           t.measurements,
+           t.list_rebuilds,
+           s.energies.samples,
+           s.shadow.samples,
+           s.stretches.samples,
+           s.stretches.stretches};
   add(all, state.q), add(all, state.p), add(all, state.ell), add(all, state.time);
   add(all, state.attitude.w), add(all, state.attitude.x);
   add(all, state.attitude.y), add(all, state.attitude.z);
-  for (const Energies& e : t.samples)
-    for (const double x : {e.time, e.lennard_jones, e.coulomb, e.translation, e.rotation[0],
-                           e.rotation[1], e.rotation[2], e.pressure})
-      add(all, x);
-  for (const BracketSample& b : t.brackets)
-    for (const double x :
-         {b.energies.time, b.energies.total(), b.brackets.second_derivative, b.brackets.W})
-      add(all, x);
-  for (const ConfigurationalSample& c : t.configurational)
-    for (std::size_t k = 0; k < c.curvature.size(); ++k)
-      add(all, c.squared_force[k]), add(all, c.curvature[k]);
+  const Energies& e = s.energies.first;
+  for (const double x : {e.time, e.lennard_jones, e.coulomb, e.translation, e.rotation[0],
+                         e.rotation[1], e.rotation[2], e.pressure, s.shadow.first, s.shadow.start,
+                         s.stretches.sums[0], s.stretches.sums[1], s.stretches.sums[2],
+                         s.stretches.sums[3], s.stretches.mean, s.stretches.squares})
+    add(all, x);
+  for (const TimeBlocks* blocks : {&s.energies.blocks, &s.shadow.blocks, &s.configurational.blocks})
+    add(all, *blocks);
   return all;
 }
 
@@ -93,7 +107,8 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
                                           .lambda = precision == Precision::mixed ? 1 : 1e-4,
                                           .inner = scheme.inner,
                                           .configurational_sample = 6 * step,
-                                          .seed = 4};
+                                          .seed = 4,
+                                          .stretch = 9 * step};
         std::vector<RunState> kept;
         System whole = mixture(electrostatics, precision);
         ForceField forces(whole.topology, whole.forces, whole.state.box);
@@ -102,7 +117,8 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
         const Trajectory t = trajectory(whole, forces, settings, watch);
         CHECK(t.list_rebuilds > 3);  // or there would be nothing to find out about the list
-        CHECK(t.configurational.size() == 5);
+        CHECK(t.statistics.configurational.blocks.blocks.size() == 5);
+        CHECK(t.statistics.stretches.stretches == 3);
         const Bits expected = bits(whole.state, t);
 
         // Taking checkpoints changes nothing, nor does a length that is reached in two goes.
@@ -117,7 +133,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         System unasked = mixture(electrostatics, precision);
         ForceField of_unasked(unasked.topology, unasked.forces, unasked.state.box);
         Trajectory other = trajectory(unasked, of_unasked, silent);
-        other.configurational = t.configurational;
+        other.statistics.configurational = t.statistics.configurational;
         CHECK((bits(unasked.state, other) == expected));
 
         REQUIRE(kept.size() == 26);
@@ -128,12 +144,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
           Workers workers(threads);
           System system = mixture(electrostatics, precision);
           ForceField again(system.topology, system.forces, system.state.box, workers);
-          std::vector<Energies> samples = t.samples;
-          if (from.integrator.measurements == 0 && from.steps == 0)
-            samples.clear();
-          else
-            samples.resize(from.steps / 3 + 1);
-          const Trajectory rest = trajectory(system, again, settings, {}, workers, &from, samples);
+          const Trajectory rest = trajectory(system, again, settings, {}, workers, &from);
           CHECK((bits(system.state, rest) == expected));
         }
       }
@@ -153,16 +164,15 @@ TEST_CASE("a run that ended between two samples is extended as if it had been as
   watch.checkpoint = [&](RunState at) { last = std::move(at); };
   System first = mixture(Electrostatics::reaction_field, Precision::full);
   ForceField its(first.topology, first.forces, first.state.box);
-  Trajectory half = trajectory(first, its, settings, watch);
-  CHECK(half.samples.size() == 5);  // at steps 0, 3, 6, 9 and 10
+  const Trajectory half = trajectory(first, its, settings, watch);
+  CHECK(half.statistics.energies.samples == 5);  // at steps 0, 3, 6, 9 and 10
+  CHECK(last.statistics.energies.samples == 4);
   CHECK(last.steps == 10);
-  half.samples.pop_back();
 
   settings.length = 20 * step;
   System second = mixture(Electrostatics::reaction_field, Precision::full);
   ForceField again(second.topology, second.forces, second.state.box);
-  const Trajectory rest =
-      trajectory(second, again, settings, {}, Workers::serial(), &last, half.samples);
+  const Trajectory rest = trajectory(second, again, settings, {}, Workers::serial(), &last);
   CHECK((bits(second.state, rest) == expected));
 }
 
@@ -178,18 +188,15 @@ TEST_CASE(
   watch.due = [] { return true; };
   watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
   const Trajectory t = trajectory(whole, forces, settings, watch);
-  REQUIRE(t.brackets.size() == 5);
+  REQUIRE(t.statistics.shadow.samples == 5);
   const Bits expected = bits(whole.state, t);
   for (const std::size_t steps : {1, 6, 7, 12, 17, 25}) {
     const RunState from = stored(kept.at(steps));
     CAPTURE(steps);
-    CHECK(from.brackets.size() == steps / 6 + 1);
+    CHECK(from.statistics.shadow.samples == steps / 6 + 1);
     System system = mixture(Electrostatics::reaction_field, Precision::full);
     ForceField again(system.topology, system.forces, system.state.box);
-    std::vector<Energies> samples = t.samples;
-    samples.resize(steps / 2 + 1);
-    const Trajectory rest =
-        trajectory(system, again, settings, {}, Workers::serial(), &from, samples);
+    const Trajectory rest = trajectory(system, again, settings, {}, Workers::serial(), &from);
     CHECK((bits(system.state, rest) == expected));
   }
 }

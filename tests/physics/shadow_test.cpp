@@ -12,6 +12,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/measure/squared_force.hpp"
+#include "rms.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

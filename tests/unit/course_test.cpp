@@ -28,7 +28,7 @@ cutoff = "0.65 nm"
   REQUIRE(expected.failure.empty());
   REQUIRE(expected.configurational);
   CHECK((*expected.configurational)[0] > 0);
-  CHECK(whole.samples.size() == 62);
+  CHECK(whole.state->statistics.energies.samples == 61);  // without the last one, between two
 
   Course left = start;
   Outcome run;
@@ -37,7 +37,7 @@ cutoff = "0.65 nm"
     run = moved(left, settings, {});
     CHECK(left.state->steps == steps);
   }
-  CHECK(left.samples.size() == whole.samples.size());
+  CHECK(left.state->statistics.energies.samples == whole.state->statistics.energies.samples);
   CHECK(run.ratio == expected.ratio);
   CHECK(run.drift == expected.drift);
   CHECK(run.temperatures.translation == expected.temperatures.translation);

@@ -71,12 +71,54 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.near_list.rebuilds = 9;
   c.at.integrator.inner = {c.at.integrator};
   c.at.integrator.inner[0].evaluations = 7;
-  c.at.brackets = {{0.125, 0.25}, {-0.375, 0.5}, {0.625, 0.75}};
-  c.at.configurational = {{{1, 2, 3, 4}, {5, 6, 7, 8}}, {{0.5, 0, 0, 0}, {0.25, 0, 0, 0}}};
+  TrajectoryStatistics& s = c.at.statistics;
+  for (int n = 0; n < 5; ++n) {
+    const double x = std::uniform_real_distribution<double>(-1, 1)(random);
+    s.energies.add({x, x - 1, 2 * x, 3 * x, {4 * x, 5 * x, 6 * x}, 7 * x});
+    s.shadow.add(n, x);
+    s.configurational.add({{x, 2, 3, 4}, {5, 6, 7, x}});
+    s.stretches.add({.lennard_jones = x, .translation = n + x, .rotation = {}}, {}, 8);
+  }
+  s.energies.blocks.samples_per_block = 4;
   c.at.timings = {1, 2, 3, 4, 5};
   c.noise = {0.5, 0.25};
   c.outputs = OutputMarks{{9, 900}, {{1, 100}, {2, 200}}, 12};
   return c;
+}
+
+void same(const Vec3Column& a, const Vec3Column& b) {
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == b[i]);
+}
+
+void same(const TimeBlocks& a, const TimeBlocks& b) {
+  CHECK(a.samples_per_block == b.samples_per_block);
+  REQUIRE(a.blocks.size() == b.blocks.size());
+  for (std::size_t k = 0; k < a.blocks.size(); ++k) {
+    CHECK(a.blocks[k].weight == b.blocks[k].weight);
+    CHECK(a.blocks[k].sum == b.blocks[k].sum);
+  }
+}
+
+void same(const TrajectoryStatistics& a, const TrajectoryStatistics& b) {
+  const Energies &e = a.energies.first, &f = b.energies.first;
+  CHECK(a.energies.samples == b.energies.samples);
+  CHECK(e.time == f.time);
+  CHECK(e.total() == f.total());
+  CHECK(e.lennard_jones == f.lennard_jones);
+  CHECK(e.rotation == f.rotation);
+  CHECK(e.pressure == f.pressure);
+  same(a.energies.blocks, b.energies.blocks);
+  CHECK(a.shadow.samples == b.shadow.samples);
+  CHECK(a.shadow.first == b.shadow.first);
+  CHECK(a.shadow.start == b.shadow.start);
+  same(a.shadow.blocks, b.shadow.blocks);
+  same(a.configurational.blocks, b.configurational.blocks);
+  CHECK(a.stretches.samples == b.stretches.samples);
+  CHECK(a.stretches.sums == b.stretches.sums);
+  CHECK(a.stretches.stretches == b.stretches.stretches);
+  CHECK(a.stretches.mean == b.stretches.mean);
+  CHECK(a.stretches.squares == b.stretches.squares);
 }
 
 }  // namespace
@@ -85,15 +127,9 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
   const Folder folder;
   for (const std::size_t bodies : {0, 1, 2, 17}) {
     Checkpoint c = example(bodies);
-    if (bodies == 17)
-      c.at.equilibrated.reset(), c.at.brackets.clear(), c.at.configurational.clear(),
-          c.outputs.reset();
+    if (bodies == 17) c.at.equilibrated.reset(), c.at.statistics = {}, c.outputs.reset();
     write_checkpoint(folder.files(), c, maker);
     const Checkpoint back = read_checkpoint(folder.files().newest, maker);
-    const auto same = [](const Vec3Column& a, const Vec3Column& b) {
-      REQUIRE(a.size() == b.size());
-      for (std::size_t i = 0; i < a.size(); ++i) CHECK(a[i] == b[i]);
-    };
     same(back.at.state.q, c.at.state.q);
     same(back.at.state.p, c.at.state.p);
     same(back.at.state.ell, c.at.state.ell);
@@ -117,16 +153,7 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
     CHECK(m.measurements == 6);
     same(back.at.list.built_at, c.at.list.built_at);
     CHECK(back.at.list.rebuilds == 8);
-    REQUIRE(back.at.brackets.size() == c.at.brackets.size());
-    for (std::size_t k = 0; k < c.at.brackets.size(); ++k) {
-      CHECK(back.at.brackets[k].second_derivative == c.at.brackets[k].second_derivative);
-      CHECK(back.at.brackets[k].W == c.at.brackets[k].W);
-    }
-    REQUIRE(back.at.configurational.size() == c.at.configurational.size());
-    for (std::size_t k = 0; k < c.at.configurational.size(); ++k) {
-      CHECK(back.at.configurational[k].squared_force == c.at.configurational[k].squared_force);
-      CHECK(back.at.configurational[k].curvature == c.at.configurational[k].curvature);
-    }
+    same(back.at.statistics, c.at.statistics);
     CHECK(back.at.timings.list == 2);
     same(back.at.near_list.built_at, c.at.near_list.built_at);
     CHECK(back.at.near_list.rebuilds == 9);

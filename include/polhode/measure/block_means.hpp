@@ -26,6 +26,8 @@ class BlockMeans {
   const std::vector<Block>& blocks() const { return blocks_; }
   bool empty() const { return blocks_.empty(); }
 
+  /// All blocks in one.
+  Block sum() const;
   /// Of all blocks; empty without any.
   std::vector<double> mean() const;
 
@@ -41,15 +43,13 @@ class BlockMeans {
 
 /// Samples of a stream of unknown length, in blocks of time. When there are 40 blocks, neighbours
 /// are joined: 20 to 39 blocks in the end, whatever the length, and a memory that does not grow.
-class TimeBlocks {
- public:
+struct TimeBlocks {
+  std::vector<BlockMeans::Block> blocks;
+  double samples_per_block = 1;
+
   void add(std::span<const double> sample);
   /// The blocks; one that is less than half full at the end is joined to the one before.
   BlockMeans means() const;
-
- private:
-  std::vector<BlockMeans::Block> blocks_;
-  double samples_per_block_ = 1;
 };
 
 }  // namespace polhode

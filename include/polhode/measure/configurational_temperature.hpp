@@ -5,11 +5,10 @@
 
 #include <array>
 #include <optional>
-#include <span>
 
 #include "polhode/forces/force_field.hpp"
-#include "polhode/math/fit.hpp"
 #include "polhode/math/random.hpp"
+#include "polhode/measure/correlated_series.hpp"
 #include "polhode/measure/squared_force.hpp"
 
 namespace polhode {
@@ -27,14 +26,16 @@ struct ConfigurationalSample {
 ConfigurationalSample configurational_sample(const State& state, const Bodies& bodies,
                                              const Load& load, ForceField& forces, Random random);
 
-/// T = ⟨squared_force⟩/(k_B ⟨curvature⟩) for each kind of motion (jepps2000) [K], with standard
-/// errors by the jackknife over blocks of time; empty without samples, and for motions without
-/// forces.
-ByMotion<std::optional<Estimate>> configurational_temperatures(
-    std::span<const ConfigurationalSample> samples);
+/// Sums over samples along a trajectory, in blocks of time.
+struct ConfigurationalStatistics {
+  TimeBlocks blocks;
 
-/// The values only [K], 0 for motions without forces; empty without samples.
-std::optional<ByMotion<double>> configurational_values(
-    std::span<const ConfigurationalSample> samples);
+  void add(const ConfigurationalSample& sample);
+  /// T = ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion (jepps2000) [K], with its
+  /// standard error; nothing without samples, nor for motions that feel no forces.
+  ByMotion<std::optional<SeriesEstimate>> temperatures() const;
+  /// Their values alone [K], 0 for motions without forces; nothing without samples.
+  std::optional<ByMotion<double>> values() const;
+};
 
 }  // namespace polhode

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <span>
 
 #include "polhode/base/workers.hpp"
 #include "polhode/model/centre_of_mass.hpp"
@@ -50,7 +49,7 @@ struct Temperatures {
   std::array<double, 3> rotation{};  ///< about each principal axis
 };
 
-/// From the mean kinetic energies of the samples.
-Temperatures mean_temperatures(std::span<const Energies> samples, const Freedoms& freedoms);
+/// From means of the kinetic energies.
+Temperatures mean_temperatures(const Energies& mean, const Freedoms& freedoms);
 
 }  // namespace polhode

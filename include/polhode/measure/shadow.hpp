@@ -3,12 +3,13 @@
 // (docs/theory.md, "The shadow energy").
 #pragma once
 
+#include <cstdint>
 #include <optional>
-#include <span>
 
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/error_terms.hpp"
-#include "polhode/measure/fluctuation.hpp"
+#include "polhode/measure/correlated_series.hpp"
+#include "polhode/measure/energy.hpp"
 #include "polhode/model/topology.hpp"
 
 namespace polhode {
@@ -36,19 +37,34 @@ inline double shadow_energy(const BracketSample& sample, const ErrorTerms& terms
          h * h * (terms.alpha * sample.brackets.second_derivative + terms.beta * sample.brackets.W);
 }
 
-/// Summary of a trajectory in terms of its shadow energy.
-struct ShadowSummary {
-  double fluctuation = 0;  ///< rms [kJ/mol]
-  Drift drift;             ///< [kJ/mol/ps]
-  /// Factor by which a drift becomes significant sooner than from the energy: its standard error
-  /// decreases with the length of the run as t^{−3/2}, so the times scale as the errors to the
-  /// power 2/3.
-  double sooner = 0;
+/// Sums over the shadow energies of a trajectory, in blocks of time, relative to the first.
+struct ShadowStatistics {
+  std::uint64_t samples = 0;
+  double first = 0, start = 0;  ///< [kJ/mol], [ps]
+  TimeBlocks blocks;
+
+  void add(double time, double shadow);
+  double fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
+  /// [kJ/mol/ps]
+  /// @param walk  variance per time of the random walk that rounding drives [(kJ/mol)²/ps]
+  Drift drift(double walk = 0) const;
 };
 
-/// Empty if there are fewer than three samples.
-/// @param raw  the drift of the energy over the same time
-std::optional<ShadowSummary> shadow_summary(std::span<const BracketSample> samples,
-                                            const Scheme& scheme, double h, const Drift& raw);
+/// A trajectory by its shadow energy.
+struct ShadowSummary {
+  std::uint64_t samples = 0;
+  double fluctuation = 0;  ///< rms [kJ/mol]
+  Drift drift;             ///< [kJ/mol/ps]
+  /// How many times sooner a drift becomes significant than by the energy: its standard error
+  /// falls with the length of a run as t^{−3/2}, so the times go as the errors to the power 2/3.
+  /// Nothing if one of the errors is not known.
+  std::optional<double> sooner;
+};
+
+/// Nothing if there are fewer than three samples.
+/// @param raw   the drift of the energy over the same time
+/// @param walk  variance per time of the random walk that rounding drives [(kJ/mol)²/ps]
+std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw,
+                                            double walk = 0);
 
 }  // namespace polhode

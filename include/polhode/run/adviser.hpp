@@ -63,10 +63,4 @@ double einstein_frequency(const System& system, Workers& workers = Workers::seri
 Advice advised(const Config& config, const AdviserSettings& settings,
                const AdviserWatch& watch = {}, Workers& workers = Workers::serial());
 
-/// R over stretches of that length [ps], which is what a promise is about: of each stretch of a
-/// run, the rms fluctuation of the total energy over that of the potential energy; the mean over
-/// stretches with its standard error. For a run that is not two stretches long it is R of the
-/// whole.
-Estimate ratio_over(double length, std::span<const Energies> samples);
-
 }  // namespace polhode

@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <optional>
-#include <vector>
 
 #include "polhode/run/criterion.hpp"
 #include "polhode/run/rounding.hpp"
@@ -13,9 +12,8 @@ namespace polhode {
 
 struct Course {
   System system;
-  std::uint64_t seed = 0;           ///< of its initial configuration
-  std::optional<RunState> state{};  ///< empty before the first step
-  std::vector<Energies> samples{};
+  std::uint64_t seed = 0;           ///< of its start
+  std::optional<RunState> state{};  ///< nothing before the first step
 };
 
 /// Advances the run to the length given by the settings, bitwise as if it had never been suspended,

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "polhode/measure/fluctuation.hpp"
 #include "polhode/run/system.hpp"
 #include "polhode/run/trajectory.hpp"
 

@@ -20,11 +20,10 @@ class EnergyFile {
   /// Resumes after the rows of a mark.
   EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark);
 
-  /// Appends a row, and replaces the energies by what will be read back: only the last digit of the
-  /// pressure changes, because the file has it in bar.
-  /// @throws RunError  if the disk is full
-  void add(Energies& energies);
-  /// Syncs all rows to disk, and returns the position in the file.
+  /// Appends a row.
+  /// @throws RunError  if there is no room
+  void add(const Energies& energies);
+  /// Brings all rows to the disk and tells where the file stands.
   FileMark mark() { return {rows_, table_.mark()}; }
 
  private:
@@ -33,8 +32,8 @@ class EnergyFile {
   GrowingTable table_;
 };
 
-/// The energies in such a file up to a mark.
-/// @throws Error  if it is shorter, or is not such a file
-std::vector<Energies> read_energies(const std::string& path, const FileMark& mark);
+/// Reads such a file until a mark.
+/// @throws Error  if it is shorter, or holds anything else
+void check_energies(const std::string& path, const FileMark& mark);
 
 }  // namespace polhode

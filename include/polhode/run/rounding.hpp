@@ -5,6 +5,7 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
+#include "polhode/measure/energy_statistics.hpp"
 #include "polhode/run/system.hpp"
 
 namespace polhode {
@@ -43,11 +44,22 @@ double kick_weights(const Scheme& scheme, double lambda);
 /// total forces, although they share the noise of near pairs: an upper estimate.
 double kick_weights(const NestedScheme& scheme, double lambda);
 
-/// The rms deviation of the total energy from its mean due to rounding alone [kJ/mol]. Every
-/// evaluation changes the energy by w h times an independent power: a random walk with variance
-/// power² h Σw² per unit time. Over a time t, the mean variance of such a walk about its own mean
-/// is t/6 times that rate (t/2 about its start, minus t/3 for the mean). The noise of the energy
-/// itself is added: σ² = power² h t Σw²/6 + energy².
+/// Variance per time of the random walk of the total energy that the noise drives [(kJ/mol)²/ps]:
+/// every evaluation changes the energy by w h times a power of its own, hence power² h Σw².
+double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
+                     double step);
+
+/// The same of rounding in double precision, an upper estimate: a step is some 16 roundings of
+/// every energy, 2⁻⁵³ of its size each.
+double double_walk(const Energies& energies, double step);
+
+/// The slope of the total energy [kJ/mol/ps]: 0 where it is within five standard deviations of what
+/// rounding in double precision can make, as for molecules without interactions.
+double drift_rate(const EnergyStatistics& energies, double step, double length);
+
+/// The rms deviation of the total energy from its mean that rounding alone makes in a run
+/// [kJ/mol]. A walk over t has the mean variance t/6 about its own mean (t/2 about its start, less
+/// t/3 for the mean). The energy's own noise comes on top: σ² = power² h t Σw²/6 + energy².
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length);
 

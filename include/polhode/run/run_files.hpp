@@ -34,14 +34,12 @@ class RunFiles {
            const Provenance& provenance, const std::string& identity,
            const FoundCheckpoint* from = nullptr);
 
-  /// The samples until the checkpoint, handed over.
-  std::vector<Energies> samples() { return std::move(samples_); }
   /// Keeps the noise of the forces at the start with every checkpoint.
   void keep(const ForceNoise& noise) { checkpoint_.noise = noise; }
 
   /// Appends energies, and a frame where one is due.
   /// @throws RunError  if there is no room
-  void sample(std::size_t step, const State& state, Energies& energies);
+  void sample(std::size_t step, const State& state, const Energies& energies);
   /// Whether the time between two checkpoints has passed.
   bool due() const;
   /// Brings all files to the disk, then writes the checkpoint.
@@ -65,7 +63,6 @@ class RunFiles {
   std::size_t steps_per_frame_;
   bool others_;            // checkpoints of another run may be there
   Checkpoint checkpoint_;  // what all of them have in common
-  std::vector<Energies> samples_;
   std::optional<EnergyFile> energies_;
   std::vector<std::unique_ptr<FrameWriter>> trajectories_;
   std::size_t next_frame_ = 0;

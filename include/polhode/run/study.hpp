@@ -13,7 +13,7 @@
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/measure/configurational_temperature.hpp"
-#include "polhode/measure/fluctuation.hpp"
+#include "polhode/measure/correlated_series.hpp"
 #include "polhode/run/rounding.hpp"
 #include "polhode/run/system.hpp"
 

@@ -10,9 +10,7 @@
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
-#include "polhode/measure/configurational_temperature.hpp"
-#include "polhode/measure/energy.hpp"
-#include "polhode/measure/shadow.hpp"
+#include "polhode/measure/energy_statistics.hpp"
 #include "polhode/run/system.hpp"
 
 namespace polhode {
@@ -27,6 +25,7 @@ struct TrajectorySettings {
   std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
   double configurational_sample = 0;   ///< as shadow_sample, of configurational temperatures [ps]
   std::uint64_t seed = 0;              ///< of the signs that these take
+  double stretch = 0;                  ///< R is also found over stretches so long [ps]; 0: none
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
@@ -54,30 +53,29 @@ struct RunState {
   State state;
   std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has begun
   std::size_t steps = 0;
-  double start = 0;                     ///< time of the state at step 0 [ps]
-  IntegratorMemory integrator;          ///< empty while equilibrating
-  ListMemory list, near_list;           ///< the second that of an inner scheme's near forces
-  std::vector<ErrorBrackets> brackets;  ///< so far, of every samples_per(shadow_sample)-th sample
-  std::vector<ConfigurationalSample> configurational;  ///< so far, likewise
+  double start = 0;                 ///< time of the state at step 0 [ps]
+  IntegratorMemory integrator;      ///< empty while equilibrating
+  ListMemory list, near_list;       ///< the second that of an inner scheme's near forces
+  TrajectoryStatistics statistics;  ///< so far
   Timings timings;
 };
 
 /// What may be done along the way; all of it is optional.
 struct Watch {
-  /// Called at every sample with the number of steps done; the energies are kept as it leaves them.
-  std::function<void(std::size_t steps, const State&, Energies&)> sample;
+  /// Called at every sample with the number of steps done.
+  std::function<void(std::size_t steps, const State&, const Energies&)> sample;
   /// Asked after every step; true ends the trajectory there, with a last sample.
   std::function<bool()> stop;
   /// Asked after every step: whether `checkpoint` is to be called. It is called in any case at the
   /// start, where the watch stops the trajectory, and at the end.
   std::function<bool()> due;
   std::function<void(RunState)> checkpoint;
+  /// Called at samples that have error brackets.
+  std::function<void(const BracketSample&)> brackets;
 };
 
 struct Trajectory {
-  std::vector<Energies> samples;                       ///< the first at the start
-  std::vector<BracketSample> brackets;                 ///< of some of them, if asked for
-  std::vector<ConfigurationalSample> configurational;  ///< likewise
+  TrajectoryStatistics statistics;
   std::size_t steps = 0;
   std::uint64_t force_evaluations = 0;  ///< by the scheme
   std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
@@ -95,11 +93,10 @@ struct Trajectory {
 /// finite, or the total energy has changed by more than the kinetic energy at the start. The
 /// trajectory is the same for any number of threads. A last sample between two intervals, at the
 /// end or where it was stopped, is none of those that a longer trajectory has.
-/// @param from     goes on from there, bit for bit as if it had never been left
-/// @param samples  those until then; they stand before the ones to come
+/// @param from  resumes from there, bit for bit as if it had never been suspended
 Trajectory trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                       const Watch& watch = {}, Workers& workers = Workers::serial(),
-                      const RunState* from = nullptr, std::vector<Energies> samples = {});
+                      const RunState* from = nullptr);
 
 /// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
 /// the total momentum removed. The step is at most 1 fs, so that rough starts relax.

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Statistics of quantities that are correlated in time: means with errors and drifts with their
+// significance, read off the slowest modes of a run (docs/statistics.md).
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "polhode/measure/block_means.hpp"
+
+namespace polhode {
+
+/// Whether a run tells an error.
+enum class Known {
+  yes,
+  too_few_samples,  ///< fewer than `min_samples`
+  too_short         ///< the series is correlated over too much of the run
+};
+
+/// A statistic of a run with its standard error.
+struct SeriesEstimate {
+  double value = 0;  ///< not finite without samples
+  double error = 0;  ///< 0 unless it is known
+  Known known = Known::too_few_samples;
+};
+
+/// The drift of one run, or of a series of runs.
+struct Drift {
+  Estimate rate;      ///< error 0 unless it is known
+  double chance = 1;  ///< probability of such a slope without any drift; 1 unless it is known
+  Known known = Known::too_few_samples;
+  bool significant() const;
+};
+
+/// A drift with a smaller chance counts as significant.
+inline constexpr double significance = 0.01;
+
+/// Blocks of time that errors take at least; shorter runs have a block for each sample.
+inline constexpr std::size_t min_samples = 12;
+
+/// The drift over a series of independent runs: the mean of their slopes and its standard error.
+Drift drift_of_series(std::span<const double> rates);
+
+/// What is computed from the means of all quantities, with its standard error: the influence of
+/// each block on it is a series of its own, whose slowest modes tell how its mean scatters.
+SeriesEstimate series_estimate(const BlockMeans& blocks,
+                               const std::function<double(std::span<const double>)>& statistic);
+
+/// The slope of the least-squares line through the block means of a quantity against those of the
+/// time.
+/// @param time, quantity  which of the sums
+/// @param walk  variance per time that a random walk, known from elsewhere, adds to the quantity
+Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity,
+                   double walk = 0);
+
+}  // namespace polhode

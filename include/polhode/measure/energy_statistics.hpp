@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What the energies along a trajectory show, in a memory that does not grow with its length.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "polhode/measure/configurational_temperature.hpp"
+#include "polhode/measure/correlated_series.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/measure/shadow.hpp"
+
+namespace polhode {
+
+/// Sums over the samples of a trajectory, in blocks of time. Energies are summed as differences
+/// from the first sample's, so that squares of small fluctuations keep their digits.
+struct EnergyStatistics {
+  std::uint64_t samples = 0;
+  Energies first{};
+  TimeBlocks blocks;
+
+  EnergyStatistics() = default;
+  explicit EnergyStatistics(std::span<const Energies> samples);
+
+  void add(const Energies& now);
+
+  double total() const;                  ///< mean [kJ/mol]
+  double potential() const;              ///< mean [kJ/mol]
+  double total_fluctuation() const;      ///< rms deviation from the mean [kJ/mol]
+  double potential_fluctuation() const;  ///< likewise
+  /// R: rms fluctuation of the total energy over that of the potential energy (vanzon2008). Not a
+  /// number if the potential energy is constant.
+  double ratio() const;
+  Temperatures temperatures(const Freedoms& freedoms) const;  ///< means [K]
+
+  /// R with its standard error.
+  SeriesEstimate ratio_with_error() const;
+  /// The mean pressure [kJ/mol/nm³] with its standard error.
+  SeriesEstimate pressure() const;
+  /// The drift of the total energy [kJ/mol/ps].
+  /// @param walk  variance per time of the random walk that rounding drives [(kJ/mol)²/ps]
+  Drift drift(double walk = 0) const;
+};
+
+/// R over stretches of a trajectory, one after the other.
+struct StretchStatistics {
+  std::uint64_t samples = 0;     ///< in the stretch that is under way
+  std::array<double, 4> sums{};  ///< over these: total and potential energy, their squares
+  std::uint64_t stretches = 0;
+  double mean = 0, squares = 0;  ///< of R; sum of squared deviations
+
+  /// @param first   of the trajectory
+  /// @param length  of a stretch in samples
+  void add(const Energies& now, const Energies& first, std::uint64_t length);
+  /// The mean with its standard error; nothing with fewer than two stretches.
+  std::optional<Estimate> ratio() const;
+};
+
+/// All that is kept of the samples along a trajectory.
+struct TrajectoryStatistics {
+  EnergyStatistics energies;
+  ShadowStatistics shadow;
+  ConfigurationalStatistics configurational;
+  StretchStatistics stretches;
+};
+
+}  // namespace polhode

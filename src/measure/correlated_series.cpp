@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/correlated_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace polhode {
+namespace {
+
+/// A series by the means of its blocks, centred, and what is left of it when polynomials in time
+/// are taken off degree by degree: orthonormal over the blocks with their weights, by the
+/// recurrence of Stieltjes.
+class Modes {
+ public:
+  Modes(std::vector<double> weights, std::vector<double> times, std::vector<double> values)
+      : weights_(std::move(weights)),
+        times_(std::move(times)),
+        rest_(std::move(values)),
+        last_(weights_.size(), 0.0),
+        current_(weights_.size(), 1.0) {
+    root_of_weight_ = normalise();
+  }
+
+  /// The coefficient on the polynomial of the next degree, from 0, which is taken off.
+  double next() {
+    const double c = product(current_, rest_);
+    for (std::size_t b = 0; b < rest_.size(); ++b) rest_[b] -= c * current_[b];
+    std::vector<double> shifted(current_.size());
+    for (std::size_t b = 0; b < shifted.size(); ++b) shifted[b] = times_[b] * current_[b];
+    const double on_current = product(shifted, current_), on_last = product(shifted, last_);
+    for (std::size_t b = 0; b < shifted.size(); ++b)
+      shifted[b] -= on_current * current_[b] + on_last * last_[b];
+    last_ = std::exchange(current_, std::move(shifted));
+    norm_ = normalise();
+    ++degree_;
+    return c;
+  }
+
+  /// The root of Σ w (t − t̄)², once the mean is taken off: a slope is the next coefficient over it.
+  double spread() const { return norm_ * root_of_weight_; }
+
+  /// The degree of the next one.
+  std::size_t degree() const { return degree_; }
+
+  /// Mean square of the coefficients on all degrees from there on.
+  /// @param walk  what a random walk adds to the sum of the squares; a tenth of it stays at least
+  double above(double walk) const {
+    const double squares = product(rest_, rest_);
+    return std::max(squares / 10, squares - walk) / static_cast<double>(rest_.size() - degree_);
+  }
+
+ private:
+  double product(const std::vector<double>& a, const std::vector<double>& b) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < a.size(); ++k) sum += weights_[k] * a[k] * b[k];
+    return sum;
+  }
+  double normalise() {
+    const double norm = std::sqrt(product(current_, current_));
+    for (double& x : current_) x /= norm;
+    return norm;
+  }
+
+  std::vector<double> weights_, times_, rest_, last_, current_;
+  double norm_ = 1, root_of_weight_;
+  std::size_t degree_ = 0;
+};
+
+/// Modes that tell the noise: the slowest ones, and twice as many where the noise looks white.
+constexpr std::size_t slowest = 4;
+/// Bounds of the mean square of the slowest modes over that of all faster ones, and how the noise
+/// at the next slower mode follows from it (docs/statistics.md).
+constexpr double white = 1.5, too_slow = 10, growth = 0.113;
+
+/// Σ over modes of degrees from `first` of what a random walk adds to their squares, in units of
+/// its variance at the end of the run for each sample: degree k has 1/(2 (2k − 1)(2k + 3)).
+double walk_from(double first) { return (1 / (2 * first - 1) + 1 / (2 * first + 1)) / 8; }
+
+/// The noise of one mode.
+struct Noise {
+  double variance = 0;            ///< without the walk
+  double degrees_of_freedom = 0;  ///< of `all`
+  double all = 0;                 ///< with the walk
+  Known known = Known::yes;
+};
+
+/// @param modes  of which those without noise are taken off
+/// @param walk   variance of a random walk at the end of the run, times the number of samples
+Noise noise(Modes modes, double walk = 0) {
+  const auto first = static_cast<double>(modes.degree());
+  double squares = 0;
+  const auto take = [&](double walks) {  // the mean square with and without the walk
+    for (std::size_t k = 0; k < slowest; ++k) squares += std::pow(modes.next(), 2);
+    const double count = static_cast<double>(modes.degree()) - first;
+    return Noise{std::max(0.0, (squares - walk * walks) / count), count, squares / count};
+  };
+  const double end = first + slowest;
+  Noise slow = take(walk_from(first) - walk_from(end));
+  const double fast = modes.above(walk * walk_from(end));
+  if (slow.variance > too_slow * fast) return {.known = Known::too_short};
+  if (slow.variance <= white * fast) return take(walk_from(first) - walk_from(end + slowest));
+  const double grown = 1 + growth * (slow.variance / fast - 1);
+  slow.variance *= grown, slow.all *= grown;
+  return slow;
+}
+
+}  // namespace
+
+bool Drift::significant() const { return known == Known::yes && chance < significance; }
+
+Drift drift_of_series(std::span<const double> rates) {
+  const Estimate rate = mean(rates);
+  if (rates.size() < 2) return {rate};
+  return {rate, chance(rate, static_cast<double>(rates.size() - 1)), Known::yes};
+}
+
+SeriesEstimate series_estimate(const BlockMeans& blocks,
+                               const std::function<double(std::span<const double>)>& statistic) {
+  if (blocks.empty()) return {std::nan("")};
+  SeriesEstimate result{statistic(blocks.mean())};
+  if (blocks.blocks().size() < min_samples) return result;
+  const BlockMeans::Block all = blocks.sum();
+  std::vector<double> weights, times, influences, without(all.sum.size());
+  double time = 0;  // in samples
+  for (const auto& [weight, sum] : blocks.blocks()) {
+    const double rest = all.weight - weight;
+    for (std::size_t k = 0; k < without.size(); ++k) without[k] = (all.sum[k] - sum[k]) / rest;
+    weights.push_back(weight);
+    times.push_back(time + weight / 2);
+    influences.push_back((result.value - statistic(without)) * rest / weight);
+    time += weight;
+  }
+  Modes modes(std::move(weights), std::move(times), std::move(influences));
+  modes.next();  // the mean
+  const Noise found = noise(std::move(modes));
+  return {result.value, std::sqrt(found.variance / all.weight), found.known};
+}
+
+Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity, double walk) {
+  std::vector<double> weights, times, values;
+  double samples = 0;
+  for (const auto& [weight, sum] : blocks.blocks()) {
+    samples += weight;
+    weights.push_back(weight);
+    times.push_back(sum[time] / weight);
+    values.push_back(sum[quantity] / weight);
+  }
+  const auto count = static_cast<double>(weights.size());
+  if (count < 2) return {};
+  const double length = (times.back() - times.front()) * count / (count - 1);
+  Modes modes(std::move(weights), std::move(times), std::move(values));
+  modes.next();  // the mean
+  const double spread = modes.spread();
+  Drift drift{{modes.next() / spread, 0}};
+  if (count < min_samples) return drift;
+  const Noise found = noise(std::move(modes), walk * length * samples);
+  drift.known = found.known;
+  if (found.known != Known::yes) return drift;
+  // A walk of variance D t has a slope of variance 6 D/(5 T), known without scatter of its own.
+  const double walks = walk * length * samples / 10;
+  drift.rate.error = std::sqrt(found.variance + walks) / spread;
+  drift.chance = chance(
+      drift.rate, found.degrees_of_freedom * std::pow((found.variance + walks) / found.all, 2));
+  return drift;
+}
+
+}  // namespace polhode

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/energy_statistics.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+/// What is summed: total and potential energy relative to the first sample, and their squares.
+enum Column : std::size_t {
+  time,
+  total_,
+  potential_,
+  total_square,
+  potential_square,
+  pressure_,
+  translation,
+  rotation_1,
+  rotation_2,
+  rotation_3
+};
+
+double variance(std::span<const double> mean, Column value, Column square) {
+  return std::max(0.0, mean[square] - mean[value] * mean[value]);
+}
+
+/// Not a number if the potential energy is constant.
+double ratio_of(std::span<const double> mean) {
+  const double potential = variance(mean, potential_, potential_square);
+  return potential > 0 ? std::sqrt(variance(mean, total_, total_square) / potential) : std::nan("");
+}
+
+}  // namespace
+
+EnergyStatistics::EnergyStatistics(std::span<const Energies> all) {
+  for (const Energies& e : all) add(e);
+}
+
+void EnergyStatistics::add(const Energies& now) {
+  if (samples++ == 0) first = now;
+  const double e = now.total() - first.total(), v = now.potential() - first.potential();
+  blocks.add(std::array{now.time - first.time, e, v, e * e, v * v, now.pressure, now.translation,
+                        now.rotation[0], now.rotation[1], now.rotation[2]});
+}
+
+double EnergyStatistics::total() const {
+  return samples == 0 ? 0 : first.total() + blocks.means().mean()[total_];
+}
+
+double EnergyStatistics::potential() const {
+  return samples == 0 ? 0 : first.potential() + blocks.means().mean()[potential_];
+}
+
+double EnergyStatistics::total_fluctuation() const {
+  return samples == 0 ? 0 : std::sqrt(variance(blocks.means().mean(), total_, total_square));
+}
+
+double EnergyStatistics::potential_fluctuation() const {
+  return samples == 0 ? 0
+                      : std::sqrt(variance(blocks.means().mean(), potential_, potential_square));
+}
+
+double EnergyStatistics::ratio() const {
+  return samples == 0 ? std::nan("") : ratio_of(blocks.means().mean());
+}
+
+Temperatures EnergyStatistics::temperatures(const Freedoms& freedoms) const {
+  if (samples == 0) return {};
+  const std::vector<double> mean = blocks.means().mean();
+  const Energies kinetic{
+      .translation = mean[translation],
+      .rotation = {mean[rotation_1], mean[rotation_2], mean[rotation_3]},
+  };
+  return mean_temperatures(kinetic, freedoms);
+}
+
+SeriesEstimate EnergyStatistics::ratio_with_error() const {
+  return series_estimate(blocks.means(), ratio_of);
+}
+
+SeriesEstimate EnergyStatistics::pressure() const {
+  return series_estimate(blocks.means(), [](auto mean) { return mean[pressure_]; });
+}
+
+Drift EnergyStatistics::drift(double walk) const {
+  return series_drift(blocks.means(), time, total_, walk);
+}
+
+void StretchStatistics::add(const Energies& now, const Energies& first, std::uint64_t length) {
+  const double e = now.total() - first.total(), v = now.potential() - first.potential();
+  const std::array<double, 4> terms{e, v, e * e, v * v};
+  for (std::size_t k = 0; k < terms.size(); ++k) sums[k] += terms[k];
+  if (++samples < length) return;
+  for (double& sum : sums) sum /= static_cast<double>(samples);
+  const double R = std::sqrt((sums[2] - sums[0] * sums[0]) / (sums[3] - sums[1] * sums[1]));
+  const double off = R - mean;
+  mean += off / static_cast<double>(++stretches);
+  squares += off * (R - mean);
+  samples = 0, sums = {};
+}
+
+std::optional<Estimate> StretchStatistics::ratio() const {
+  if (stretches < 2) return std::nullopt;
+  const auto n = static_cast<double>(stretches);
+  return Estimate{mean, std::sqrt(squares / (n - 1) / n)};
+}
+
+}  // namespace polhode

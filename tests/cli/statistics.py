@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""What a run says of errors and drifts where there is little or nothing to tell, and the memory that it takes."""
+
+import json
+import os
+import re
+import subprocess
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+# Nitrogen molecules 10 nm apart: no forces, so V and every kinetic energy are constant but for rounding.
+FREE = edited(SMALL, ('"argon", count = 27', '"n2", count = 8'), ('box = "2.5 nm"', 'box = "20 nm"'),
+              ('length = "0.02 ps"', 'length = "0.4 ps"'))
+NO_NUMBER = re.compile(r"\b(inf|nan|null)\b", re.IGNORECASE)
+
+
+class Statistics(Sandbox):
+    def both(self, text, *options):
+        """The summary as text and as JSON."""
+        process = self.done("run", text, "--force", *options)
+        return process.out, json.loads(self.done("run", text, "--json", "--force", *options).out)
+
+    def test_too_few_samples_tell_nothing(self):
+        text, report = self.both(SMALL, "--length", "2 fs")
+        self.assertEqual(report["samples"], 2)
+        self.assertIn("R                     not known from 2 samples", text)
+        self.assertIn("drift                 not known from 2 samples", text)
+        for key in ("R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_chance", "drift_significant", "pressure_error_bar"):
+            self.assertIsNone(report[key], key)
+        self.assertEqual(report["drift_verdict"], "too few samples")
+
+    def test_some_samples_tell_values_without_errors(self):
+        text, report = self.both(SMALL)  # 0.02 ps: 6 samples
+        self.assertEqual(report["samples"], 6)
+        self.assertGreater(report["R"], 0)
+        for key in ("R_error", "drift_error", "drift_chance", "drift_significant"):
+            self.assertIsNone(report[key], key)
+        self.assertEqual(len(re.findall("its error is not known from 6 samples", text)), 3)  # R, drift, pressure
+        self.assertNotIn("±", text)
+        self.assertNotIn("significant", text)
+
+    def test_without_forces_nothing_is_significant(self):
+        text, report = self.both(FREE)
+        self.assertIn("not defined: the potential energy is constant", text)
+        self.assertIsNone(report["R"])
+        self.assertFalse(report["drift_significant"])
+        self.assertIsNone(NO_NUMBER.search(text), text)
+        study = self.polhode("study", "run.toml", "--output", "study")
+        self.assertEqual(study.returncode, 0, study.err)
+        self.assertNotIn("drift significant", study.out)
+        self.assertIsNone(NO_NUMBER.search(study.out), study.out)
+        point = json.loads((self.folder / "study.json").read_text())["points"][0]
+        self.assertIsNone(point["R"])
+        self.assertEqual(point["drift_chance"], 1)
+        self.assertIsNone(NO_NUMBER.search((self.folder / "study-points.csv").read_text().splitlines()[-1]))
+
+    def test_memory_does_not_grow_with_the_number_of_samples(self):
+        # 245 bytes a sample were kept once: 49 MB for the 200,000 between the two lengths.
+        text = edited(SMALL, ('count = 27', 'count = 2'), ("[run]\n", '[run]\nsample = "2 fs"\nshadow_sample = "20 fs"\n'),
+                      ("[output]\n", '[output]\ntrajectory_every = "0 ps"\n'))
+        self.write("run.toml", text)
+
+        def largest(length):
+            process = subprocess.Popen([sandbox.PROGRAM, "run", "run.toml", "--force", "--threads", "1", "--length", length],
+                                       cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(process.returncode, 0)
+            return usage.ru_maxrss / 1024  # MB
+
+        self.assertLess(largest("440 ps") - largest("40 ps"), 8)
+
+
+if __name__ == "__main__":
+    Sandbox.maxDiff = None
+    sandbox.main()
