@@ -76,7 +76,7 @@ int run(int argc, char** argv) {
   return 2;
 }
 
-/// Where it was not foreseen.
+/// The message when memory runs out where no check foresaw it.
 std::string no_memory() {
   return fmt::format(
       "there is not enough memory; this process may have {:.3g} GB; take fewer "
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fmt::print(stderr, "error: {}\n", polhode::cli::no_memory());
     return 1;
-  } catch (const std::length_error&) {  // more than an address can tell
+  } catch (const std::length_error&) {  // more than the address space holds
     fmt::print(stderr, "error: {}\n", polhode::cli::no_memory());
     return 1;
   } catch (const std::exception& e) {

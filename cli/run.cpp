@@ -84,7 +84,7 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) {
   } catch (const Error& e) {
     throw e.at(config.source);
   }
-  constexpr double steps_per_shadow = 100;  // costs about a hundredth of a run
+  constexpr double steps_per_shadow = 100;  // costs about 1 % of a run
   settings.shadow_sample = config.run.shadow_sample.value_or(
       settings.has_shadow() ? steps_per_shadow * settings.step : 0);
   settings.check_shadow();

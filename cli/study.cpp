@@ -63,7 +63,7 @@ Config configured(const Options& o) {
   return config;
 }
 
-/// Writes and prints what the counted runs say.
+/// Writes and prints the results of the runs that count.
 void report(const Options& o, Config config, const System& system,
             const std::vector<StudyPoint>& points, const std::vector<StudyRun>& runs,
             const StudyFiles& files, const Provenance& provenance) {
@@ -72,7 +72,7 @@ void report(const Options& o, Config config, const System& system,
     fmt::print(stderr,
                "the tables are of the first {} starts; {} runs from later ones are left out\n",
                config.study.runs, runs.size() - counted.size());
-  config.forces.mixing = system.forces.mixing;  // a topology file tells it
+  config.forces.mixing = system.forces.mixing;  // the mixing rule may come from a topology file
   const StudyReport report(config, efficiency_points(points, counted));
   write_study(files, report, provenance);
   if (o.json)
@@ -81,7 +81,7 @@ void report(const Options& o, Config config, const System& system,
     print_study(report, o.from_record.empty() ? files.all() : files.tables());
 }
 
-/// Tables and figure of a record that is there, without a run.
+/// Tables and figure from an existing record, without new runs.
 int study_of_record(const Options& o) {
   const Config config = configured(o);
   std::ifstream in(o.from_record, std::ios::binary);

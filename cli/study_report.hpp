@@ -22,7 +22,7 @@ struct StudyFiles {
         script(prefix + ".gp"),
         svg(prefix + ".svg"),
         png(prefix + ".png") {}
-  /// All but the record.
+  /// All files except the record.
   std::vector<std::string> tables() const { return {points, json, script, svg, png}; }
   std::vector<std::string> all() const { return {points, runs, json, script, svg, png}; }
 };

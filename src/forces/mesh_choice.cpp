@@ -134,12 +134,12 @@ double typical_force(const Topology& topology, const Box& box) {
 
 namespace {
 
-/// The mesh that takes the least time for one cutoff.
+/// The fastest mesh for one cutoff.
 MeshSettings cheapest_mesh(double relative_error, double cutoff, const Box& box,
                            const Topology& topology) {
   const Crowd crowd(topology, box);
-  // What is reached in water is 0.3 to 1.5 of what is expected: where molecules screen each other
-  // it is less, and the coarse sum over waves adds its own. The wrong side is left out.
+  // In water the actual error is 0.3 to 1.5 times the expected one: smaller where molecules screen
+  // each other, larger because of the coarse sum over waves. The margin covers the larger values.
   constexpr double margin = 1.5;
   const double wanted = relative_error * typical_force(topology, box) / margin;
   const auto error = [&](const Vec3<double>& spacing, int order, int exponent) {
@@ -183,11 +183,12 @@ double points_of(const MeshSettings& mesh) {
   return points;
 }
 
-/// Liquids have 10 to 100 points to a charge. In a box that holds little, a mesh of this many is
-/// work for nothing: pairs up to a longer cutoff are few there, and leave a coarser mesh.
+/// Liquids have 10 to 100 points per charge. In a sparsely filled box, a mesh with this many is
+/// wasted work: there are few pairs even up to a longer cutoff, which allows a coarser mesh.
 double most_points(double charges) { return std::max(0x1p21, 4096 * charges); }
 
-/// What to do where a mesh is too fine: the cutoff, in steps of a quarter, from which it is not.
+/// The remedy for a mesh that is too fine: the cutoff, increased in steps of a quarter, at which it
+/// no longer is.
 std::string remedy(double relative_error, double cutoff, const Box& box, const Topology& topology,
                    double most) {
   for (double longer = 1.25 * cutoff; longer < 0.45 * box.shortest_edge(); longer *= 1.25)

@@ -38,14 +38,14 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
                     settings.cutoff, reach, shortest, floored(shortest - 2 * reach)));
 }
 
-// A dense liquid has some five bodies to a cell; a table of cells for each part of the topology
-// shall not outgrow the bodies, whatever the box.
+// A dense liquid has about five bodies per cell; the table of cells for each part of the topology
+// must not outgrow the bodies, however large the box is.
 double most_cells(const Topology& topology) {
   const auto parts = std::max<std::size_t>(1, topology.parts.size());
   return std::max(64.0, 8 * static_cast<double>(topology.size() / parts));
 }
 
-constexpr std::size_t slots_at_once = 1024;  // put into fixed point by one task
+constexpr std::size_t slots_at_once = 1024;  // per task that converts to fixed point
 
 // The work is divided by the number of bodies alone, so that sums do not depend on the number of
 // threads. Chunks are large enough that their own rows outnumber those of neighbouring chunks they
@@ -85,8 +85,8 @@ void check_count(const Topology& topology) {
 }
 
 void check_edges(const Box& box) {
-  // Places in fixed point are off by up to 2⁻³⁰ of an edge; the search for partners allows for
-  // rounding by 1e-5 nm.
+  // Fixed-point positions have errors of up to 2⁻³⁰ of an edge; the search for partners allows for
+  // rounding of 1e-5 nm.
   constexpr double longest = 8192;  // [nm]
   for (std::size_t d = 0; d < 3; ++d)
     if (!(box.edge[d] <= longest))
@@ -101,8 +101,9 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
     : box_(box), slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
   check_edges(box);
   check_box(topology, settings, box);
-  // Centres are at most cutoff + reach_a + reach_b apart when two sites are within the cutoff, and
-  // at least that much closer when all of them are within the switch.
+  // Two sites within the cutoff mean centres at most cutoff + reach_a + reach_b apart; centres
+  // closer than switch_from − reach_a − reach_b mean that all sites are inside the switching
+  // distance.
   const bool by_site = settings.truncation != Truncation::molecule_switch;
   const double from = settings.truncation == Truncation::site_shift ? 0.0 : settings.switch_from;
   double longest = 0;

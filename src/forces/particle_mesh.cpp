@@ -37,7 +37,8 @@ void check(const MeshSettings& settings) {
                       "that a spline does not meet itself",
                       points, MeshGrid<double>::overhang + 1));
   const auto [nx, ny, nz] = settings.points;
-  // Charges or their potential, and a quarter of a number each for the influence and its slope.
+  // Per grid point: the charges or their potential, and a quarter of a number each for the
+  // influence function and its slope.
   const double bytes =
       1.5 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
   require_memory(bytes, fmt::format("{} x {} x {} points of a mesh", nx, ny, nz),

@@ -123,13 +123,13 @@ std::vector<std::string> folders_beside(const path& folder, std::vector<std::str
   return names;
 }
 
-// "NAME" or "NAME=VALUE", the name as #ifdef can have it.
+// "NAME" or "NAME=VALUE", where the name is one that #ifdef accepts.
 bool is_macro(std::string_view text) {
   const std::string_view name = text.substr(0, text.find('='));
   return !name.empty() && name.front() != '-' && name.find_first_of(" \t") == name.npos;
 }
 
-// The file that says which molecules there are. A data file is both topology and start.
+// The topology file. A LAMMPS data file is both topology and start configuration.
 void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& system) {
   TopologySettings& topology = system.topology;
   topology.file = table.text("topology").value_or("");

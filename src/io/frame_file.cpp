@@ -62,7 +62,7 @@ const Format& written_format(const std::string& path) {
                   format.ending, listed(std::vector<std::string>(written.begin(), written.end()))));
 }
 
-// Frames on their way into a file that can hold them.
+// A writer that first checks that the format can store a frame.
 class FittingWriter : public FrameWriter {
  public:
   FittingWriter(std::unique_ptr<FrameWriter> writer, const Format& format, const Topology& topology,

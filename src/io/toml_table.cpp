@@ -13,8 +13,8 @@ namespace polhode {
 
 namespace {
 
-// The library goes into tables within tables without a bound where dots between keys make them, and
-// takes 256 values within each other: the stack must hold the product.
+// The TOML library recurses into dotted keys without a limit, and into up to 256 nested values: the
+// stack must hold the product of both.
 constexpr std::size_t most_dots = 8;
 
 // The end of the string that begins at a quote.
@@ -33,7 +33,7 @@ std::size_t end_of_string(std::string_view text, std::size_t begin) {
   return text.size();
 }
 
-// Refuses keys of more parts than a run file could have a use for.
+// Rejects dotted keys with more parts than any run file needs.
 void check_keys(std::string_view text, const std::string& file) {
   std::size_t dots = 0, line = 1;
   for (std::size_t k = 0; k < text.size();) {

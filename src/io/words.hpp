@@ -15,15 +15,15 @@ inline std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
-/// Without the byte order mark that some editors put before a text.
+/// Removes the byte order mark that some editors put before a text.
 inline std::string_view without_mark(std::string_view text) {
   constexpr std::string_view mark = "\xEF\xBB\xBF";
   if (text.starts_with(mark)) text.remove_prefix(mark.size());
   return text;
 }
 
-/// Takes the first word, with the blanks around it, away from the front of a text; empty at its
-/// end.
+/// Removes the first word, with the blanks around it, from the front of a text and returns it;
+/// empty at the end of the text.
 inline std::string_view take_word(std::string_view& text) {
   text = trimmed(text);
   const std::string_view word = text.substr(0, text.find_first_of(blanks));

@@ -131,7 +131,7 @@ Maximum top_of(std::span<const double> g) {
   return {static_cast<double>(top) + best, value(best)};
 }
 
-// Rows of sites are dealt out to so many tasks with histograms of their own.
+// Rows of sites are distributed over this many tasks, each with its own histogram.
 constexpr std::size_t tasks = 32;
 
 std::size_t checked_bins(const RadialSettings& settings) {
@@ -162,7 +162,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
       reach_(settings.reach),
       width_(settings.bin),
       bins_(checked_bins(settings)) {
-  // Sites of a kind are those that the same words name.
+  // Sites that are selected by the same names form a kind.
   std::vector<std::string> words, all_names;
   for (const SitePair& pair : pairs_) words.insert(words.end(), pair.begin(), pair.end());
   std::vector<std::vector<bool>> kinds;
@@ -228,7 +228,7 @@ void RadialDistribution::add(const State& state, Workers& workers) {
                           static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(kind)});
   const CellSort sorted(placed, state.box, reach_);
 
-  // Whole numbers, so that their sum does not depend on who counted.
+  // Integers, so that the sum does not depend on the distribution over tasks.
   std::vector<std::vector<std::uint64_t>> histograms(tasks);
   std::vector<std::set<std::size_t>> near;
   for (std::size_t cell = 0; cell + 1 < sorted.first.size(); ++cell)

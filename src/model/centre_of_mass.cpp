@@ -9,13 +9,13 @@
 namespace polhode {
 namespace {
 
-// Blocks depend on the number of bodies alone; there are few, so that their sums need no memory.
+// Blocks depend only on the number of bodies; they are few, so that their sums fit on the stack.
 constexpr std::size_t most_blocks = 64;
 std::size_t block_of(std::size_t size) {
   return std::max<std::size_t>(4096, blocks(size, most_blocks));
 }
 
-/// Σ v, its blocks in their order.
+/// Σ v, summed over blocks in order.
 Vec3<double> total(const Vec3Column& v, Workers& workers = Workers::serial()) {
   std::array<Vec3<double>, most_blocks> sums{};
   const std::size_t block = block_of(v.size());
@@ -29,7 +29,7 @@ Vec3<double> total(const Vec3Column& v, Workers& workers = Workers::serial()) {
   return all;
 }
 
-/// v ← v − (m/M) u: of a single body exactly v − u.
+/// v ← v − (m/M) u; exactly v − u for a single body.
 void subtract_by_mass(Vec3Column& v, const Bodies& bodies, const Vec3<double>& u,
                       Workers& workers = Workers::serial()) {
   const double mass = total_mass(bodies);

@@ -15,8 +15,8 @@ namespace {
 // geometries have at least 10 digits, and their squares carry a few times that rounding.
 constexpr double same_moment = 1e-9;
 
-// More than a rigid molecule needs: the pair loops take 64 sites that interact, and sizes are found
-// by going through all pairs.
+// More than a rigid molecule needs: the pair loops allow 64 interacting sites, and the size of a
+// molecule is found by looping over all pairs.
 constexpr std::size_t most_sites = 1024;
 
 void check(const Site& site, const std::string& molecule) {

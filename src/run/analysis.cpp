@@ -15,10 +15,10 @@
 namespace polhode {
 namespace {
 
-// More than any curve needs, and few enough to be held for every pair of sites and every body.
+// More than any curve needs, but few enough to be stored for every pair of sites and every body.
 constexpr double most_bins = 1e5, most_lags = 1e6;
 
-// Frames that are read before anything is done with them: two tell the interval.
+// Frames read before they are processed: at least two, to determine the interval.
 std::size_t batch_size(const Workers& workers) {
   return std::max<std::size_t>(2, static_cast<std::size_t>(workers.threads()));
 }

@@ -141,7 +141,7 @@ std::string identity_line(const Provenance& provenance) {
   return record_mark + text_hash(provenance.config);
 }
 
-/// All lines of a record, the first of which says whose it is.
+/// All lines of a record; the first one identifies the study.
 std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
                                 const std::function<void(std::string_view, Lines&)>& check_head) {
   std::string text{std::istreambuf_iterator<char>(in), {}};

@@ -39,10 +39,10 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   }
 }
 
-// Before anything is allocated for each molecule.
+// To be called before anything is allocated per molecule.
 void check_size(const Topology& topology) {
   check_count(topology);
-  // Numbers of state, bodies, forces and list without partners: for each body, and for each site.
+  // Numbers stored by state, bodies, forces and list (without partners): per body, and per site.
   constexpr double each_body = 500, each_site = 24;  // [bytes]
   double bytes = 0, molecules = 0;
   for (const auto& [molecule, count] : topology.parts) {

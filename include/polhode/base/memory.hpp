@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What does not fit into memory is refused before it is asked for: afterwards there may be nobody
-// left to say so.
+// Memory requirements are checked before allocation: a process that exceeds its limit may be killed
+// without a message.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-/// Memory that the process may have in all [bytes]: that of the computer, or less where a limit of
-/// the process (ulimit -v) or of its control group says so.
+/// Total memory that the process may use [bytes]: that of the computer, or a lower limit of the
+/// process (ulimit -v) or of its control group.
 double memory_limit();
 
-/// Refuses what cannot fit.
-/// @param bytes   at least so many
-/// @param what    that takes them, in the plural: "100000000 molecules"
+/// Throws if a request cannot fit into memory.
+/// @param bytes   lower estimate of the request
+/// @param what needs them, in the plural: "100000000 molecules"
 /// @param remedy  what to do instead: "take fewer"
 /// @throws Error  if that is more than memory_limit()
 void require_memory(double bytes, const std::string& what, const std::string& remedy);

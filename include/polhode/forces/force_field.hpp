@@ -27,10 +27,10 @@ struct ListMemory {
   std::size_t rebuilds = 0;  ///< so far
 };
 
-/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box. A mesh exerts a
-/// net force, as its points are at fixed places: it is taken off (remove_net_force()), so that all
-/// forces keep the total momentum, and are minus the gradient of the energy along every motion that
-/// leaves the centre of mass in its place. While the total momentum is 0, that is the motion.
+/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box. The points of a
+/// mesh are fixed in space, so the mesh exerts a net force. It is removed (remove_net_force()), so
+/// that the forces conserve the total momentum and are minus the gradient of the energy along every
+/// motion that leaves the centre of mass at rest, as it is while the total momentum is 0.
 class ForceField {
  public:
   /// @param workers  threads that share an evaluation; results do not depend on their number

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How large a system may be.
+// Limits on the size of a system.
 #pragma once
 
 #include "polhode/model/box.hpp"

@@ -89,13 +89,13 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice = {});
 
-/// Whether frames of a run can be written to a file, before it is begun.
+/// Checks, before a run starts, that its frames can be written to a file.
 /// @throws Error  if its format cannot hold so many atoms, or the coordinates of such a box
 void check_fit(const std::string& path, const State& state, const Topology& topology,
                const FrameChoice& choice = {});
 
-/// What the format of a file's ending can hold.
-/// @throws Error  if the ending is none of `readable_formats()`
+/// What the format with a given file extension can store.
+/// @throws Error  if the extension is not one of `readable_formats()`
 struct FormatTraits {
   bool names;       ///< of atoms
   bool velocities;  ///< of atoms

@@ -26,9 +26,10 @@ constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> count
   return counter;
 }
 
-/// The seed of what is the `index`-th of a kind under another seed, as the starts of a study are:
-/// no sum of the two, for then index 1 of seed 1 would be index 0 of seed 2. It is half of a block
-/// of Philox whose counter no Random has: two derived seeds agree with a chance of 2⁻⁶⁴.
+/// Derives the seed of the `index`-th item of a series from a common seed, such as those of the
+/// initial configurations of a study. It is not the sum of the two, with which index 1 of seed 1
+/// would equal index 0 of seed 2, but half of a Philox block with a counter that no Random uses:
+/// two derived seeds are equal with probability 2⁻⁶⁴.
 constexpr std::uint64_t derived_seed(std::uint64_t seed, std::uint64_t index) {
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
   const auto block =

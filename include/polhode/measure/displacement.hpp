@@ -37,8 +37,9 @@ class Displacement {
   Displacement(const Topology& topology, std::size_t lags);
   void add(const State& state, Workers& workers = Workers::serial());
 
-  /// ⟨|q(t + lag) − q(t)|²⟩ [nm²] at each lag, of the bodies of one part of the topology; q
-  /// relative to the centre of mass of all bodies, so that a common velocity is no diffusion.
+  /// ⟨|q(t + lag) − q(t)|²⟩ [nm²] at each lag, of the bodies of one part of the topology; q is
+  /// relative to the centre of mass of all bodies, so that a common velocity does not count as
+  /// diffusion.
   BlockMeans squared(std::size_t part, Workers& workers = Workers::serial());
   double longest_step() const { return unwrapped_.longest_step(); }
 

@@ -39,7 +39,7 @@ Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Loa
 /// Σ q × p + ℓ about the origin [u nm²/ps].
 Vec3<double> total_angular_momentum(const State& state);
 
-/// 2 E/(n k_B) [K]; 0 without freedoms.
+/// 2 E/(n k_B) [K]; 0 without degrees of freedom.
 double temperature(double kinetic_energy, double freedoms);
 
 /// Temperatures by kind of motion [K]; 0 without degrees of freedom.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How wide the cells of a grid over a box are, so that there are not more of them than is worth it.
+// The width of the cells of a grid over a box, limited so that the number of cells stays useful.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace polhode {
 
-/// `width` [nm], or as much more as it takes for whole cells of that width, one along an edge at
-/// least, to be not more than `most` in all: a large box that holds little has large cells.
+/// `width` [nm], increased until the box has no more than `most` whole cells, at least one along
+/// each edge: a large, sparsely filled box has large cells.
 inline double cell_width(const Box& box, double width, double most) {
   const auto along = [&](double edge) { return std::max(1.0, std::floor(edge / width)); };
   while (along(box.edge.x) * along(box.edge.y) * along(box.edge.z) > std::max(most, 1.0))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The motion of all bodies as one. It carries no temperature and no diffusion, so the program keeps
-// the centre of mass at rest: a start loses its total momentum, a mesh its net force, and kinetic
-// energies, temperatures, pressures and displacements are those relative to the centre of mass
-// (docs/theory.md, "The centre of mass").
+// The motion of the centre of mass. It does not contribute to temperature or diffusion, so the
+// program keeps the centre of mass at rest: the total momentum of an initial configuration and the
+// net force of a mesh are removed, and kinetic energies, temperatures, pressures and displacements
+// are relative to the centre of mass (docs/theory.md, "The centre of mass").
 #pragma once
 
 #include "polhode/base/workers.hpp"
@@ -17,16 +17,16 @@ double total_mass(const Bodies& bodies);  ///< Σ m [u]
 /// Σ p [u nm/ps].
 Vec3<double> total_momentum(const State& state);
 
-/// Σ m q/M of places [nm], without images.
+/// Centre of mass Σ m q/M [nm] of unwrapped positions.
 Vec3<double> centre_of_mass(const Vec3Column& q, const Bodies& bodies);
 
 /// Brings the centre of mass to rest: p ← p − m P/M, P = Σ p.
 /// @return  P/M, the velocity that is taken off [nm/ps]
 Vec3<double> remove_total_momentum(State& state, const Bodies& bodies);
 
-/// Takes the net force F off the bodies in proportion to their masses: f ← f − m F/M. What is left
-/// is minus the gradient of the energy at a fixed centre of mass; torques stay. The same bits for
-/// any number of threads.
+/// Subtracts the net force F from the bodies in proportion to their masses: f ← f − m F/M. The
+/// result is minus the gradient of the energy at a fixed centre of mass; torques are unchanged.
+/// Bitwise identical for any number of threads.
 void remove_net_force(Load& load, const Bodies& bodies, Workers& workers = Workers::serial());
 
 }  // namespace polhode

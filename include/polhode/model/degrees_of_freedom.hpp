@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many degrees of freedom carry kinetic energy: the one place that counts them.
+// The number of degrees of freedom with kinetic energy, counted here and nowhere else.
 #pragma once
 
 #include <array>
@@ -8,9 +8,10 @@
 
 namespace polhode {
 
-/// Degrees of freedom that carry kT/2 each: 3 N − 3 of translation, as the centre of mass of all
-/// bodies rests (model/centre_of_mass.hpp), and one of rotation for each principal axis with
-/// inertia. A single body has none of translation, a single atom none at all.
+/// Degrees of freedom, each with a mean kinetic energy of kT/2: 3 N − 3 translational ones, because
+/// the centre of mass of all bodies is at rest (model/centre_of_mass.hpp), and one rotational one
+/// for each principal axis with a nonzero moment of inertia. A single body has no translational
+/// ones, a single atom none at all.
 struct Freedoms {
   double translation = 0;
   std::array<double, 3> rotation{};

@@ -102,8 +102,9 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
                const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
                Workers& workers = Workers::serial());
 
-/// The runs from the first `starts` starts. Drifts are compared between points, and more runs see
-/// smaller ones: a report counts the same starts at every point, whatever else its record holds.
+/// The runs from the first `starts` initial configurations. Drifts are compared between points, and
+/// more runs detect smaller drifts, so a report uses the same initial configurations at every
+/// point, even if its record contains more.
 std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts);
 
 /// Points from runs, in the order of schemes and steps.

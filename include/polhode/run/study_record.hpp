@@ -27,11 +27,11 @@ std::string study_identity(const Config& config, const System& system);
 std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
                                         const Provenance& provenance);
 
-/// The runs of a record as they are, whichever study and version of the program it is of.
+/// All runs in a record, whichever study and program version it belongs to.
 /// @throws Error  as read_study_record(), but for the study
 std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string& path);
 
-/// The runs that are done, one line each, appended as they end.
+/// The finished runs, one line each, appended as they end.
 class StudyRecord {
  public:
   /// Reads the record if it exists and belongs to the same study, otherwise creates one.

@@ -18,14 +18,14 @@ struct System {
   Bodies bodies;
   State state;
   ForceSettings forces;
-  double temperature;             ///< wanted [K]
-  double fit_deviation = 0;       ///< of a start configuration from the rigid models [nm]
-  double massless_deviation = 0;  ///< of its massless sites, which are placed anew [nm]
-  bool new_velocities = true;     ///< the start had none, or it is a lattice
-  /// Of the centre of mass in a start with velocities [nm/ps], and what it added to the temperature
-  /// [K]; it is removed.
+  double temperature;             ///< target temperature [K]
+  double fit_deviation = 0;       ///< of the start configuration from the rigid models [nm]
+  double massless_deviation = 0;  ///< of its massless sites, whose positions are recomputed [nm]
+  bool new_velocities = true;     ///< the start configuration had none, or it is a lattice
+  /// Velocity of the centre of mass in a start configuration with velocities [nm/ps], and its
+  /// contribution to the temperature [K]; it is removed.
   double removed_velocity = 0, removed_temperature = 0;
-  /// Of each part of the topology, where a topology file told it: how its shape was found.
+  /// For each part of the topology that comes from a topology file: how its shape was determined.
   std::vector<std::string> origins{};
 };
 
