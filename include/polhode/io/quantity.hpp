@@ -27,8 +27,8 @@ enum class Dimension {
   inverse_length,  ///< [1/nm]
 };
 
-/// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is what the text is the
-/// value of, and `example` a suggestion that replaces the example of the dimension where that would
+/// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is the quantity that the
+/// text stands for; `example` replaces the dimension's own example in errors where that would
 /// mislead.
 /// @throws Error  if the unit is missing, unknown or of another dimension, or the number not finite
 double quantity(std::string_view text, Dimension dimension, std::string_view name,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Performance on liquid water: force evaluations compared with the time of their bare arithmetic,
-// and the parts of a step.
+// and the time of each part of a step.
 #pragma once
 
 #include <functional>
