@@ -84,7 +84,8 @@ POLHODE_DECLARE_LOOPS(
     /// Fills the records of displacements of a job's slots.
     void displace_sites(const DisplaceJob<double>& job);
     void displace_sites(const DisplaceJob<float>& job);
-    /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to its sums.
+    /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to its
+    /// sums.
     void pair_forces(const PairJob<double>& job); void pair_forces(const PairJob<float>& job);
     /// Adds the derivatives of forces and torques of a job's pairs along its displacements to its
     /// sums.
