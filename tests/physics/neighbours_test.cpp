@@ -278,7 +278,7 @@ TEST_CASE("the neighbour list misses no pair over long hot runs") {
 // 400³ nm³ in cells of half a range would be 5e8, in memory and in each build.
 TEST_CASE("cells follow what is in the box, and the list then misses no pair") {
   for (const auto& [n, cutoff] :
-       {std::pair<std::size_t, double>{8, 1.0}, {8, 120.0}, {300, 30.0}}) {
+       {std::pair<std::size_t, double>{8, 1.0}, {60, 120.0}, {300, 90.0}}) {
     const ListCase c{"",
                      {{"argon", n}, {"n2", 8}},
                      {400, 300, 500},
