@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Performance of the engine from small systems to large ones: time of a force evaluation, of the neighbour list and
-with its parts, by `polhode bench`; peak memory and the time to the first energies, each in a separate process."""
+of a step with its parts, by `polhode bench`; peak memory and the time to the first energies, each in a separate process."""
 
 import argparse
 import datetime
