@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""R against cost: studies of many schemes by the program, and what is read off their curves."""
+"""R against cost: studies of many schemes by the program, and the evaluation of their curves."""
 
 import json
 import subprocess
@@ -8,7 +8,7 @@ from math import exp, log
 
 
 def study(o, run_file, prefix, scheme, steps):
-    """Points of a scheme at steps [fs]; a study that was cut short goes on where it was."""
+    """Points of a scheme at steps [fs]; an interrupted study is resumed."""
     command = [o.polhode, "study", str(run_file), "--schemes", scheme, "--steps", *(f"{h:g} fs" for h in steps),
                "--runs", str(o.runs), "--length", f"{o.length:g} ps", "--decorrelate", f"{o.decorrelate:g} ps",
                "--threads", str(o.threads), "--output", str(prefix), "--json"]
@@ -18,7 +18,7 @@ def study(o, run_file, prefix, scheme, steps):
 
 
 def by_scheme(points):
-    """Points by scheme, by growing step."""
+    """Points of each scheme, by increasing step."""
     result = {}
     for p in points:
         result.setdefault(p["scheme"], []).append(p)
@@ -28,8 +28,8 @@ def by_scheme(points):
 
 
 def usable(own):
-    """The points of a curve before the first one that drifts or ends. One curve in a hundred without any drift seems to
-    have one: a study says that of one point in a hundred."""
+    """The points of a curve before the first one that drifts or blows up. At the level of significance of a study, one point
+    in a hundred appears to drift by chance."""
     good = []
     for p in own:
         if not p["stable"] or p["drift_chance"] < 0.01 / len(own):
@@ -40,7 +40,7 @@ def usable(own):
 
 def at_ratio(own, ratio):
     """(cost, step [fs]) of a curve at R, by interpolation in logarithms between neighbouring points that are usable;
-    nothing beyond the measured ones, but the longest usable step where even its R is below."""
+    no extrapolation, but the longest usable step if its R is below the required one."""
     good = usable(own)
     if not good or good[0]["R"] > ratio:
         return None
@@ -53,7 +53,7 @@ def at_ratio(own, ratio):
 
 
 def seconds_per_ps(o, run_file, chosen):
-    """Wall-clock time of (scheme, step) pairs that run, energies not sampled: the best of repeats in turn."""
+    """Wall-clock time of (scheme, step) pairs that run, energies not sampled: the minimum of interleaved repeats."""
     timed = run_file.with_name(f"{run_file.stem}-clock.toml")
     timed.write_text(run_file.read_text(encoding="utf-8") + f'[run]\nsample = "{o.clock:g} ps"\n'
                      '[output]\ntrajectory_every = "0 ps"\nplot = "none"\n', encoding="utf-8")
@@ -63,7 +63,7 @@ def seconds_per_ps(o, run_file, chosen):
             command = [o.polhode, "run", str(timed), "--scheme", scheme, "--step", f"{step:.3f} fs", "--length",
                        f"{o.clock:g} ps", "--threads", "1", "--force", "--json", "--output", str(o.folder / "clock")]
             run = subprocess.run(command, capture_output=True, text=True)
-            if run.returncode != 0:  # at the end of stability another start may blow up
+            if run.returncode != 0:  # near the stability limit another initial configuration may blow up
                 print(f"{run_file.stem}: {scheme} at {step:.3g} fs is not timed: {run.stderr}", file=sys.stderr)
                 continue
             done = json.loads(run.stdout)

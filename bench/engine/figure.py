@@ -10,7 +10,7 @@ from string import Template
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
-# Okabe and Ito's colours, as in all figures here; filled marks for forces, open ones for steps.
+# The colours of Okabe and Ito, as in all figures here; filled marks for forces, open ones for steps.
 COLOURS = {"mixed": "#0072B2", "double": "#D55E00"}
 QUANTITIES = {"force": ("a force evaluation", (7, 5)), "step": ("a step of HOA2", (6, 4))}
 
