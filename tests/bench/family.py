@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What bench/family reads off curves is right where a law is known, and its tables and figure name what they show."""
+"""The evaluation of curves by bench/family is right for known laws, and its tables and figure are labelled."""
 
 import sys
 import tempfile
