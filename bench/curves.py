@@ -27,8 +27,8 @@ def by_scheme(points):
     return result
 
 
-# R at which a curve has ended, whatever its drift: ten times what such a study is asked for, and beyond every point at
-# which longer runs saw no drift (docs/efficiency.md: velocity Verlet, 8.9 %).
+# A curve ends above this R, whatever its drift: ten times the R that such a study is for, and above every point at
+# which longer runs detected no drift (docs/efficiency.md: velocity Verlet, 8.9 %).
 LOST = 0.1
 
 

@@ -15,7 +15,7 @@ import figure
 
 
 def curve(scheme, evaluations, factor, order, steps, longest=99):
-    """Points of a scheme with R = factor hⁿ at evaluations per step; the energy is lost beyond the longest."""
+    """Points of a scheme with R = factor hⁿ at evaluations per step; above the longest step the energy is lost."""
     return [{"scheme": scheme, "step_fs": h, "force_evaluations_per_ps": 1000 * evaluations / h, "stable": True,
              "R": factor * h**order if h <= longest else 1.2} for h in steps]
 
