@@ -10,7 +10,7 @@ namespace polhode {
 namespace {
 
 /// A series by the means of its blocks, centred, and what is left of it when polynomials in time
-/// are taken off degree by degree: orthonormal over the blocks with their weights, by the
+/// are subtracted degree by degree: orthonormal over the blocks with their weights, by the
 /// recurrence of Stieltjes.
 class Modes {
  public:
@@ -23,7 +23,7 @@ class Modes {
     root_of_weight_ = normalise();
   }
 
-  /// The coefficient on the polynomial of the next degree, from 0, which is taken off.
+  /// The coefficient on the polynomial of the next degree, from 0, which is subtracted.
   double next() {
     const double c = product(current_, rest_);
     for (std::size_t b = 0; b < rest_.size(); ++b) rest_[b] -= c * current_[b];
@@ -38,7 +38,8 @@ class Modes {
     return c;
   }
 
-  /// The root of Σ w (t − t̄)², once the mean is taken off: a slope is the next coefficient over it.
+  /// The root of Σ w (t − t̄)², once the mean is subtracted: a slope is the next coefficient divided
+  /// by it.
   double spread() const { return norm_ * root_of_weight_; }
 
   /// The degree of the next one.
@@ -86,7 +87,7 @@ struct Noise {
   Known known = Known::yes;
 };
 
-/// @param modes  of which those without noise are taken off
+/// @param modes  of which those without noise are subtracted
 /// @param walk   variance of a random walk at the end of the run, times the number of samples
 Noise noise(Modes modes, double walk = 0) {
   const auto first = static_cast<double>(modes.degree());

@@ -82,8 +82,8 @@ void each_row(const std::string& path, std::uint64_t bytes,
 /// before anything is computed.
 void refuse_existing(const std::string& path, bool force);
 
-/// Writes a file atomically: into a temporary file beside it, which is renamed once it is synced to
-/// disk.
+/// Writes a file atomically: into a temporary file next to it, which is renamed once it is synced
+/// to disk.
 /// @param keep  new name for an existing file; if empty, that file is replaced
 /// @throws Error  if the file cannot be written
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,

@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Whether a run tells an error.
+/// Whether the error can be estimated from the run.
 enum class Known {
   yes,
   too_few_samples,  ///< fewer than `min_samples`

@@ -28,7 +28,7 @@ struct Checkpoint {
   std::optional<OutputMarks> outputs;  ///< nothing before they begin
 };
 
-/// What must be the same for a run to go on, as a hash: molecules, start, forces, scheme, step,
+/// What must be the same for a run to resume, as a hash: molecules, start, forces, scheme, step,
 /// equilibration, and what is written how often; not its length.
 std::string run_identity(const Config& config, const System& system);
 
@@ -42,7 +42,7 @@ struct CheckpointFiles {
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const Maker& maker);
 
-/// @throws DamagedCheckpoint  if the file is missing, cut short or changed
+/// @throws DamagedCheckpoint  if the file is missing, truncated or changed
 /// @throws Error              if it is another program's
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader);
 /// The same of bytes that were read from `path`.
