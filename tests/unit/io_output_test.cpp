@@ -143,7 +143,7 @@ TEST_CASE("a table keeps every digit and begins with what made it") {
   std::istringstream in(out.str());
   std::string line;
   for (const char* expected :
-       {"# polhode 1.2.3", "# command: polhode run x", "# config hash: 85944171f73967e8",
+       {"# polhode 1.2.3", "# command: polhode run\\x0ax", "# config hash: 85944171f73967e8",
         "# target: avx2", "# seed: 7", "time [ps],R [%]"}) {
     std::getline(in, line);
     CHECK(line == expected);
