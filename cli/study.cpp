@@ -71,9 +71,8 @@ void report(const Options& o, Config config, const System& system,
             const StudyFiles& files, const Provenance& provenance) {
   const std::vector<StudyRun> counted = runs_of_starts(runs, config.study.runs);
   if (counted.size() < runs.size())
-    fmt::print(stderr,
-               "the tables are of the first {} starts; {} runs from later ones are left out\n",
-               config.study.runs, runs.size() - counted.size());
+    log("the tables are of the first {} starts; {} runs from later ones are left out\n",
+        config.study.runs, runs.size() - counted.size());
   config.forces.mixing = system.forces.mixing;  // a topology file tells it
   const StudyReport report(config, efficiency_points(points, counted));
   write_study(files, report, provenance);
