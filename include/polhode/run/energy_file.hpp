@@ -24,7 +24,7 @@ class EnergyFile {
   /// @throws RunError  if there is no room
   void add(const Energies& energies);
   /// Brings all rows to the disk and tells where the file stands.
-  FileMark mark() { return {rows_, table_.mark()}; }
+  FileMark mark();
 
  private:
   Freedoms freedoms_;
