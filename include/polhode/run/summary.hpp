@@ -13,16 +13,16 @@ namespace polhode {
 struct RunSummary {
   std::size_t molecules = 0;
   std::size_t steps = 0;
-  double length = 0;                    ///< simulated [ps]
-  double sample = 0;                    ///< between energies [ps]
-  std::uint64_t samples = 0;            ///< of the energies
-  SeriesEstimate ratio;                 ///< R; not finite if the potential energy is constant
-  double total_fluctuation = 0;         ///< [kJ/mol]
-  double potential_fluctuation = 0;     ///< [kJ/mol]
-  double rounding = 0;                  ///< R of rounding alone, estimated; 0 in double precision
+  double length = 0;                 ///< simulated [ps]
+  double sample = 0;                 ///< between energies [ps]
+  std::uint64_t samples = 0;         ///< of the energies
+  SeriesEstimate ratio;              ///< R; not finite if the potential energy is constant
+  double total_fluctuation = 0;      ///< [kJ/mol]
+  double potential_fluctuation = 0;  ///< [kJ/mol]
+  double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
-  Drift drift;                          ///< [kJ/mol/ps]
-  std::optional<ShadowSummary> shadow;  ///< if it was asked for
+  Drift drift;             ///< [kJ/mol/ps]
+  std::optional<ShadowSummary> shadow;                      ///< if it was asked for
   ByMotion<std::optional<SeriesEstimate>> configurational;  ///< temperatures [K], if asked for
   double potential = 0;                                     ///< mean per molecule [kJ/mol]
   double total = 0;                                         ///< mean per molecule [kJ/mol]
