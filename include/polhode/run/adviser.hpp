@@ -43,6 +43,8 @@ struct Advice {
   std::optional<std::size_t> runner_up;  ///< the cheapest of the others, as expected
   AdviserPoint confirmation;             ///< independent runs of the best one
   std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm
+  /// Runs that left so much room that a longer step was tried in their place.
+  std::vector<std::pair<std::size_t, AdviserPoint>> surpassed;
   bool stopped = false;
 };
 
@@ -62,11 +64,5 @@ double einstein_frequency(const System& system, Workers& workers = Workers::seri
 /// cost.
 Advice advised(const Config& config, const AdviserSettings& settings,
                const AdviserWatch& watch = {}, Workers& workers = Workers::serial());
-
-/// R over stretches of that length [ps], which is what a promise is about: of each stretch of a
-/// run, the rms fluctuation of the total energy over that of the potential energy; the mean over
-/// stretches with its standard error. For a run that is not two stretches long it is R of the
-/// whole.
-Estimate ratio_over(double length, std::span<const Energies> samples);
 
 }  // namespace polhode
