@@ -420,9 +420,11 @@ class Adviser {
         advice_.surpassed.emplace_back(*c, point);
       } else {
         advice_.refused.emplace_back(*c, point);
-        if (advice_.best) {  // the longer step does not do, the shorter one did
-          set_step(candidate, advice_.confirmation.step);
-          return;
+        if (advice_.best) {  // the longer step does not do, the shorter one did: one between them?
+          const auto between = longer_step(*c, advice_.confirmation);
+          set_step(candidate, between.value_or(advice_.confirmation.step));
+          if (!between) return;
+          continue;
         }
         shorten(candidate, point, point.length / length);
         continue;
