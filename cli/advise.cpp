@@ -13,6 +13,7 @@
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 #include "system_notes.hpp"
 #include "verbs.hpp"
 
@@ -74,10 +75,9 @@ int advise(const Options& o) {
       config.text, name(current_target()), config.system.seed};
   const System system = assembled(config);
   catch_interrupts();
-  fmt::print(stderr,
-             "polhode {}: advice for {} molecules, {}, about {:g} s, target {}, threads {}\n",
-             POLHODE_VERSION, system.topology.size(), config.source, o.seconds, provenance.target,
-             workers.threads());
+  log("polhode {}: advice for {} molecules, {}, about {:g} s, target {}, threads {}\n",
+      POLHODE_VERSION, system.topology.size(), config.source, o.seconds, provenance.target,
+      workers.threads());
   note_forces(system);
 
   Advice advice;
@@ -89,7 +89,7 @@ int advise(const Options& o) {
         workers);
   }
   if (advice.stopped) {
-    fmt::print(stderr, "interrupted before there was an answer; nothing was written\n");
+    log("interrupted before there was an answer; nothing was written\n");
     return 130;
   }
   write_advice(files, advice, settings.criterion, provenance);

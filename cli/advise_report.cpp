@@ -115,7 +115,8 @@ Table point_table(const Advice& advice) {
   };
   for (const Candidate& candidate : advice.candidates)
     for (const AdviserPoint& point : candidate.points) add(candidate, point, false);
-  for (const auto& [c, point] : advice.refused) add(advice.candidates[c], point, true);
+  for (const auto* sets : {&advice.refused, &advice.surpassed})
+    for (const auto& [c, point] : *sets) add(advice.candidates[c], point, true);
   if (advice.best) add(advice.candidates[*advice.best], advice.confirmation, true);
   return table;
 }
@@ -217,6 +218,7 @@ std::string advice_json(const Advice& advice, const Criterion& criterion, int th
                       {"interrupted", advice.stopped},
                       {"candidates", nlohmann::json::array()},
                       {"refused", nlohmann::json::array()},
+                      {"surpassed", nlohmann::json::array()},
                       {"best", nullptr},
                       {"runner_up", nullptr}};
   if (criterion.quality == Quality::drift)
@@ -224,10 +226,12 @@ std::string advice_json(const Advice& advice, const Criterion& criterion, int th
   if (threads > 0) json["threads"] = threads;
   for (const Candidate& candidate : advice.candidates)
     json["candidates"].push_back(as_json(candidate));
-  for (const auto& [c, point] : advice.refused) {
-    json["refused"].push_back(as_json(advice.candidates[c], point));
-    json["refused"].back()["scheme"] = advice.candidates[c].name;
-  }
+  for (const auto& [key, sets] :
+       {std::pair("refused", &advice.refused), {"surpassed", &advice.surpassed}})
+    for (const auto& [c, point] : *sets) {
+      json[key].push_back(as_json(advice.candidates[c], point));
+      json[key].back()["scheme"] = advice.candidates[c].name;
+    }
   const auto chosen = [&](std::size_t c) {
     nlohmann::json one = as_json(advice.candidates[c]);
     one.erase("points");
@@ -236,6 +240,7 @@ std::string advice_json(const Advice& advice, const Criterion& criterion, int th
   if (advice.best) {
     json["best"] = chosen(*advice.best);
     json["best"]["confirmation"] = as_json(advice.candidates[*advice.best], advice.confirmation);
+    json["best"]["reached_over_asked"] = advice.confirmation.bound / criterion.bound;
   } else {
     json["obstacle"] = unreachable(advice, criterion);
   }
@@ -266,6 +271,10 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
                blew_up(point.runs) ? "a run blew up"
                                    : fmt::format("R = {}, bound {}", percent(point.ratio()),
                                                  bound_text(criterion.quality, point.bound)));
+  for (const auto& [c, point] : advice.surpassed)
+    fmt::print("longer steps were tried: {} at {:.3g} fs has a bound of {}\n",
+               advice.candidates[c].name, point.step * 1000,
+               bound_text(criterion.quality, point.bound));
   if (!advice.best) return;
   const Candidate& best = advice.candidates[*advice.best];
   const AdviserPoint& p = advice.confirmation;
@@ -276,8 +285,9 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
              criterion.quality == Quality::ratio   ? "a fresh run         has R below "
              : criterion.quality == Quality::drift ? "drift               is smaller than "
                                                    : "temperature bias    is smaller than ",
-             fmt::format("{} with a probability of {:g} %", bound_text(criterion.quality, p.bound),
-                         100 * promise_probability));
+             fmt::format("{} with a probability of {:g} %, {:.2g} of what was asked",
+                         bound_text(criterion.quality, p.bound), 100 * promise_probability,
+                         p.bound / criterion.bound));
   fmt::print("  drift per molecule  {:.3g} ± {:.2g} kJ/mol/ns\n", in_kJ_per_ns(p.drift().value),
              in_kJ_per_ns(p.drift().error));
   fmt::print("  temperature         {:.2f} K",

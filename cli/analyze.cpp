@@ -22,6 +22,7 @@
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/run/system.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -223,12 +224,11 @@ int analyze(const Options& o) {
                               interrupted};
     result = analysis(*reader, topology, settings, watch, workers);
   }
-  if (result.stopped)
-    fmt::print(stderr, "interrupted after {} frames; what they tell follows\n", result.frames);
+  if (result.stopped) log("interrupted after {} frames; what they tell follows\n", result.frames);
   const AnalysisSummary s = summary(result, numbers, workers);
   if (result.deviation > 1e-4)
-    fmt::print(stderr, "note: atoms lay up to {:.4f} nm from the rigid models\n", result.deviation);
-  for (const std::string& note : s.notes) fmt::print(stderr, "note: {}\n", note);
+    log("note: atoms lay up to {:.4f} nm from the rigid models\n", result.deviation);
+  for (const std::string& note : s.notes) log("note: {}\n", note);
 
   const Provenance provenance{POLHODE_VERSION, typed(o), config ? config->text : o.molecules,
                               name(current_target()), config ? config->system.seed : 0};

@@ -17,8 +17,8 @@ constexpr double wavenumber = 1e12 / 29979245800.0;  // 1/ps in wavenumbers [1/c
 void add(AnalysisFile& file, const std::string& name, const std::string& unit,
          const std::vector<Estimate>& values, bool drawn = true) {
   file.table.columns.push_back({name, unit});
+  if (drawn) file.figure.columns.push_back({file.table.columns.size(), name});
   file.table.columns.push_back({name + " error", unit});
-  if (drawn) file.figure.columns.push_back(fmt::format("{} [{}]", name, unit));
   for (std::size_t k = 0; k < file.table.rows.size(); ++k) {
     file.table.rows[k].emplace_back(values.at(k).value);
     file.table.rows[k].emplace_back(values.at(k).error);
@@ -142,7 +142,7 @@ AnalysisFile dielectric_file(const AnalysisSummary& s) {
   const TotalDipole::Result& d = *s.dielectric;
   AnalysisFile file = file_over(
       "dielectric", "frames", "1", d.frames.size(), [&](std::size_t k) { return d.frames[k]; },
-      {{}, "dielectric constant of the frames so far", "frames", "ε", {"epsilon [1]"}});
+      {{}, "dielectric constant of the frames so far", "frames", "ε", {{2, "epsilon"}}});
   file.table.columns.push_back({"epsilon", "1"});
   for (std::size_t k = 0; k < d.stages.size(); ++k) file.table.rows[k].emplace_back(d.stages[k]);
   return file;
@@ -153,7 +153,7 @@ AnalysisFile density_file(const Analysis& a) {
   AnalysisFile file{
       "density",
       {{{"frames", "1"}, {"density", "g/cm3"}, {"temperature", "K"}}, {}},
-      {{}, "density in blocks of frames", "frames", "density  (g/cm³)", {"density [g/cm3]"}}};
+      {{}, "density in blocks of frames", "frames", "density  (g/cm³)", {{2, "density"}}}};
   double frames = 0;
   for (const auto& [weight, sum] : means.blocks())
     file.table.rows.push_back({frames += weight, sum[0] / weight / units::gram_per_cm3,

@@ -3,17 +3,18 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 
 #include "interrupt.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/draft.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/table_file.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -23,27 +24,6 @@ struct Options {
   std::string in, out, names, from, to;
   std::size_t every = 1;
   bool force = false;
-};
-
-/// A file that is renamed when it is complete, and removed if it never is.
-class Draft {
- public:
-  explicit Draft(const std::string& path)
-      : path_(path),
-        draft_(std::filesystem::path(path).parent_path() /
-               ("unfinished-" + std::filesystem::path(path).filename().string())) {}
-  ~Draft() {
-    std::error_code gone;
-    std::filesystem::remove(draft_, gone);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  std::string path() const { return draft_.string(); }
-  void finish() { std::filesystem::rename(draft_, path_); }
-
- private:
-  std::filesystem::path path_, draft_;
 };
 
 double bound(const std::string& text, const char* option, double otherwise) {
@@ -82,7 +62,7 @@ int convert(const Options& o) {
   const std::optional<Frame> names = names_of(o);
   const auto reader = open_frames(o.in, names ? &*names : nullptr);
   refuse_existing(o.out, o.force);
-  Draft draft(o.out);
+  Draft draft(o.out, Draft::Name::unique);
   auto writer = create_frames(draft.path(), {});
 
   catch_interrupts();
@@ -93,7 +73,7 @@ int convert(const Options& o) {
   const auto slack = [](double time) { return 1e-6 * std::max(1.0, std::abs(time)); };
   for (Frame frame; reader->next(frame);) {
     if (interrupted()) {
-      fmt::print(stderr, "interrupted; nothing was written\n");
+      log("interrupted; nothing was written\n");
       return 130;
     }
     progress.show(reader->fraction_read());
@@ -111,7 +91,7 @@ int convert(const Options& o) {
   writer->mark();
   writer.reset();
   draft.finish();
-  if (lost) fmt::print(stderr, "note: velocities are left out; {} has no place for them\n", o.out);
+  if (lost) log("note: velocities are left out; {} has no place for them\n", o.out);
   fmt::print("{} {} written to {}\n", written, written == 1 ? "frame" : "frames", o.out);
   return 0;
 }

@@ -73,31 +73,32 @@ int energy(const Options& o) {
   for (const auto& [name, value] : terms_of(forces, load)) terms[name] = value;
   for (std::size_t i = 0; i < 3; ++i)
     tensor_json.push_back({tensor(i, 0), tensor(i, 1), tensor(i, 2)});
-  std::FILE* const out = o.forces || o.gradient ? stderr : stdout;
+  std::string text;
   if (o.json) {
-    fmt::print(out, "{}\n",
-               nlohmann::json{{"molecules", system.topology.size()},
-                              {"lennard_jones_kJ_per_mol", load.lennard_jones},
-                              {"coulomb_kJ_per_mol", load.coulomb},
-                              {"terms_kJ_per_mol", terms},
-                              {"potential_kJ_per_mol", load.potential()},
-                              {"pressure_tensor_bar", tensor_json},
-                              {"pressure_bar", (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3},
-                              {"target", name(current_target())}}
-                   .dump(2));
+    text += fmt::format(
+        "{}\n", nlohmann::json{{"molecules", system.topology.size()},
+                               {"lennard_jones_kJ_per_mol", load.lennard_jones},
+                               {"coulomb_kJ_per_mol", load.coulomb},
+                               {"terms_kJ_per_mol", terms},
+                               {"potential_kJ_per_mol", load.potential()},
+                               {"pressure_tensor_bar", tensor_json},
+                               {"pressure_bar", (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3},
+                               {"target", name(current_target())}}
+                    .dump(2));
   } else {
-    fmt::print(out, "molecules         {}\n", system.topology.size());
-    fmt::print(out, "Lennard-Jones     {:.17g} kJ/mol\n", load.lennard_jones);
-    fmt::print(out, "Coulomb           {:.17g} kJ/mol\n", load.coulomb);
+    text += fmt::format("molecules         {}\n", system.topology.size());
+    text += fmt::format("Lennard-Jones     {:.17g} kJ/mol\n", load.lennard_jones);
+    text += fmt::format("Coulomb           {:.17g} kJ/mol\n", load.coulomb);
     for (const auto& [name, value] : terms_of(forces, load))
-      fmt::print(out, "  {:<16}{:.17g} kJ/mol\n", name, value + 0.0);
-    fmt::print(out, "potential         {:.17g} kJ/mol\n", load.potential());
-    fmt::print(out, "pressure          {:.10g} bar\n",
-               (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3);
+      text += fmt::format("  {:<16}{:.17g} kJ/mol\n", name, value + 0.0);
+    text += fmt::format("potential         {:.17g} kJ/mol\n", load.potential());
+    text += fmt::format("pressure          {:.10g} bar\n",
+                        (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3);
     for (std::size_t i = 0; i < 3; ++i)
-      fmt::print(out, "  {}             {:14.6f} {:14.6f} {:14.6f} bar\n", "xyz"[i], tensor(i, 0),
-                 tensor(i, 1), tensor(i, 2));
+      text += fmt::format("  {}             {:14.6f} {:14.6f} {:14.6f} bar\n", "xyz"[i],
+                          tensor(i, 0), tensor(i, 1), tensor(i, 2));
   }
+  std::fputs(text.c_str(), o.forces || o.gradient ? stderr : stdout);
   if (!o.forces && !o.gradient) return 0;
   if (!o.gradient) {
     print_csv(system, load, nullptr);

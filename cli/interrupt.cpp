@@ -13,14 +13,25 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 extern "C" void remember(int) { caught = true; }
 
+void take(int signal_number, int flags) {
+  struct sigaction action {};
+  action.sa_handler = remember;
+  action.sa_flags = flags;
+  sigaction(signal_number, &action, nullptr);
+}
+
 }  // namespace
 
 void catch_interrupts() {
-  struct sigaction action {};
-  action.sa_handler = remember;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second signal has its default effect
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  // A second one acts as it always does: whoever asks twice does not want to wait.
+  for (const int signal_number : {SIGINT, SIGTERM})
+    take(signal_number, static_cast<int>(SA_RESETHAND));
+  // These come by themselves again: from a terminal that goes, and each second beyond the limit of
+  // the processor's time.
+  take(SIGXCPU, 0);
+  struct sigaction hangup {};
+  sigaction(SIGHUP, nullptr, &hangup);
+  if (hangup.sa_handler != SIG_IGN) take(SIGHUP, 0);  // nohup lets it be ignored
 }
 
 bool interrupted() { return caught; }

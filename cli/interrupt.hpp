@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C and SIGTERM as a flag that loops poll, so that the results so far are still written.
+// Ctrl-C, SIGTERM, SIGHUP and SIGXCPU as a question that loops may ask: what was computed is then
+// written.
 #pragma once
 
 namespace polhode::cli {
 
-/// From now on, the first signal only sets a flag; a second one terminates the program.
+/// From now on the signals only set a flag; a second Ctrl-C or SIGTERM ends the program at once.
 void catch_interrupts();
 
 bool interrupted();

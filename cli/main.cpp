@@ -12,7 +12,9 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/memory.hpp"
+#include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -88,20 +90,23 @@ std::string no_memory() {
 }  // namespace polhode::cli
 
 int main(int argc, char** argv) {
+  using namespace polhode;
+  cli::prepare_streams();
   try {
-    return polhode::cli::run(argc, argv);
-  } catch (const polhode::Error& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
-    if (!e.where().empty()) fmt::print(stderr, "  in   {}\n", e.where());
-    return 2;
+    return cli::exit_code(cli::run(argc, argv));
+  } catch (const Error& e) {
+    cli::log("error: {}\n", printable(e.what()));
+    if (!e.where().empty()) cli::log("  in   {}\n", printable(e.where()));
+    return cli::exit_code(2);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "error: {}\n", polhode::cli::no_memory());
-    return 1;
-  } catch (const std::length_error&) {  // more than the address space holds
-    fmt::print(stderr, "error: {}\n", polhode::cli::no_memory());
-    return 1;
+    cli::log("error: {}\n", cli::no_memory());
+    return cli::exit_code(1);
+  } catch (const std::length_error&) {  // more than an address can tell
+    cli::log("error: {}\n", cli::no_memory());
+    return cli::exit_code(1);
   } catch (const std::exception& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
-    return 1;
+    if (std::ferror(stdout)) return cli::exit_code(1);  // that is what ended it
+    cli::log("error: {}\n", printable(e.what()));
+    return cli::exit_code(1);
   }
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/base/printable.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/topology_file.hpp"
@@ -48,8 +49,9 @@ void print_one(const Molecule& m) {
       "{}\n  description  {}\n  mass         {:.6g} u\n  moments      {:.6g}  {:.6g}  {:.6g} u "
       "nm²\n"
       "  top          {}\n  charge       {:.6g} e\n  dipole       {:.4g} D\n  source       {}\n",
-      m.name, m.description.empty() ? "-" : m.description, m.mass, m.J.x, m.J.y, m.J.z, name(m.top),
-      rounded(m.charge()), in_debye(m.dipole()), m.source.empty() ? "-" : m.source);
+      m.name, m.description.empty() ? "-" : printable(m.description), m.mass, m.J.x, m.J.y, m.J.z,
+      name(m.top), rounded(m.charge()), in_debye(m.dipole()),
+      m.source.empty() ? "-" : printable(m.source));
   fmt::print(
       "  sites, in the principal frame\n    {:<6}{:>11}{:>11}{:>11}{:>10}{:>11}{:>11}{:>17}\n",
       "name", "x [nm]", "y [nm]", "z [nm]", "mass [u]", "q [e]", "sigma [nm]", "epsilon [kJ/mol]");

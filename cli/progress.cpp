@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "progress.hpp"
+#include "streams.hpp"
 
 #include <fmt/core.h>
 #include <unistd.h>
@@ -28,7 +29,7 @@ Progress::Progress(std::string what)
     : what_(std::move(what)), terminal_(isatty(STDERR_FILENO) != 0), start_(Clock::now()) {}
 
 Progress::~Progress() {
-  if (terminal_) fmt::print(stderr, "\r\033[K");
+  if (terminal_) log("\r\033[K");
 }
 
 bool Progress::due(bool last) {
@@ -39,7 +40,7 @@ bool Progress::due(bool last) {
 
 void Progress::show(const std::string& now) {
   if (!due(false)) return;
-  fmt::print(stderr, "\r\033[K{} {}  {}", what_, now, duration(since(start_)));
+  log("\r\033[K{} {}  {}", what_, now, duration(since(start_)));
   std::fflush(stderr);
 }
 
@@ -48,8 +49,7 @@ void Progress::show(double fraction, const std::string& now) {
   const double elapsed = since(start_);
   const std::string left =
       fraction > 0 ? duration(elapsed * (1 - fraction) / fraction) + " left" : "";
-  fmt::print(stderr, "\r\033[K{} {:5.1f} %  {}  {}  {}", what_, 100 * fraction, duration(elapsed),
-             left, now);
+  log("\r\033[K{} {:5.1f} %  {}  {}  {}", what_, 100 * fraction, duration(elapsed), left, now);
   std::fflush(stderr);
 }
 

@@ -13,6 +13,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/table_file.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -52,7 +53,7 @@ std::optional<Promise> promised(Config& config, Beginning beginning, Workers& wo
   AdviserSettings settings{{Quality::ratio, *integrator.accuracy}, integrator.candidates};
   if (integrator.scheme_given) settings.schemes = {integrator.scheme};
   catch_interrupts();
-  fmt::print(stderr, "choosing a step for {}\n", described(settings.criterion));
+  log("choosing a step for {}\n", described(settings.criterion));
   Advice advice;
   {
     Progress progress("choosing the step");
@@ -62,14 +63,14 @@ std::optional<Promise> promised(Config& config, Beginning beginning, Workers& wo
         workers);
   }
   if (advice.stopped) {
-    fmt::print(stderr, "interrupted while choosing the step; nothing was written\n");
+    log("interrupted while choosing the step; nothing was written\n");
     return std::nullopt;
   }
   if (!advice.best) throw RunError(unreachable(advice, settings.criterion));
   const AdviserPoint& point = advice.confirmation;
   integrator.scheme = advice.candidates[*advice.best].name;
   integrator.step = point.step;
-  fmt::print(stderr, "for {}: {}\n", described(settings.criterion), answer(advice));
+  log("for {}: {}\n", described(settings.criterion), answer(advice));
   const Promise promise{*integrator.accuracy, point.length, point.ratio()};
   keep(file, promise, integrator);
   return promise;
@@ -87,10 +88,9 @@ void print_kept(const Kept& k) {
       100 * k.ratio.error, k.promise.length, 100 * k.promise.accuracy);
   fmt::print("promise               {}: {}\n", k.kept() ? "kept" : "NOT KEPT", what);
   if (!k.kept())
-    fmt::print(stderr,
-               "warning: the promise of [integrator] accuracy was not kept: {}; give a smaller "
-               "accuracy, or a step of your own\n",
-               what);
+    log("warning: the promise of [integrator] accuracy was not kept: {}; give a smaller "
+        "accuracy, or a step of your own\n",
+        what);
 }
 
 nlohmann::json as_json(const Kept& k) {

@@ -14,6 +14,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
+#include "polhode/io/file_lock.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/plot.hpp"
@@ -24,6 +25,7 @@
 #include "progress.hpp"
 #include "promise.hpp"
 #include "run_report.hpp"
+#include "streams.hpp"
 #include "system_notes.hpp"
 #include "verbs.hpp"
 
@@ -99,7 +101,7 @@ std::optional<FoundCheckpoint> begun(const Options& o, const RunFileNames& names
   std::optional<FoundCheckpoint> found;
   if (o.go_on) found = last_checkpoint(names.checkpoints, identity, maker);
   if (!found) {
-    if (o.go_on) fmt::print(stderr, "note: there is no checkpoint yet; the run begins\n");
+    if (o.go_on) log("note: there is no checkpoint yet; the run begins\n");
     if (!o.force && std::filesystem::exists(names.checkpoints.newest))
       throw Error(
           fmt::format("'{}' is there already: the run was begun before; go on with "
@@ -108,7 +110,7 @@ std::optional<FoundCheckpoint> begun(const Options& o, const RunFileNames& names
     for (const std::string& file : names.all()) refuse_existing(file, o.force);
     return found;
   }
-  if (!found->note.empty()) fmt::print(stderr, "note: {}\n", found->note);
+  if (!found->note.empty()) log("note: {}\n", found->note);
   const RunState& at = found->checkpoint.at;
   if (at.steps > settings.steps())
     throw Error(
@@ -116,10 +118,10 @@ std::optional<FoundCheckpoint> begun(const Options& o, const RunFileNames& names
                     "for as much or more",
                     settings.length, static_cast<double>(at.steps) * settings.step));
   if (at.equilibrated)
-    fmt::print(stderr, "going on after {:g} ps of the equilibration\n", *at.equilibrated);
+    log("going on after {:g} ps of the equilibration\n", *at.equilibrated);
   else
-    fmt::print(stderr, "going on after {} steps, {:g} ps\n", at.steps,
-               static_cast<double>(at.steps) * settings.step);
+    log("going on after {} steps, {:g} ps\n", at.steps,
+        static_cast<double>(at.steps) * settings.step);
   return found;
 }
 
@@ -129,6 +131,8 @@ int run(const Options& o) {
         "--continue and --force contradict each other: one goes on with what is there, the other "
         "begins anew; give one of them");
   Config config = configured(o);
+  const FileLock lock(config.output.prefix + "-run.lock");
+  note_lock(lock);
   Workers workers(threads_wanted(o.threads));
   const auto promise = promised(config, {o.go_on, o.force}, workers);
   if (interrupted()) return 130;
@@ -147,10 +151,9 @@ int run(const Options& o) {
   RunFiles files(names, system.topology, config, provenance, identity, found ? &*found : nullptr);
 
   const Means means{workers.threads(), provenance.target};
-  fmt::print(stderr, "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n",
-             POLHODE_VERSION, system.topology.size(), config.source,
-             name_of({settings.scheme, settings.inner}), settings.step * 1000, means.target,
-             means.threads);
+  log("polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n", POLHODE_VERSION,
+      system.topology.size(), config.source, name_of({settings.scheme, settings.inner}),
+      settings.step * 1000, means.target, means.threads);
   note_molecules(system);
   note_forces(system);
 
@@ -167,9 +170,7 @@ int run(const Options& o) {
                       },
                       interrupted, due, checkpoint};
     if (!equilibrate(system, forces, config.run.equilibrate, watch, workers, from)) {
-      fmt::print(
-          stderr,
-          "interrupted while equilibrating; '{}' holds where it was, and --continue goes on\n",
+      log("interrupted while equilibrating; '{}' holds where it was, and --continue goes on\n",
           names.checkpoints.newest);
       return 130;
     }
@@ -190,19 +191,17 @@ int run(const Options& o) {
     files.flush();
   } catch (const RunError&) {
     if (files.kept())
-      fmt::print(stderr, "'{}' holds the run until step {}, and --continue goes on from there\n",
-                 names.checkpoints.newest, *files.kept());
+      log("'{}' holds the run until step {}, and --continue goes on from there\n",
+          names.checkpoints.newest, *files.kept());
     throw;
   }
   if (t.statistics.energies.samples == 0) throw RunError(t.failure);
   if (!t.failure.empty()) {
-    fmt::print(stderr, "the energies until then are in {}\n", names.energies);
+    log("the energies until then are in {}\n", names.energies);
     throw RunError(t.failure);
   }
   if (t.stopped)
-    fmt::print(stderr,
-               "interrupted after {} steps; what was computed follows, and --continue goes on\n",
-               t.steps);
+    log("interrupted after {} steps; what was computed follows, and --continue goes on\n", t.steps);
 
   const RunSummary s = summary(system, settings, t, noise);
   write_file(names.final_state,

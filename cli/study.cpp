@@ -13,6 +13,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/target.hpp"
 #include "polhode/base/threads.hpp"
+#include "polhode/io/file_lock.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/guideline.hpp"
@@ -20,6 +21,7 @@
 #include "polhode/run/study_record.hpp"
 #include "polhode/run/system.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 #include "study_report.hpp"
 #include "system_notes.hpp"
 #include "verbs.hpp"
@@ -69,10 +71,9 @@ void report(const Options& o, Config config, const System& system,
             const StudyFiles& files, const Provenance& provenance) {
   const std::vector<StudyRun> counted = runs_of_starts(runs, config.study.runs);
   if (counted.size() < runs.size())
-    fmt::print(stderr,
-               "the tables are of the first {} starts; {} runs from later ones are left out\n",
-               config.study.runs, runs.size() - counted.size());
-  config.forces.mixing = system.forces.mixing;  // the mixing rule may come from a topology file
+    log("the tables are of the first {} starts; {} runs from later ones are left out\n",
+        config.study.runs, runs.size() - counted.size());
+  config.forces.mixing = system.forces.mixing;  // a topology file tells it
   const StudyReport report(config, efficiency_points(points, counted));
   write_study(files, report, provenance);
   if (o.json)
@@ -114,7 +115,9 @@ int study(const Options& o) {
   for (const StudyPoint& point : points) check_near(system.forces, point.scheme, config.source);
 
   const StudyFiles files(o.output);
-  // A resumed study rewrites its results; those of another study are left alone.
+  const FileLock lock(files.prefix + "-study.lock");
+  note_lock(lock);
+  // Results of a study that goes on are written again; those of another one are not touched.
   if (!std::filesystem::exists(files.runs))
     for (const std::string& file : files.all()) refuse_existing(file, o.force);
   const Provenance provenance{POLHODE_VERSION, typed_command("polhode study", {{"", o.file}}),
@@ -122,14 +125,13 @@ int study(const Options& o) {
                               config.system.seed};
   StudyRecord record(files.runs, provenance, o.force);
   std::vector<StudyRun> runs = record.known();
-  fmt::print(stderr,
-             "polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}, "
-             "threads {}\n",
-             POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
-             config.study.length, provenance.target, workers.threads());
+  log("polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}, "
+      "threads {}\n",
+      POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
+      config.study.length, provenance.target, workers.threads());
   note_molecules(system);
   note_forces(system);
-  if (!runs.empty()) fmt::print(stderr, "{} runs are known from {}\n", runs.size(), files.runs);
+  if (!runs.empty()) log("{} runs are known from {}\n", runs.size(), files.runs);
 
   catch_interrupts();
   {
@@ -146,7 +148,7 @@ int study(const Options& o) {
 
   report(o, config, system, points, runs, files, provenance);
   if (interrupted()) {
-    fmt::print(stderr, "interrupted; the same command goes on from {}\n", files.runs);
+    log("interrupted; the same command goes on from {}\n", files.runs);
     return 130;
   }
   return 0;

@@ -8,8 +8,11 @@
 #include <cmath>
 #include <string>
 
+#include "polhode/base/printable.hpp"
+#include "polhode/io/file_lock.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/run/system.hpp"
+#include "streams.hpp"
 
 namespace polhode::cli {
 
@@ -19,26 +22,29 @@ namespace polhode::cli {
 inline void note_molecules(const System& system) {
   for (std::size_t k = 0; k < system.origins.size(); ++k) {
     const auto& [molecule, count] = system.topology.parts[k];
-    fmt::print(stderr, "{}: {} of {} sites, {}\n", molecule.name, count, molecule.sites.size(),
-               system.origins[k]);
+    log("{}: {} of {} sites, {}\n", molecule.name, count, molecule.sites.size(),
+        printable(system.origins[k]));
   }
   if (system.fit_deviation > 1e-4)
-    fmt::print(stderr, "note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
-               system.fit_deviation);
+    log("note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
+        system.fit_deviation);
   if (system.massless_deviation > std::max(1e-3, 2 * system.fit_deviation))
-    fmt::print(stderr,
-               "note: massless sites of the start lay up to {:.4f} nm from where the models have "
-               "them, and are placed there\n",
-               system.massless_deviation);
+    log("note: massless sites of the start lay up to {:.4f} nm from where the models have "
+        "them, and are placed there\n",
+        system.massless_deviation);
   if (system.removed_temperature > 1e-4)
-    fmt::print(stderr,
-               "note: the start moved as a whole at {:.4g} nm/ps, which counted as {:.4g} K; its "
-               "total momentum is removed\n",
-               system.removed_velocity, system.removed_temperature);
+    log("note: the start moved as a whole at {:.4g} nm/ps, which counted as {:.4g} K; its "
+        "total momentum is removed\n",
+        system.removed_velocity, system.removed_temperature);
   if (freedoms(system.topology).all() == 0)
-    fmt::print(stderr,
-               "note: a single atom rests in its own frame and has no degrees of freedom, so it "
-               "has no temperature\n");
+    log("note: a single atom rests in its own frame and has no degrees of freedom, so it "
+        "has no temperature\n");
+}
+
+/// On standard error: that nothing keeps a second process from the same files, where that is so.
+inline void note_lock(const FileLock& lock) {
+  if (!lock.is_held())
+    log("note: the file system has no locks; do not start a second process on this output\n");
 }
 
 /// On standard error: the mixing rule and explicit pairs, unless all pairs follow the default rule;
@@ -46,19 +52,18 @@ inline void note_molecules(const System& system) {
 inline void note_forces(const System& system) {
   const ForceSettings& forces = system.forces;
   if (const std::string mixing = described(forces.mixing); !mixing.empty())
-    fmt::print(stderr, "Lennard-Jones: {}\n", mixing);
+    log("Lennard-Jones: {}\n", mixing);
   if (forces.mesh)
-    fmt::print(stderr,
-               "PME: grid {} x {} x {}, order {}, split exponent {}, for a relative force error of "
-               "{:g}\n",
-               forces.mesh->points[0], forces.mesh->points[1], forces.mesh->points[2],
-               forces.mesh->order, forces.mesh->exponent, forces.accuracy);
+    log("PME: grid {} x {} x {}, order {}, split exponent {}, for a relative force error of "
+        "{:g}\n",
+        forces.mesh->points[0], forces.mesh->points[1], forces.mesh->points[2], forces.mesh->order,
+        forces.mesh->exponent, forces.accuracy);
   double net = 0;
   for (const auto& part : system.topology.parts)
     net += static_cast<double>(part.count) * part.molecule.charge();
   if (std::abs(net) > 1e-6)
-    fmt::print(stderr, "net charge {:+.6g} e{}\n", net,
-               forces.mesh ? ", neutralised by a uniform background" : "");
+    log("net charge {:+.6g} e{}\n", net,
+        forces.mesh ? ", neutralised by a uniform background" : "");
 }
 
 }  // namespace polhode::cli

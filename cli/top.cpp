@@ -12,6 +12,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/rotor/free_rotation.hpp"
+#include "streams.hpp"
 #include "top_figure.hpp"
 #include "verbs.hpp"
 
@@ -262,8 +263,7 @@ int top(const TopOptions& options) {
     print_lines(lines, step, speed * step);
   if (!options.output.empty()) {
     draw_top(figure, J, L);
-    fmt::print(stderr, "wrote {}, {}, {} and {}\n", figure.svg, figure.png, figure.data,
-               figure.script);
+    log("wrote {}, {}, {} and {}\n", figure.svg, figure.png, figure.data, figure.script);
   }
   return 0;
 }

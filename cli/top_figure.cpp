@@ -10,12 +10,15 @@
 #include <numbers>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/gnuplot_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
 
 namespace polhode::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 using Curve = std::vector<Vec3<double>>;
 constexpr double pi = std::numbers::pi;
@@ -157,17 +160,6 @@ std::string data_text(const Vec3<double>& J, const Vec3<double>& L, double twice
   return text;
 }
 
-std::string quoted(const std::string& name) {
-  std::string text = "'";
-  for (const char c : name) text += c == '\'' ? std::string("''") : std::string(1, c);
-  return text + "'";
-}
-
-/// gnuplot runs in the folder of the script, which contains all files of the figure.
-std::string file_name(const std::string& path) {
-  return quoted(std::filesystem::path(path).filename().string());
-}
-
 std::string script_text(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
                         double twice_E) {
   const double longest = std::sqrt(twice_E / std::min({J.x, J.y, J.z}));
@@ -195,7 +187,8 @@ set bmargin 0
 set tmargin 0
 set palette defined (0 '#e9eef5', 1 '#cfdbe8')
 )",
-      figure.script, tilt, turn, -reach, -reach, reach, -reach, reach, -reach, reach);
+      gnuplot_comment(fs::path(figure.script).filename().string()), tilt, turn, -reach, -reach,
+      reach, -reach, reach, -reach, reach);
   std::string marks;  // axes and title, drawn with the lines
   const std::array<const char*, 3> names{"1", "2", "3"};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -209,7 +202,7 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
         "set label '{{/:Italic ω}}_{}' at {:.6g},{:.6g},{:.6g} center front tc rgb '#333333'\n",
         from.x, from.y, from.z, to.x, to.y, to.z, names[k], label.x, label.y, label.z);
   }
-  const std::string data = file_name(figure.data);
+  const std::string data = gnuplot_file(figure.data);
   marks += fmt::format(
       "set label \"{{/:Italic J}} = ({:.5g}, {:.5g}, {:.5g})   {{/:Italic L}} = ({:.5g}, {:.5g}, "
       "{:.5g})   {{/:Italic L}}²/2{{/:Italic E}} = {:.5g}\" at screen 0.5,0.955 center tc rgb "
@@ -229,11 +222,11 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
          fmt::format(
              "set terminal svg size 900,820 enhanced font 'Helvetica,17' background '#ffffff'\n"
              "set output {}\n{}",
-             file_name(figure.svg), plot) +
+             gnuplot_file(figure.svg), plot) +
          fmt::format(
              "set terminal pngcairo size 1800,1640 enhanced font 'Helvetica,17' fontscale 2 "
              "linewidth 2\nset output {}\n{}",
-             file_name(figure.png), plot);
+             gnuplot_file(figure.png), plot);
 }
 
 }  // namespace

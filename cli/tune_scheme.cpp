@@ -16,6 +16,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/tune.hpp"
 #include "progress.hpp"
+#include "streams.hpp"
 #include "system_notes.hpp"
 #include "verbs.hpp"
 
@@ -87,11 +88,10 @@ int tune_scheme(const Options& o) {
   const TuneSettings settings = configured(o, config);
   Workers workers(threads_wanted(o.threads));
   const System system = assembled(config);
-  fmt::print(stderr,
-             "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and "
-             "{} that confirm, target {}, threads {}\n",
-             POLHODE_VERSION, system.topology.size(), settings.step * 1000, settings.runs,
-             settings.length, settings.runs, name(current_target()), workers.threads());
+  log("polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and "
+      "{} that confirm, target {}, threads {}\n",
+      POLHODE_VERSION, system.topology.size(), settings.step * 1000, settings.runs, settings.length,
+      settings.runs, name(current_target()), workers.threads());
   note_molecules(system);
   note_forces(system);
 
@@ -104,7 +104,7 @@ int tune_scheme(const Options& o) {
         workers);
   }();
   if (interrupted()) {
-    fmt::print(stderr, "interrupted; nothing was found\n");
+    log("interrupted; nothing was found\n");
     return 130;
   }
 

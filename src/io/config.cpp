@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/forces/damped_shifted_force.hpp"
 #include "polhode/io/embedded.hpp"
@@ -482,7 +483,10 @@ void set_precision(Config& config, Precision precision) {
         integrator.lambda_place);
 }
 
-Config read_config(const std::string& file) { return parse_config(file_text(file), file); }
+Config read_config(const std::string& file) {
+  check_name("the run file", file);
+  return parse_config(file_text(file), file);
+}
 
 Config default_config() {
   return parse_config(embedded_text("runs/default.toml").value(), "default");

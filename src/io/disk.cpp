@@ -31,6 +31,19 @@ fs::path folder_of(const std::string& path) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+void check_folder(const std::string& path) {
+  const fs::path folder = folder_of(path);
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw Error(fmt::format("there is no folder '{}' for the output '{}'; make it, or name another",
+                            folder.string(), path));
+  if (::access(folder.c_str(), W_OK) != 0)
+    throw Error(
+        fmt::format("the folder '{}' takes no new files ({}); name another for the output "
+                    "'{}'",
+                    folder.string(), std::strerror(errno), path));
+}
+
 void sync_file(const std::string& path) {
   if (const int error = synced(path))
     throw RunError(

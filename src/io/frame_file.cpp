@@ -14,6 +14,7 @@
 #include "formats/format.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/io/checksum.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/lammps_data.hpp"
@@ -23,24 +24,29 @@
 namespace polhode {
 namespace {
 
-template <AppendFrame append>
+template <AppendFrame append, std::uint64_t head = 0>
 std::unique_ptr<FrameWriter> appended(const std::string& path, const Topology& topology,
                                       const FrameChoice& choice, const FileMark* mark) {
-  return stream_writer(append, path, topology, choice, mark);
+  return stream_writer({append, head}, path, topology, choice, mark);
+}
+
+template <std::uint64_t head>
+void checked_bytes(const std::string& path, const FileMark& mark) {
+  check_crc64(path, std::min(head, mark.bytes), mark.bytes, mark.checksum);
 }
 
 // clang-format off
 constexpr std::array formats = {
     //     extension  names  velocities
-    Format{"gro",  true,  true,  gro_reader,  appended<append_gro>},
-    Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>, nullptr, pdb_limits},
-    Format{"xyz",  true,  true,  xyz_reader,  appended<append_xyz>},
-    Format{"xtc",  false, false, xtc_reader,  appended<append_xtc>, nullptr, xtc_limits},
-    Format{"trr",  false, true,  trr_reader,  appended<append_trr>, nullptr, trr_limits},
-    Format{"dcd",  false, false, dcd_reader,  appended<append_dcd>, nullptr, dcd_limits},
-    Format{"h5md", false, true,  h5md_reader, h5md_writer, open_h5md, h5md_limits},
-    Format{"data", true,  true,  lammps_data_reader, nullptr},
-    Format{"lmp",  true,  true,  lammps_data_reader, nullptr},
+    Format{"gro",  true,  true,  gro_reader,  appended<append_gro>, checked_bytes<0>},
+    Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>, checked_bytes<0>, nullptr, pdb_limits},
+    Format{"xyz",  true,  true,  xyz_reader,  appended<append_xyz>, checked_bytes<0>},
+    Format{"xtc",  false, false, xtc_reader,  appended<append_xtc>, checked_bytes<0>, nullptr, xtc_limits},
+    Format{"trr",  false, true,  trr_reader,  appended<append_trr>, checked_bytes<0>, nullptr, trr_limits},
+    Format{"dcd",  false, false, dcd_reader,  appended<append_dcd, dcd_count_end>, checked_bytes<dcd_count_end>, nullptr, dcd_limits},
+    Format{"h5md", false, true,  h5md_reader, h5md_writer, check_h5md, open_h5md, h5md_limits},
+    Format{"data", true,  true,  lammps_data_reader, nullptr, nullptr},
+    Format{"lmp",  true,  true,  lammps_data_reader, nullptr, nullptr},
 };
 // clang-format on
 
@@ -184,6 +190,10 @@ std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view form
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice) {
   return writer(path, topology, choice, nullptr);
+}
+
+void check_frames(const std::string& path, const FileMark& mark) {
+  written_format(path).check(path, mark);
 }
 
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,

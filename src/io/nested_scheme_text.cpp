@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <regex>
+#include <sstream>
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
@@ -97,6 +98,13 @@ std::string name_of(const NestedScheme& scheme) {
   const InnerScheme& inner = *scheme.inner;
   return joined(name(scheme.outer), name(inner.scheme), inner.steps,
                 fmt::format("{:g}", inner.switch_from), fmt::format("{:g}", inner.cutoff));
+}
+
+std::string one_line(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  std::string line;
+  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
 }
 
 std::string text_of(const NestedScheme& scheme) {

@@ -6,7 +6,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <ostream>
 
@@ -18,36 +21,56 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool on_path(const std::string& program) {
+// The file of a program on the search path, empty if there is none. Folders that are not absolute
+// are left out: what lies beside the data is not run.
+std::string found_program(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::string_view rest = path == nullptr ? "" : path;
   while (!rest.empty()) {
     const auto end = rest.find(':');
     const fs::path file = fs::path(rest.substr(0, end)) / program;
-    if (::access(file.c_str(), X_OK) == 0 && fs::is_regular_file(file)) return true;
+    std::error_code unknown;
+    if (file.is_absolute() && ::access(file.c_str(), X_OK) == 0 &&
+        fs::is_regular_file(file, unknown))
+      return file.string();
     rest = end == rest.npos ? std::string_view{} : rest.substr(end + 1);
   }
-  return false;
+  return {};
 }
 
-// Runs gnuplot silently in the script's folder and waits for it; returns its exit code, or −1.
-int gnuplot(const fs::path& script) {
+// In the process that becomes gnuplot: only calls that are safe between fork and exec. The alarm
+// outlives exec and ends the process.
+[[noreturn]] void become(const char* program, const char* folder, const char* script,
+                         unsigned seconds) {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    ::dup2(::open("/dev/null", O_RDWR), stream);
+  sigset_t alarm;
+  ::sigemptyset(&alarm);
+  ::sigaddset(&alarm, SIGALRM);
+  ::sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
+  for (const int signal_number : {SIGALRM, SIGPIPE, SIGXFSZ}) ::signal(signal_number, SIG_DFL);
+  ::alarm(seconds);
+  // -d: no settings of the user, which may hold commands.
+  if (::chdir(folder) == 0) ::execl(program, program, "-d", script, static_cast<char*>(nullptr));
+  ::_exit(127);
+}
+
+// Runs gnuplot in the script's folder, silently: what is to say if that did not work, else nothing.
+std::string gnuplot_trouble(const std::string& program, const fs::path& script,
+                            std::chrono::seconds limit) {
   const std::string folder = script.has_parent_path() ? script.parent_path().string() : ".";
-  const std::string file = script.filename().string();
+  const std::string file = "./" + script.filename().string();
   const pid_t child = ::fork();
-  if (child == 0) {  // only async-signal-safe calls between fork and exec
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    if (nowhere >= 0) {
-      ::dup2(nowhere, STDOUT_FILENO);
-      ::dup2(nowhere, STDERR_FILENO);
-    }
-    if (::chdir(folder.c_str()) == 0)
-      ::execlp("gnuplot", "gnuplot", file.c_str(), static_cast<char*>(nullptr));
-    ::_exit(127);
-  }
+  if (child == 0)
+    become(program.c_str(), folder.c_str(), file.c_str(), static_cast<unsigned>(limit.count()));
   int status = 0;
-  if (child < 0 || ::waitpid(child, &status, 0) != child || !WIFEXITED(status)) return -1;
-  return WEXITSTATUS(status);
+  if (child < 0 || TEMP_FAILURE_RETRY(::waitpid(child, &status, 0)) != child)
+    return fmt::format("gnuplot could not be started ({})", std::strerror(errno));
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+    return fmt::format("gnuplot did not end within {} s and was stopped", limit.count());
+  if (WIFSIGNALED(status)) return fmt::format("gnuplot was ended by signal {}", WTERMSIG(status));
+  if (WEXITSTATUS(status) == 0) return {};
+  return fmt::format("gnuplot ended with code {}", WEXITSTATUS(status));
 }
 
 bool draw(const std::string& file, const std::string& script, std::ostream& warnings) {
@@ -57,21 +80,20 @@ bool draw(const std::string& file, const std::string& script, std::ostream& warn
 
 }  // namespace
 
-bool run_gnuplot(const std::string& script, std::ostream& warnings) {
-  if (!on_path("gnuplot")) {
+bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono::seconds limit) {
+  const std::string program = found_program("gnuplot");
+  if (program.empty()) {
     warnings << fmt::format(
         "warning: gnuplot is not installed, so there is no figure; install it and run 'gnuplot {}' "
         "where that file is\n",
         fs::path(script).filename().string());
     return false;
   }
-  const int code = gnuplot(script);
-  if (code == 0) return true;
+  const std::string trouble = gnuplot_trouble(program, script, limit);
+  if (trouble.empty()) return true;
   warnings << fmt::format(
-      "warning: gnuplot ended with code {}, so there is no figure; run 'gnuplot {}' where that "
-      "file "
-      "is to see why\n",
-      code, fs::path(script).filename().string());
+      "warning: {}, so there is no figure; run 'gnuplot {}' where that file is to see why\n",
+      trouble, fs::path(script).filename().string());
   return false;
 }
 

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "polhode/io/gnuplot_text.hpp"
+
 namespace polhode {
 namespace {
 
@@ -15,16 +17,6 @@ namespace {
 constexpr std::array colours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                 "#E69F00", "#56B4E9", "#000000"};
 constexpr std::array<std::pair<int, int>, 4> symbols = {{{7, 6}, {5, 4}, {9, 8}, {13, 12}}};
-
-// A text in double quotes.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += c == '\n' ? ' ' : c;
-  }
-  return result + '"';
-}
 
 std::string head(const std::string& image, const std::string& format, int width, int height) {
   // Bitmaps have twice the resolution, for print and high-density screens.
@@ -46,7 +38,7 @@ set border 3 linewidth 1 linecolor "#404040"
 set tics nomirror out scale 0.6 textcolor "#404040"
 set grid linewidth 0.5 linecolor "#e4e4e4"
 )gp",
-                     image, terminal, quoted(image));
+                     gnuplot_comment(image), terminal, gnuplot_file(image));
 }
 
 // The largest R at costs of at least `from`, including the lines between points.
@@ -114,8 +106,8 @@ std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
     text += fmt::format(
         "\n# {}: force evaluations per ps, R [%], its standard error, last stable, rounded\n"
         "$curve{} << EOD\n",
-        curves[k].scheme, k);
-    bool first = true;  // points ascend in cost, so the first stable one has the largest step
+        gnuplot_comment(curves[k].scheme), k);
+    bool first = true;  // marks ascend in cost, so the first stable one has the longest step
     for (const EfficiencyMark& mark : curves[k].marks) {
       if (!mark.stable) continue;
       text +=
@@ -164,7 +156,7 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
       plot += fmt::format(
           "\\\n  NaN with linespoints linewidth 1.6 pointtype {} pointsize {} "
           "linecolor \"{}\" title {}, ",
-          filled, size, colour, quoted(curves[k].scheme));
+          filled, size, colour, gnuplot_text(curves[k].scheme));
   }
   if (!inset && std::any_of(curves.begin(), curves.end(), any_rounded))
     plot +=
@@ -222,8 +214,8 @@ plot data using (column("time [ps]")):(column("potential [kJ/mol]")) \
   with lines linewidth 1.4 linecolor "{3}"
 unset multiplot
 )gp",
-                                                     quoted(csv), quoted(title), colours[1],
-                                                     colours[0]);
+                                                     gnuplot_file(csv), gnuplot_text(title),
+                                                     colours[1], colours[0]);
 }
 
 std::string curves_script(const CurvesFigure& figure, const std::string& csv,
@@ -231,10 +223,10 @@ std::string curves_script(const CurvesFigure& figure, const std::string& csv,
   std::string plots;
   for (std::size_t k = 0; k < figure.columns.size(); ++k)
     plots += fmt::format(
-        "{}\\\n  data using 1:(column({})) with lines linewidth 1.4 linecolor \"{}\" dashtype {} "
+        "{}\\\n  data using 1:{} with lines linewidth 1.4 linecolor \"{}\" dashtype {} "
         "title {}",
-        k == 0 ? "" : ", ", quoted(figure.columns[k]), colours[k % colours.size()],
-        1 + k / colours.size(), quoted(figure.columns[k].substr(0, figure.columns[k].find(" ["))));
+        k == 0 ? "" : ", ", figure.columns[k].number, colours[k % colours.size()],
+        1 + k / colours.size(), gnuplot_text(figure.columns[k].title));
   return head(image, format, 720, 480) + fmt::format(R"gp(
 data = {}
 set datafile separator ","
@@ -246,9 +238,9 @@ set ylabel {} noenhanced
 set autoscale xfix
 plot {}
 )gp",
-                                                     quoted(csv), quoted(figure.title),
-                                                     quoted(figure.x_label), quoted(figure.y_label),
-                                                     plots);
+                                                     gnuplot_file(csv), gnuplot_text(figure.title),
+                                                     gnuplot_text(figure.x_label),
+                                                     gnuplot_text(figure.y_label), plots);
 }
 
 std::string efficiency_script(const std::vector<EfficiencyCurve>& unsorted,
@@ -311,7 +303,7 @@ std::string advice_script(const AdviceFigure& figure, const std::string& image,
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
     const AdviceCurve& curve = figure.curves[k];
     data += fmt::format("\n# {}: seconds per ps, R [%], its standard error\n$marks{} << EOD\n",
-                        curve.scheme, k);
+                        gnuplot_comment(curve.scheme), k);
     for (const AdviceMark& mark : curve.marks)
       data +=
           fmt::format("{:.6g} {:.6g} {:.3g}\n", mark.seconds, 100 * mark.ratio, 100 * mark.error);
@@ -324,7 +316,7 @@ std::string advice_script(const AdviceFigure& figure, const std::string& image,
     plot += fmt::format(
         "\\\n  $marks{0} using 1:2:3 with yerrorbars pointtype {1} pointsize 0.9 linecolor \"{2}\" "
         "title {3}, ",
-        k, symbol, colour, quoted(curve.scheme));
+        k, symbol, colour, gnuplot_text(curve.scheme));
     if (!curve.model.empty())
       plot += fmt::format("\\\n  $law{} with lines linewidth 1.6 linecolor \"{}\" notitle, ", k,
                           colour);

@@ -2,7 +2,6 @@
 #include "polhode/io/table_file.hpp"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
@@ -12,21 +11,17 @@
 #include <fstream>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/printable.hpp"
+#include "polhode/io/checksum.hpp"
 #include "polhode/io/disk.hpp"
+#include "polhode/io/draft.hpp"
 
 namespace polhode {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Comments must be single lines.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (c == '\n' || c == '\r') c = ' ';
-  return text;
-}
-
-// A text with commas or quotes is quoted, and its own quotes are doubled (RFC 4180).
+// A text with commas or quotes stands in quotes, its own doubled (RFC 4180).
 std::string quoted(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string result = "\"";
@@ -50,7 +45,7 @@ std::string head_of(const std::vector<Table::Column>& columns) {
   std::string line;
   for (const auto& [name, unit] : columns) {
     if (!line.empty()) line += ',';
-    line += unit.empty() ? name : fmt::format("{} [{}]", name, unit);
+    line += quoted(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
   }
   return line;
 }
@@ -58,8 +53,8 @@ std::string head_of(const std::vector<Table::Column>& columns) {
 void write_head(std::ostream& out, const std::vector<Table::Column>& columns,
                 const Provenance& provenance) {
   out << fmt::format("# polhode {}\n# command: {}\n# config hash: {}\n# target: {}\n# seed: {}\n",
-                     provenance.version, one_line(provenance.command), text_hash(provenance.config),
-                     provenance.target, provenance.seed)
+                     provenance.version, printable(provenance.command),
+                     text_hash(provenance.config), provenance.target, provenance.seed)
       << head_of(columns) << '\n';
 }
 
@@ -84,8 +79,9 @@ GrowingTable::GrowingTable(const std::string& path, const std::vector<Table::Col
   write_head(out_, columns, provenance);
 }
 
-GrowingTable::GrowingTable(const std::string& path, std::uint64_t bytes) : path_(path) {
-  cut_file(path, bytes);
+GrowingTable::GrowingTable(const std::string& path, const TableMark& mark)
+    : path_(path), mark_(mark) {
+  cut_file(path, mark.bytes);
   out_.open(path, std::ios::binary | std::ios::app | std::ios::ate);
   if (!out_)
     throw Error(fmt::format("'{}' cannot be written ({}); check its permissions", path,
@@ -98,11 +94,13 @@ void GrowingTable::add(std::span<const double> row) {
   check();
 }
 
-std::uint64_t GrowingTable::mark() {
+TableMark GrowingTable::mark() {
   out_.flush();
   check();
   sync_file(path_);
-  return static_cast<std::uint64_t>(out_.tellp());
+  const auto bytes = static_cast<std::uint64_t>(out_.tellp());
+  mark_ = {bytes, file_crc64(path_, mark_.bytes, bytes, mark_.checksum)};
+  return mark_;
 }
 
 void GrowingTable::check() {
@@ -151,16 +149,9 @@ void each_row(const std::string& path, std::uint64_t bytes,
 }
 
 void refuse_existing(const std::string& path, bool force) {
-  const fs::path folder = folder_of(path);
+  check_name("the output", path);
+  check_folder(path);
   std::error_code error;
-  if (!fs::is_directory(folder, error))
-    throw Error(fmt::format("there is no folder '{}' for the output '{}'; make it, or name another",
-                            folder.string(), path));
-  if (::access(folder.c_str(), W_OK) != 0)
-    throw Error(
-        fmt::format("the folder '{}' takes no new files ({}); name another for the output "
-                    "'{}'",
-                    folder.string(), std::strerror(errno), path));
   if (fs::is_directory(path, error))
     throw Error(fmt::format("'{}' is a folder; the output must be a file, so name another", path));
   if (!force && fs::exists(path, error))
@@ -172,34 +163,20 @@ void refuse_existing(const std::string& path, bool force) {
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
                 const std::string& keep) {
-  const std::string temporary = path + ".part";
   const auto refuse = [&](const std::string& why) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw Error(
-        fmt::format("'{}' cannot be written ({}); name another output, or make room", path, why));
+    throw RunError(fmt::format("'{}' cannot be written ({}); make room for it", path, why));
   };
-  std::ofstream out(temporary, std::ios::binary);
-  if (!out) refuse(std::strerror(errno));
   try {
+    Draft draft(path);
+    std::ofstream out(draft.path(), std::ios::binary);
+    if (!out) refuse(std::strerror(errno));
     write(out);
-  } catch (...) {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
-    throw;
+    out.close();
+    if (!out) refuse(std::strerror(errno));
+    draft.finish(keep);
+  } catch (const Error& e) {  // what was computed is there: it is not the input that is wrong
+    throw RunError(e.what());
   }
-  out.close();
-  if (!out) refuse(std::strerror(errno));
-  std::error_code error;
-  try {
-    sync_file(temporary);
-  } catch (const RunError& e) {
-    refuse(e.what());
-  }
-  if (!keep.empty() && fs::exists(path, error)) fs::rename(path, keep, error);
-  if (!error) fs::rename(temporary, path, error);
-  if (error) refuse(error.message());
-  sync_folder(path);
 }
 
 }  // namespace polhode

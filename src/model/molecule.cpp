@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/printable.hpp"
 #include "polhode/math/eigen.hpp"
 #include "polhode/model/dipole.hpp"
 
@@ -23,6 +24,8 @@ void check(const Site& site, const std::string& molecule) {
   const auto refuse = [&](const std::string& what) {
     throw Error("molecule '" + molecule + "', site '" + site.name + "': " + what);
   };
+  check_name("a site of molecule '" + molecule + "'", site.name);
+  check_name("the element of site '" + site.name + "'", site.element);
   for (const double x :
        {site.r.x, site.r.y, site.r.z, site.mass, site.charge, site.sigma, site.epsilon})
     if (!std::isfinite(x))
@@ -120,6 +123,7 @@ Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
                 " sites; a rigid molecule may have " + std::to_string(most_sites) +
                 " at most, so divide it, or check where one molecule ends");
+  check_name("a molecule", name);
   Molecule molecule;
   Vec3<double> centre{};
   double far = 0;  // Σ m r² before the centre is known

@@ -26,8 +26,9 @@ std::vector<Curve> curves(const Advice& advice) {
   for (std::size_t c = 0; c < advice.candidates.size(); ++c) {
     const Candidate& candidate = advice.candidates[c];
     std::vector<AdviserPoint> points = candidate.points;
-    for (const auto& [of, point] : advice.refused)
-      if (of == c) points.push_back(point);
+    for (const auto* sets : {&advice.refused, &advice.surpassed})
+      for (const auto& [of, point] : *sets)
+        if (of == c) points.push_back(point);
     if (advice.best == c) points.push_back(advice.confirmation);
     std::stable_sort(points.begin(), points.end(),
                      [](const auto& a, const auto& b) { return a.step < b.step; });

@@ -13,7 +13,6 @@
 #include <utility>
 
 #include "polhode/base/error.hpp"
-#include "polhode/base/units.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/course.hpp"
 #include "polhode/run/step_search.hpp"
@@ -36,8 +35,12 @@ constexpr std::size_t most_refusals = 10;
 constexpr double preparation = 2;  // of a start, at most [ps], in steps of 1 fs
 /// Energies at least so often: rare ones would know R less well than the run could [ps].
 constexpr double longest_sample = 0.004;
+/// Steps in place of ones that kept the bound with room to spare.
+constexpr int most_lengthenings = 4;
 /// Parts of the length of the runs that confirm, after which it is asked whether they still may.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
+/// The first of them after which it is asked whether they leave room for a longer step.
+constexpr double telling = 1.0 / 3;
 /// Shares of the time: of runs that choose, of clocks, and of those that confirm at least.
 constexpr double choosing_share = 0.35, clock_share = 0.1, least_confirming_share = 0.3;
 /// Of the length of runs whose step decides: that of runs that only show the way to it.
@@ -72,7 +75,7 @@ class Adviser {
         workers_(workers),
         base_(assembled(config)) {
     for (const std::string& text : settings.schemes)
-      advice_.candidates.push_back({text, single_scheme_of(text), {}, {}, 0, 0, {}});
+      advice_.candidates.push_back({one_line(text), single_scheme_of(text), {}, {}, 0, 0, {}});
     settled_.resize(advice_.candidates.size());
   }
 
@@ -216,8 +219,26 @@ class Adviser {
       }
       judge(point);
       if (!calm(point) || !may_keep(settings_.criterion, point.runs, part)) break;
+      if (part >= telling && longer_step(whole.candidate, point)) break;
     }
     return point;
+  }
+
+  /// A longer step, if runs keep the bound with so much room that one is worth further runs. Over
+  /// a part of the length R scatters more, so its bound tells of less room than there is.
+  std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
+    const Candidate& candidate = advice_.candidates[c];
+    if (settings_.criterion.quality != Quality::ratio || !candidate.model || !calm(point) ||
+        advice_.surpassed.size() >= most_lengthenings ||
+        since(begin_) + last_set_ > settings_.seconds)
+      return std::nullopt;
+    double too_long = std::numeric_limits<double>::infinity();
+    for (const AdviserPoint& p : candidate.points)
+      if (!p.usable) too_long = std::min(too_long, p.step);
+    for (const auto& [of, p] : advice_.refused)
+      if (of == c) too_long = std::min(too_long, p.step);
+    return lengthened(point.step, point.bound / settings_.criterion.bound,
+                      candidate.model->exponent(point.step), too_long);
   }
 
   /// Of runs that say anything [ps].
@@ -364,6 +385,8 @@ class Adviser {
     return best;
   }
 
+  /// Runs from the same starts with one step after another, until one is confirmed that leaves
+  /// little room for a longer one.
   void confirm() {
     std::vector<Course> starts;
     while (advice_.refused.size() < most_refusals) {
@@ -371,7 +394,7 @@ class Adviser {
       if (stop()) return;
       time_candidates();
       if (stop()) return;
-      const auto c = cheapest();
+      const auto c = advice_.best ? advice_.best : cheapest();
       if (!c) return;
       // The same ones after a refusal: fresh ones until some confirm would choose the lucky ones.
       if (starts.empty()) starts = fresh_starts(confirming);
@@ -379,19 +402,41 @@ class Adviser {
       Candidate& candidate = advice_.candidates[*c];
       const double cost = candidate.scheme.cost() / candidate.step;
       const double left = std::max(least_confirming_share, 1 - since(begin_) / settings_.seconds);
-      const double length = std::clamp(affordable(budget(left), confirming, cost), least_length(),
-                                       config_.run.length);
+      const double length = advice_.best ? advice_.confirmation.length
+                                         : std::clamp(affordable(budget(left), confirming, cost),
+                                                      least_length(), config_.run.length);
+      const Clock::time_point before = Clock::now();
       const AdviserPoint point = confirming_runs(starts, {*c, candidate.step, length});
       if (stop()) return;
+      if (point.length == length) last_set_ = since(before);
+      const auto longer = longer_step(*c, point);
       if (calm(point) && point.length == length && point.bound <= settings_.criterion.bound) {
+        if (advice_.best) advice_.surpassed.emplace_back(*c, advice_.confirmation);
         advice_.best = c;
         advice_.runner_up = cheapest(c);
         advice_.confirmation = point;
-        return;
+        if (!longer) return;
+      } else if (longer) {
+        advice_.surpassed.emplace_back(*c, point);
+      } else {
+        advice_.refused.emplace_back(*c, point);
+        if (advice_.best) {  // the longer step does not do, the shorter one did: one between them?
+          const auto between = longer_step(*c, advice_.confirmation);
+          set_step(candidate, between.value_or(advice_.confirmation.step));
+          if (!between) return;
+          continue;
+        }
+        shorten(candidate, point, point.length / length);
+        continue;
       }
-      advice_.refused.emplace_back(*c, point);
-      shorten(candidate, point, point.length / length);
+      set_step(candidate, *longer);
     }
+  }
+
+  /// Another step of a candidate, at the same time for a step.
+  static void set_step(Candidate& candidate, double step) {
+    candidate.seconds *= candidate.step / step;
+    candidate.step = step;
   }
 
   /// After runs that did not confirm a step: as much shorter as they say.
@@ -410,9 +455,7 @@ class Adviser {
       factor =
           std::clamp(std::pow(excess, -1 / candidate.model->exponent(candidate.step)), 0.6, 0.97);
     }
-    const double shorter = three_digits(factor * candidate.step);
-    candidate.seconds *= candidate.step / shorter;
-    candidate.step = shorter;
+    set_step(candidate, three_digits(factor * candidate.step));
   }
 
   const Config& config_;
@@ -424,6 +467,7 @@ class Adviser {
   double frequency_ = 0;   // [1/ps]
   double evaluation_ = 0;  // seconds of one thread
   std::vector<Course> starts_;
+  double last_set_ = 0;        // seconds that the runs of the last set took, all of their length
   std::vector<bool> settled_;  // candidates whose steps are known as well as wanted
   std::size_t drawn_ = 0;      // starts so far
   Clock::time_point begin_ = Clock::now();
@@ -432,26 +476,6 @@ class Adviser {
 };
 
 }  // namespace
-
-double einstein_frequency(const System& system, Workers& workers) {
-  ForceField forces(system.topology, system.forces, system.state.box, workers);
-  Load load(system.bodies.size());
-  forces(system.state, load);
-  double highest = 0;
-  std::size_t body = 0;
-  for (const auto& part : system.topology.parts) {
-    std::array<double, 4> squares{};  // of p/√m and L_k/√J_k, their changes per time
-    for (std::size_t end = body + part.count; body < end; ++body) {
-      const Bodies& b = system.bodies;
-      squares[0] += dot(load.f[body], load.f[body]) * b.inverse_m[body] / 3;
-      const Vec3<double> tau = to_body(system.state.attitude[body], load.tau[body]);
-      for (std::size_t k = 0; k < 3; ++k) squares[k + 1] += tau[k] * tau[k] * b.inverse_J[body][k];
-    }
-    for (const double sum : squares)
-      highest = std::max(highest, sum / static_cast<double>(part.count));
-  }
-  return std::sqrt(highest / (units::boltzmann * system.temperature));
-}
 
 Advice advised(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch,
                Workers& workers) {

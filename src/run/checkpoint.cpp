@@ -121,7 +121,7 @@ void run_state(Archive& archive, Of& at) {
 
 template <class Archive, class Of>
 void mark(Archive& archive, Of& m) {
-  archive(m.frames), archive(m.bytes);
+  archive(m.frames), archive(m.bytes), archive(m.checksum);
 }
 
 template <class Archive, class Of>
@@ -138,6 +138,37 @@ void fields(Archive& archive, Of& c) {
   run_state(archive, c.at);
   archive(c.noise.power), archive(c.noise.energy);
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
+}
+
+/// What a start file tells beside positions: attitudes, and velocities if it has them. What is
+/// drawn follows from the seed. Nine digits are more than any text format has, and fewer than
+/// differ from processor to processor.
+std::string motion_of_start(const Config& config, const System& system) {
+  std::string text;
+  if (config.system.start.empty()) return text;
+  const auto add = [&](const Vec3<double>& v) {
+    text += fmt::format(" {:.9e} {:.9e} {:.9e}", v.x, v.y, v.z);
+  };
+  const State& s = system.state;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const Quaternion<double> a = s.attitude[i];
+    text += fmt::format(" {:.9f}", a.w);
+    add({a.x, a.y, a.z});
+    if (!system.new_velocities) add(s.p[i]), add(s.ell[i]);
+  }
+  return text;
+}
+
+/// What stands in trajectories: which files, of which sites by which names, velocities or none.
+std::string outputs_of(const OutputSettings& output, const Topology& topology) {
+  std::string text;
+  if (output.trajectory_every == 0) return text;
+  for (const std::string& format : output.formats) text += ' ' + format;
+  if (!output.massless_sites) text += " without massless sites";
+  if (!output.velocities) text += " without velocities";
+  for (const auto& part : topology.parts)
+    for (const Site& site : part.molecule.sites) text += ' ' + site.name + ' ' + site.element;
+  return text;
 }
 
 /// Whether all blocks hold as many sums as those of a fresh one.
@@ -173,8 +204,10 @@ Checkpoint of_this_run(const std::string& path, const std::string& identity, con
   Checkpoint checkpoint = read_checkpoint(path, reader);
   if (checkpoint.identity != identity)
     throw Error(fmt::format(
-        "the checkpoint '{}' belongs to another run, which began with '{}': molecules, start, "
-        "forces, scheme, step, equilibration, samples or trajectory differ; give that run file "
+        "the checkpoint '{}' belongs to another run, which began with '{}': molecules, start or "
+        "its "
+        "velocities, forces, scheme, step, equilibration, samples or what trajectories hold "
+        "differ; give that run file "
         "with the same options, another --output, or begin anew with --force",
         path, checkpoint.command));
   return checkpoint;
@@ -189,8 +222,7 @@ std::string run_identity(const Config& config, const System& system) {
                 config.run.shadow_sample.value_or(-1), config.run.configurational_sample,
                 config.output.trajectory_every, config.forces.skin});
   all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
-  if (config.output.trajectory_every > 0)
-    for (const std::string& format : config.output.formats) all += ' ' + format;
+  all += motion_of_start(config, system) + outputs_of(config.output, system.topology);
   return text_hash(all);
 }
 

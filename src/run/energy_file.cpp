@@ -52,11 +52,18 @@ EnergyFile::EnergyFile(const std::string& path, const Topology& topology,
     : freedoms_(freedoms(topology)), table_(path, columns(), provenance) {}
 
 EnergyFile::EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark)
-    : freedoms_(freedoms(topology)), rows_(mark.frames), table_(path, mark.bytes) {}
+    : freedoms_(freedoms(topology)),
+      rows_(mark.frames),
+      table_(path, TableMark{mark.bytes, mark.checksum}) {}
 
 void EnergyFile::add(const Energies& energies) {
   table_.add(row_of(energies, freedoms_));
   ++rows_;
+}
+
+FileMark EnergyFile::mark() {
+  const auto [bytes, checksum] = table_.mark();
+  return {rows_, bytes, checksum};
 }
 
 void check_energies(const std::string& path, const FileMark& mark) {

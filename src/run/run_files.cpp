@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "polhode/io/disk.hpp"
+#include "polhode/io/checksum.hpp"
 
 namespace polhode {
 namespace {
@@ -63,24 +63,33 @@ void RunFiles::go_on(const FoundCheckpoint& from) {
   kept_ = then.at.steps;
   if (then.outputs) {
     const OutputMarks& marks = *then.outputs;
+    check_crc64(names_.energies, 0, marks.energies.bytes, marks.energies.checksum);
     for (std::size_t k = 0; k < marks.frames.size(); ++k)
-      check_length(names_.trajectories[k], marks.frames[k].bytes);
+      check_frames(names_.trajectories[k], marks.frames[k]);
     check_energies(names_.energies, marks.energies);
-    energies_.emplace(names_.energies, topology_, marks.energies);
-    for (std::size_t k = 0; k < marks.frames.size(); ++k)
-      trajectories_.push_back(
-          continue_frames(names_.trajectories[k], topology_, marks.frames[k], choice_));
-    next_frame_ = marks.next_frame;
+    reopen(marks);
   }
   // The intact one is the newest from here on: the damaged one must not become its previous one.
   if (!from.note.empty())
     std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);
 }
 
-void RunFiles::begin() {
+void RunFiles::reopen(const OutputMarks& marks) try {
+  energies_.emplace(names_.energies, topology_, marks.energies);
+  for (std::size_t k = 0; k < marks.frames.size(); ++k)
+    trajectories_.push_back(
+        continue_frames(names_.trajectories[k], topology_, marks.frames[k], choice_));
+  next_frame_ = marks.next_frame;
+} catch (const Error& e) {  // files were cut: not as if nothing had happened
+  throw RunError(e.what());
+}
+
+void RunFiles::begin() try {
   energies_.emplace(names_.energies, topology_, provenance_);
   for (const std::string& path : names_.trajectories)
     trajectories_.push_back(create_frames(path, topology_, choice_));
+} catch (const Error& e) {  // there is a checkpoint: the run may resume once there is room
+  throw RunError(e.what());
 }
 
 void RunFiles::sample(std::size_t step, const State& state, const Energies& energies) {
@@ -108,12 +117,7 @@ void RunFiles::checkpoint(RunState at) {
       std::filesystem::remove(file);
   checkpoint_.at = std::move(at);
   if (energies_) checkpoint_.outputs = marks();
-  try {
-    write_checkpoint(names_.checkpoints, checkpoint_, {provenance_.version, provenance_.target});
-  } catch (const Error& e) {
-    if (!kept_) throw;  // a place that takes no files is wrong input
-    throw RunError(e.what());
-  }
+  write_checkpoint(names_.checkpoints, checkpoint_, {provenance_.version, provenance_.target});
   kept_ = checkpoint_.at.steps;
   checkpoint_.at = {};
   last_ = std::chrono::steady_clock::now();

@@ -110,6 +110,14 @@ double three_digits(double step) {
   return std::floor(step / unit * (1 + 1e-12)) * unit;
 }
 
+std::optional<double> lengthened(double step, double reached, double exponent, double too_long) {
+  constexpr double most = 1.25, least = 1.02;
+  if (!(reached > 0) || reached >= most_caution) return std::nullopt;
+  const double wanted = step * std::min(most, std::pow(aim / reached, 1 / exponent));
+  const double longer = three_digits(std::min(wanted, std::sqrt(step * too_long)));
+  return longer >= least * step ? std::optional(longer) : std::nullopt;
+}
+
 std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points) {
   if (points.size() >= most_points) return std::nullopt;
   if (points.empty()) return search.first;

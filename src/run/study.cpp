@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/study.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -77,6 +79,17 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
   return run;
 }
 
+// A record knows runs by scheme and step: each once.
+void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
+  for (const StudyPoint& other : points)
+    if (other.name == point.name && same(other.step, point.step))
+      throw Error(
+          fmt::format("the study has {} with a step of {:g} fs twice; name each scheme and each "
+                      "step once",
+                      point.name, 1000 * point.step));
+  points.push_back(point);
+}
+
 }  // namespace
 
 std::vector<StudyPoint> study_points(const StudySettings& settings) {
@@ -85,7 +98,7 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
     const NestedScheme scheme = nested_scheme_of(text);
     for (const double h :
          settings.steps.empty() ? default_steps(scheme, settings.coarse) : settings.steps)
-      points.push_back({text, scheme, h});
+      add_point(points, {one_line(text), scheme, h});
   }
   return points;
 }

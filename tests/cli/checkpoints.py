@@ -6,7 +6,6 @@ import os
 import random
 import resource
 import signal
-import subprocess
 import time
 
 import sandbox
@@ -33,7 +32,7 @@ class Checkpoints(Sandbox):
 
     def outputs(self):
         """What a run leaves behind, without its checkpoints, which hold times."""
-        return {n: b for n, b in self.contents().items() if n.startswith("out") and "checkpoint" not in n}
+        return {n: b for n, b in self.contents().items() if n.startswith("out") and "checkpoint" not in n and not n.endswith(".lock")}
 
     def whole(self):
         """Summary and files of a run that nothing happens to; the folder is empty again afterwards."""
@@ -70,19 +69,20 @@ class Checkpoints(Sandbox):
         start = time.monotonic()
         summary, files = self.whole()
         took = time.monotonic() - start
-        for _ in range(8):
+        for _ in range(sandbox.KILLS):
             threads = str(random.randint(1, len(os.sched_getaffinity(0))))
             self.kill_at_random_moments(1, took / 3, "run", "run.toml", "--continue", "--threads", threads)
         self.assertEqual(self.summary("--continue"), summary)
         self.assertEqual(self.outputs(), files)
-        self.assertEqual(list(self.folder.glob("*.part")), [])
+        self.assertEqual([n for n in self.contents() if "unfinished" in n], [])
         # What is done already is told again.
         self.assertEqual(self.summary("--continue"), summary)
         self.assertEqual(self.outputs(), files)
 
     def test_signals(self):
         summary, files = self.whole()
-        for signal_number in (signal.SIGTERM, signal.SIGINT):
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)  # whoever runs the tests may ignore it, and processes inherit that
+        for signal_number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU):
             self.interrupt(signal_number)
             for name in GROWING:
                 left, whole = (self.folder / f"out-{name}").read_bytes(), files[f"out-{name}"]
@@ -105,16 +105,18 @@ class Checkpoints(Sandbox):
         summary, files = self.whole()
         most = len(files["out-trajectory.gro"]) // 2
 
-        def limited():
-            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))
-        process = subprocess.run([sandbox.PROGRAM, "run", "run.toml"], cwd=self.folder, text=True, capture_output=True,
-                                 timeout=sandbox.LONGEST, preexec_fn=limited, restore_signals=False)
-        self.assertEqual(process.returncode, 1, process.stderr)
+        process = self.limited(resource.RLIMIT_FSIZE, most, "run", "run.toml")
+        self.assertEqual(process.returncode, 1, process.err)
         for word in ("out-trajectory.gro", "disk full", "out-checkpoint.bin", "--continue"):
-            self.assertIn(word, process.stderr)
+            self.assertIn(word, process.err)
         self.assertEqual(self.summary("--continue"), summary)
         self.assertEqual(self.outputs(), files)
+
+    def test_no_time(self):
+        self.write("run.toml", edited(WATER, ('"0.602 ps"', '"1000 ps"')))
+        process = self.limited(resource.RLIMIT_CPU, 1, "run", "run.toml")
+        self.assertEqual(process.returncode, 130, process.err)
+        self.assertIn("--continue", process.err)
 
     def test_damage(self):
         summary, files = self.whole()
@@ -124,7 +126,7 @@ class Checkpoints(Sandbox):
         state = {path: path.read_bytes() for path in self.folder.glob("out*")}
 
         def flipped(path):
-            at = random.randrange(24, len(bytes_of[path]))  # before it stands which format it is
+            at = random.randrange(len(bytes_of[path]))
             damaged = bytearray(bytes_of[path])
             damaged[at] ^= 1 << random.randrange(8)
             path.write_bytes(damaged)
@@ -135,7 +137,10 @@ class Checkpoints(Sandbox):
                 path.write_bytes(data)
 
         # One is damaged: the one before it serves.
-        for damage in (lambda: newest.write_bytes(bytes_of[newest][:-1]), newest.unlink, lambda: flipped(newest)):
+        def with_another_version():
+            newest.write_bytes(bytes_of[newest][:16] + b"\xff" + bytes_of[newest][17:])
+        flips = [lambda: flipped(newest)] * sandbox.FLIPS
+        for damage in (lambda: newest.write_bytes(bytes_of[newest][:-1]), newest.unlink, with_another_version, *flips):
             restored()
             damage()
             process = self.polhode("run", "run.toml", "--continue")
@@ -174,6 +179,65 @@ class Checkpoints(Sandbox):
         self.refused("out-checkpoint.bin", "--continue", "--force", options=())
         self.assertEqual(self.summary("--force"), summary)
         self.assertEqual(self.outputs(), files)
+
+    def test_another_start(self):
+        self.summary("--output", "start")
+        start = (self.folder / "start-final.gro").read_text()
+        water = edited(WATER, ('box = "2.5 nm"', 'start = "start-final.gro"'), ('equilibrate = "0.1 ps"\n', ""))
+        self.write("run.toml", water)
+        self.interrupt()
+        def edit(change):
+            """The start with its atoms changed: a list of [names, position, velocity], numbers as text."""
+            lines = start.splitlines()
+            atoms = [[line[:20], *(line[at:at + 15] for at in range(20, 110, 15))] for line in lines[2:-1]]
+            change(atoms)
+            return "\n".join([*lines[:2], *map("".join, atoms), lines[-1], ""])
+        self.assertEqual(edit(lambda atoms: None), start)
+
+        def swap_hydrogens(atoms):
+            atoms[1][1:4], atoms[2][1:4] = atoms[2][1:4], atoms[1][1:4]
+
+        def add_velocity(atoms):
+            for atom in atoms[:4]:
+                atom[4] = f"{float(atom[4]) + 0.0001:15.11f}"
+
+        def stop(atoms):
+            for atom in atoms:
+                del atom[4:]
+        turned, moved, still = map(edit, (swap_hydrogens, add_velocity, stop))
+        for text in (turned, moved, still):
+            self.assertNotEqual(text, start)
+            self.write("start-final.gro", text)
+            self.refused("another run", "velocities")
+        self.write("start-final.gro", start)
+        for key in ("massless_sites", "velocities"):
+            self.write("run.toml", edited(water, ('prefix = "out"', f'prefix = "out"\n{key} = false')))
+            self.refused("another run", "what trajectories hold")
+        self.write("run.toml", water)
+        self.summary("--continue")
+
+    def test_outputs_of_another_run(self):
+        formats = ("xyz", "gro", "pdb", "xtc", "trr", "dcd", "h5md")
+        water = edited(WATER, ('prefix = "out"', f'prefix = "out"\nformats = {json.dumps(formats)}'))
+        self.write("run.toml", edited(water, ("[system]\n", "[system]\nseed = 2\n")))
+        self.summary()
+        names = ["out-energies.csv", *(f"out-trajectory.{f}" for f in formats)]
+        others = {name: (self.folder / name).read_bytes() for name in names}
+        self.clear()
+        self.write("run.toml", water)
+        self.interrupt()
+        for name in names:
+            path = self.folder / name
+            mine = path.read_bytes()
+            path.write_bytes(others[name] if name.endswith("h5md") else others[name][:len(mine)])
+            self.refused(f"'{name}'", "not as this run wrote it", "--force")
+            if not name.endswith("h5md"):
+                # One bit before the checkpoint; in DCD's first 92 bytes stands what changes with each frame.
+                at = random.randrange(92, len(mine) // 2)
+                path.write_bytes(mine[:at] + bytes([mine[at] ^ 1 << random.randrange(8)]) + mine[at + 1:])
+                self.refused(f"'{name}'", "not as this run wrote it", "--force")
+            path.write_bytes(mine)
+        self.summary("--continue")
 
     def test_nothing_to_go_on_from(self):
         summary, files = self.whole()

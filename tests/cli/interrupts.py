@@ -93,6 +93,17 @@ class Interrupts(Sandbox):
             self.assertEqual(self.rows(f"{name}.csv"), self.rows("whole.csv"))
             self.assertEqual(sorted(self.rows(f"{name}-runs.csv")), sorted(self.rows("whole-runs.csv")))
 
+    def test_a_killed_study(self):
+        self.write("run.toml", edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]'), ("runs = 2", "runs = 12")))
+        begin = time.monotonic()
+        self.assertEqual(self.polhode("study", "run.toml", "--output", "whole").returncode, 0)
+        took = time.monotonic() - begin
+        for _ in range(sandbox.KILLS):
+            self.kill_at_random_moments(1, took, "study", "run.toml", "--output", "out")
+        self.assertEqual(self.polhode("study", "run.toml", "--output", "out").returncode, 0)
+        self.assertEqual(self.rows("out.csv"), self.rows("whole.csv"))
+        self.assertEqual(sorted(self.rows("out-runs.csv")), sorted(self.rows("whole-runs.csv")))
+
     def test_a_study_of_something_else_is_not_mixed_in(self):
         self.write("ball.toml", 'name = "ball"\nsource = "user"\n[[site]]\nname = "X"\nelement = "Ar"\n'
                    'position = "0 0 0 nm"\nmass = "40 u"\nsigma = "0.34 nm"\nepsilon = "1 kJ/mol"\n')

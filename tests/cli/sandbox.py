@@ -4,6 +4,7 @@
 import argparse
 import os
 import random
+import resource
 import subprocess
 import tempfile
 import unittest
@@ -11,6 +12,8 @@ from pathlib import Path
 
 PROGRAM = None  # the built program, from the command line
 LONGEST = 120  # seconds for one run of the program
+KILLS = 8  # of a run at random moments, and bits flipped in its checkpoint; a campaign asks for more
+FLIPS = 3
 
 # 27 argon atoms in a box that just holds the default cutoff: every verb is done in a moment.
 SMALL = """[system]
@@ -53,20 +56,26 @@ class Sandbox(unittest.TestCase):
         path = self.folder / name
         path.write_bytes(text) if isinstance(text, bytes) else path.write_text(text, encoding="utf-8")
 
-    def start(self, *arguments, **environment):
+    def start(self, *arguments, limit=None, **environment):
+        def prepare():
+            resource.setrlimit(limit[0], (limit[1], resource.getrlimit(limit[0])[1]))
         return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, text=True, stdin=subprocess.DEVNULL,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                env={**os.environ, **environment})
+                                env={**os.environ, **environment}, preexec_fn=prepare if limit else None)
 
-    def polhode(self, *arguments, **environment):
+    def polhode(self, *arguments, limit=None, **environment):
         """The finished process of `polhode ARGUMENTS`."""
-        with self.start(*arguments, **environment) as process:
+        with self.start(*arguments, limit=limit, **environment) as process:
             try:
                 process.out, process.err = process.communicate(timeout=LONGEST)
             except subprocess.TimeoutExpired:
                 process.kill()
                 raise
         return process
+
+    def limited(self, what, most, *arguments):
+        """The finished process of `polhode ARGUMENTS` under a soft limit of the system."""
+        return self.polhode(*arguments, limit=(what, most))
 
     def kill_at_random_moments(self, times, within, *arguments):
         """`polhode ARGUMENTS` is killed after up to `within` seconds, so many times; a run that ends first begins anew."""
@@ -126,9 +135,11 @@ def edited(text, *changes):
 
 
 def main():
-    global PROGRAM
+    global PROGRAM, KILLS, FLIPS
     parser = argparse.ArgumentParser()
     parser.add_argument("--program", type=Path, required=True)
+    parser.add_argument("--kills", type=int, default=KILLS)
+    parser.add_argument("--flips", type=int, default=FLIPS)
     options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
+    PROGRAM, KILLS, FLIPS = options.program.resolve(), options.kills, options.flips
     unittest.main(module="__main__", argv=["polhode", *rest], verbosity=1)

@@ -48,12 +48,12 @@ class Statistics(Sandbox):
         self.assertIsNone(NO_NUMBER.search(text), text)
         study = self.polhode("study", "run.toml", "--output", "study")
         self.assertEqual(study.returncode, 0, study.err)
-        self.assertNotIn("drift significant", study.out)
+        self.assertNotIn("  drift significant", study.out)  # as a note of a point
         self.assertIsNone(NO_NUMBER.search(study.out), study.out)
         point = json.loads((self.folder / "study.json").read_text())["points"][0]
         self.assertIsNone(point["R"])
         self.assertEqual(point["drift_chance"], 1)
-        self.assertIsNone(NO_NUMBER.search((self.folder / "study-points.csv").read_text().splitlines()[-1]))
+        self.assertIsNone(NO_NUMBER.search((self.folder / "study.csv").read_text().splitlines()[-1]))
 
     def test_memory_does_not_grow_with_the_number_of_samples(self):
         # 245 bytes a sample were kept once: 49 MB for the 200,000 between the two lengths.

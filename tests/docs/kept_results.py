@@ -69,7 +69,7 @@ class PaperFigure(unittest.TestCase):
             row = (f"| {p['scheme']} | {float(p['step [fs]']):g} | {float(p['cost [1/ps]']):.0f} | {p['runs [1]']} "
                    f"| {100 * float(p['R [1]']):.4g} ± {100 * float(p['R_error [1]']):.2g} "
                    f"| {float(p['drift [kJ/mol/ps]']):.3g} ± {float(p['drift_error [kJ/mol/ps]']):.2g} |")
-            self.assertIn(row, self.page)
+            self.assertTrue(row in self.page, row)
 
     def test_the_page_has_these_verdicts(self):
         """In the order of the claims: three ratios, the crossing, the ends."""
@@ -88,7 +88,7 @@ class Family(unittest.TestCase):
     def test_the_record_and_the_page_name_the_number_of_runs_that_the_points_have(self):
         for system, of in self.kept["systems"].items():
             command, = (c for c in self.kept["conditions"] if f"--systems {system} " in c)
-            self.assertIn(command, self.page)
+            self.assertTrue(command in self.page, command)
             runs = int(re.search(r"--runs (\d+)", command)[1])
             self.assertEqual({p["runs"] for p in of["points"]}, {runs}, system)
 
@@ -97,7 +97,7 @@ class Family(unittest.TestCase):
         orders = {s["name"]: s["order"] for s in json.loads(listed)}
         again = {system: {"ranking": family.ranking(of["points"], orders)} for system, of in self.kept["systems"].items()}
         self.assertEqual(family.tables({"systems": again}), family.tables(self.kept))
-        self.assertIn(family.tables(self.kept).strip(), self.page)
+        self.assertTrue(family.tables(self.kept).strip() in self.page, "docs/family.md has other tables")
 
 
 if __name__ == "__main__":

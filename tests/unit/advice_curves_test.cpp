@@ -46,6 +46,7 @@ constexpr double rounding = 1e-10;
 TEST_CASE("runs that chose and runs that were to confirm are one curve with its limit") {
   Advice advice = advice_of({point(0.001), point(0.002), point(0.004, false), point(0.005)});
   advice.refused.emplace_back(1, point(0.003));
+  advice.surpassed.emplace_back(1, point(0.0045));
   advice.best = 1;
   advice.confirmation = point(0.0025);
   const std::vector<Curve> all = curves(advice);
@@ -53,7 +54,7 @@ TEST_CASE("runs that chose and runs that were to confirm are one curve with its 
   CHECK(all[0].points.empty());
   const Curve& curve = all[1];
   CHECK(curve.scheme == "hoa2");
-  REQUIRE(curve.points.size() == 6);
+  REQUIRE(curve.points.size() == 7);
   CHECK(curve.usable == 4);  // what lies beyond a step that drifts does not count
   CHECK(curve.points[2].step == 0.0025);
   CHECK(curve.points[3].step == 0.003);

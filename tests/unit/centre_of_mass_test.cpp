@@ -157,7 +157,7 @@ TEST_CASE("one body, two bodies and many are drawn, rescaled and read at one tem
       draw_momenta(state, topology, 297, 2);
       const auto read = [&] {
         const Energies e = energies(state, bodies, Load{});
-        return mean_temperatures(std::array{e}, own);
+        return mean_temperatures(e, own);
       };
       const double expected = own.all() > 0 ? 297 : 0;
       CHECK(read().all == doctest::Approx(expected).epsilon(1e-12));

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "errors.hpp"
+#include "polhode/io/checksum.hpp"
 #include "polhode/run/checkpoint.hpp"
 
 using namespace polhode;
@@ -82,7 +83,7 @@ Checkpoint example(std::size_t bodies = 2) {
   s.energies.blocks.samples_per_block = 4;
   c.at.timings = {1, 2, 3, 4, 5};
   c.noise = {0.5, 0.25};
-  c.outputs = OutputMarks{{9, 900}, {{1, 100}, {2, 200}}, 12};
+  c.outputs = OutputMarks{{9, 900, 90}, {{1, 100, 10}, {2, 200, 20}}, 12};
   return c;
 }
 
@@ -170,9 +171,11 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
     if (!back.outputs) continue;
     CHECK(back.outputs->energies.frames == 9);
     CHECK(back.outputs->energies.bytes == 900);
+    CHECK(back.outputs->energies.checksum == 90);
     REQUIRE(back.outputs->frames.size() == 2);
     CHECK(back.outputs->frames[1].frames == 2);
     CHECK(back.outputs->frames[1].bytes == 200);
+    CHECK(back.outputs->frames[1].checksum == 20);
     CHECK(back.outputs->next_frame == 12);
   }
 }
@@ -187,13 +190,22 @@ TEST_CASE("a checkpoint with one wrong bit, or cut short anywhere, is refused") 
     CAPTURE(bit);
     std::string flipped = intact;
     flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
-    CHECK_THROWS_AS(CheckpointReader(flipped, path, maker), Error);
+    CHECK_THROWS_AS(CheckpointReader(flipped, path, maker), DamagedCheckpoint);
   }
   for (std::size_t n = 0; n < intact.size(); ++n) {
     CAPTURE(n);
     CHECK_THROWS_AS(CheckpointReader(intact.substr(0, n), path, maker), DamagedCheckpoint);
   }
   CHECK_THROWS_AS(CheckpointReader(intact + '\0', path, maker), DamagedCheckpoint);
+
+  // Of another version, and sealed as such, it is somebody else's: the one before it is no remedy.
+  std::string other = intact;
+  other[16] = 99;
+  const std::size_t end = other.size() - 8;
+  const std::uint64_t sum = crc64(other.data() + 32, end - 32, crc64(other.data(), 24));
+  other.replace(end, 8, reinterpret_cast<const char*>(&sum), 8);
+  check_error([&] { CheckpointReader(other, path, maker); },
+              {"format 99", "newest.bin", "--force"});
 }
 
 TEST_CASE("a checkpoint of another program, instruction set or run is refused with what to do") {

@@ -132,12 +132,17 @@ TEST_CASE("a file goes on after its mark as if it had never been left") {
       write(*writer, 2.5);  // is lost
       write(*writer, 3.5);
     }
+    check_frames(parts, mark);
+    FileMark end;
     {
       const auto writer = continue_frames(parts, topology, mark);
       write(*writer, 2);
       write(*writer, 3);
-      CHECK(writer->mark().frames == 3);
+      end = writer->mark();
+      CHECK(end.frames == 3);
     }
+    check_frames(parts, end);  // summed in two parts
+    check_frames(whole, end);  // as in one
     if (format != "h5md") CHECK((bytes_of(parts) == bytes_of(whole)));
     const auto a = all_frames(whole), b = all_frames(parts);
     REQUIRE(b.size() == 3);
@@ -153,6 +158,29 @@ TEST_CASE("a file goes on after its mark as if it had never been left") {
             continue_frames(parts, topology, {9, 1u << 30});
           },
           {"what is missing cannot be made up"});
+  }
+}
+
+TEST_CASE("a file of as many frames and bytes is known to be another one") {
+  const Folder folder;
+  const Topology topology = some_molecules();
+  for (const std::string_view format : writable_formats()) {
+    CAPTURE(format);
+    const std::string mine = folder / ("mine." + std::string(format));
+    const std::string other = folder / ("other." + std::string(format));
+    FileMark mark;
+    for (const auto& [path, second] : {std::pair{mine, 2.0}, {other, 3.0}}) {
+      const auto writer = create_frames(path, topology);
+      for (const double time : {1.0, second, 5.0}) {
+        writer->write(some_state(topology, time));
+        if (time == second && path == mine) mark = writer->mark();
+      }
+    }
+    check_frames(mine, mark);
+    check_error([&] { check_frames(other, mark); },
+                {other.c_str(), "not as this run wrote it", "--force"});
+    fs::remove(mine);
+    check_error([&] { check_frames(mine, mark); }, {mine.c_str(), "cannot be gone on with"});
   }
 }
 

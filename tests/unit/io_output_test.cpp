@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "errors.hpp"
+#include "polhode/io/checksum.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/table_file.hpp"
@@ -142,7 +143,7 @@ TEST_CASE("a table keeps every digit and begins with what made it") {
   std::istringstream in(out.str());
   std::string line;
   for (const char* expected :
-       {"# polhode 1.2.3", "# command: polhode run x", "# config hash: 85944171f73967e8",
+       {"# polhode 1.2.3", "# command: polhode run\\x0ax", "# config hash: 85944171f73967e8",
         "# target: avx2", "# seed: 7", "time [ps],R [%]"}) {
     std::getline(in, line);
     CHECK(line == expected);
@@ -163,7 +164,7 @@ TEST_CASE("a growing table gives its numbers back and goes on where it stood") {
   const std::vector<Table::Column> columns = {{"time", "ps"}, {"R", "%"}};
   const Provenance provenance{"1.2.3", "polhode run", "foobar", "avx2", 7};
   const std::vector<std::vector<double>> rows = {{0, 1.0 / 3}, {1e-300, -2.5e7}, {0.1, -0.0}};
-  std::uint64_t mark = 0;
+  TableMark mark;
   {
     GrowingTable table(file, columns, provenance);
     table.add(rows[0]);
@@ -173,10 +174,11 @@ TEST_CASE("a growing table gives its numbers back and goes on where it stood") {
   }
   {
     GrowingTable table(file, mark);
-    CHECK(table.mark() == mark);
+    CHECK(table.mark().checksum == mark.checksum);
     table.add(rows[2]);
-    const std::uint64_t end = table.mark();
-    CHECK(end == fs::file_size(file));
+    const TableMark end = table.mark();
+    CHECK(end.bytes == fs::file_size(file));
+    CHECK(end.checksum == file_crc64(file, 0, end.bytes));
   }
   std::vector<std::vector<double>> read;
   const auto take = [&](std::span<const double> row) { read.emplace_back(row.begin(), row.end()); };
@@ -187,12 +189,20 @@ TEST_CASE("a growing table gives its numbers back and goes on where it stood") {
   CHECK(text_of(file) == whole.str());
 
   read.clear();
-  each_row(file, mark, columns, take);
+  each_row(file, mark.bytes, columns, take);
   CHECK(read.size() == 2);
-  check_error([&] { each_row(file, mark - 1, columns, take); }, {"a.csv", "end of a line"});
-  check_error([&] { each_row(file, mark + 1000, columns, take); }, {"a.csv", "bytes"});
-  check_error([&] { GrowingTable(file, mark + 1000); }, {"a.csv", "bytes", "--force"});
-  check_error([&] { each_row(file, mark, {{"time", "fs"}}, take); }, {"a.csv:6", "time [fs]"});
+  check_error([&] { each_row(file, mark.bytes - 1, columns, take); }, {"a.csv", "end of a line"});
+  check_error([&] { each_row(file, mark.bytes + 1000, columns, take); }, {"a.csv", "bytes"});
+  check_error(
+      [&] {
+        GrowingTable(file, TableMark{mark.bytes + 1000, 0});
+      },
+      {"a.csv", "bytes", "--force"});
+  check_error(
+      [&] {
+        each_row(file, mark.bytes, {{"time", "fs"}}, take);
+      },
+      {"a.csv:6", "time [fs]"});
   write_file(file, [](std::ostream& out) { out << "time [ps],R [%]\n1,2\n1,x\n1,2,3\n"; });
   check_error([&] { each_row(file, 24, columns, take); }, {"a.csv:3", "1,x"});
   write_file(file, [](std::ostream& out) { out << "time [ps],R [%]\n1,2,3\n"; });
@@ -220,8 +230,18 @@ TEST_CASE("a file is written whole or not at all") {
     throw std::runtime_error("stop");
   }));
   CHECK(text_of(file) == "old");
-  check_error([&] { write_file(folder / "none/a.csv", [](std::ostream&) {}); },
-              {"cannot be written", "name another output"});
-  // Nothing is left behind but the file itself.
+  CHECK_THROWS_AS(write_file(folder / "none/a.csv", [](std::ostream&) {}), RunError);
+  // Nothing of another's is touched, and nothing is left behind but the file itself.
+  const auto touched = [&](const char* name) { return text_of(folder / name) != "mine"; };
+  for (const char* name : {"b.csv.part", "unfinished-b.csv", "b.csv.old"})
+    std::ofstream(folder / name) << "mine";
+  write_file(folder / "b.csv", [](std::ostream& out) { out << "1"; });
+  write_file(
+      folder / "b.csv", [](std::ostream& out) { out << "2"; }, folder / "b.csv.kept");
+  CHECK(text_of(folder / "b.csv") == "2");
+  CHECK(text_of(folder / "b.csv.kept") == "1");
+  for (const char* name : {"b.csv.part", "unfinished-b.csv", "b.csv.old"}) CHECK(!touched(name));
+  for (const char* name : {"b.csv.part", "unfinished-b.csv", "b.csv.old", "b.csv", "b.csv.kept"})
+    fs::remove(folder / name);
   CHECK(std::distance(fs::directory_iterator(folder.path), fs::directory_iterator()) == 1);
 }

@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "polhode/io/gnuplot_text.hpp"
+
 using namespace polhode;
 namespace fs = std::filesystem;
 
@@ -31,6 +33,10 @@ std::string text_of(const fs::path& path) {
   return text.str();
 }
 
+constexpr const char* shell =
+    "/"
+    "bin/sh";
+
 const std::vector<EfficiencyCurve> curves = {
     {"hoa2", {{1000, 0.001, 1e-4}, {250, 0.012, 1e-3}, {200, 0.5, 0.1, false}}},
     {"gier4", {{3000, 1e-6, 1e-7}, {300, 0.02, 1e-3}}}};
@@ -46,7 +52,7 @@ TEST_CASE("without gnuplot there is a warning, and the script stays") {
   CHECK(warnings.str().find("gnuplot is not installed") != std::string::npos);
   CHECK(warnings.str().find("gnuplot efficiency.gp") != std::string::npos);
   const std::string script = text_of(prefix + ".gp");
-  CHECK(script.find("set output \"efficiency.svg\"") != std::string::npos);
+  CHECK(script.find("set output './efficiency.svg'") != std::string::npos);
   // R in %; the longest stable step is marked only where a longer one is unstable.
   CHECK(script.find("250 1.2 0.1 1 0\n1000 0.1 0.01 0 0\n") != std::string::npos);
   CHECK(script.find("300 2 0.1 0 0\n") != std::string::npos);
@@ -73,4 +79,37 @@ TEST_CASE("figures are drawn where gnuplot is installed") {
   std::ofstream(place.folder / "wrong.gp") << "no such command\n";
   CHECK(!run_gnuplot((place.folder / "wrong.gp").string(), warnings));
   CHECK(warnings.str().find("gnuplot ended with code") != std::string::npos);
+}
+
+TEST_CASE("gnuplot evaluates nothing in a quoted text") {
+  CHECK(gnuplot_text("a `b` \\ \"c\"") == "'a `b` \\ \"c\"'");
+  CHECK(gnuplot_text("a'`b`'") == "'a''`b`'''");
+  CHECK(gnuplot_text("a\nsystem('b')") == "'a\\x0asystem(''b'')'");
+  CHECK(gnuplot_file("folder/<a;") == "'./<a;'");
+  CHECK(gnuplot_file("|a") == "'./|a'");
+  CHECK(gnuplot_comment("a\nb\\\\") == "a\\x0ab");
+}
+
+TEST_CASE("a gnuplot that does not end is ended") {
+  const Place place;
+  const fs::path program = place.folder / "gnuplot";
+  std::ofstream(program) << "#!" << shell << "\nwhile :; do :; done\n";
+  fs::permissions(program, fs::perms::owner_all);
+  setenv("PATH", place.folder.c_str(), 1);
+  std::ostringstream warnings;
+  CHECK(!run_gnuplot((place.folder / "any.gp").string(), warnings, std::chrono::seconds(1)));
+  CHECK(warnings.str().find("did not end within 1 s") != std::string::npos);
+}
+
+TEST_CASE("a gnuplot in a folder that is not absolute is not run") {
+  const Place place;
+  const fs::path before = fs::current_path();
+  fs::current_path(place.folder);
+  std::ofstream("gnuplot") << "#!" << shell << "\n: > evaluated\n";
+  fs::permissions("gnuplot", fs::perms::owner_all);
+  setenv("PATH", ":.:", 1);
+  std::ostringstream warnings;
+  CHECK(!run_gnuplot("any.gp", warnings));
+  CHECK(!fs::exists("evaluated"));
+  fs::current_path(before);
 }

@@ -122,3 +122,19 @@ TEST_CASE("the longest step to be expected is where R meets the bound by the ord
   CHECK(longest_expected(search, {}) == std::numeric_limits<double>::infinity());
   CHECK(decides(search, {}, 0.001));
 }
+
+// A bound of 0.5 of what was asked is 0.9 of it at √1.8 = 1.34 times the step at order 2, more than
+// the 1.25 allowed at once, and at 1.8^(1/4) = 1.158 times it at order 4.
+TEST_CASE("a step whose bound leaves room is lengthened to where little is left") {
+  const double far = std::numeric_limits<double>::infinity();
+  CHECK(*lengthened(0.004, 0.5, 2, far) == doctest::Approx(0.005).epsilon(1e-9));
+  CHECK(*lengthened(0.004, 0.5, 4, far) == doctest::Approx(0.00463).epsilon(1e-9));
+  CHECK(*lengthened(0.004, 0.79, 2, far) == doctest::Approx(0.00426).epsilon(1e-9));
+  // What lies from 0.8 on is as wanted, and a bound that was broken is no reason for a longer step.
+  for (const double reached : {0.8, 0.95, 1.0, 1.3, 0.0})
+    CHECK(!lengthened(0.004, reached, 2, far));
+  // Half of the way to a step that is too long, in logarithms; nothing where that is hardly a gain.
+  CHECK(*lengthened(0.004, 0.5, 2, 0.0044) == doctest::Approx(0.00419).epsilon(1e-9));
+  CHECK(!lengthened(0.004, 0.5, 2, 0.0041));
+  CHECK(!lengthened(0.004, 0.5, 40, far));  // 1.8^(1/40) = 1.015
+}

@@ -9,7 +9,6 @@
 
 #include <cstdint>
 #include <iosfwd>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -34,7 +33,6 @@ class CheckpointWriter {
  public:
   /// @param out  a seekable stream
   CheckpointWriter(std::ostream& out, const Maker& maker);
-  ~CheckpointWriter();
   void operator()(double x);
   void operator()(std::uint64_t n);
   void operator()(bool yes);
@@ -46,9 +44,8 @@ class CheckpointWriter {
 
  private:
   void put(const void* bytes, std::size_t n);
-  struct Sum;
   std::ostream& out_;
-  std::unique_ptr<Sum> sum_;
+  std::uint64_t sum_ = 0;
 };
 
 /// Reads the values back in the same order.

@@ -104,8 +104,8 @@ inline constexpr double least_lambda_in_mixed = 0.1;
 /// @throws Error  if the run file's lambda is too small for mixed precision
 void set_precision(Config& config, Precision precision);
 
-/// Reads and validates a run file. Relative paths in it are relative to the file.
-/// @throws Error  with file, line and key
+/// Reads and checks a run file. A relative path in it is relative to the file.
+/// @throws Error  with file, line and key; also if its name has control characters
 Config read_config(const std::string& path);
 
 /// Parses the text of a run file; `file` is its name in errors.

@@ -11,6 +11,10 @@ namespace polhode {
 /// The folder of a file; "." for a bare name.
 std::filesystem::path folder_of(const std::string& path);
 
+/// Refuses a name of a file whose folder is not there or takes no new files.
+/// @throws Error  which says so
+void check_folder(const std::string& path);
+
 /// Waits until the disk holds what was written to a file.
 /// @throws RunError  if that cannot be done
 void sync_file(const std::string& path);

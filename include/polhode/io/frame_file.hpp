@@ -45,7 +45,9 @@ std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view form
 /// Position in a file after a number of whole frames.
 struct FileMark {
   std::uint64_t frames = 0;
-  std::uint64_t bytes = 0;  ///< length of the file; 0 for formats in which it is not used
+  std::uint64_t bytes = 0;  ///< length of the file; 0 where the format does not count in bytes
+  /// CRC-64 of what the file holds until there, but for what changes with each frame.
+  std::uint64_t checksum = 0;
 };
 
 /// A named number per frame, for formats that store such numbers besides the atoms.
@@ -84,7 +86,11 @@ struct FrameChoice {
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice = {});
 
-/// Resumes a file after the frames of a mark; anything after them is truncated.
+/// Refuses a file that does not hold until a mark what it held then; it is read as a whole.
+/// @throws Error  which says so
+void check_frames(const std::string& path, const FileMark& mark);
+
+/// Goes on with a file after the frames of a mark; what was written later is cut off.
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice = {});

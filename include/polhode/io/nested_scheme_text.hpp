@@ -26,7 +26,10 @@ Scheme single_scheme_of(std::string_view text);
 /// The same, with the names of schemes if they have one, otherwise their stages.
 std::string name_of(const NestedScheme& scheme);
 
-/// All stages as text; nested_scheme_of() reproduces the same bits from it.
+/// A scheme as it was written, with single spaces between its words: a name for records and tables.
+std::string one_line(std::string_view text);
+
+/// All stages as text that nested_scheme_of() reads back to the same bits.
 std::string text_of(const NestedScheme& scheme);
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 // and run again.
 #pragma once
 
+#include <chrono>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -11,9 +12,11 @@
 
 namespace polhode {
 
-/// Runs gnuplot on a script in the script's folder. If gnuplot is missing or reports an error,
-/// returns false and prints a warning with the reason and the remedy.
-bool run_gnuplot(const std::string& script, std::ostream& warnings);
+/// Runs gnuplot on a script in the script's folder, without a shell, the user's settings and input.
+/// False, with a warning that says why and what to do, if gnuplot is not installed, does not like
+/// the script, or takes longer than the limit (whole seconds), when it is ended.
+bool run_gnuplot(const std::string& script, std::ostream& warnings,
+                 std::chrono::seconds limit = std::chrono::seconds(60));
 
 /// The energies of a run against time: deviation of the total energy from its mean, and potential
 /// energy, in two panels. `csv` must have the columns "time [ps]", "potential [kJ/mol]" and "total
@@ -26,7 +29,11 @@ bool energy_plot(const std::string& csv, const std::string& title, const std::st
 struct CurvesFigure {
   std::string csv;
   std::string title, x_label, y_label;
-  std::vector<std::string> columns;  ///< as in the header of the file, with units
+  struct Column {
+    std::size_t number;  ///< in the file, from 1
+    std::string title;
+  };
+  std::vector<Column> columns{};  ///< to be drawn
 };
 
 /// Draws the figure; script and image are written next to the CSV file, with its name and other

@@ -48,6 +48,12 @@ struct Table {
 /// written as an empty field.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
+/// Where a growing table stands.
+struct TableMark {
+  std::uint64_t bytes = 0;     ///< length of the file
+  std::uint64_t checksum = 0;  ///< CRC-64 of them
+};
+
 /// A CSV file that grows row by row.
 class GrowingTable {
  public:
@@ -55,20 +61,21 @@ class GrowingTable {
   /// @throws Error  if it cannot be written
   GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
                const Provenance& provenance);
-  /// Resumes a file after its first bytes; anything after them is truncated.
+  /// Goes on with a file after a mark; what follows it is cut off.
   /// @throws Error  if the file is shorter, or cannot be written
-  GrowingTable(const std::string& path, std::uint64_t bytes);
+  GrowingTable(const std::string& path, const TableMark& mark);
 
   /// @throws RunError  if the row cannot be written completely
   void add(std::span<const double> row);
-  /// Syncs all rows to disk, and returns the length of the file.
+  /// Hands all rows to the disk and tells where the file stands.
   /// @throws RunError  as add()
-  std::uint64_t mark();
+  TableMark mark();
 
  private:
   void check();
   std::string path_;
   std::ofstream out_;
+  TableMark mark_;
 };
 
 /// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers are read
@@ -78,14 +85,13 @@ void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,
               const std::function<void(std::span<const double>)>& visit);
 
-/// Throws if the file exists and `force` is not set, or if its folder is not writable; to be called
-/// before anything is computed.
+/// Throws if the file is there and `force` is not given, if its folder cannot be written to, or if
+/// its name has control characters or is not UTF-8; call it before anything is computed.
 void refuse_existing(const std::string& path, bool force);
 
-/// Writes a file atomically: into a temporary file next to it, which is renamed once it is synced
-/// to disk.
+/// Writes a file completely or not at all (io/draft.hpp).
 /// @param keep  new name for an existing file; if empty, that file is replaced
-/// @throws Error  if the file cannot be written
+/// @throws RunError  if that cannot be done
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
                 const std::string& keep = {});
 

@@ -28,8 +28,8 @@ struct Checkpoint {
   std::optional<OutputMarks> outputs;  ///< nothing before they begin
 };
 
-/// What must be the same for a run to resume, as a hash: molecules, start, forces, scheme, step,
-/// equilibration, and what is written how often; not its length.
+/// What must be the same for a run to resume, as a hash: molecules, start with its velocities,
+/// forces, scheme, step, equilibration, and what is written how often; not its length.
 std::string run_identity(const Config& config, const System& system);
 
 /// The files of checkpoints: the newest and the one before it.
@@ -38,7 +38,7 @@ struct CheckpointFiles {
 };
 
 /// Writes a checkpoint, whole or not at all; the newest one becomes the previous one.
-/// @throws Error  if that cannot be done
+/// @throws RunError  if that cannot be done
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const Maker& maker);
 

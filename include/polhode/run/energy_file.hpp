@@ -24,7 +24,7 @@ class EnergyFile {
   /// @throws RunError  if there is no room
   void add(const Energies& energies);
   /// Syncs all rows to disk and returns the end of the file.
-  FileMark mark() { return {rows_, table_.mark()}; }
+  FileMark mark();
 
  private:
   Freedoms freedoms_;

@@ -29,7 +29,7 @@ struct RunFileNames {
 class RunFiles {
  public:
   /// @param from  resumes the files at their lengths then; what was written later is removed
-  /// @throws Error  if one of them is missing or shorter than it was; then none is changed
+  /// @throws Error  if one of them is not as it was; then none is changed
   RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
            const Provenance& provenance, const std::string& identity,
            const FoundCheckpoint* from = nullptr);
@@ -43,7 +43,7 @@ class RunFiles {
   /// Whether the time between two checkpoints has passed.
   bool due() const;
   /// Brings all files to the disk, then writes the checkpoint.
-  /// @throws RunError  if there is no room; for the first checkpoint an Error
+  /// @throws RunError  if there is no room
   void checkpoint(RunState at);
   /// Until which step the last checkpoint reaches; nothing before the first.
   std::optional<std::size_t> kept() const { return kept_; }
@@ -53,6 +53,7 @@ class RunFiles {
  private:
   void begin();
   void go_on(const FoundCheckpoint& from);
+  void reopen(const OutputMarks& marks);
   OutputMarks marks();
 
   RunFileNames names_;

@@ -26,6 +26,9 @@ struct Format {
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 
+  /// Refuses a file that is not what it was at a mark; null where a format is read alone.
+  void (*check)(const std::string& path, const FileMark& mark);
+
   /// A reader of a file, for formats that are not read from its begin to its end.
   std::unique_ptr<FrameReader> (*open)(const std::string& path) = nullptr;
 
@@ -72,11 +75,20 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
 void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t before);
 void append_dcd(std::iostream& file, const FrameView& frame, std::uint64_t before);
 
+/// How frames are appended to a file, and until which byte its head changes with each of them.
+struct Appending {
+  AppendFrame append;
+  std::uint64_t head;
+};
+/// The record of a DCD file that counts its frames ends there.
+constexpr std::uint64_t dcd_count_end = 92;
+
 /// A writer of a file to whose end frames are appended.
-std::unique_ptr<FrameWriter> stream_writer(AppendFrame append, const std::string& path,
+std::unique_ptr<FrameWriter> stream_writer(Appending appending, const std::string& path,
                                            const Topology& topology, const FrameChoice& choice,
                                            const FileMark* mark);
 
+void check_h5md(const std::string& path, const FileMark& mark);
 std::unique_ptr<FrameWriter> h5md_writer(const std::string& path, const Topology& topology,
                                          const FrameChoice& choice, const FileMark* mark);
 

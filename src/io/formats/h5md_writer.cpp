@@ -4,31 +4,31 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <span>
 #include <stdexcept>
 
 #include "format.hpp"
+#include "h5md_series.hpp"
 #include "hdf5.hpp"
 #include "own_process.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/disk.hpp"
+#include "polhode/io/draft.hpp"
 
 namespace polhode {
 namespace {
 
+using h5md::links;
+using h5md::Series;
+using h5md::step;
+using h5md::time;
+using h5md::value_path;
 using hdf5::Handle;
 
 // Shorter rows share a chunk of so many bytes. Nothing is compressed: most bits of positions and
 // momenta are noise, so that deflate takes 7 % off a file and makes a frame three times as dear.
 constexpr hsize_t small_row = 4096;
-
-// A value at each frame: the dataset that holds it, and the extents of one row.
-struct Series {
-  Handle values;
-  std::vector<hsize_t> row;
-};
 
 class H5mdWriter : public FrameWriter {
  public:
@@ -36,10 +36,13 @@ class H5mdWriter : public FrameWriter {
              const FileMark* mark)
       : path_(std::move(path)), topology_(topology), choice_(choice) {
     hdf5::be_quiet();
-    if (mark != nullptr && mark->frames > 0)
+    if (mark != nullptr && mark->frames > 0) {
       reopen(mark->frames);
-    else
+      summed_ = mark->frames;
+      checksum_ = mark->checksum;
+    } else {
       create();
+    }
   }
 
   ~H5mdWriter() override {
@@ -67,7 +70,12 @@ class H5mdWriter : public FrameWriter {
   FileMark mark() override {
     checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     sync_file(path_);
-    return {frames_, 0};
+    for (; summed_ < frames_; ++summed_) {
+      const auto sum = h5md::frame_checksum(series_, summed_, checksum_);
+      if (!sum) refuse();
+      checksum_ = *sum;
+    }
+    return {frames_, 0, checksum_};
   }
 
  private:
@@ -112,40 +120,33 @@ class H5mdWriter : public FrameWriter {
   // one that can be changed: room may be in use that its head does not know. So the run goes on in
   // a copy, which takes its place at once.
   void reopen(std::uint64_t frames) {
-    const std::string part = path_ + ".part";
+    Draft copy(path_, Draft::Name::unique);  // the library looks for what a name means
+    const char* const part = copy.path().c_str();
     try {
       opened();  // or an error that tells what is missing
       // The library (1.10) crashes where a file that it closes does not fit on the disk.
       const bool copied = done_in_own_process([&] {
-        Handle file = made(
-            H5Fcreate(part.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access_properties()),
-            H5Fclose);
+        Handle file =
+            made(H5Fcreate(part, H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access_properties()),
+                 H5Fclose);
         copy_all(opened(), file);
         checked(file.close());
       });
       if (!copied) refuse();
-      file_ = made(H5Fopen(part.c_str(), H5F_ACC_RDWR, access_properties()), H5Fclose);
+      file_ = made(H5Fopen(part, H5F_ACC_RDWR, access_properties()), H5Fclose);
       take_all_series(frames);
       start();
       checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
-      sync_file(part);
-      std::filesystem::rename(part, path_);
-      sync_folder(path_);
+      copy.finish();
     } catch (...) {
       if (broken_) abandon();  // a constructor that throws has no destructor
-      std::error_code ignored;
-      std::filesystem::remove(part, ignored);
       throw;
     }
   }
 
   void take_all_series(std::uint64_t frames) {
-    for (const char* name : names_of_series)
-      if (hdf5::has(file_, value_path(name))) take_series(name, frames);
-    if (hdf5::has(file_, "observables")) {
-      const Handle observables = hdf5::group(file_, "observables");
-      for (const std::string& name : links(observables)) take_series("observables/" + name, frames);
-    }
+    series_ = h5md::series_of(file_);
+    for (const auto& [name, series] : series_) cut(name, series, frames);
     if (!series_.contains("particles/all/position"))
       throw Error(
           fmt::format("'{}' holds no positions to go on with; bring the file back that the "
@@ -174,18 +175,7 @@ class H5mdWriter : public FrameWriter {
     checked(H5Ldelete(to, "all", H5P_DEFAULT));
   }
 
-  static std::vector<std::string> links(hid_t group) {
-    std::vector<std::string> names;
-    const auto add = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
-      static_cast<std::vector<std::string>*>(list)->emplace_back(name);
-      return 0;
-    };
-    H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &names);
-    return names;
-  }
-
-  void take_series(const std::string& name, std::uint64_t frames) {
-    Series series{hdf5::dataset(file_, value_path(name)), {}};
+  void cut(const std::string& name, const Series& series, std::uint64_t frames) const {
     auto extents = hdf5::extents(series.values);
     if (extents.empty() || extents[0] < frames)
       throw Error(
@@ -194,13 +184,6 @@ class H5mdWriter : public FrameWriter {
                       path_, extents.empty() ? 0 : extents[0], name, frames));
     extents[0] = frames;
     checked(H5Dset_extent(series.values, extents.data()));
-    series.row.assign(extents.begin() + 1, extents.end());
-    series_.emplace(name, std::move(series));
-  }
-
-  // Step and time are datasets themselves; all others have a dataset of values beside these.
-  static std::string value_path(const std::string& name) {
-    return name == step || name == time ? name : name + "/value";
   }
 
   void attribute(hid_t of, const char* name, const std::string& text) const {
@@ -377,16 +360,13 @@ class H5mdWriter : public FrameWriter {
   }
 
   void put(const Series& series, hid_t type, const void* values) {
-    std::vector<hsize_t> extents{frames_ + 1}, from{frames_}, count{1};
+    std::vector<hsize_t> extents{frames_ + 1}, count{1};
     for (const hsize_t extent : series.row) {
       extents.push_back(extent);
-      from.push_back(0);
       count.push_back(extent);
     }
     checked(H5Dset_extent(series.values, extents.data()));
-    const Handle file_space = made(H5Dget_space(series.values), H5Sclose);
-    checked(H5Sselect_hyperslab(file_space, H5S_SELECT_SET, from.data(), nullptr, count.data(),
-                                nullptr));
+    const Handle file_space = h5md::row_space(series, frames_);
     const Handle space =
         made(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
     checked(H5Dwrite(series.values, type, space, file_space, H5P_DEFAULT, values));
@@ -442,24 +422,13 @@ class H5mdWriter : public FrameWriter {
     ++frames_;
   }
 
-  static constexpr const char* step = "particles/all/step";
-  static constexpr const char* time = "particles/all/time";
-  static constexpr std::array names_of_series = {step,
-                                                 time,
-                                                 "particles/all/box/edges",
-                                                 "particles/all/position",
-                                                 "particles/all/velocity",
-                                                 "particles/bodies/position",
-                                                 "particles/bodies/attitude",
-                                                 "particles/bodies/momentum",
-                                                 "particles/bodies/angular_momentum"};
-
   std::string path_;
   Topology topology_;
   FrameChoice choice_;
   Handle file_;
   std::map<std::string, Series> series_;  // closed before the file
   std::uint64_t frames_ = 0;
+  std::uint64_t summed_ = 0, checksum_ = 0;  // of the frames until the last mark
   bool started_ = false;
   mutable bool broken_ = false;  // something could not be written
 };

@@ -2,11 +2,13 @@
 // Files to whose end frames are appended.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <fstream>
 #include <utility>
 
 #include "format.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/checksum.hpp"
 #include "polhode/io/disk.hpp"
 
 namespace polhode {
@@ -14,13 +16,15 @@ namespace {
 
 class StreamWriter : public FrameWriter {
  public:
-  StreamWriter(AppendFrame append, std::string path, const Topology& topology,
+  StreamWriter(Appending appending, std::string path, const Topology& topology,
                const FrameChoice& choice, const FileMark* mark)
-      : append_(append), path_(std::move(path)), topology_(topology), choice_(choice) {
+      : appending_(appending), path_(std::move(path)), topology_(topology), choice_(choice) {
     using std::ios;
     if (mark != nullptr) {
       cut_file(path_, mark->bytes);
       frames_ = mark->frames;
+      summed_ = mark->bytes;
+      checksum_ = mark->checksum;
     }
     stream_.open(path_,
                  ios::binary | ios::in | ios::out | (mark != nullptr ? ios::ate : ios::trunc));
@@ -34,12 +38,16 @@ class StreamWriter : public FrameWriter {
   FileMark mark() override {
     if (!stream_.flush()) refuse();
     sync_file(path_);
-    return {frames_, static_cast<std::uint64_t>(stream_.tellp())};
+    const auto bytes = static_cast<std::uint64_t>(stream_.tellp());
+    const std::uint64_t from = std::min(std::max(summed_, appending_.head), bytes);
+    checksum_ = file_crc64(path_, from, bytes, checksum_);
+    summed_ = bytes;
+    return {frames_, bytes, checksum_};
   }
 
  private:
   void append(const FrameView& frame) {
-    append_(stream_, frame, frames_);
+    appending_.append(stream_, frame, frames_);
     if (!stream_.flush()) refuse();
     ++frames_;
   }
@@ -47,20 +55,21 @@ class StreamWriter : public FrameWriter {
     throw RunError(fmt::format("'{}' could not be written to the end; is the disk full?", path_));
   }
 
-  AppendFrame append_;
+  Appending appending_;
   std::string path_;
   Topology topology_;
   FrameChoice choice_;
   std::fstream stream_;
   std::uint64_t frames_ = 0;
+  std::uint64_t summed_ = 0, checksum_ = 0;  // of the bytes until the last mark
 };
 
 }  // namespace
 
-std::unique_ptr<FrameWriter> stream_writer(AppendFrame append, const std::string& path,
+std::unique_ptr<FrameWriter> stream_writer(Appending appending, const std::string& path,
                                            const Topology& topology, const FrameChoice& choice,
                                            const FileMark* mark) {
-  return std::make_unique<StreamWriter>(append, path, topology, choice, mark);
+  return std::make_unique<StreamWriter>(appending, path, topology, choice, mark);
 }
 
 }  // namespace polhode

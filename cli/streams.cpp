@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "streams.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+namespace polhode::cli {
+
+void prepare_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)  // open() takes the lowest free number
+      // Not writable in the place of standard output: what is printed there is lost, and known to
+      // be.
+      ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+  ::signal(SIGPIPE, SIG_IGN);
+  ::signal(SIGXFSZ, SIG_IGN);
+}
+
+int exit_code(int code) {
+  errno = 0;
+  const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+  if (!lost) return code;
+  log("error: standard output took not all that was printed ({}); files are written as always, so "
+      "give it room and ask again\n",
+      errno != 0 ? std::strerror(errno) : "an earlier write was refused");
+  return code == 0 ? 1 : code;
+}
+
+}  // namespace polhode::cli

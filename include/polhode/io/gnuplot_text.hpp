@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Texts and names of files as they stand in gnuplot's scripts, where nothing of them is evaluated.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace polhode {
+
+/// A text between single quotes: in these gnuplot replaces neither `commands` nor backslashes. What
+/// is not printable is escaped first, so that the text stays one line.
+std::string gnuplot_text(std::string_view text);
+
+/// A file beside the script, quoted. It begins with "./", as gnuplot would take "<command" and
+/// "|command" for pipes and "~" for a home.
+std::string gnuplot_file(std::string_view path);
+
+/// A text in a comment, which stays in its line.
+std::string gnuplot_comment(std::string_view text);
+
+}  // namespace polhode

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/file_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <utility>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/printable.hpp"
+#include "polhode/io/disk.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view head = "polhode lock: ";
+
+/// "process 1234 on host node7 since 2026-11-22 06:31:03 UTC"
+std::string this_process() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("process {} on host {} since {:%Y-%m-%d %H:%M:%S} UTC", ::getpid(),
+                     printable(host.data()), fmt::gmtime(std::time(nullptr)));
+}
+
+/// What an open file holds, as much as a lock's text has.
+std::string text_of(int file) {
+  std::array<char, 512> text{};
+  const ssize_t length = TEMP_FAILURE_RETRY(::pread(file, text.data(), text.size(), 0));
+  return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
+}
+
+/// Who wrote a lock's text: this instant it may not be there yet.
+std::string holder(const std::string& text) {
+  const auto end = text.find('\n');
+  if (!text.starts_with(head) || end == text.npos) return "another process";
+  return printable(std::string_view(text).substr(head.size(), end - head.size()));
+}
+
+}  // namespace
+
+FileLock::FileLock(std::string path) : path_(std::move(path)) {
+  check_name("the output", path_);
+  check_folder(path_);
+  try {
+    do {
+      if (file_ >= 0) ::close(file_);
+      take();
+    } while (!is_at_its_path());  // who held it removed the file as it was opened here
+  } catch (...) {
+    if (file_ >= 0) ::close(file_);
+    throw;
+  }
+  const std::string text = std::string(head) + this_process() + "\n";
+  // Without room there is a lock all the same, only not its holder's name.
+  [[maybe_unused]] const bool told =
+      ::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) > 0;
+}
+
+void FileLock::take() {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0)
+    throw Error(fmt::format(
+        "'{}', which keeps other processes from the same files, cannot be written ({}); check its "
+        "permissions, or name another output",
+        path_, std::strerror(errno)));
+  held_ = TEMP_FAILURE_RETRY(::flock(file_, LOCK_EX | LOCK_NB)) == 0;
+  const bool others = !held_ && errno == EWOULDBLOCK;
+  const std::string text = text_of(file_);
+  if (!text.empty() && !text.starts_with(head))
+    throw Error(
+        fmt::format("'{}' is there and is no lock of polhode, which needs this name; move it away, "
+                    "or name another output",
+                    path_));
+  if (others)
+    throw Error(
+        fmt::format("'{}' is held by {}: two processes would spoil each other's files; wait until "
+                    "that one has ended, or name another output",
+                    path_, holder(text)));
+}
+
+bool FileLock::is_at_its_path() const {
+  struct stat opened {
+  }, named{};
+  return ::fstat(file_, &opened) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+FileLock::~FileLock() {
+  ::unlink(path_.c_str());  // while it is held: nobody else's is taken away
+  ::close(file_);
+}
+
+}  // namespace polhode

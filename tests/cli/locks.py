@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: MIT
+"""Two processes on one run or study: the second is refused and told who holds it; nothing of either is spoilt."""
+
+import os
+import re
+import signal
+import socket
+import time
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+# Some hundred steps with samples, frames and checkpoints all along.
+RUN = edited(SMALL, ('length = "0.02 ps"\n', 'length = "1 ps"\nsample = "2 fs"\n'),
+             ('prefix = "out"', 'prefix = "out"\ntrajectory_every = "4 fs"\ncheckpoint_every = "0.01 s"'))
+LONG = edited(RUN, ('"1 ps"', '"1000 ps"'))
+STUDY = edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]'), ("runs = 2", "runs = 12"))
+HELD = re.compile(r"error: '(\S+)' is held by process (\d+) on host (\S+) since \d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC: ")
+
+
+class Locks(Sandbox):
+    tries = 20
+
+    def outputs(self):
+        return {n: b for n, b in self.contents().items() if n.startswith("out") and "checkpoint" not in n}
+
+    def clear(self):
+        for path in self.folder.glob("out*"):
+            path.unlink()
+
+    def two_at_once(self, *arguments):
+        """Codes of two processes of the same command; who was refused was told of the other."""
+        pair = [self.start(*arguments) for _ in range(2)]
+        for process in pair:
+            process.out, process.err = process.communicate(timeout=sandbox.LONGEST)
+        for process, other in (pair, pair[::-1]):
+            if process.returncode == 0:
+                continue
+            self.assertEqual(process.returncode, 2, process.err)
+            self.assertIn("spoil each other's files", process.err)
+            held = HELD.search(process.err)
+            # At the very first instant the holder has not written its name yet.
+            if held:
+                self.assertEqual((int(held[2]), held[3]), (other.pid, socket.gethostname()))
+            else:
+                self.assertIn("is held by another process", process.err)
+        return sorted(process.returncode for process in pair)
+
+    def test_runs_at_once(self):
+        self.write("run.toml", RUN)
+        self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
+        whole = self.outputs()
+        self.assertNotIn("out-run.lock", whole)
+        refused = 0
+        for _ in range(self.tries):
+            self.clear()
+            codes = self.two_at_once("run", "run.toml", "--continue")
+            self.assertEqual(codes[0], 0)
+            refused += codes[1] == 2
+            self.assertEqual(self.outputs(), whole)
+        self.assertGreater(refused, 0, "they never met")
+
+    def test_studies_at_once(self):
+        self.write("run.toml", STUDY)
+        self.assertEqual(self.polhode("study", "run.toml", "--output", "whole").returncode, 0)
+        whole, runs = self.rows("whole.csv"), sorted(self.rows("whole-runs.csv"))
+        refused = 0
+        for _ in range(self.tries):
+            self.clear()
+            codes = self.two_at_once("study", "run.toml", "--output", "out")
+            self.assertEqual(codes[0], 0)
+            refused += codes[1] == 2
+            self.assertEqual((self.rows("out.csv"), sorted(self.rows("out-runs.csv"))), (whole, runs))
+        self.assertGreater(refused, 0, "they never met")
+
+    def holding(self):
+        """A run that has a checkpoint and will not end by itself."""
+        process = self.start("run", "run.toml")
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        end = time.monotonic() + sandbox.LONGEST
+        while not (self.folder / "out-checkpoint.bin").exists():
+            self.assertIsNone(process.poll(), "it ended by itself")
+            self.assertLess(time.monotonic(), end, "it never came so far")
+            time.sleep(0.002)
+        return process
+
+    def test_who_holds_it(self):
+        self.write("run.toml", LONG)
+        holder = self.holding()
+        for options in (("--continue",), ("--force",), ()):
+            process = self.polhode("run", "run.toml", *options)
+            self.assertEqual(process.returncode, 2)
+            held = HELD.search(process.err)
+            self.assertEqual(held.groups(), ("out-run.lock", str(holder.pid), socket.gethostname()))
+        holder.send_signal(signal.SIGTERM)
+        holder.communicate(timeout=sandbox.LONGEST)
+        self.assertEqual(holder.returncode, 130)
+        self.assertFalse((self.folder / "out-run.lock").exists())
+
+    def test_a_killed_process_holds_nothing(self):
+        self.write("run.toml", LONG)
+        holder = self.holding()
+        holder.kill()
+        holder.communicate()
+        self.assertTrue((self.folder / "out-run.lock").exists())
+        self.assertEqual(self.polhode("run", "run.toml", "--continue", "--length", "0.002 ps", "--force").returncode, 2)
+        self.write("run.toml", edited(LONG, ('"1000 ps"', '"2000 ps"')))  # the length is no part of what a run is
+        process = self.start("run", "run.toml", "--continue")
+        end = time.monotonic() + sandbox.LONGEST
+        while f"process {process.pid} " not in (self.folder / "out-run.lock").read_text():
+            self.assertIsNone(process.poll(), "it ended by itself")
+            self.assertLess(time.monotonic(), end, "it never took the lock")
+            time.sleep(0.002)
+        process.kill()
+        process.communicate()
+
+    def test_a_file_of_the_user_is_not_a_lock(self):
+        self.write("run.toml", SMALL)
+        for verb, name in (("run", "out-run.lock"), ("study", "study-study.lock")):
+            self.write(name, "mine\n")
+            self.refused((verb, "run.toml"), [f"'{name}'", "no lock of polhode"], verb)
+            os.unlink(self.folder / name)
+            (self.folder / name).mkdir()
+            self.refused((verb, "run.toml"), [f"'{name}'"], verb)
+            (self.folder / name).rmdir()
+
+
+if __name__ == "__main__":
+    sandbox.main()

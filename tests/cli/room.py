@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""No room, few file handles, and names that are taken: the user's files stay, exit code 2 changes nothing, and the rest resumes."""
+
+import resource
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+RUN = edited(SMALL, ('plot = "none"', 'plot = "none"\ntrajectory_every = "4 fs"\nformats = ["xyz", "gro", "xtc", "h5md"]'))
+TAKEN = ("out-checkpoint.bin.part", "out-energies.csv.part", "out-final.gro.part", "out-trajectory.h5md.part", "unfinished-out.xyz",
+         "unfinished-out-final.gro", "out.csv.part", "out.json.part", "out-runs.csv.part", "out.xyz.part", "polhode-analysis-rdf.csv.part")
+
+
+class Room(Sandbox):
+    def setUp(self):
+        super().setUp()
+        self.write("run.toml", RUN)
+
+    def outputs(self):
+        """H5MD files hold times of their making; checkpoints hold those of the work."""
+        return {n: b for n, b in self.contents().items() if n.startswith("out") and "checkpoint" not in n and "h5md" not in n}
+
+    def clear(self):
+        for path in self.folder.glob("out*"):
+            path.unlink()
+
+    def each_verb(self):
+        """All verbs that write, one after the other, resumed where that can be."""
+        for arguments in (("run", "run.toml", "--length", "0.01 ps"), ("run", "run.toml", "--continue"),
+                          ("convert", "out-trajectory.xtc", "out.xyz", "--names", "out-final.gro"),
+                          ("analyze", "out-trajectory.h5md", "--run", "run.toml", "--what", "rdf", "--plot", "none"),
+                          ("study", "run.toml", "--output", "out"), ("study", "run.toml", "--output", "out")):
+            process = self.polhode(*arguments)
+            self.assertEqual(process.returncode, 0, process.err)
+
+    def test_names_that_are_taken(self):
+        for name in TAKEN:
+            self.write(name, f"mine: {name}\n")
+        self.each_verb()
+        for name in TAKEN:
+            self.assertEqual((self.folder / name).read_text(), f"mine: {name}\n")
+
+    def test_names_that_are_folders(self):
+        for name in TAKEN:
+            (self.folder / name).mkdir()
+        self.each_verb()
+        for name in TAKEN:
+            self.assertTrue((self.folder / name).is_dir())
+
+    def short_of(self, what, amounts):
+        """A run with less and less: code 2 changes nothing; after code 1 it resumes and ends as if nothing had been."""
+        self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
+        whole = self.outputs()
+        codes = set()
+        for amount in amounts:
+            self.clear()
+            before = self.contents()
+            process = self.limited(what, amount, "run", "run.toml")
+            with self.subTest(amount=amount, message=process.err):
+                codes.add(process.returncode)
+                self.assertIn(process.returncode, (0, 1, 2))
+                self.assertEqual([n for n in self.contents() if "unfinished" in n or n.endswith(".lock")], [])
+                if process.returncode == 2:
+                    self.assertEqual(self.contents(), before, "a file was made or changed")
+                process = self.polhode("run", "run.toml", "--continue")
+                self.assertEqual(process.returncode, 0, process.err)
+                self.assertEqual(self.outputs(), whole)
+        return codes
+
+    def test_file_handles(self):
+        codes = self.short_of(resource.RLIMIT_NOFILE, range(4, 20))
+        self.assertIn(0, codes, "the limits never sufficed")
+        self.assertIn(1, codes)
+
+    def test_sizes_of_files(self):
+        self.assertIn(1, self.short_of(resource.RLIMIT_FSIZE, (0, 1, 100, 1000, 3000, 5000, 10_000, 20_000, 40_000)))
+
+    def test_conversions_without_room(self):
+        self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
+        before = self.contents()
+        for name in ("out.gro", "out.trr", "out.h5md"):
+            for most in (0, 1, 1000, 3000):
+                process = self.limited(resource.RLIMIT_FSIZE, most, "convert", "out-trajectory.gro", name)
+                self.assertIn(process.returncode, (1, 2), process.err)
+                self.assertEqual(self.contents(), before)
+
+    def test_studies_without_room(self):
+        for most in (0, 1, 100, 500):
+            process = self.limited(resource.RLIMIT_FSIZE, most, "study", "run.toml", "--output", "out")
+            self.assertEqual(process.returncode, 1, process.err)
+            process = self.polhode("study", "run.toml", "--output", "out")
+            self.assertEqual(process.returncode, 0, process.err)
+            self.assertEqual(len(self.rows("out-runs.csv")), 3)
+            self.clear()
+
+    def test_a_study_of_the_same_twice(self):
+        for options, words in ((("--schemes", "hoa2", "hoa2"), ["hoa2", "twice"]),
+                               (("--schemes", "B(1/2) A(1) B(1/2)", "B(1/2)  A(1)\tB(1/2)"), ["twice"]),
+                               (("--steps", "2 fs", "4 fs", "0.002 ps"), ["2 fs", "twice"])):
+            self.refused(("study", "run.toml", *options), words, "study")
+        self.write("run.toml", edited(RUN, ('["velocity-verlet"]', '["hoa2", "hoa2"]')))
+        self.refused(("study", "run.toml"), ["hoa2", "twice"], "study")
+
+
+if __name__ == "__main__":
+    sandbox.main()
