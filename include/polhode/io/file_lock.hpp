@@ -6,9 +6,9 @@
 
 namespace polhode {
 
-/// Holds a file for this process alone by flock(2): the system releases it when the process ends,
-/// in whatever way, and NFS passes it on to other computers. The file tells who holds it, and is
-/// removed with the lock; one that a killed process left behind holds nothing.
+/// Locks a file for this process by flock(2): the system releases it when the process ends, for
+/// whatever reason, and NFS passes it on to other computers. The file names the process that holds
+/// the lock and is removed with it; one that a killed process left behind locks nothing.
 class FileLock {
  public:
   /// @throws Error  with process, host and time of who holds the file, if another process does; if
