@@ -164,11 +164,12 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   Eigen::Vector4d c = Eigen::Vector4d::Zero();
   c.head(powers) = matrix.colPivHouseholderQr().solve(right);
   const auto value = [&](double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); };
-  // At an end, or where the slope vanishes: with one sign of the root the curve is a maximum there.
-  double best = value(-half) > value(half) ? -half : half;
+  // Where the slope vanishes, with the sign of the root that makes it a maximum. An end only where
+  // there is no such place: ends may be higher by noise alone.
   const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
   const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
-  if (std::abs(inside) < half && value(inside) > value(best)) best = inside;
+  const double end = value(-half) > value(half) ? -half : half;
+  const double best = std::abs(inside) < half ? inside : end;
   return {middle + best, sign * value(best)};
 }
 
@@ -353,7 +354,8 @@ double RadialDistribution::neighbours_within(std::size_t pair, double bins,
 std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size_t pair) const {
   const BlockMeans means = blocks_.means();
   const std::vector<double> g = smoothed(curve(pair, means.mean()));
-  if (g.size() < 2 || *std::max_element(g.begin(), g.end()) == 0) return std::nullopt;
+  // Not a number throughout where no two molecules have such sites.
+  if (g.size() < 2 || !(*std::max_element(g.begin(), g.end()) > 0)) return std::nullopt;
   const std::ptrdiff_t summit = first_summit(g);
   if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
   // The same bins with and without a block: else the cubic would jump where a bin comes in.
