@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "polhode/measure/block_means.hpp"
 
@@ -42,9 +43,14 @@ inline constexpr std::size_t min_samples = 12;
 Drift drift_of_series(std::span<const double> rates);
 
 /// What is computed from the means of all quantities, with its standard error: the influence of
-/// each block on it is a series of its own, whose slowest modes tell how its mean scatters.
+/// each block on it is a series of its own, whose slowest modes tell how its mean scatters. The
+/// error of what is constant to rounding is 0; there is none where the statistic has no value
+/// without some block.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
+
+/// The mean of each quantity with its standard error.
+std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks);
 
 /// The slope of the least-squares line through the block means of a quantity against those of the
 /// time.
