@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""R against cost: studies of many schemes by the program, and what is read off their curves."""
+"""R against cost: studies of many schemes by the program, and the evaluation of their curves."""
 
 import json
 import subprocess
@@ -8,7 +8,7 @@ from math import exp, log
 
 
 def study(o, run_file, prefix, scheme, steps):
-    """Points of a scheme at steps [fs]; a study that was cut short goes on where it was."""
+    """Points of a scheme at steps [fs]; an interrupted study is resumed."""
     command = [o.polhode, "study", str(run_file), "--schemes", scheme, "--steps", *(f"{h:g} fs" for h in steps),
                "--runs", str(o.runs), "--length", f"{o.length:g} ps", "--decorrelate", f"{o.decorrelate:g} ps",
                "--threads", str(o.threads), "--output", str(prefix), "--json"]
@@ -18,7 +18,7 @@ def study(o, run_file, prefix, scheme, steps):
 
 
 def by_scheme(points):
-    """Points by scheme, by growing step."""
+    """Points of each scheme, by increasing step."""
     result = {}
     for p in points:
         result.setdefault(p["scheme"], []).append(p)
@@ -27,15 +27,15 @@ def by_scheme(points):
     return result
 
 
-# R at which a curve has ended, whatever its drift: ten times what such a study is asked for, and beyond every point at
-# which longer runs saw no drift (docs/efficiency.md: velocity Verlet, 8.9 %).
+# A curve ends above this R, whatever its drift: ten times the R that such a study is for, and above every point at
+# which longer runs detected no drift (docs/efficiency.md: velocity Verlet, 8.9 %).
 LOST = 0.1
 
 
 def usable(own):
-    """The points of a curve before the first with which a run blew up or R is above LOST. A drift ends no curve here: of
-    two to four runs, with one to three degrees of freedom, the test says next to nothing. With two, a drift of twenty times its
-    error has a chance of 3 %; and at a level of 1 % two of 200 points without a drift would end their curves."""
+    """The points of a curve before the first one with a blow-up or with R above LOST. A drift does not end a curve here: with
+    two to four runs, that is one to three degrees of freedom, the test has almost no power. With two runs, a drift of twenty
+    times its error has a chance of 3 %; and at a level of 1 %, two of 200 points without a drift would end their curves."""
     good = []
     for p in own:
         if not p["stable"] or p["R"] > LOST:
@@ -46,7 +46,7 @@ def usable(own):
 
 def at_ratio(own, ratio):
     """(cost, step [fs]) of a curve at R, by interpolation in logarithms between neighbouring points that are usable;
-    nothing beyond the measured ones, but the longest usable step where even its R is below."""
+    no extrapolation, but the longest usable step if its R is below the required one."""
     good = usable(own)
     if not good or good[0]["R"] > ratio:
         return None
@@ -59,7 +59,7 @@ def at_ratio(own, ratio):
 
 
 def seconds_per_ps(o, run_file, chosen):
-    """Wall-clock time of (scheme, step) pairs that run, energies not sampled: the best of repeats in turn."""
+    """Wall-clock time of (scheme, step) pairs that run, energies not sampled: the minimum of interleaved repeats."""
     timed = run_file.with_name(f"{run_file.stem}-clock.toml")
     timed.write_text(run_file.read_text(encoding="utf-8") + f'[run]\nsample = "{o.clock:g} ps"\n'
                      '[output]\ntrajectory_every = "0 ps"\nplot = "none"\n', encoding="utf-8")
@@ -69,7 +69,7 @@ def seconds_per_ps(o, run_file, chosen):
             command = [o.polhode, "run", str(timed), "--scheme", scheme, "--step", f"{step:.3f} fs", "--length",
                        f"{o.clock:g} ps", "--threads", "1", "--force", "--json", "--output", str(o.folder / "clock")]
             run = subprocess.run(command, capture_output=True, text=True)
-            if run.returncode != 0:  # at the end of stability another start may blow up
+            if run.returncode != 0:  # near the stability limit another initial configuration may blow up
                 print(f"{run_file.stem}: {scheme} at {step:.3g} fs is not timed: {run.stderr}", file=sys.stderr)
                 continue
             done = json.loads(run.stdout)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of the benchmarks: a gnuplot script kept beside its image, so that either can be changed."""
+"""Figures of the benchmarks: a gnuplot script is stored with its image, so that the figure can be changed."""
 
 import shutil
 import subprocess
@@ -18,10 +18,10 @@ def head(image, width, height):
 
 
 def draw(script, image):
-    """Writes the script beside the image and runs gnuplot on it."""
-    beside = image.with_suffix(".gp")
-    beside.write_text(script, encoding="utf-8")
+    """Writes the script to the folder of the image and runs gnuplot on it."""
+    stored = image.with_suffix(".gp")
+    stored.write_text(script, encoding="utf-8")
     if not shutil.which("gnuplot"):
-        print(f"no gnuplot on PATH, so no figure; its script is {beside}")
+        print(f"no gnuplot on PATH, so no figure; its script is {stored}")
         return
-    subprocess.run(["gnuplot", beside.name], cwd=image.resolve().parent, check=True)
+    subprocess.run(["gnuplot", stored.name], cwd=image.resolve().parent, check=True)

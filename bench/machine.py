@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The machine that a benchmark ran on, for the results that are kept."""
+"""The machine that a benchmark ran on, for the stored results."""
 
 import platform
 from pathlib import Path
@@ -16,5 +16,5 @@ def processor():
 
 
 def program(name):
-    """A program as typed: a path, which holds in any folder, or a name that the shell finds."""
+    """A program as typed: a path, made absolute, or a name that the shell finds."""
     return str(Path(name).resolve()) if Path(name).exists() else name

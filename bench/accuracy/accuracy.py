@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""How motion depends on the accuracy of the integration: diffusion, relaxation times and temperatures of liquid TIP4P
-with schemes and time steps of very different R, from the same starts, by `polhode run` and `polhode analyze`."""
+"""How dynamics depends on the accuracy of the integration: diffusion, relaxation times and temperatures of liquid TIP4P
+with schemes and time steps of very different R, from the same initial configurations, by `polhode run` and `polhode analyze`."""
 
 import argparse
 import json
@@ -11,7 +11,7 @@ from math import sqrt
 from pathlib import Path
 from statistics import fmean, stdev
 
-import figure  # which finds what benchmarks share
+import figure  # to find the modules shared by the benchmarks
 import machine
 
 POINTS = [("velocity-verlet", h) for h in (1, 2, 3, 4, 5)] + [("hoa2", 4), ("hoa2", 6), ("gier4", 3)]
@@ -36,7 +36,7 @@ trajectory_every = "{every:g} fs"
 formats = ["{form}"]
 plot = "none"
 """
-# name in the table, unit, place in what analyze or run says
+# name in the table, unit, position in the output of analyze or run
 QUANTITIES = {
     "D": ("1e-9 m²/s", lambda run, said: said["parts"][0]["D_1e-9_m2_per_s"]["value"]),
     "tau": ("ps", lambda run, said: said["parts"][0]["relaxation"]["dipole"]["P2"]["exponential_ps"]["value"]),
@@ -55,7 +55,7 @@ def asked(program, folder, *words):
 
 
 def start(o, seed):
-    """A liquid at 298 K: a lattice melted with velocities rescaled, then let go for a picosecond."""
+    """A liquid at 298 K: a lattice melted with velocity rescaling, then a picosecond at constant energy."""
     name = f"start-{seed}"
     if not (o.folder / f"{name}-final.gro").exists():
         text = RUN_FILE.format(count=o.count, start='density = "0.997 g/cm3"', seed=seed, scheme="hoa2", step=2,
@@ -66,11 +66,11 @@ def start(o, seed):
 
 
 def measured(o, scheme, step, seed):
-    """{quantity: value} of one run; its frames are dropped."""
+    """{quantity: value} of one run; its frames are deleted."""
     name = f"{scheme}-{step:g}-{seed}"
     kept = o.folder / f"{name}.json"
     if not kept.exists():
-        whole = lambda fs: step * max(1, round(fs / step))  # so that all steps sample alike
+        whole = lambda fs: step * max(1, round(fs / step))  # so that all steps have the same sampling interval
         text = RUN_FILE.format(count=o.count, start=f'start = "{start(o, seed)}"', seed=seed, scheme=scheme, step=step,
                                equilibrate=0, length=o.length, sample=whole(12), name=name, every=whole(120),
                                form=o.format)
@@ -91,12 +91,12 @@ def mean(values):
 
 
 def differences(runs, exact):
-    """Of each quantity to the most accurate runs, from the same starts, whose scatter is shared."""
+    """Differences of each quantity from the most accurate runs with the same initial configuration, whose scatter cancels."""
     return {q: mean([run[q] - best[q] for run, best in zip(runs, exact)]) for q in runs[0]}
 
 
 def report(result):
-    """Two tables in Markdown: means, and their differences to the most accurate scheme and step."""
+    """Two tables in Markdown: means, and their differences from the most accurate scheme and step."""
     columns = [("D", "D [1e-9 m²/s]", 2), ("tau", "τ₂ of the dipole [ps]", 2), ("T_translation", "T of translation [K]", 1),
                ("T_rotation", "T of rotation [K]", 1), ("potential", "potential energy [kJ/mol]", 3)]
     rows = []

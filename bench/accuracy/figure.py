@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture: diffusion, relaxation time and temperatures against R, scheme by scheme, drawn by gnuplot."""
+"""The figure: diffusion, relaxation time and temperatures against R, scheme by scheme, drawn by gnuplot."""
 
 import json
 import sys
@@ -10,7 +10,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-# Okabe and Ito's colours, as in all figures here.
+# The colours of Okabe and Ito, as in all figures here.
 LOOKS = {"velocity-verlet": ("#0072B2", 7), "hoa2": ("#D55E00", 5), "gier4": ("#009E73", 9)}
 
 
@@ -24,7 +24,7 @@ def draw(result, image):
         for p in (p for p in result["points"] if p["scheme"] == scheme):
             off = p["differences"]
             numbers = [100 * p["R"]["value"]]
-            for q in ("D", "tau"):  # in per cent of the quantity itself
+            for q in ("D", "tau"):  # in per cent of the quantity
                 numbers += [100 * off[q][part] / p[q]["value"] for part in ("value", "error")]
             numbers += [p["excess"]["value"], p["excess"]["error"]]
             rows.append(" ".join(f"{x:.8g}" for x in numbers))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Does the adviser keep its promises, and how much does it leave unused? For several systems and accuracies it is asked
-once; then fresh runs with the scheme and step of its answer, from starts and momenta that it never saw, are counted that
-keep the R asked for, and those that keep the bound that it states. That bound over what was asked is the ratio reached: 1
-is an answer without caution, and the adviser aims at 0.8 to 1."""
+"""Does the adviser keep its accuracy guarantee, and how much of it does it leave unused? It is run once for several systems
+and accuracies. Then new runs with the scheme and step of its answer, from other initial configurations and momenta, are
+checked against the required R, and against the bound that the adviser reports. That bound divided by the required R is the
+ratio reached: 1 is an answer without any margin, and the adviser aims at 0.8 to 1."""
 
 import argparse
 import json
@@ -17,7 +17,7 @@ from statistics import fmean
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import machine
 
-# Molecules with their number, where they are, and forces.
+# Molecules with their number, initial configuration, and forces.
 BOXES = {
     "tip4p-512": (["tip4p", 512], 'start = "w512"', 'cutoff = "1.0 nm"\nswitch = "0.85 nm"'),
     "tip4p-216-reaction-field": (["tip4p", 216], 'density = "1 g/cm3"',
@@ -44,7 +44,7 @@ def polhode(o, folder, *arguments):
 
 
 def case(system, accuracy, seed, o):
-    """One promise, and how fresh runs kept it."""
+    """One guarantee, and how many new runs met it."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         (folder / "run.toml").write_text(run_file(system, seed, o))
@@ -56,7 +56,7 @@ def case(system, accuracy, seed, o):
         advice = json.loads(told.stdout)
         best, second = advice["best"], advice["runner_up"]
         confirmed = best["confirmation"]
-        # Fresh ones: another lattice, other momenta, a preparation as long as that of the run file.
+        # New runs: another lattice, other momenta, equilibrated as long as in the run file.
         for attempt in range(1, 11):  # molecules of a dense lattice may overlap
             (folder / "fresh.toml").write_text(run_file(system, 1_000_000 * attempt + seed, o))
             fresh = polhode(o, folder, "study", "fresh.toml", "--schemes", best["scheme"], "--steps",
@@ -80,7 +80,7 @@ def case(system, accuracy, seed, o):
 
 
 def binomial_interval(kept, runs, confidence=0.95):
-    """The probabilities that make neither as few nor as many unlikely (Clopper and Pearson)."""
+    """The confidence interval of Clopper and Pearson for a probability."""
     tail = lambda p, ks: sum(comb(runs, k) * p**k * (1 - p) ** (runs - k) for k in ks)
 
     def bisected(too_small):

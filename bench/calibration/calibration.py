@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Whether runs state their errors and drifts as often right as they say: many runs without a drift, judged by the program.
+"""Calibration of the errors and drift tests of a run: many runs without a drift, as reported by the program.
 
-Every run is suspended and resumed: its first part is judged by itself, then the first two together, then the whole."""
+Every run is suspended and resumed: the program reports on its first part, then on the first two together, then on the whole."""
 
 import argparse
 import json
@@ -46,7 +46,7 @@ KEYS = ("samples", "R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_
 
 
 def judged(program, system, scheme, seed):
-    """What one run says at each of its lengths."""
+    """What one run reports at each of its lengths."""
     model, count, density, cutoff, temperature, steps, lengths = SYSTEMS[system]
     step = steps[SCHEMES.index(scheme)]
     with tempfile.TemporaryDirectory() as folder:
@@ -72,7 +72,7 @@ def scatter(values):
 
 
 def over_scatter(reports, value, error):
-    """The rms of the stated errors over the scatter of the values between runs; nothing with too few."""
+    """The rms of the reported errors divided by the scatter of the values between runs; None with too few runs."""
     known = [r for r in reports if r[error] is not None]
     return rms([r[error] for r in known]) / scatter([r[value] for r in known]) if len(known) > 2 else None
 
@@ -82,7 +82,7 @@ def fired(reports, level):
 
 
 def row(system, scheme, length, reports):
-    """Fractions fired are in units of the nominal ones."""
+    """Fractions of runs with a significant drift are divided by the nominal ones."""
     shadow = [r["shadow"] for r in reports if r["shadow"]]
     return {"system": system, "scheme": scheme, "length_ps": length, "runs": len(reports),
             "told": sum(r["drift_chance"] is not None for r in reports) / len(reports),

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""The engine alone, from small systems to large ones: time of a force evaluation, of the neighbour list and of a step
-with its parts, by `polhode bench`; peak memory and the time to the first energies, each in a process of its own."""
+"""Performance of the engine from small systems to large ones: time of a force evaluation, of the neighbour list and
+of a step with its parts, by `polhode bench`; peak memory and the time to the first energies, each in a separate process."""
 
 import argparse
 import datetime
@@ -15,7 +15,7 @@ from pathlib import Path
 
 import figure
 
-# The same water as that of `polhode bench`, on a lattice; some short steps, for what a run holds in memory.
+# The same water as that of `polhode bench`, on a lattice; a few short steps, to measure the memory of a run.
 RUN = """[system]
 molecules = [{{ model = "tip4p", count = {molecules} }}]
 density = "1 g/cm3"
@@ -63,8 +63,8 @@ def arguments():
 
 
 def outcome(command, folder=None, memory=False):
-    """What a process said, its wall-clock seconds and, if wanted, its peak memory [bytes], asked for every ms while it
-    runs: what wait4(2) tells counts the memory of the process that started it as well."""
+    """The output of a process, its wall-clock seconds and, if requested, its peak memory [bytes], sampled every ms while it
+    runs, because the value from wait4(2) includes the memory of the parent process."""
     start, peak = time.perf_counter(), 0
     with tempfile.TemporaryFile() as said, tempfile.TemporaryFile() as complaint:
         with subprocess.Popen(command, cwd=folder, stdout=said, stderr=complaint) as process:
@@ -80,7 +80,7 @@ def outcome(command, folder=None, memory=False):
 
 
 def peak_memory(pid):
-    """[bytes]; 0 of a process that has just ended, or where the system does not tell."""
+    """[bytes]; 0 if the process has just ended, or if the system does not report it."""
     try:
         status = Path(f"/proc/{pid}/status").read_text(encoding="utf-8")
     except OSError:
@@ -90,7 +90,7 @@ def peak_memory(pid):
 
 
 def timed(o, molecules, precision):
-    """The systems of `polhode bench`, one for each number of threads, and the whole report of the last call."""
+    """The systems of `polhode bench`, one for each number of threads, and the complete report of the last call."""
     systems, report = {}, None
     for threads in [n for n in o.threads if n > 1] or [1]:
         command = [o.polhode, "bench", "--json", "--sizes", str(molecules), "--precision", precision,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The pictures of the engine: time per molecule against the number of molecules, and what more threads gain, drawn by
+"""The figures of the engine benchmark: time per molecule against the number of molecules, and speed-up by threads, drawn by
 gnuplot."""
 
 import json
@@ -10,7 +10,7 @@ from string import Template
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
-# Okabe and Ito's colours, as in all figures here; filled marks for forces, open ones for steps.
+# The colours of Okabe and Ito, as in all figures here; filled marks for forces, open ones for steps.
 COLOURS = {"mixed": "#0072B2", "double": "#D55E00"}
 QUANTITIES = {"force": ("a force evaluation", (7, 5)), "step": ("a step of HOA2", (6, 4))}
 
@@ -56,7 +56,7 @@ def scaling(result):
 
 
 def speed_up(result, threads):
-    """Curves of the same kind: time of one thread over that of so many."""
+    """Curves of the same kind: time of one thread divided by that of several."""
     times = {(s["molecules"], s["precision"], s["threads"]): s for s in result["systems"]}
     for precision, colour in COLOURS.items():
         for quantity, (text, marks) in QUANTITIES.items():
@@ -82,7 +82,7 @@ def script(curves, image, label, key, top, extra=()):
 
 
 def draw(result, prefix, form="svg"):
-    """Writes the scripts beside the images and runs gnuplot on them."""
+    """Writes the scripts to the folder of the images and runs gnuplot on them."""
     image = lambda name: prefix.with_name(f"{prefix.name}-{name}.{form}")
     drawing.draw(script(scaling(result), image("sizes"), "µs per molecule, one thread", "top left", 0), image("sizes"))
     threads = max(s["threads"] for s in result["systems"])
@@ -92,5 +92,5 @@ def draw(result, prefix, form="svg"):
                      1.1 * threads, [ideal]), image("threads"))
 
 
-if __name__ == "__main__":  # figure.py RESULT.json PREFIX [svg|png]: draws kept numbers again
+if __name__ == "__main__":  # figure.py RESULT.json PREFIX [svg|png]: redraws stored results
     draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]), *sys.argv[3:4])

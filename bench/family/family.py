@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""All schemes of the table against each other at equal R: cost and wall-clock time, water and another liquid."""
+"""All built-in schemes compared at equal R: cost and wall-clock time, for water and another liquid."""
 
 import argparse
 import json
@@ -8,7 +8,7 @@ from datetime import date
 from math import sqrt
 from pathlib import Path
 
-import figure  # which finds what benchmarks share
+import figure  # to find the modules shared by the benchmarks
 import curves
 import machine
 
@@ -19,14 +19,14 @@ SYSTEMS = {
     "pme": W512 + '[forces]\ncutoff = "0.9 nm"\nelectrostatics = "pme"\naccuracy = 1e-4\n',
     "co2": CO2 + '[forces]\ntruncation = "site-switch"\ncutoff = "1.0 nm"\n',
 }
-COSTS = {"reaction-field": (2000, 8), "pme": (2000, 8), "co2": (1000, 9)}  # the most force evaluations per ps; steps
+COSTS = {"reaction-field": (2000, 8), "pme": (2000, 8), "co2": (1000, 9)}  # maximum of force evaluations per ps; steps
 FACTOR = sqrt(2)  # between costs of neighbouring steps
 RATIOS = (0.015, 0.01, 0.004, 0.001, 0.0001)
 TIMED = 3  # schemes at each R whose time is measured
 
 
 def table_of_schemes(o):
-    """Name, order and cost of the schemes asked for, from the program."""
+    """Name, order and cost of the requested schemes, from the program."""
     known = json.loads(subprocess.run([o.polhode, "schemes", "--json"], check=True, capture_output=True, text=True).stdout)
     return [s for s in known if not o.schemes or s["name"] in o.schemes]
 
@@ -38,7 +38,7 @@ def steps(system, cost):
 
 
 def cost_at(own, ratio, order):
-    """(cost, step [fs], how): measured; or below the smallest R by the order; or of the longest usable step."""
+    """(cost, step [fs], how): measured; or extrapolated by the order below the smallest R; or of the longest usable step."""
     found = curves.at_ratio(own, ratio)
     good = curves.usable(own)
     if found:

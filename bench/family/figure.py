@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture: R against cost, a panel for each system; the schemes that are cheapest somewhere in colour, the rest grey."""
+"""The figure: R against cost, a panel for each system; the schemes that are cheapest at some R in colour, the others grey."""
 
 import json
 import sys
@@ -9,13 +9,13 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import curves  # noqa: E402
 import drawing  # noqa: E402
 
-# Okabe and Ito's colours, as in all figures here.
+# The colours of Okabe and Ito, as in all figures here.
 ALWAYS = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4": "#009E73", "gier4-fd": "#56B4E9"}
 WINNERS = ["#CC79A7", "#E69F00", "#000000", "#F0E442"]
 
 
 def colours(of):
-    """Of the schemes to tell apart: the paper's, and those with the least cost at some R."""
+    """The highlighted schemes: those of the paper, and those with the lowest cost at some R."""
     first = dict.fromkeys(row["schemes"][0]["scheme"] for row in of["ranking"] if row["schemes"])
     others = [s for s in first if s not in ALWAYS]
     return {**ALWAYS, **dict(zip(others, WINNERS))}
@@ -55,9 +55,9 @@ def script(result, image):
 
 
 def draw(result, image):
-    """Writes the script beside the image and runs gnuplot on it."""
+    """Writes the script to the folder of the image and runs gnuplot on it."""
     drawing.draw(script(result, image), image)
 
 
-if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: redraws stored results
     draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""What runs at constant energy say about a liquid at one temperature, with errors of blocks; plain Python."""
+"""Properties of a liquid at one temperature from runs at constant energy, with block errors; plain Python."""
 
 from math import ceil, floor, pi, sqrt
 from statistics import fmean, stdev
 from typing import NamedTuple
 
 BIN, REACH = 0.002, 1.0  # of the radial distribution [nm]
-TOP = 0.9  # the peak's top is where g is above this part of its largest bin
+TOP = 0.9  # the top of the peak is where g exceeds this fraction of its maximum
 
 
 class Block(NamedTuple):
-    """Means over a piece of a run."""
+    """Means over a block of a run."""
     run: int
     total: float  # of the whole system [kJ/mol]
     potential: float  # [kJ/mol]
@@ -19,7 +19,7 @@ class Block(NamedTuple):
 
 
 def blocks(runs, count):
-    """Each run's samples cut into so many equal pieces, the start left out."""
+    """The samples of each run divided into `count` equal blocks, without the first sample."""
     found = []
     for k, samples in enumerate(runs):
         size = (len(samples) - 1) // count
@@ -38,8 +38,8 @@ def line(points):
 
 
 def at_temperature(found, temperature):
-    """Potential energy and pressure where the runs' mean temperature is the one asked for, and dE/dT. A run is given
-    by its total energy, which it keeps: T(E), V(E) and P(E) are fitted by lines, E is where T is as wanted."""
+    """Potential energy and pressure at the required mean temperature, and dE/dT. A run is characterized
+    by its total energy, which is conserved: T(E), V(E) and P(E) are fitted by lines, and E is chosen to give T."""
     energy, mean, slope = line([(b.total, b.temperature) for b in found])
     beyond = (temperature - mean) / slope if slope > 0 else 0.0  # [kJ/mol] from the mean total energy
     value = {"heat_capacity": 1 / slope if slope > 0 else 0.0}
@@ -50,7 +50,7 @@ def at_temperature(found, temperature):
 
 
 def jackknife(items, statistic):
-    """(value, error) of a dictionary of statistics, each item left out in turn."""
+    """(value, error) of a dictionary of statistics, by the jackknife over items."""
     value, n = statistic(items), len(items)
     without = [statistic(items[:k] + items[k + 1 :]) for k in range(n)]
     error = {name: sqrt((n - 1) / n * sum((w[name] - fmean(v[name] for v in without)) ** 2 for w in without))
@@ -69,7 +69,7 @@ def block_errors(runs, column, counts):
 
 
 def distances(edge, places):
-    """Numbers of pairs in each bin of the distance, nearest images in a cube."""
+    """Number of pairs in each distance bin, for nearest images in a cube."""
     size = ceil(min(REACH, edge / 2) / BIN - 1e-9)
     counts, half = [0] * size, edge / 2
     reach = min(size * BIN, half) ** 2
@@ -91,7 +91,7 @@ def distances(edge, places):
 
 
 def radial(histograms, edge, molecules):
-    """g(r) [(middle of a bin, value)] from the histograms of frames: pairs over those of an ideal gas as dense."""
+    """g(r) [(middle of a bin, value)] from the histograms of frames: pairs divided by those of an ideal gas of the same density."""
     frames = len(histograms)
     pairs = molecules * (molecules - 1) / 2 / edge**3
     shell = lambda k: 4 / 3 * pi * ((k + 1) ** 3 - k**3) * BIN**3
@@ -113,7 +113,7 @@ def solved(matrix, right):
 
 
 def first_peak(g):
-    """Place [nm] and height of the first peak: the maximum of a cubic through its top."""
+    """Position [nm] and height of the first peak: the maximum of a cubic through its top."""
     top = max(range(len(g)), key=lambda k: g[k][1])
     low = high = top
     while low > 0 and g[low - 1][1] > TOP * g[top][1]:
@@ -132,7 +132,7 @@ def first_peak(g):
 
 
 def peak(histograms, edge, molecules, pieces):
-    """The first peak and its jackknife error, from pieces of consecutive frames."""
+    """The first peak and its jackknife error, from blocks of consecutive frames."""
     size = len(histograms) // pieces
     cut = [[sum(column) for column in zip(*histograms[k * size : (k + 1) * size])] for k in range(pieces)]
     return jackknife([[x / size for x in piece] for piece in cut],

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Diffusion, reorientation and dielectric constant of SPC/E and TIP4P/2005 at 298 K, by `polhode analyze` of runs at
-constant energy with Ewald's sum; values are means over independent runs, errors from their scatter."""
+constant energy with PME; values are means over independent runs, errors from their scatter."""
 
 import argparse
 import json
@@ -19,7 +19,7 @@ MODELS = [w for w in waters.WATERS if w.model in ("spce", "tip4p-2005")]
 
 
 def analysed(program, folder, water, o, seed):
-    """What `polhode analyze` says about one run; the frames are dropped once it is kept."""
+    """The results of `polhode analyze` for one run; the frames are deleted once they are stored."""
     said = folder / f"{water.model}-{seed}-analysis.json"
     if not said.exists():
         waters.made(program, folder, water, o.count, seed, waters.TEMPERATURE, o.equilibrate, o.length, o.every,

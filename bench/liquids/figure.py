@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture: g(r) of the oxygens of each water, and their first peaks larger, drawn by gnuplot."""
+"""The figure: g(r) of the oxygens of each water, and their first peaks larger, drawn by gnuplot."""
 
 import json
 import sys
@@ -9,7 +9,7 @@ from string import Template
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
-# Okabe and Ito's colours, as in all figures here.
+# The colours of Okabe and Ito, as in all figures here.
 COLOURS = {"tip4p": "#0072B2", "spce": "#D55E00", "tip4p-2005": "#009E73"}
 
 SCRIPT = Template("""# Restyle this and run it again: gnuplot draws ${image}.
@@ -63,9 +63,9 @@ def script(result, image):
 
 
 def draw(result, image):
-    """Writes the script beside the image and runs gnuplot on it."""
+    """Writes the script to the folder of the image and runs gnuplot on it."""
     drawing.draw(script(result, image), image)
 
 
-if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: redraws stored results
     draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

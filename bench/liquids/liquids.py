@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Energy, pressure and the first peak of the O-O radial distribution of liquid TIP4P, SPC/E and TIP4P/2005 at
-298.15 K, from runs at constant energy with Ewald's sum, with errors of blocks."""
+298.15 K, from runs at constant energy with PME, with block errors."""
 
 import argparse
 import json
@@ -12,13 +12,13 @@ from pathlib import Path
 from statistics import fmean, stdev
 
 import analysis
-import figure  # which finds what benchmarks share
+import figure  # to find the modules shared by the benchmarks
 import machine
 import waters
 
 
 def analysed(water, runs, o):
-    """The numbers of one water, from its runs."""
+    """The results for one water model, from its runs."""
     samples = [r.energies for r in runs]
     found = analysis.blocks(samples, o.blocks)
     at = lambda own: analysis.at_temperature(own, waters.TEMPERATURE)
@@ -53,7 +53,7 @@ def shown(number, digits):
 
 
 def table(result):
-    """The numbers in Markdown."""
+    """The results in Markdown."""
     rows = ["| | density [g/cm³] | mean T of the runs [K] | potential energy [kJ/mol] | pressure [bar] "
             "| heat capacity [J/mol/K] | first peak [nm] | its height |",
             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
@@ -65,7 +65,7 @@ def table(result):
 
 
 def report(result):
-    """What is kept beside the JSON file: conditions, the table, each run, and how errors grow with blocks."""
+    """The report stored with the JSON file: conditions, the table, each run, and how errors grow with the block length."""
     text = [f"# {', '.join(result['conditions'][:2])}", "", f"`{result['conditions'][2]}`", "",
             "At 298.15 K, with errors by the jackknife over blocks:", "", table(result), "",
             "Each run: mean temperature, of translation and of rotation about the principal axes; R and drift of the "
@@ -113,7 +113,7 @@ def main():
         parser.error("a line through the temperatures needs --runs 2 at least")
     o.halvings = [2, 4] if o.quick else [2, 4, 5, 8, 10, 20, 40, 100]
     o.polhode = machine.program(o.polhode)
-    # Two runs colder and warmer than the rest: without them the slope with T would hang on chance.
+    # Two runs colder and warmer than the others: without them the slope with T would be dominated by noise.
     temperatures = [waters.TEMPERATURE] * (o.runs - 2) + [waters.TEMPERATURE + d for d in (-o.spread, o.spread)]
     result = {"conditions": [f"{date.today()}", f"{machine.processor()}, one thread",
                              "bench/liquids/liquids.py " + ("--quick" if o.quick else

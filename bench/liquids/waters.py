@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The three waters, and runs of them at constant energy: run files, energies and frames read back."""
+"""The three water models, and their runs at constant energy: run files, energies and frames."""
 
 import json
 import subprocess
@@ -35,7 +35,7 @@ plot = "none"
 class Water(NamedTuple):
     model: str
     name: str
-    density: float  # at which others have published its energy or pressure [g/cm3]
+    density: float  # of published values of its energy or pressure [g/cm3]
 
 
 # jorgensen1983 at 298 K and 1 atm; hummer1998 at 298 K; abascal2005 at 298 K and 1 bar.
@@ -49,7 +49,7 @@ class Run(NamedTuple):
 
 
 def energies(text):
-    """Samples of an energies table, columns named without their units."""
+    """Samples of an energy table, columns named without their units."""
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     names = [column.split(" [")[0] for column in lines[0].split(",")]
     return [dict(zip(names, map(float, line.split(",")))) for line in lines[1:]]
@@ -68,7 +68,7 @@ def frames(text):
 
 
 def made(program, folder, water, count, seed, temperature, equilibrate, length, every, trajectory="xyz"):
-    """The prefix of the files of one run from a lattice; a finished one of the same run file is not made again."""
+    """The prefix of the files of one run from a lattice; a finished run of the same run file is not repeated."""
     prefix = f"{water.model}-{seed}"
     text = RUN_FILE.format(model=water.model, count=count, density=water.density, temperature=temperature,
                            seed=seed, equilibrate=equilibrate, length=length, every=every, trajectory=trajectory,
@@ -84,7 +84,7 @@ def made(program, folder, water, count, seed, temperature, equilibrate, length, 
 
 
 def run(program, folder, water, count, seed, temperature, equilibrate, length, every):
-    """One run, made or read from the folder."""
+    """One run, performed or read from the folder."""
     prefix = made(program, folder, water, count, seed, temperature, equilibrate, length, every)
     return Run(json.loads((folder / f"{prefix}.json").read_text(encoding="utf-8")),
                energies((folder / f"{prefix}-energies.csv").read_text(encoding="utf-8")),

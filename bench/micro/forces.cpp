@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // One complete force evaluation of 512 TIP4P waters, list valid, on every instruction set, in both
-// precisions, for each law; and a step of HOA2, which adds drifts, kicks and the upkeep of the
-// list. The derivative of forces stands beside a force evaluation. For the molecule switch, the
-// fill of the lanes and what the arithmetic of the pairs alone would take stand beside it.
+// precisions, for each interaction; and a step of HOA2, which adds drifts, kicks and list updates.
+// The derivative of the forces is compared with a force evaluation. The results for the molecule
+// switch include the fraction of lanes in use and the time of the pair arithmetic alone.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -47,8 +47,8 @@ void force_evaluation(benchmark::State& loop, Target target, Truncation truncati
       1e6 * measured_limit(precision, 0.05).seconds(whole, pairs - whole, energies);
 }
 
-/// The derivative of forces along the direction of a gradient kick, in turn with force evaluations:
-/// their least times, so that the ratio does not depend on what else the processor does.
+/// The derivative of forces along the direction of a gradient kick, interleaved with force
+/// evaluations: minimum times, so that the ratio does not depend on other load.
 void derivative(benchmark::State& loop, Target target, Precision precision,
                 const ForceSettings& settings) {
   force_target(target);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture: R against cost for single and nested schemes, and R against the outer step; drawn by gnuplot."""
+"""The figure: R against cost for single and nested schemes, and R against the outer step; drawn by gnuplot."""
 
 import json
 import sys
@@ -9,13 +9,13 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import curves  # noqa: E402
 import drawing  # noqa: E402
 
-# Okabe and Ito's colours, as in all figures here.
+# The colours of Okabe and Ito, as in all figures here.
 SINGLE = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "bcss3": "#CC79A7", "gier4": "#009E73", "gier4-fd": "#56B4E9"}
 NESTED = ["#E69F00", "#000000", "#8C564B", "#7F7F7F", "#9467BD", "#BCBD22"]
 
 
 def shown(points, most):
-    """Curves by scheme: the single ones, and of each pair of nested schemes the one cheapest at its middle R."""
+    """Curves by scheme: the single schemes, and of each pair of nested schemes the one that is cheapest at its middle R."""
     own = {}
     for p in points:
         if p["stable"]:
@@ -25,7 +25,7 @@ def shown(points, most):
         curve.sort(key=lambda p: p["step_fs"])
         if "/" not in scheme:
             continue
-        # The largest gain over an h² law stands for the whole curve.
+        # The largest gain over an h² law represents the whole curve.
         worth = min(p["force_evaluations_per_ps"] * p["R"] ** 0.5 for p in curve)
         pair = scheme.split(" x ")[0]
         if pair not in best or worth < best[pair][0]:
@@ -69,9 +69,9 @@ def script(result, image):
 
 
 def draw(result, image):
-    """Writes the script beside the image and runs gnuplot on it."""
+    """Writes the script to the folder of the image and runs gnuplot on it."""
     drawing.draw(script(result, image), image)
 
 
-if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: redraws stored results
     draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Multiple time steps against single schemes on 512 TIP4P waters: cost at equal R, wall-clock time, resonance."""
+"""Multiple time steps compared with single schemes for 512 TIP4P waters: cost at equal R, wall-clock time, resonance."""
 
 import argparse
 import json
 from datetime import date
 from pathlib import Path
 
-import figure  # which finds what benchmarks share
+import figure  # to find the modules shared by the benchmarks
 import curves
 import machine
 
@@ -50,7 +50,7 @@ def points(o, law):
 
 
 def guideline(o, law, found):
-    """Single against nested at each R: cost, and the time of the best of both."""
+    """Single and nested schemes at each R: cost, and the time of the best of each."""
     rows = []
     for ratio in RATIOS:
         row = {"R": ratio}

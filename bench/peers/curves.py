@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Statistics of energies, and the step at which a program reaches a wanted R."""
+"""Statistics of energies, and the step at which a program has a required R."""
 
 from math import exp, isfinite, log, sqrt
 from statistics import fmean, median, pstdev
@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 BLOCKS = 20
 T_18 = 2.878  # Student's t of 18 degrees of freedom that chance exceeds once in a hundred
-LONG = 400.0  # [fs], of a block: energies remember shorter times, and a t-test on them would see drifts everywhere
-LOST = 0.05  # of the kinetic energy in a nanosecond: a drift not to be overlooked
+LONG = 400.0  # [fs], of a block: within shorter times energies are correlated, and a t-test would always find drifts
+LOST = 0.05  # of the kinetic energy per nanosecond: drifts above this count
 
 
 class Point(NamedTuple):
@@ -22,17 +22,17 @@ class Point(NamedTuple):
 
     @property
     def usable(self):
-        """Energies stay finite, and the total does not run away."""
+        """Energies stay finite, and the total energy does not diverge."""
         return isfinite(self.ratio) and not (self.drift_significant and abs(self.drift) > LOST)
 
 
 def ratio(samples):
-    """R: rms deviation of the total energy from its mean over that of the potential energy."""
+    """R: rms deviation of the total energy from its mean, divided by that of the potential energy."""
     return pstdev([s.total for s in samples]) / pstdev([s.potential for s in samples])
 
 
 def blocks(samples):
-    """BLOCKS equal parts, one after the other; what does not fill a block is left out."""
+    """BLOCKS equal consecutive parts; the remainder is omitted."""
     size = len(samples) // BLOCKS
     return [samples[k * size : (k + 1) * size] for k in range(BLOCKS)]
 
@@ -55,7 +55,7 @@ def slope(times, values):
 
 
 def point(step, samples, interval_fs):
-    """What a run at one step says, from its samples at every `interval_fs`."""
+    """The results of a run at one step, from its samples at every `interval_fs`."""
     if not all(isfinite(s.total) and isfinite(s.potential) for s in samples) or len(samples) < 2 * BLOCKS:
         return Point(step, float("nan"), float("nan"), float("nan"), True, float("nan"), float("nan"))
     parts = blocks(samples)
@@ -71,8 +71,8 @@ def point(step, samples, interval_fs):
 def step_at(target, points):
     """(longest step with R at or below the target, mark), log-log between neighbouring usable points.
 
-    The mark is "" between points, "+" where even the longest usable step has a smaller R, and "not
-    reached", without a step, where R stays above the target."""
+    The mark is "" between points, "+" if even the longest usable step has a smaller R, and "not
+    reached", without a step, if R is always above the target."""
     usable = []
     for p in sorted(points):
         if not p.usable:
@@ -98,6 +98,6 @@ def ns_per_day(step_us, step_fs):
 
 
 def middle(values):
-    """Median, and half of the range over it."""
+    """Median, and half of the range divided by it."""
     m = median(values)
     return m, (max(values) - min(values)) / 2 / m

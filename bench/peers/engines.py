@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""How each program is given the water, asked for energies along a run, and timed.
+"""How each program gets the water, reports energies during a run, and is timed.
 
-An engine makes samples with `samples(case, step, length, interval)` and a time with
-`step_us(case, step, steps, threads)`. Timing runs write no energies on the way."""
+An engine produces samples with `samples(case, step, length, interval)` and a time with
+`step_us(case, step, steps, threads)`. Timed runs write no intermediate energies."""
 
 import json
 import os
@@ -20,25 +20,25 @@ import logs
 HERE = Path(__file__).resolve().parent
 CHARGES, MASSES = (0, 0.52, -1.04), (15.9994, 1.008, 1e-20)  # O, H, M; LAMMPS has no massless atoms
 
-# LAMMPS's ranks have one thread each; Open MPI refuses the superuser unless told twice.
+# Each LAMMPS rank has one thread; Open MPI refuses to run as root unless both variables are set.
 ENVIRONMENT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "GMX_MAXBACKUP": "-1"}
 
 
 def said(*command):
-    """All that a command prints."""
+    """All output of a command."""
     done = subprocess.run(command, text=True, capture_output=True, check=False)
     return done.stdout + done.stderr
 
 
 def complaint(error):
-    """The line of a RuntimeError that says most: the first after the command with 'error', else the last."""
+    """The most informative line of a RuntimeError: the first after the command with 'error', else the last."""
     lines = [line.strip() for line in str(error).splitlines()]
     return next((line for line in lines[1:] if "error" in line.lower()), lines[-1])
 
 
 @dataclass
 class Case:
-    """A start in a folder of its own, and how interactions end."""
+    """An initial configuration in its own folder, and the cutoff treatment."""
 
     start: gro.Start
     folder: Path
@@ -59,7 +59,7 @@ class Case:
         (self.folder / name).write_text(text, encoding="utf-8")
 
     def run(self, *command, given=None):
-        """Standard output and errors of a command in the case's folder; a RuntimeError if it ended badly."""
+        """Standard output and errors of a command in the case's folder; a RuntimeError if it did not succeed."""
         done = subprocess.run([str(c) for c in command], cwd=self.folder, text=True, input=given,
                               capture_output=True, check=False,
                               env={**os.environ, **ENVIRONMENT})
@@ -70,12 +70,12 @@ class Case:
 
 
 def steps_between(interval, step):
-    """How many whole steps lie between samples at most `interval` apart, one at least."""
+    """Number of whole steps between samples at most `interval` apart, at least one."""
     return max(1, int(interval / step + 1e-9))
 
 
 class Engine:
-    """One program with one way to integrate; `evaluations` of the forces a step."""
+    """One program with one integrator; `evaluations` of the forces per step."""
 
     evaluations = 1
     start_step = 2.0  # [fs], for the first table of times
@@ -162,7 +162,7 @@ class Gromacs(Engine):
         return logs.gromacs_energies((case.folder / "energy.xvg").read_text())
 
     def step_us(self, case, step, steps, threads):
-        # The counters are reset halfway, when the list is tuned; so twice the steps.
+        # The counters are reset halfway, when the list is tuned; so twice as many steps.
         log = self._run(case, step, 2 * steps, 100, threads, "-resethway")
         return logs.gromacs_step_us(log, step)
 
@@ -236,7 +236,7 @@ class OpenMM(Engine):
 
 
 def engines(options):
-    """Those asked for, ours first; the names of peers are the words of --peers."""
+    """The requested programs, polhode first; the names of the others are the values of --peers."""
     peers = {
         "gromacs": lambda: Gromacs(options),
         "gromacs-md": lambda: Gromacs(options, "gromacs-md", integrator="md"),

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture of a benchmark: bars of seconds for a nanosecond at each R, program by program, drawn by gnuplot."""
+"""The figure of the benchmark: bars of seconds per nanosecond at each R, program by program, drawn by gnuplot."""
 
 import json
 import sys
@@ -11,7 +11,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-# Okabe and Ito's colours, as in all figures here: one hue for ours, others for the peers.
+# The colours of Okabe and Ito, as in all figures here: one hue for polhode, others for the other programs.
 OURS = ("#0072B2", "#56B4E9", "#9AD0F0")
 GAP = 1.5  # bars between clusters
 KEY, PANEL = 60, 320  # heights [pixel]
@@ -24,7 +24,7 @@ def panels(result):
 
 
 def block(result, panel, names):
-    """Rows of R, columns of engines; ? where R is not reached."""
+    """Rows of R, columns of engines; ? if R is not reached."""
     rows = [r for r in result["costs"] if (r["molecules"], r["threads"]) == panel]
     lines = []
     for target in dict.fromkeys(r["R_percent"] for r in rows):
@@ -80,9 +80,9 @@ def script(result, image):
 
 
 def draw(result, image):
-    """Writes the script beside the image and runs gnuplot on it."""
+    """Writes the script to the folder of the image and runs gnuplot on it."""
     drawing.draw(script(result, image), image)
 
 
-if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: redraws stored results
     draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

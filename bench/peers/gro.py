@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Start configurations: GRO files read, replicated and written, and the data file LAMMPS wants."""
+"""Initial configurations: GRO files are read, replicated and written, also as a LAMMPS data file."""
 
 from math import sqrt
 from typing import NamedTuple
@@ -21,7 +21,7 @@ class Start(NamedTuple):
 
 
 def read(text):
-    """A GRO file with velocities and a rectangular box, of any number of decimals."""
+    """A GRO file with velocities and a rectangular box, with any number of decimals."""
     lines = text.splitlines()
     count = int(lines[1])
     start = Start([], [], [], tuple(float(x) for x in lines[2 + count].split()[:3]))
@@ -37,7 +37,7 @@ def read(text):
 
 
 def replicated(start, times):
-    """The box `times` times along each edge, image by image; velocities go with their atoms."""
+    """The box replicated `times` times along each edge, image by image, with velocities."""
     images = [(i, j, k) for i in range(times) for j in range(times) for k in range(times)]
     shifts = [tuple(n * edge for n, edge in zip(image, start.box)) for image in images]
     return Start(
@@ -79,7 +79,7 @@ def lammps_data(start, charges, masses):
 
 
 def lammps_tables(rows, nearest, cutoff, charges):
-    """Energy and force of the reaction field of an infinite dielectric, for each pair of charged sites."""
+    """Energy and force of the reaction field with infinite dielectric constant, for each pair of charged sites."""
     low, high = 10 * nearest, 10 * cutoff
     lines = []
     for name, qq in (("HH", charges[1] ** 2), ("HM", charges[1] * charges[2]), ("MM", charges[2] ** 2)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What each program prints, read: energies along a run, and the time its steps took."""
+"""Readers of the output of each program: energies during a run, and the time of its steps."""
 
 import csv
 import json
@@ -25,13 +25,13 @@ def gromacs_energies(text, terms=("Potential", "Total Energy", "Temperature")):
 
 
 def gromacs_step_us(text, step_fs):
-    """Microseconds a step, of the steps after the counters were reset."""
+    """Microseconds per step, for the steps after the counters were reset."""
     found = re.search(r"^Performance:\s+(\S+)", text, re.M)
     return None if found is None else US_PER_DAY * step_fs * 1e-6 / float(found[1])
 
 
 def gromacs_lists(text):
-    """The pair lists mdrun went with, outer first: (steps between updates, range [nm])."""
+    """The pair lists of mdrun, outer first: (steps between updates, range [nm])."""
     found = re.findall(r"updated every (\d+) steps?, buffer \S+ nm, rlist (\S+) nm", text)
     return [(int(steps), float(reach)) for steps, reach in found]
 
@@ -51,7 +51,7 @@ def lammps_energies(text):
 
 
 def lammps_step_us(text):
-    """Microseconds a step of the last run."""
+    """Microseconds per step of the last run."""
     found = re.findall(r"^Loop time of (\S+) on \d+ procs for (\d+) steps", text, re.M)
     return 1e6 * float(found[-1][0]) / int(found[-1][1]) if found else None
 
@@ -64,13 +64,13 @@ def polhode_energies(text):
 
 
 def polhode_summary(text):
-    """(microseconds a step, force evaluations a step) of the summary as JSON."""
+    """(microseconds per step, force evaluations per step) from the JSON summary."""
     s = json.loads(text)
-    # One evaluation belongs to the start, whatever the scheme.
+    # One evaluation is for the initial configuration, whatever the scheme.
     return 1e6 * s["seconds"]["all"] / s["steps"], (s["force_evaluations"] - 1) / s["steps"]
 
 
 def openmm_report(text):
-    """The last line of openmm_run.py: energies, and microseconds a step."""
+    """The last line of openmm_run.py: energies, and microseconds per step."""
     report = json.loads(text.splitlines()[-1])
     return [Sample(*s) for s in report["samples"]], report["step_us"]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Rigid TIP4P water in OpenMM, on its CPU platform: run by peers.py in the Python that has OpenMM.
 
-Its one argument is an order as JSON; the last line printed is the report."""
+Its only argument is a job as JSON; the last line printed is the report."""
 
 import json
 import sys
@@ -52,7 +52,7 @@ def main():
     context = mm.Context(water(start, order), integrator, mm.Platform.getPlatformByName("CPU"),
                          {"Threads": str(order["threads"])})
     context.setPositions([mm.Vec3(*r) for r in start.positions])
-    # The integrator's velocities are those of half a step ago.
+    # The velocities of the integrator are those half a step earlier.
     pull = context.getState(getForces=True).getForces()._value
     back = [order["step_fs"] / 2000 / MASSES[i % gro.SITES] if MASSES[i % gro.SITES] else 0.0
             for i in range(len(start.labels))]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""polhode beside GROMACS, LAMMPS and OpenMM on the same rigid water: time of a step, R of a step, and from both
-the seconds of wall clock for a nanosecond at a wanted R. README.md says how, and what is not the same."""
+"""polhode compared with GROMACS, LAMMPS and OpenMM on the same rigid water: time of a step, R of a step, and from both
+the wall-clock seconds per nanosecond at a required R. README.md describes the method, and the remaining differences."""
 
 import argparse
 import datetime
@@ -17,14 +17,14 @@ from pathlib import Path
 
 import curves
 import engines
-import figure  # which finds what benchmarks share
+import figure  # to find the modules shared by the benchmarks
 import gro
 import machine
 
 ROOT = Path(__file__).resolve().parents[2]
 TARGETS = (1.5, 0.4, 0.1)  # R [%]
-SCANNED = 512  # molecules in the runs that R comes from: it does not depend on their number
-INTERVAL = 4.0  # [fs] between energies, at most, where the step is not longer
+SCANNED = 512  # molecules in the runs for R, which does not depend on their number
+INTERVAL = 4.0  # [fs], largest interval between energies unless the step is longer
 
 
 def arguments():
@@ -63,13 +63,13 @@ def arguments():
     if not shutil.which(o.polhode) and (ROOT / "polhode").exists():
         o.polhode = str(ROOT / "polhode")
     for key in ("polhode", "gmx", "gmx_double", "lmp", "openmm_python"):
-        if "/" in (getattr(o, key) or ""):  # the programs run in folders of their own
+        if "/" in (getattr(o, key) or ""):  # the programs run in their own folders
             setattr(o, key, os.path.abspath(getattr(o, key)))
     return o
 
 
 def start_of(molecules):
-    """W512 replicated to so many molecules."""
+    """W512 replicated to this number of molecules."""
     text = (ROOT / "data/start/w512.gro").read_text(encoding="utf-8")
     times = round((molecules / SCANNED) ** (1 / 3))
     if SCANNED * times**3 != molecules:
@@ -78,7 +78,7 @@ def start_of(molecules):
 
 
 def scan(programs, case, options):
-    """R of each engine at the steps of its ladder, engines in turn; and V of the start as each computes it."""
+    """R of each engine at the steps of its ladder, engines interleaved; and V of the initial configuration as each computes it."""
     points, potential = {e.name: [] for e in programs}, {}
     skipped = options.scan_length / 10
     print(f"\nR of {case.molecules} molecules, {options.scan_length:g} ps after {skipped:g} ps; V: kJ/mol a "
@@ -107,7 +107,7 @@ def scan(programs, case, options):
 
 
 def times(programs, case, threads, steps, options):
-    """Microseconds a step of each engine at each of its steps, in alternating rounds: median and spread."""
+    """Microseconds per step of each engine at each of its steps, in interleaved rounds: median and spread."""
     runs = [(e, h) for e in programs for h in steps[e.name]]
     counts, found = {}, {(e.name, h): [] for e, h in runs}
     for turn in range(1 + options.rounds):
@@ -121,7 +121,7 @@ def times(programs, case, threads, steps, options):
                 print(f"{e.name} at {h:.3g} fs is left out: {engines.complaint(error)}", flush=True)
                 del found[key]
                 continue
-            if turn == 0:  # a short run says how many steps fill the time
+            if turn == 0:  # a short run determines how many steps fill the time
                 counts[key] = max(20, round(options.seconds * 1e6 / us))
             else:
                 found[key].append(us)
@@ -147,7 +147,7 @@ def report_times(programs, molecules, threads, measured):
 
 
 def costs(programs, reached, measured, molecules, threads):
-    """Seconds for a nanosecond at each R, and their ratio to the cheapest of ours: rows, printed as a table."""
+    """Seconds per nanosecond at each R, and their ratio to the cheapest polhode scheme: rows, printed as a table."""
     rows = []
     print(f"\nSeconds a nanosecond at R, {molecules} molecules, {threads} thread{'s' * (threads > 1)}; in "
           "brackets over the cheapest of ours\n\n" + f"{'':24}" + "".join(f"{f'{t} %':>22}" for t in TARGETS))

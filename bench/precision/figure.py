@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The picture: R against the step in both precisions, and how the fluctuation grows; drawn by gnuplot."""
+"""The figure: R against the step in both precisions, and how the fluctuation grows; drawn by gnuplot."""
 
 import json
 import sys
@@ -12,7 +12,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-# Okabe and Ito's colours, as in all figures here.
+# The colours of Okabe and Ito, as in all figures here.
 COLOURS = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4-fd": "#009E73"}
 SYMBOLS = {"velocity-verlet": (7, 6), "hoa2": (5, 4), "gier4-fd": (9, 8)}
 GREY = "#404040"
@@ -23,7 +23,7 @@ def rms_potential(result):
 
 
 def ladder(result, scheme, precision):
-    """(step [fs], R [%]) of a scheme at its own lambda, means over the starts."""
+    """(step [fs], R [%]) of a scheme at its own lambda, means over initial configurations."""
     own = [r for r in result["runs"] if r["kind"] == "short" and r["electrostatics"] == "coulomb"
            and r["lambda"] == "" and (r["scheme"], r["precision"]) == (scheme, precision)]
     for step in sorted({r["step_fs"] for r in own}):
@@ -78,9 +78,9 @@ def script(result, image):
 
 
 def draw(result, image):
-    """Writes the script beside the image and runs gnuplot on it."""
+    """Writes the script to the folder of the image and runs gnuplot on it."""
     drawing.draw(script(result, image), image)
 
 
-if __name__ == "__main__":  # figure.py RESULT.json IMAGE: draws kept numbers again
+if __name__ == "__main__":  # figure.py RESULT.json IMAGE: redraws stored results
     draw(json.loads(Path(sys.argv[1]).read_text(encoding="utf-8")), Path(sys.argv[2]))

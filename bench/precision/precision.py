@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""R in mixed and in double precision: against the step from the same starts, and against the length of a run."""
+"""R in mixed and in double precision: against the step from the same initial configurations, and against the length of a run."""
 
 import argparse
 import csv
@@ -13,7 +13,7 @@ from pathlib import Path
 from statistics import fmean, pvariance
 from typing import NamedTuple
 
-import figure  # which finds what benchmarks share
+import figure  # to find the modules shared by the benchmarks
 import machine
 
 RUN_FILE = """[system]
@@ -37,14 +37,14 @@ SAMPLE = 2.0  # [fs]
 ETA = 0.1931833275037836
 # Sums of the squared weights of a step's force evaluations; GIER4 with lambda = 1.
 WEIGHTS = {"velocity-verlet": 1.0, "hoa2": (2 * ETA) ** 2 + (1 - 2 * ETA) ** 2, "gier4-fd": 5 / 9}
-LONG = (("gier4-fd", 1), ("hoa2", 3))  # the first one's truncation is far below rounding
+LONG = (("gier4-fd", 1), ("hoa2", 3))  # the truncation error of the first is far below rounding
 
 
 class Case(NamedTuple):
     """A curve: R against the step."""
     scheme: str
     precision: str
-    lam: float | None = None  # the program's own where None
+    lam: float | None = None  # the default of the program if None
     electrostatics: str = "coulomb"
 
     @property
@@ -76,7 +76,7 @@ def run(program, folder, case, start, step, length):
 
 
 def prepared(program, folder, count):
-    """Starts one after the other along a run in double, 1 ps apart."""
+    """Initial configurations from a run in double precision, 1 ps apart."""
     starts, last = [], "w512"
     for k in range(count):
         run(program, folder, Case("hoa2", "double"), last, 2, 1)
@@ -87,13 +87,13 @@ def prepared(program, folder, count):
 
 
 def windows(energies, length):
-    """Mean variance of E about its mean in windows of a length [ps], one after the other."""
+    """Mean variance of E about its mean in consecutive windows of a given length [ps]."""
     count = max(1, int(energies[-1][0] / length + 1e-6))
     return fmean(pvariance([e for t, e in energies if k * length <= t < (k + 1) * length]) for k in range(count))
 
 
 def increments(energies, length):
-    """Mean square change of E's mean from one block to the next, and the samples in a block."""
+    """Mean square change of the mean of E from one block to the next, and the number of samples in a block."""
     count = int(energies[-1][0] / length + 1e-6)
     parts = [[e for t, e in energies if k * length <= t < (k + 1) * length] for k in range(count)]
     means = [fmean(p) for p in parts]
@@ -101,7 +101,7 @@ def increments(energies, length):
 
 
 def fitted_reading(rows):
-    """a of var E = a² + c² h t Σw²/6 [kJ/mol]: what mixed adds to double where it is nearly all, at λ = 1."""
+    """a of var E = a² + c² h t Σw²/6 [kJ/mol]: what mixed precision adds to double where rounding dominates, at λ = 1."""
     found = []
     for scheme, step in sorted({(r["scheme"], r["step_fs"]) for r in rows}):
         own = [r for r in rows if r["scheme"] == scheme and r["step_fs"] == step and r["lambda"] == ""
@@ -114,8 +114,8 @@ def fitted_reading(rows):
 
 
 def fitted_walk(mixed, double, step, weights, reading, block):
-    """c [kJ/mol/ps] from the means of E over blocks of a long run: a walk of variance D t moves them by 2 D block/3
-    from one to the next, readings of n samples by 2 a²/n."""
+    """c [kJ/mol/ps] from the means of E over blocks of a long run: a random walk of variance D t changes them by 2 D block/3
+    from one to the next, sampling of n energies by 2 a²/n."""
     change, n = increments(mixed, block)
     left = change - increments(double, block)[0] - 2 * reading**2 / n
     return sqrt(max(0.0, left) * 1.5 / block / (step * 1e-3 * weights))
@@ -130,7 +130,7 @@ def row(kind, case, step, length, start, summary):
 
 
 def measured(o, folder):
-    """Short runs over the ladders, and long ones with their energies."""
+    """Short runs for the ladders of steps, and long ones with their energies."""
     starts = prepared(o.polhode, folder, 1 if o.quick else o.starts)
     length = 0.5 if o.quick else o.length
     ladders = [(Case(s, p), [1, 2, 4] if o.quick else [0.5, 1, 2, 3, 4] + [5] * (s == "gier4-fd"))

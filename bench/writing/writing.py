@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """What writing costs in a run: trajectories of 512 TIP4P waters in each format, and checkpoints of a large system.
 
-The time that a run's summary calls energies and output, over that of all else in the same run, less the same of a run
-without trajectory (or with no checkpoint between its steps) that took its turn in the same round: whatever else the
-machine does meanwhile slows all parts of a run alike. Medians over the rounds, with the quartiles."""
+The time for energies and output in the summary of a run is divided by that of everything else, and the same ratio of a run
+without trajectory (or with no checkpoint between its steps) in the same round is subtracted: other load on the
+machine slows all parts of a run equally. Medians over the rounds, with the quartiles."""
 
 import argparse
 import json
@@ -37,7 +37,7 @@ NEVER = 1e6  # [s]
 
 
 def seconds(o, waters, length, form="xtc", every=0.0, checkpoint=NEVER):
-    """The parts of a run's time, and the bytes of the files with a word in their names."""
+    """The parts of the time of a run, and the bytes of the files whose names contain a word."""
     with tempfile.TemporaryDirectory(dir=o.folder) as folder:
         place = 'start = "w512"' if waters == 512 else 'density = "0.997 g/cm3"'
         Path(folder, "run.toml").write_text(RUN_FILE.format(waters=waters, place=place, length=length, format=form,
@@ -60,7 +60,7 @@ def spread(values):
 
 
 def trajectories(o):
-    """For each format and interval the share of output, beside that of a run without."""
+    """For each format and interval the share of output, minus that of a run without trajectory."""
     found = {(form, every): [] for form in o.formats for every in o.every}
     size = {}
     for _ in range(o.rounds):
@@ -74,12 +74,12 @@ def trajectories(o):
 
 
 def checkpoints(o):
-    """Seconds and bytes of a checkpoint, and what the default interval of 300 s makes of that."""
+    """Seconds and bytes of a checkpoint, and its share of a run at the default interval of 300 s."""
     taken, length = [], 0.004 * o.steps
     for _ in range(o.rounds):
         without, often = seconds(o, o.waters, length), seconds(o, o.waters, length, checkpoint=1e-6)
         rest = lambda times: times["all"] - times["energies_and_output"]
-        # Output of the run with checkpoints, less what it would be without; one between any two steps.
+        # Output time of a run with a checkpoint at every step, minus that without checkpoints.
         extra = often["energies_and_output"] - share(without) * rest(often)
         taken.append(extra / (often["steps"] - 1))
     cost = spread(taken)

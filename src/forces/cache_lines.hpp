@@ -9,7 +9,7 @@
 
 namespace polhode {
 
-/// The stride for so many numbers, in whole cache lines but not a multiple of four of them: the
+/// The stride for rows of that length, in whole cache lines but not a multiple of four of them: the
 /// same column of successive rows would otherwise map to few sets of the cache.
 template <class T>
 std::size_t spread_lines(std::size_t numbers) {

@@ -9,9 +9,8 @@
 namespace polhode {
 namespace {
 
-/// A series by the means of its blocks, centred, and what is left of it when polynomials in time
-/// are taken off degree by degree: orthonormal over the blocks with their weights, by the
-/// recurrence of Stieltjes.
+/// A series of block means, from which polynomials in time are subtracted degree by degree. They
+/// are orthonormal over the blocks with their weights, by the recurrence of Stieltjes.
 class Modes {
  public:
   Modes(std::vector<double> weights, std::vector<double> times, std::vector<double> values)
@@ -23,7 +22,7 @@ class Modes {
     root_of_weight_ = normalise();
   }
 
-  /// The coefficient on the polynomial of the next degree, from 0, which is taken off.
+  /// The coefficient of the polynomial of the next degree, from 0; the polynomial is subtracted.
   double next() {
     const double c = product(current_, rest_);
     for (std::size_t b = 0; b < rest_.size(); ++b) rest_[b] -= c * current_[b];
@@ -38,14 +37,16 @@ class Modes {
     return c;
   }
 
-  /// The root of Σ w (t − t̄)², once the mean is taken off: a slope is the next coefficient over it.
+  /// The root of Σ w (t − t̄)², once the mean is subtracted: a slope is the next coefficient divided
+  /// by it.
   double spread() const { return norm_ * root_of_weight_; }
 
-  /// The degree of the next one.
+  /// The degree of the next polynomial.
   std::size_t degree() const { return degree_; }
 
-  /// Mean square of the coefficients on all degrees from there on.
-  /// @param walk  what a random walk adds to the sum of the squares; a tenth of it stays at least
+  /// Mean square of the coefficients of all degrees from degree() on.
+  /// @param walk  contribution of a random walk to the sum of squares; it is subtracted, but at
+  ///              least a tenth of the sum remains
   double above(double walk) const {
     const double squares = product(rest_, rest_);
     return std::max(squares / 10, squares - walk) / static_cast<double>(rest_.size() - degree_);
@@ -68,14 +69,14 @@ class Modes {
   std::size_t degree_ = 0;
 };
 
-/// Modes that tell the noise: the slowest ones, and twice as many where the noise looks white.
+/// Number of modes that determine the noise: the slowest ones, twice as many if the noise is white.
 constexpr std::size_t slowest = 4;
-/// Bounds of the mean square of the slowest modes over that of all faster ones, and how the noise
-/// at the next slower mode follows from it (docs/statistics.md).
+/// Limits of the mean square of the slowest modes divided by that of all faster ones, and the
+/// growth of the noise towards the next slower mode with that ratio (docs/statistics.md).
 constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 
-/// Σ over modes of degrees from `first` of what a random walk adds to their squares, in units of
-/// its variance at the end of the run for each sample: degree k has 1/(2 (2k − 1)(2k + 3)).
+/// Contribution of a random walk to the sum of squares of all modes of degree k ≥ `first`, divided
+/// by its variance at the end of the run and by the number of samples: 1/(2 (2k − 1)(2k + 3)) each.
 double walk_from(double first) { return (1 / (2 * first - 1) + 1 / (2 * first + 1)) / 8; }
 
 /// The noise of one mode.
@@ -86,7 +87,7 @@ struct Noise {
   Known known = Known::yes;
 };
 
-/// @param modes  of which those without noise are taken off
+/// @param modes  after subtraction of those that are estimated
 /// @param walk   variance of a random walk at the end of the run, times the number of samples
 Noise noise(Modes modes, double walk = 0) {
   const auto first = static_cast<double>(modes.degree());
@@ -174,7 +175,7 @@ Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quant
   const Noise found = noise(std::move(modes), walk * length * samples);
   drift.known = found.known;
   if (found.known != Known::yes) return drift;
-  // A walk of variance D t has a slope of variance 6 D/(5 T), known without scatter of its own.
+  // A walk of variance D t has a slope of variance 6 D/(5 T), known without statistical error.
   const double walks = walk * length * samples / 10;
   drift.rate.error = std::sqrt(found.variance + walks) / spread;
   drift.chance = chance(

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What bench/adviser makes of kept promises is right, and one question on argon goes through all of it."""
+"""The statistics of bench/adviser are right, and a complete run of it on argon works."""
 
 import argparse
 import json
@@ -60,7 +60,7 @@ class Adviser(unittest.TestCase):
         self.assertLessEqual(case["reached"], 1)
         self.assertLess(case["R_expected"], 0.05)
         self.assertEqual(len(case["R_fresh"]), 2)
-        for ratio in case["R_fresh"]:  # the promise is for one run, with some reserve
+        for ratio in case["R_fresh"]:  # the guarantee is for one run, with a margin
             self.assertLess(ratio, 2 * case["bound"])
         self.assertIn(f"{case['kept']} of 2", table)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""bench/engine runs, keeps its numbers and draws them."""
+"""bench/engine runs, stores its results and draws them."""
 
 import argparse
 import json

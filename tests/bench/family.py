@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What bench/family reads off curves is right where a law is known, and its tables and figure name what they show."""
+"""The evaluation of curves by bench/family is right for known laws, and its tables and figure are labelled."""
 
 import sys
 import tempfile
@@ -15,7 +15,7 @@ import figure
 
 
 def curve(scheme, evaluations, factor, order, steps, longest=99):
-    """Points of a scheme with R = factor hⁿ at evaluations per step; the energy is lost beyond the longest."""
+    """Points of a scheme with R = factor hⁿ at evaluations per step; above the longest step the energy is lost."""
     return [{"scheme": scheme, "step_fs": h, "force_evaluations_per_ps": 1000 * evaluations / h, "stable": True,
              "R": factor * h**order if h <= longest else 1.2} for h in steps]
 

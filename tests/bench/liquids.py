@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What bench/liquids computes is right on lattices and formulas, and its driver runs and keeps its numbers."""
+"""The results of bench/liquids are right for lattices and formulas, and its driver runs and stores its results."""
 
 import argparse
 import json
@@ -23,10 +23,10 @@ PROGRAM = None  # the built program, from the command line
 
 class Radial(unittest.TestCase):
     def test_cubic_lattice(self):
-        """Shells of a simple cubic lattice: 6 neighbours at a, 12 at a√2, 8 at a√3, through the walls as well."""
+        """Shells of a simple cubic lattice: 6 neighbours at a, 12 at a√2, 8 at a√3, including periodic images."""
         n, a = 6, 0.311
         edge = n * a
-        # Off the walls by an uneven shift, and some of them written an edge away.
+        # Shifted away from the box faces, and some of them displaced by a box edge.
         places = [((i + 0.3) * a + edge * (i % 2), (j + 0.7) * a - edge * (k % 2), (k + 0.1) * a)
                   for i in range(n) for j in range(n) for k in range(n)]
         counts = analysis.distances(edge, places)
@@ -41,7 +41,7 @@ class Radial(unittest.TestCase):
         self.assertAlmostEqual(g[k][1], 6 / (shell * (len(places) - 1) / edge**3), 9)
 
     def test_ideal_gas(self):
-        """g is 1 where places are drawn at random: within four of the Poisson errors of a wide shell."""
+        """g is 1 for random positions: within four Poisson errors of a wide shell."""
         draw, edge, n, frames = random.Random(1), 2.2, 100, 8
         histograms = [analysis.distances(edge, [tuple(edge * draw.random() for _ in range(3)) for _ in range(n)])
                       for _ in range(frames)]
@@ -49,7 +49,7 @@ class Radial(unittest.TestCase):
         self.assertLess(abs(sum(map(sum, histograms)) - expected), 4 * sqrt(expected))
 
     def test_peak(self):
-        """The maximum of a smooth curve lies where it is, to a small part of a bin."""
+        """The maximum of a smooth curve is found to within a small fraction of a bin."""
         top, width = 0.2773, 0.012
         g = [(r, 3 * exp(-((r - top) / width) ** 2 / 2))
              for r in ((k + 0.5) * analysis.BIN for k in range(300))]
@@ -61,7 +61,7 @@ class Radial(unittest.TestCase):
 
 class Thermodynamics(unittest.TestCase):
     def made(self, temperature, noise):
-        """Samples of a run at constant energy: V = E - kinetic, P linear in T beside its noise."""
+        """Samples of a run at constant energy: V = E - kinetic, P linear in T plus noise."""
         found = []
         for k in range(101):
             t = temperature + (noise if k % 2 else -noise)
@@ -79,7 +79,7 @@ class Thermodynamics(unittest.TestCase):
             self.assertAlmostEqual(error[name], 0, 7)
 
     def test_jackknife_of_a_mean(self):
-        """Its error is that of the mean: sqrt of the sample variance over n."""
+        """Its error is that of the mean: sqrt of the sample variance divided by n."""
         value, error = analysis.jackknife([1.0, 2.0, 4.0, 7.0], lambda own: {"mean": sum(own) / len(own)})
         self.assertAlmostEqual(value["mean"], 3.5, 12)
         self.assertAlmostEqual(error["mean"], sqrt(21 / 3 / 4), 12)
@@ -106,7 +106,7 @@ class Files(unittest.TestCase):
             self.assertEqual([w["model"] for w in result["waters"]], ["tip4p", "spce", "tip4p-2005"])
             for w in result["waters"]:
                 self.assertEqual(len(w["runs"]), 2)
-                # Three picoseconds tell liquid water from a mistake of units or of counting, not more.
+                # Three picoseconds are enough to detect errors of units or of counting, but no more.
                 self.assertLess(abs(w["peak_nm"]["value"] - 0.276), 0.02)
                 self.assertLess(abs(w["runs"][0]["potential_kJ_per_mol"] + 44), 5)
             self.assertTrue((Path(folder) / "numbers.md").exists())

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What bench/nested reads off curves is right where a law is known, and its figure names every curve that it draws."""
+"""The evaluation of curves by bench/nested is right for known laws, and its figure labels every curve."""
 
 import json
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What bench/peers computes and reads is right, without any other program installed."""
+"""bench/peers computes and reads correctly; no other program needs to be installed."""
 
 import json
 import re
@@ -29,7 +29,7 @@ def points(law, steps):
 
 
 class Steps(unittest.TestCase):
-    """The step at a wanted R: exact where R is a power of the step."""
+    """The step at a required R: exact where R is a power of the step."""
 
     def test_between_points(self):
         step, mark = curves.step_at(0.004, points(lambda h: 0.0025 * h * h, [4.0, 0.5, 1.0, 2.0]))
@@ -48,7 +48,7 @@ class Steps(unittest.TestCase):
         self.assertAlmostEqual(step, 2.0, 12)
 
     def test_end_of_a_curve(self):
-        """What lies beyond the first step with a drift or without finite energies does not count."""
+        """Steps above the first one with a drift or without finite energies do not count."""
         curve = points(lambda h: 0.001 * h * h, [1.0, 2.0, 3.0, 4.0])
         for bad in (curve[2]._replace(drift=-0.06, drift_significant=True), curve[2]._replace(ratio=nan)):
             self.assertEqual(curves.step_at(0.015, [*curve[:2], bad, curve[3]]), (2.0, "+"))
@@ -71,11 +71,11 @@ class Energies(unittest.TestCase):
         self.assertTrue(p.usable)
 
     def test_drift(self):
-        p = curves.point(2.0, self.made(1e-3), 4.0)  # 1e-3 a sample of 4 fs, of some 102 kinetic
+        p = curves.point(2.0, self.made(1e-3), 4.0)  # 1e-3 per sample of 4 fs, of a kinetic energy of about 102
         self.assertAlmostEqual(p.drift * (100 + 1e-3 * 1999.5), 1e-3 / 4e-6, 6)
         self.assertTrue(p.drift_significant)
         self.assertFalse(p.usable)
-        self.assertTrue(curves.point(2.0, self.made(1e-3)[:1000], 4.0).usable)  # too short to say
+        self.assertTrue(curves.point(2.0, self.made(1e-3)[:1000], 4.0).usable)  # too short to detect a drift
 
     def test_blown_up(self):
         self.assertFalse(curves.point(2.0, [], 4.0).usable)
@@ -142,7 +142,7 @@ class Starts(unittest.TestCase):
 
 
 class Logs(unittest.TestCase):
-    """What the programs print, from kept samples."""
+    """The output of the programs, from stored samples."""
 
     def test_gromacs(self):
         samples = logs.gromacs_energies(said("gromacs.xvg"))
@@ -174,7 +174,7 @@ class Logs(unittest.TestCase):
 
 
 class Inputs(unittest.TestCase):
-    """The templates have no word that is not filled in."""
+    """All placeholders of the templates are filled in."""
 
     def test_templates(self):
         start = gro.read((ROOT / "data/start/w512.gro").read_text(encoding="utf-8"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""bench/writing measures each format and the checkpoint, and its tables hold what was measured."""
+"""bench/writing measures each format and the checkpoint, and its tables contain the results."""
 
 import argparse
 import json

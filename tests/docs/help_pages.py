@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The manual shows each verb's --help as the program prints it; with --write it is made so.
+"""The manual shows the --help of each verb as the program prints it; with --write the manual is updated.
 
-A page docs/manual/VERB.md holds it in the fenced block below `<!-- help: VERB -->`, and the index
-docs/manual/README.md holds the program's own below `<!-- help -->`.
+The page docs/manual/VERB.md contains it in the fenced block below `<!-- help: VERB -->`, and the index
+docs/manual/README.md that of the program below `<!-- help -->`.
 """
 
 import argparse

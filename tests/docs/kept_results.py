@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Kept tables are those that the program of today makes of the kept runs, and the pages say what these say."""
+"""The stored tables are those that the current program makes from the stored runs, and the documents agree with them."""
 
 import argparse
 import csv
@@ -38,7 +38,7 @@ class PaperFigure(unittest.TestCase):
         cls.page = (ROOT / "docs/efficiency.md").read_text(encoding="utf-8")
 
     def close(self, a, b, what):
-        """Equal to the digits that sums in another order keep."""
+        """Equal to the digits that do not depend on the order of summation."""
         if isinstance(a, float) and isinstance(b, (int, float)):
             self.assertLessEqual(abs(a - b), 1e-9 * max(abs(a), abs(b)), what)
         else:

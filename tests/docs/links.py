@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every relative link in a document leads to a file, and every #anchor to a heading."""
+"""Every relative link in a document points to an existing file, and every #anchor to a heading."""
 
 import re
 import sys
@@ -10,7 +10,7 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 
 
 def anchors(document):
-    """Headings as they appear in links: lower case, spaces as hyphens, other signs dropped."""
+    """Headings as they appear in links: lower case, spaces as hyphens, other characters dropped."""
     for heading in re.findall(r"^#+ (.+)$", document.read_text(encoding="utf-8"), re.M):
         yield re.sub(r"[^\w -]", "", heading.lower()).replace(" ", "-")
 

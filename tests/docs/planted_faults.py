@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tests of the documents turn red on a planted fault, and stay green without it."""
+"""The tests of the documents fail on a planted fault, and pass without it."""
 
 import subprocess
 import sys

@@ -3,7 +3,7 @@
 
 Per document, in order, in an empty folder where `polhode` and `./polhode` are the built program:
 a block fenced as ```sh is run by bash and stops at the first command that fails; ```sh no-run is
-left out (set-up, long studies); a ```toml or ```text block below `<!-- file: NAME -->` is written to NAME.
+skipped (set-up, long studies); a ```toml or ```text block below `<!-- file: NAME -->` is written to NAME.
 """
 
 import argparse
@@ -22,7 +22,7 @@ LONGEST_BLOCK = 300  # seconds
 
 class Block(NamedTuple):
     line: int      # of the first line inside the fence
-    kind: str      # what stands behind the fence: "sh", "sh no-run", "toml"
+    kind: str      # what follows the fence: "sh", "sh no-run", "toml"
     text: str
     file: str      # where a toml block goes, or ""
 
@@ -55,7 +55,7 @@ def run_block(block, shown, folder):
 
 
 def run_document(document, shown, program):
-    """(number of blocks run, number of blocks that went wrong)."""
+    """(number of blocks run, number of blocks that failed)."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary)
         (folder / "bin").mkdir()

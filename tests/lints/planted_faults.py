@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every lint turns red on a fault planted in a small tree, and stays green without it."""
+"""Every lint fails on a fault planted in a small tree, and passes without it."""
 
 import subprocess
 import sys
@@ -12,7 +12,10 @@ BIB = "@article{one1990,\n  author = {A},\n  title = {B},\n  year = {1990}\n}\n"
 SOUND = {
     ".clang-format": (HERE.parents[1] / ".clang-format").read_text(),
     "docs/references.bib": BIB,
-    "docs/notes.md": "As in one1990; energies in kJ/mol/nm.\n",
+    "docs/glossary.md": "Words.\n\n| do not write | write |\n| --- | --- |\n| `goes on`, `some N` | resumes |\n",
+    "docs/notes.md": "As in one1990; energies in kJ/mol/nm; `goes on` is code.\n",
+    "tests/reference/a.cpp": SPDX + 'auto text = "goes on";\n',
+    "tests/reference/a.py": SPDX.replace("//", "#") + "text = 'goes on'\n",
     "data/molecules/a.toml": 'source = "one1990"\n',
     "include/polhode/base/pack.hpp": SPDX + "#include <hwy/highway.h>\n",
     "include/polhode/io/file.hpp": SPDX + '#include "polhode/forces/settings.hpp"\n',
@@ -44,6 +47,13 @@ FAULTS = [
     ("contents", "src/io/file.cpp", "// TO" "DO\n", 5),
     ("contents", "docs/notes.md", "Look in /ho" "me/someone.\n", 2),
     ("contents", "src/io/file.cpp", "\n" * 500, 500),
+    ("words", "docs/notes.md", "It is long,\nand Goes\non.\n", 3),
+    ("words", "docs/notes.md", "It takes some 20 ps.\n", 2),
+    ("words", "docs/glossary.md", "\n| do not write | write |\n| --- | --- |\n", 1),
+    ("words", "tests/reference/a.cpp", "/// The run goes\n/// on.\n", 3),
+    ("words", "tests/reference/a.cpp", "int x; // goes on\n", 3),
+    ("words", "tests/reference/a.py", "x = 1  # goes on\n", 3),
+    ("words", "tests/reference/a.py", 'def f():\n    """A run.\n\n    It goes on."""\n', 6),
 ]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the lints share: the files of the project, and one way to report."""
+"""Shared by all lints: the files of the project, and the report."""
 
 import argparse
 import re
@@ -48,7 +48,7 @@ def string_end(text, start):
 
 
 def matching_bracket(text, start):
-    """The position of the bracket that closes the one at `start`, strings passed over."""
+    """The position of the bracket that closes the one at `start`, strings ignored."""
     depth, i = 0, start
     while i < len(text):
         if text[i] == '"' or (text[i] == "'" and not text[i - 1].isalnum()):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The observables of a small trajectory, as MDAnalysis and mdtraj find them: numbers kept in
-// analysis/expected.json with the script that made them, analysis/make.py.
+// The observables of a small trajectory compared with MDAnalysis and mdtraj, whose results are in
+// analysis/expected.json; analysis/make.py made them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -34,10 +34,10 @@ Analysis analysed() {
 
 }  // namespace
 
-// Counts are whole numbers. Both programs hold places as floats, half of a bit of 0.96 nm being
-// 3e-8 nm: of some 10⁴ pairs none may lie so near to the end of a bin of 0.02 nm, or it moves one
-// count of the bin. MDAnalysis counts ordered pairs and divides by those of all sites but a
-// molecule's own.
+// Counts are integers. Both programs store positions as floats, and half a unit in the last place
+// of 0.96 nm is 3e-8 nm: none of about 10⁴ pairs may be that close to the edge of a bin of 0.02 nm,
+// or it changes bins. MDAnalysis counts ordered pairs and normalizes by all of them except those
+// within a molecule.
 TEST_CASE("radial distributions of MDAnalysis and mdtraj") {
   const Analysis a = analysed();
   const nlohmann::json numbers = expected();
@@ -56,8 +56,8 @@ TEST_CASE("radial distributions of MDAnalysis and mdtraj") {
     CHECK(a.radial->g(0)[k].value == doctest::Approx(g[k]).epsilon(1e-5));
 }
 
-// Places in the file have six decimals, and the fit moves a centre by up to 1e-6 nm beside that of
-// its atoms; floats add 3e-7 of it. Displacements are 0.08 nm and more.
+// Positions in the file have six decimals, and the fitted centre differs by up to 1e-6 nm from that
+// of the atoms; floats add a relative 3e-7. Displacements are 0.08 nm and more.
 TEST_CASE("displacements and reorientation of MDAnalysis") {
   Analysis a = analysed();
   const nlohmann::json numbers = expected();
@@ -65,15 +65,16 @@ TEST_CASE("displacements and reorientation of MDAnalysis") {
   const std::vector<double> squared = a.displacement->squared(0).mean();
   for (std::size_t lag = 0; lag < msd.size(); ++lag)
     CHECK(squared[lag] == doctest::Approx(msd[lag]).epsilon(2e-5));
-  // Directions are right to 1e-6 nm over 0.06 nm.
+  // The error of a direction is 1e-6 nm / 0.06 nm.
   const auto P2 = [&](std::size_t axis) { return a.reorientation->legendre(0, axis, 2).mean()[1]; };
   CHECK(a.reorientation->axes(0).back().name == "dipole");
   CHECK(P2(3) == doctest::Approx(double(numbers["P2"]["dipole"])).epsilon(1e-4));
-  // A water's smallest moment is about the line between its hydrogens.
+  // The axis of the smallest moment of water is parallel to the line between its hydrogens.
   CHECK(P2(0) == doctest::Approx(double(numbers["P2"]["HH"])).epsilon(1e-4));
 }
 
-// Both take the conductor's formula. Charges and constants agree to six digits.
+// Both use the formula for conducting boundary conditions. Charges and constants agree to six
+// digits.
 TEST_CASE("dielectric constant and density of MDAnalysis and mdtraj") {
   Analysis a = analysed();
   const nlohmann::json numbers = expected();

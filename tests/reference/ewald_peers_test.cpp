@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Ewald's sum against engines nobody here wrote, which split 1/r with Gaussians: OpenMM and LAMMPS,
-// which sum waves one by one, and GROMACS with its mesh. peers/README.md says how the numbers were
-// made; peers/ewald.py and peers/gromacs.py made them.
+// PME compared with independent engines, which split 1/r with Gaussians: OpenMM and LAMMPS with
+// direct Ewald sums, and GROMACS with its mesh. peers/README.md describes the reference values;
+// peers/ewald.py and peers/gromacs.py made them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -36,8 +36,8 @@ struct Peer {
   Scene scene;
   ForceSettings settings;
   double bodies, charges = 0;
-  double on_body = 0;  // rms force error of bodies for an rms error 1 of independent charges
-  double on_arms = 0;  // the same of torques [nm]
+  double on_body = 0;  // rms force error of bodies if charges have independent rms errors of 1
+  double on_arms = 0;  // the same for torques [nm]
 
   explicit Peer(const std::string& name) : file(read(name)), result(file["results"][0]) {
     const json from = file.contains("scene") ? read(file["scene"]) : file;
@@ -61,7 +61,7 @@ struct Peer {
 
   double energy(const char* term) const { return result["energy"][term]; }
 
-  /// The Lennard-Jones load, beside which the charges' can be put.
+  /// Forces and torques of Lennard-Jones only, to which those of the charges can be added.
   Load neutral() const {
     Load load;
     ForceField(without_charges(scene.topology),
@@ -80,15 +80,16 @@ struct Peer {
   }
 };
 
-// With a mesh whose error `expected_mesh_error` puts at 1e-8 to 1e-9 of the forces, ours and the
-// peers' sums differ by no more than that and what the file says of the peer.
-//  - Forces err by it on each charge independently; the file rounds them to 1e-8, torques to 1e-9.
-//  - A wave k that errs by a force has k⁻¹ times that in the potential, where aliases are from π/h,
-//    h the spacing: the energy of n charges at random is off by less than h √n of it.
-//  - When a box is strained, the split's transform at k changes by up to k a times itself: its
-//    virial is off by less than a √n.
-//  - `other_width` and `other_step` are how the peer changes with the width of its Gaussians, and
-//    its differences with their step; a difference says as much of either within a factor.
+// With a mesh for which `expected_mesh_error` is 1e-8 to 1e-9 of the forces, our values and those
+// of the other engine differ by at most that error and the engine's own, which is in the file.
+//  - The forces on charges have this error independently; the file rounds forces to 1e-8 and
+//    torques to 1e-9.
+//  - An error of the force from wave vector k is k⁻¹ times as large in the potential, and aliases
+//    begin at π/h with h the spacing: the energy of n random charges has an error below h √n of it.
+//  - Under a strain of the box, the transform of the splitting at k changes by up to k a times
+//    itself: the error of the virial is below a √n.
+//  - `other_width` and `other_step` are changes with the width of the engine's Gaussians and with
+//    the step of its finite differences; they estimate its error within a factor.
 void equal(const std::string& name) {
   for_each_target([&] {
     const Peer peer(name);
@@ -122,28 +123,29 @@ void equal(const std::string& name) {
           error * s.cutoff * std::sqrt(peer.charges) + 3 * step["coulomb"].get<double>());
     }
 
-    // LAMMPS's erfc has seven digits. Beside the diagonal it is off by as much as on it, where
-    // OpenMM tells. Its virial leaves out the background of a charged system, alike on all axes.
+    // The erfc of LAMMPS has seven digits. Off the diagonal its error is as large as on the
+    // diagonal, where it is known from OpenMM. Its virial omits the background of a charged system,
+    // which is the same on all axes.
     const json& lammps = r["lammps"];
     const double off = lammps["from_openmm"]["virial"];
     CHECK(off < 1e-6 * peer.scale());
-    Mat3<double> beside{};
+    Mat3<double> difference{};
     for (std::size_t a = 0; a < 3; ++a)
-      beside[a] = load.virial[a] - lj.virial[a] - vec3(lammps["virial"][a]);
+      difference[a] = load.virial[a] - lj.virial[a] - vec3(lammps["virial"][a]);
     if (std::abs(forces.constant_terms().background) > 1e-6) {
-      const double background = (beside[0][0] + beside[1][1] + beside[2][2]) / 3;
-      for (std::size_t a = 0; a < 3; ++a) beside[a][a] -= background;
+      const double background = (difference[0][0] + difference[1][1] + difference[2][2]) / 3;
+      for (std::size_t a = 0; a < 3; ++a) difference[a][a] -= background;
     }
-    for (std::size_t a = 0; a < 3; ++a) CHECK(largest(beside[a]) < 3 * off);
+    for (std::size_t a = 0; a < 3; ++a) CHECK(largest(difference[a]) < 3 * off);
   });
 }
 
-/// The direct sum for charges, beside Lennard-Jones.
+/// The direct Ewald sum for charges plus Lennard-Jones.
 Load direct_sum(const Peer& peer) {
   const State& state = peer.scene.state;
   Load load = peer.neutral();
   const PointCharges charges = point_charges(peer.scene.topology, state);
-  // Beyond half of the shortest edge erfc is 1e-14; as little is beyond the longest wave vector.
+  // At half the shortest edge erfc is 1e-14; the terms omitted at large wave vectors are as small.
   const double half = 0.5 * state.box.shortest_edge(), alpha = 5.4 / half;
   const EwaldSum sum = ewald_sum(charges, state.box, GaussianSplit{alpha}, {half, 2 * alpha * 5.6});
   load.coulomb = sum.energy.total();
@@ -153,19 +155,18 @@ Load direct_sum(const Peer& peer) {
     const Vec3<double> arm = charges.r[i] - state.q[body];
     load.f.add(body, sum.f[i]);
     load.tau.add(body, cross(arm, sum.f[i]));
-    for (std::size_t d = 0; d < 3; ++d)  // the strain of bodies' centres leaves arms as they are
+    for (std::size_t d = 0; d < 3; ++d)  // a strain of the centres does not change arms
       load.virial[d] -= arm[d] * sum.f[i];
   }
   return load;
 }
 
-// GROMACS's mesh in double precision, against the direct sum and against our mesh.
-//  - `other_mesh` is how far GROMACS goes with another width of the Gaussians and another mesh,
-//  which
-//    says as much of either within a factor, and of vectors by their largest component.
-//  - GROMACS takes square roots and erfc to 44 bits, and charges with themselves are the largest of
-//    what cancels in the energy.
-//  - Our mesh is off as said at `equal`, the direct sum by 1e-14.
+// The mesh of GROMACS in double precision, compared with the direct sum and with our mesh.
+//  - `other_mesh` is the change with another width of the Gaussians and another mesh, for vectors
+//    that of the largest component; it estimates the error of GROMACS within a factor.
+//  - GROMACS computes square roots and erfc to 44 bits, and the self-energy is the largest of the
+//    terms that cancel in the energy.
+//  - The error of our mesh is that described at `equal`, that of the direct sum 1e-14.
 void equals_gromacs(const std::string& name) {
   const Peer peer(name);
   ForceSettings s = peer.settings;
@@ -194,10 +195,11 @@ void equals_gromacs(const std::string& name) {
   equal_with(by_mesh, expected_mesh_error(peer.scene.topology, peer.scene.state.box, *s.mesh));
 }
 
-// The accuracy that is asked for is of forces on charges over their rms. `mesh_for` takes a typical
-// force for the rms, 0.7 to 2.8 times it in these liquids, and aims at 1.5 times less than asked:
-// the error may be 1.9 times what was asked. Below, a mesh of liked sizes is finer than need be by
-// up to 1.3, which is 6 in the error at order 7. Energies and virials are bound as above.
+// The requested accuracy refers to the forces on charges divided by their rms. `mesh_for` uses a
+// typical force instead of the rms, 0.7 to 2.8 times the rms in these liquids, and aims at an error
+// smaller by 1.5: the error may be 1.9 times the requested one. The lower bound: a mesh whose size
+// suits the FFT is finer than necessary by up to 1.3, a factor of 6 in the error at order 7. Bounds
+// of energies and virials are as above.
 void as_accurate_as_asked(const std::string& name) {
   const Peer peer(name);
   const Scene& scene = peer.scene;
@@ -220,7 +222,7 @@ void as_accurate_as_asked(const std::string& name) {
     CHECK(rms_error(load.f, r["force"]) > 0.05 * error * peer.on_body);
     CHECK(rms_error(load.tau, r["torque"]) < error * peer.on_arms);
     CHECK(std::abs(load.coulomb - peer.energy("coulomb")) < of_all * peer.spacing(forces));
-    // Float has 6e-8 of every term, and contacts and attraction nearly cancel.
+    // Floats round every term to 6e-8, and repulsion and attraction nearly cancel.
     CHECK(std::abs(load.lennard_jones - peer.energy("lennard_jones")) <
           (precision == Precision::mixed ? 1e-6 : 2e-13) * peer.scale());
     for (std::size_t d = 0; d < 3; ++d)
@@ -229,8 +231,8 @@ void as_accurate_as_asked(const std::string& name) {
   }
 }
 
-// OpenMM's integral and ours of the same switch, both numeric. It goes with 1/V, so that its part
-// of the virial is as much along each axis.
+// The numerical integrals of OpenMM and ours for the same switching function. The energy is
+// proportional to 1/V, so its contribution to the virial is the same along each axis.
 void tail(const std::string& name) {
   const Peer peer(name);
   ForceSettings s = peer.settings;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Files that GROMACS, MDAnalysis, mdtraj and h5py wrote, against the numbers that went into them:
-// formats/expected.json, made with the files by formats/make.py.
+// Files written by GROMACS, MDAnalysis, mdtraj and h5py, compared with the numbers from which they
+// were written: formats/expected.json. formats/make.py made both.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -26,19 +26,19 @@ double distance(const Vec3<double>& a, const Vec3<double>& b) {
   return most;
 }
 
-// A float below 2 (nm) is off by 2^-24 at most. Programs that keep nm as floats and write Å as
-// floats, or the reverse, round three times, numbers below 16 Å by 0.1 · 2^-21 nm.
+// The rounding error of a float below 2 (nm) is at most 2^-24. Programs that store nm as floats and
+// write Å as floats, or the reverse, round three times, numbers below 16 Å by 0.1 · 2^-21 nm.
 constexpr double once = 0x1p-24, converted = 3 * 0x1p-24 * 1.6;
 
 struct File {
   const char* name;
-  double r_digit;                 // the most that a position is off [nm]
-  std::optional<double> v_digit;  // a velocity [nm/ps]; none where the file has none
+  double r_digit;                 // largest error of a position [nm]
+  std::optional<double> v_digit;  // of a velocity [nm/ps]; none if the file has none
   bool tells_time;
 };
 
 const std::vector<File> files = {
-    {"gromacs.xtc", 0.5e-6 + once, {}, true},  // of six decimals, as those of its input
+    {"gromacs.xtc", 0.5e-6 + once, {}, true},  // six decimals, as in its input
     {"gromacs.trr", once, 4 * once, true},     // velocities are below 4 nm/ps
     {"gromacs_double.trr", 1e-12, 1e-12, true},
     {"mdanalysis.pdb", 0.5e-4 + converted, {}, false},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The same system in GROMACS and here: same files, same energies
+// The same system in GROMACS and polhode: same files, same energies
 // (tests/reference/gromacs/README.md).
 #include <doctest/doctest.h>
 
@@ -47,15 +47,15 @@ TEST_CASE("salt water made by GROMACS's tools has the energies that GROMACS find
   REQUIRE(system.topology.parts.size() == 3);
   CHECK(system.topology.parts[0].count == 215);
   CHECK(system.origins[0] == "rigid by settles");
-  // SETTLE holds distances to single precision, 1e-7 nm, and the file rounds to as much.
+  // SETTLE constrains distances to single precision, 1e-7 nm, and the file rounds to that.
   CHECK(system.fit_deviation < 1e-6);
   ForceField forces(system.topology, system.forces, system.state.box);
   Load load;
   forces(system.state, load);
   const GromacsEnergies gromacs = gromacs_energies();
-  // GROMACS sums some 1e5 pairs of up to 1e2 kJ/mol in single precision, whose rounding is 6e-8,
-  // and its PME leaves 1e-6 of real space; the coordinates are off by 1e-7 nm in 0.1 nm. Charges
-  // with themselves and within molecules are 1e5 kJ/mol each, seven times what is left of both.
+  // GROMACS sums about 1e5 pairs of up to 1e2 kJ/mol in single precision, whose rounding is 6e-8,
+  // and its PME truncates real space at 1e-6; the coordinates have errors of 1e-7 nm in 0.1 nm. The
+  // self-energy and intramolecular corrections are 1e5 kJ/mol each, seven times the difference.
   CAPTURE(load.lennard_jones);
   CAPTURE(load.coulomb);
   CHECK(std::abs(load.lennard_jones / gromacs.lennard_jones - 1) < 1e-5);

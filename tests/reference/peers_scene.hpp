@@ -110,7 +110,7 @@ inline Scene rebuild(const json& file, const Box& box) {
         off = std::max(off, largest(to_lab(turn, sites[k].r) - arms[k]));
     }
   REQUIRE(row == file["sites"].size());
-  REQUIRE(off < 3e-15);  // rigid, and equal to the models: some roundings of 2.5 nm
+  REQUIRE(off < 3e-15);  // rigid, and equal to the models: a few roundings of 2.5 nm
   return scene;
 }
 

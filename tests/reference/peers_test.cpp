@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Energies, forces and torques against engines nobody here wrote: OpenMM and LAMMPS, in doubles.
-// peers/README.md says how the numbers were made; peers/generate.py made them.
+// Energies, forces and torques compared with independent engines, OpenMM and LAMMPS, in double.
+// peers/README.md describes the reference values; peers/generate.py made them.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -17,13 +17,13 @@ using namespace peers;
 
 namespace {
 
-// Where the deviations come from. The peers' own numbers are right to 3e-14 of the largest force
-// and of the potential (peers/README.md). Coordinates of 2.5 nm, in the file and once more in our
-// centres and arms, are rounded by up to 1e-15 nm in all; contacts in liquids have a stiffness near
-// 1e5 kJ/mol/nm², so forces move by 1e-10 kJ/mol/nm where the largest are near 1000: 1e-13 of them.
-// Twice that is allowed; the liquids need a quarter of it. Energies move far less, since they are
-// sums over bodies with random signs; the same relative bound holds for them, in which the two
-// terms count without their signs.
+// Sources of the deviations: the reference values are accurate to 3e-14 of the largest force
+// and of the potential (peers/README.md). Coordinates of 2.5 nm, in the file and again in our
+// centres and arms, are rounded by up to 1e-15 nm in total; contacts in liquids have a stiffness of
+// about 1e5 kJ/mol/nm², so forces change by 1e-10 kJ/mol/nm where the largest are near 1000: a
+// relative 1e-13. Twice that is allowed; the liquids need a quarter of it. Energies change far
+// less, because they are sums over bodies with random signs; the same relative bound is used for
+// them, with respect to the sum of the absolute values of both terms.
 constexpr double tolerance = 2e-13;
 
 ForceSettings settings(const json& law) {
@@ -75,8 +75,8 @@ void periodic(const std::string& name) {
   for (const json& result : file["results"]) compare(scene, settings(result["law"]), result);
 }
 
-// A cluster in open space: both laws become plain Lennard-Jones and Coulomb within a cutoff that
-// nothing reaches; the reaction field's constant c adds nothing between neutral molecules.
+// A cluster in open space: both interactions become plain Lennard-Jones and Coulomb with a cutoff
+// larger than the cluster; the constant c of the reaction field cancels between neutral molecules.
 void open(const std::string& name) {
   const json file = read(name);
   const Scene scene = rebuild(file, {{8, 8, 8}});

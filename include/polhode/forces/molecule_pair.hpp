@@ -15,7 +15,7 @@
 
 namespace polhode {
 
-/// Cutoff treatment of the pairs at hand. `none` and `smooth_none` are for molecules known to lie
+/// Cutoff treatment of the pairs of a loop. `none` and `smooth_none` are for molecules known to lie
 /// inside the switching distance, where nothing is truncated. With `smooth` (PME, damped shifted
 /// force) the Coulomb energy vanishes at the cutoff by itself, because a polynomial is subtracted
 /// from 1/r, and Lennard-Jones is switched site by site.

@@ -19,8 +19,8 @@ namespace polhode {
 void drift(State& state, const Bodies& bodies, double t, Workers& workers = Workers::serial());
 
 /// e^{Bt}: forces and torques act (vanzon2008, Eq. 3): p ← p + t f, ℓ ← ℓ + t τ. No torque acts
-/// along an axis without inertia; what rounding of τ puts into ℓ there is taken off, or it would
-/// add up over steps.
+/// along an axis without inertia; what rounding of τ adds to ℓ there is removed, because it would
+/// accumulate over the steps.
 void kick(State& state, const Bodies& bodies, const Load& load, double t,
           Workers& workers = Workers::serial());
 

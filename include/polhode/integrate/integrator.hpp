@@ -14,7 +14,7 @@
 
 namespace polhode {
 
-/// Anything that computes the Load of a State. Optional members: forces_alone(state, load), which
+/// Anything that computes the Load at a State. Optional members: forces_alone(state, load), which
 /// skips the energies when they are not needed; drift(state, t), a flow that replaces the drift, as
 /// for multiple time steps; and, if that flow keeps data between steps, forget(), memory() and
 /// take_over(memory) with the same meaning as in Integrator.
@@ -127,7 +127,7 @@ class Integrator {
     return load_;
   }
 
-  /// The Load of the last kick, at the positions of that kick.
+  /// Forces and torques of the last kick, at the positions of that kick.
   const Load& last_load() const { return load_; }
 
   /// To be called when the positions were changed from outside.

@@ -46,8 +46,8 @@ class NestedForces {
     subtract(derivative, part_);
   }
 
-  /// Tells which state the drifts advance, in case its forces are needed before the first drift, as
-  /// after take_over().
+  /// Sets the state that the drifts advance, in case its forces are needed before the first drift,
+  /// as after take_over().
   void moves(const State& state) { moved_ = &state; }
 
   /// e^{(A + B_near)t}, approximated by the inner scheme.

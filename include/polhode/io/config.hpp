@@ -92,7 +92,7 @@ struct Config {
   std::string source;         ///< path of the file, or "default"
   std::string text;           ///< as read; its hash identifies outputs
   bool mixing_given = false;  ///< whether the file contains a mixing rule
-  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff", since only the box tells whether
+  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff", since only the box decides whether
                               ///< the cutoff fits
 };
 

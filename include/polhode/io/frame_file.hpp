@@ -96,7 +96,7 @@ std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topo
                                              const FileMark& mark, const FrameChoice& choice = {});
 
 /// Checks, before a run starts, that its frames can be written to a file.
-/// @throws Error  if its format cannot hold so many atoms, or the coordinates of such a box
+/// @throws Error  if its format cannot hold that number of atoms, or the coordinates of that box
 void check_fit(const std::string& path, const State& state, const Topology& topology,
                const FrameChoice& choice = {});
 

@@ -28,8 +28,8 @@ struct LoadedText {
 };
 
 /// Finds what `#include` names.
-/// @param name      as it stands in the file
-/// @param includer  the file that it stands in, as the loader called it
+/// @param name      as written in the file
+/// @param includer  the including file, by the name that the loader gave it
 using IncludeLoader =
     std::function<std::optional<LoadedText>(const std::string& name, const std::string& includer)>;
 
@@ -58,7 +58,7 @@ struct GromacsAtom {
   TextPlace place;
 };
 
-/// What is said of some atoms of a molecule, by their indices.
+/// A line of a molecule type that relates several of its atoms, by their indices.
 struct GromacsRelation {
   enum class Kind : std::uint8_t { settle, constraint, bond, angle, virtual2, virtual3 };
   Kind kind;
@@ -107,7 +107,7 @@ GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
                               const IncludeLoader& loader,
                               const std::vector<std::string>& defines = {});
 
-/// Finds includes as GROMACS does: beside the file that includes, then in `folders`, in those of
+/// Finds includes as GROMACS does: next to the including file, then in `folders`, in those of
 /// the environment (GMXLIB, GMXDATA) and where GROMACS's data is installed.
 IncludeLoader file_loader(std::vector<std::string> folders);
 

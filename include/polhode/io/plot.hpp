@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Figures, drawn by gnuplot from a script that is left beside the data, so that it can be edited
+// Figures, drawn by gnuplot from a script that is left next to the data, so that it can be edited
 // and run again.
 #pragma once
 
@@ -20,7 +20,7 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings,
 
 /// The energies of a run against time: deviation of the total energy from its mean, and potential
 /// energy, in two panels. `csv` must have the columns "time [ps]", "potential [kJ/mol]" and "total
-/// [kJ/mol]"; image and script are written beside it, under its name with other extensions.
+/// [kJ/mol]"; image and script are written next to it, with its name and other extensions.
 /// @param format  "svg" or "png"
 bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
                  std::ostream& warnings);
@@ -36,7 +36,7 @@ struct CurvesFigure {
   std::vector<Column> columns{};  ///< to be drawn
 };
 
-/// Draws the figure; script and image are written beside the CSV file, under its name with other
+/// Draws the figure; script and image are written next to the CSV file, with its name and other
 /// extensions.
 /// @param format  "svg" or "png"
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings);

@@ -89,8 +89,8 @@ void each_row(const std::string& path, std::uint64_t bytes,
 /// its name has control characters or is not UTF-8; call it before anything is computed.
 void refuse_existing(const std::string& path, bool force);
 
-/// Writes a file whole or not at all (io/draft.hpp).
-/// @param keep  name that what was there takes; without it, it is lost
+/// Writes a file completely or not at all (io/draft.hpp).
+/// @param keep  new name for an existing file; if empty, that file is replaced
 /// @throws RunError  if that cannot be done
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
                 const std::string& keep = {});

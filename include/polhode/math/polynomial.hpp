@@ -21,8 +21,8 @@ class Polynomial {
   Real sum_{};
 };
 
-/// The derivative is accumulated beside the sum by the same rule and multiplied by the slope of y
-/// at the end.
+/// The derivative is accumulated together with the sum by the same rule and multiplied by the slope
+/// of y at the end.
 template <class Real>
 class Polynomial<Dual<Real>> {
  public:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Statistics of quantities that are correlated in time: means with errors and drifts with their
-// significance, read off the slowest modes of a run (docs/statistics.md).
+// significance, estimated from the slowest modes of a run (docs/statistics.md).
 #pragma once
 
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace polhode {
 
-/// Whether a run tells an error.
+/// Whether the error can be estimated from the run.
 enum class Known {
   yes,
   too_few_samples,  ///< fewer than `min_samples`
@@ -25,10 +25,10 @@ struct SeriesEstimate {
   Known known = Known::too_few_samples;
 };
 
-/// The drift of one run, or of a series of runs.
+/// The energy drift of one run, or of a series of runs.
 struct Drift {
   Estimate rate;      ///< error 0 unless it is known
-  double chance = 1;  ///< probability of such a slope without any drift; 1 unless it is known
+  double chance = 1;  ///< probability of such a slope if there is no drift; 1 unless it is known
   Known known = Known::too_few_samples;
   bool significant() const;
 };
@@ -36,16 +36,14 @@ struct Drift {
 /// A drift with a smaller chance counts as significant.
 inline constexpr double significance = 0.01;
 
-/// Blocks of time that errors take at least; shorter runs have a block for each sample.
+/// Minimum number of blocks for an error; runs with few samples have one block per sample.
 inline constexpr std::size_t min_samples = 12;
 
 /// The drift over a series of independent runs: the mean of their slopes and its standard error.
 Drift drift_of_series(std::span<const double> rates);
 
-/// What is computed from the means of all quantities, with its standard error: the influence of
-/// each block on it is a series of its own, whose slowest modes tell how its mean scatters. The
-/// error of what is constant to rounding is 0; there is none where the statistic has no value
-/// without some block.
+/// A statistic computed from the means of all quantities, with its standard error: the influences
+/// of the blocks on it are a series, whose slowest modes give the variance of its mean.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 
@@ -55,7 +53,7 @@ std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks);
 /// The slope of the least-squares line through the block means of a quantity against those of the
 /// time.
 /// @param time, quantity  which of the sums
-/// @param walk  variance per time that a random walk, known from elsewhere, adds to the quantity
+/// @param walk  variance per time that a random walk adds to the quantity, known independently
 Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity,
                    double walk = 0);
 

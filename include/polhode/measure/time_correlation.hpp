@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Time correlation functions of a vector per body, over a window of lags, from a stream of frames:
-// every frame is a time origin, and no more than two windows are held in memory.
+// every frame is a time origin, and at most two windows are held in memory.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@ Vec3<double> total_momentum(const State& state);
 Vec3<double> centre_of_mass(const Vec3Column& q, const Bodies& bodies);
 
 /// Brings the centre of mass to rest: p ← p − m P/M, P = Σ p.
-/// @return  P/M, the velocity that is taken off [nm/ps]
+/// @return  P/M, the velocity that is subtracted [nm/ps]
 Vec3<double> remove_total_momentum(State& state, const Bodies& bodies);
 
 /// Subtracts the net force F from the bodies in proportion to their masses: f ← f − m F/M. The

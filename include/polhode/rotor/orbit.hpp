@@ -29,7 +29,7 @@ class Orbit {
     if (J[high] < J[middle]) std::swap(high, middle);
     if (J[middle] < J[low]) std::swap(low, middle);
 
-    // The sign of L² − 2E J_y = (α − β)(α + β) tells which of the two extreme axes is circled.
+    // The sign of L² − 2E J_y = (α − β)(α + β) decides which of the two extreme axes is circled.
     const double alpha = std::abs(top.L[high]) * std::sqrt((J[high] - J[middle]) / J[high]);
     const double beta = std::abs(top.L[low]) * std::sqrt((J[middle] - J[low]) / J[low]);
     x = alpha >= beta ? low : high;

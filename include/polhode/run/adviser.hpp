@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Which scheme, with which step, keeps what a user asks for at the least cost: short runs of the
-// user's own system say which steps come into question, clocks say what they cost, and independent
-// runs confirm the answer.
+// Which scheme and step meet the user's requirement at the minimum cost: short runs of the user's
+// system show which steps are candidates, the clock shows what they cost, and independent runs
+// confirm the answer.
 #pragma once
 
 #include <functional>
@@ -53,15 +53,15 @@ struct AdviserWatch {
   std::function<bool()> stop;
 };
 
-/// The frequency of the system's fastest freedoms [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
+/// The frequency of the fastest degrees of freedom [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
 /// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, each molecule's mean of its own: Einstein's
 /// frequency of a liquid, from the forces at one moment.
 double einstein_frequency(const System& system, Workers& workers = Workers::serial());
 
 /// Advice for a run like that of the run file, from its start after its equilibration: of its
 /// length, where the time allows, else of as much as it does. As many runs at once as there are
-/// workers. What is computed depends on the clock: it tells how long runs may be, and what schemes
-/// cost.
+/// workers. What is computed depends on the clock: it determines how long runs may be, and what
+/// schemes cost.
 Advice advised(const Config& config, const AdviserSettings& settings,
                const AdviserWatch& watch = {}, Workers& workers = Workers::serial());
 

@@ -42,7 +42,7 @@ struct CheckpointFiles {
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
                       const Maker& maker);
 
-/// @throws DamagedCheckpoint  if the file is missing, cut short or changed
+/// @throws DamagedCheckpoint  if the file is missing, truncated or changed
 /// @throws Error              if it is another program's
 Checkpoint read_checkpoint(const std::string& path, const Maker& reader);
 /// The same of bytes that were read from `path`.

@@ -14,7 +14,7 @@
 
 namespace polhode {
 
-/// What one run tells about its scheme and step.
+/// What one run shows about its scheme and step.
 struct Outcome {
   std::string failure;        ///< why it blew up; empty if it did not
   double ratio = 0;           ///< R
@@ -23,7 +23,7 @@ struct Outcome {
   /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
   /// they were not asked for.
   std::optional<ByMotion<double>> configurational{};
-  /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without freedoms.
+  /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without such motion.
   std::array<double, 4> bias{};
   double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
 };
@@ -47,8 +47,8 @@ struct Criterion {
   double bound = 0;
 };
 
-/// How sure an adviser wants to be: of 100 fresh runs, 95 have to keep a promise. With a chance of
-/// 0.975 for each, fewer than 95 of 100 do so once in 20 times.
+/// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
+/// meet it. With a chance of 0.975 for each, fewer than 95 of 100 do so once in 20 times.
 inline constexpr double promise_probability = 0.975;
 
 /// What the quality stays below with promise_probability. For R it is that of a fresh run; a drift
@@ -71,7 +71,7 @@ bool may_keep(const Criterion& criterion, const std::vector<Outcome>& runs, doub
 bool drifts(const std::vector<Outcome>& runs, double least_chance = significance);
 bool blew_up(const std::vector<Outcome>& runs);
 
-/// Runs of one scheme with one step, one from each start.
+/// Runs of one scheme with one step, one from each initial configuration.
 struct AdviserPoint {
   double step = 0;    ///< [ps]
   double length = 0;  ///< of each run [ps]

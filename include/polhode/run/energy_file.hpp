@@ -23,7 +23,7 @@ class EnergyFile {
   /// Appends a row.
   /// @throws RunError  if there is no room
   void add(const Energies& energies);
-  /// Brings all rows to the disk and tells where the file stands.
+  /// Syncs all rows to disk and returns the end of the file.
   FileMark mark();
 
  private:

@@ -34,7 +34,7 @@ struct Limit {
   std::size_t lanes = 0;     ///< pairs in a pack
   double multiply_adds = 0;  ///< per ns
   BarePair forces, energies;
-  /// Time for so many pairs on one core [s].
+  /// Time for these numbers of pairs on one core [s].
   double seconds(std::size_t whole, std::size_t ending, bool with_energies) const;
 };
 

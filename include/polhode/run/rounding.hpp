@@ -49,7 +49,7 @@ double kick_weights(const NestedScheme& scheme, double lambda);
 double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                      double step);
 
-/// The same of rounding in double precision, an upper estimate: a step is some 16 roundings of
+/// The same of rounding in double precision, an upper estimate: a step is about 16 roundings of
 /// every energy, 2⁻⁵³ of its size each.
 double double_walk(const Energies& energies, double step);
 

@@ -28,8 +28,8 @@ struct RunFileNames {
 /// after a checkpoint that says so; nothing is on the disk without a checkpoint that knows of it.
 class RunFiles {
  public:
-  /// @param from  goes on with its files where they stood then; what was written later is cut off
-  /// @throws Error  if one of them is not as it was; nothing is cut then
+  /// @param from  resumes the files at their lengths then; what was written later is removed
+  /// @throws Error  if one of them is not as it was; then none is changed
   RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
            const Provenance& provenance, const std::string& identity,
            const FoundCheckpoint* from = nullptr);

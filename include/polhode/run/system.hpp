@@ -22,8 +22,8 @@ struct System {
   double fit_deviation = 0;       ///< of the start configuration from the rigid models [nm]
   double massless_deviation = 0;  ///< of its massless sites, whose positions are recomputed [nm]
   bool new_velocities = true;     ///< the start configuration had none, or it is a lattice
-  /// Velocity of the centre of mass in a start configuration with velocities [nm/ps], and its
-  /// contribution to the temperature [K]; it is removed.
+  /// Velocity of the centre of mass in an initial configuration with velocities [nm/ps], and
+  /// its contribution to the temperature [K]; it is removed.
   double removed_velocity = 0, removed_temperature = 0;
   /// For each part of the topology that comes from a topology file: how its shape was determined.
   std::vector<std::string> origins{};

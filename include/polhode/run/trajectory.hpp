@@ -51,7 +51,7 @@ struct Timings {
 /// Where a run stands between two steps: all that its rest depends on, to the last bit.
 struct RunState {
   State state;
-  std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has begun
+  std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has started
   std::size_t steps = 0;
   double start = 0;                 ///< time of the state at step 0 [ps]
   IntegratorMemory integrator;      ///< empty while equilibrating

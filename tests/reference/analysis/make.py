@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What MDAnalysis and mdtraj find in spce24.gro: writes expected.json beside this script.
+"""Analyses spce24.gro with MDAnalysis and mdtraj and writes the results to expected.json in this folder.
 
-The frames are those of `polhode run spce24.toml`, places alone and with six decimals, written here when given as
-the argument; without it they are read. Debian's python3-mdanalysis and python3-mdtraj are needed.
+The frames are those of `polhode run spce24.toml`, positions only and with six decimals. Given that trajectory as
+the argument, the script writes spce24.gro first. Needs Debian's python3-mdanalysis and python3-mdtraj.
 """
 
 import json
@@ -42,7 +42,7 @@ def thin(source, target):
 
 
 def frames():
-    """Edges (3) and places (frame, atom, 3) [nm] of the file, which MDAnalysis would read one frame of."""
+    """Edges (3) and positions (frame, atom, 3) [nm] of the file, of which MDAnalysis would read one frame only."""
     lines = FRAMES.read_text(encoding="utf-8").splitlines()
     size = int(lines[1]) + 3
     places = [[[float(x) for x in line[20:].split()] for line in lines[at + 2 : at + size - 1]]
@@ -51,7 +51,7 @@ def frames():
 
 
 def centres(edges, places):
-    """Centres of mass (frame, molecule, 3) [nm], followed through the walls."""
+    """Centres of mass (frame, molecule, 3) [nm], unwrapped."""
     path, found = None, []
     for r in places:
         q = numpy.average(r.reshape(-1, 3, 3), axis=1, weights=MASSES)  # molecules are whole in the file
@@ -86,7 +86,7 @@ def main():
     msd.run()
     expected["msd"] = [float(x) / 100 for x in msd.results.timeseries[:LAGS]]
 
-    # Second rank at the first lag; at longer ones it leaves out most origins.
+    # Second rank at the first lag; at longer lags MDAnalysis omits most time origins.
     lags = WaterOrientationalRelaxation(universe, "name OW HW1 HW2", 0, len(places), 2)
     lags.run()
     expected["P2"] = {"HH": float(lags.timeseries[0][1]), "dipole": float(lags.timeseries[0][2])}

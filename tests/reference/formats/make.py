@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Writes two frames of eight SPC/E waters with GROMACS, MDAnalysis, mdtraj and h5py, beside this script.
+"""Writes two frames of eight SPC/E waters with GROMACS, MDAnalysis, mdtraj and h5py, to this folder.
 
-The places are those of the first frames of ../analysis/spce24.gro; velocities are made up. expected.json holds all numbers
-as they went into the programs. Needs Debian's gromacs, python3-mdanalysis, python3-mdtraj and python3-h5py.
+The positions are those of the first frames of ../analysis/spce24.gro; velocities are made up. expected.json holds all numbers
+as they were given to the programs. Needs Debian's gromacs, python3-mdanalysis, python3-mdtraj and python3-h5py.
 """
 
 import json
@@ -76,7 +76,7 @@ def universe(r, v):
 
 
 def big_endian():
-    """MDAnalysis's DCD file as a machine with the other order of bytes writes it: every number turned."""
+    """MDAnalysis's DCD file as a machine with the opposite byte order writes it: the bytes of every number are swapped."""
     data = bytearray((HERE / "mdanalysis.dcd").read_bytes())
     at, record = 0, 0
     while at < len(data):

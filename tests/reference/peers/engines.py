@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""OpenMM and LAMMPS, told the laws as expressions."""
+"""OpenMM and LAMMPS with the interactions given as expressions."""
 import tempfile
 from itertools import combinations
 from math import sqrt
@@ -63,11 +63,11 @@ def openmm_sites(scene, law):
 
 
 def openmm_molecules(scene, law):
-    """Molecule switch: one custom bond for each interacting pair of sites of two bodies in reach.
+    """Molecule switch: one custom bond for each interacting pair of sites of two bodies within the cutoff.
 
-    The bond joins four points: both centres of mass, as points of their own, and both sites; the
-    vector to the nearest image of the second body is a parameter. The force on a centre counts for
-    its body and has no arm."""
+    The bond joins four points: both centres of mass, as separate particles, and both sites; the
+    vector to the nearest image of the second body is a parameter. The force on a centre acts on
+    its body without a torque."""
     shift = ["x{0}+sx,y{0}+sy,z{0}+sz".format(i) for i in (2, 4)]
     tail = (f"{switch_text(law, 'R')};R=pointdistance(x1,y1,z1,{shift[0]});"
             f"r=pointdistance(x3,y3,z3,{shift[1]})")
@@ -109,7 +109,7 @@ def openmm_open(scene, law):
 
 
 def openmm_coulomb():
-    """The engine's own Coulomb constant, asked of two unit charges 1 nm apart."""
+    """The engine's own Coulomb constant, from two unit charges 1 nm apart."""
     probe = Scene({"argon": 2}, None, [np.zeros((1, 3)), np.array([[1.0, 0, 0]])])
     force = mm.NonbondedForce()
     for _ in range(2):
@@ -121,7 +121,7 @@ def openmm_coulomb():
 
 
 def lammps_run(scene, law):
-    """The second engine. Its unit system "lj" has no constants: nm, kJ/mol and e go in unchanged."""
+    """The second engine. Its unit system "lj" has no constants: nm, kJ/mol and e are used unchanged."""
     kinds = sorted(set(zip(*(v.tolist() for v in (scene.sigma, scene.epsilon, scene.q)))))
     kind = {k: i + 1 for i, k in enumerate(kinds)}
     periodic = scene.box is not None
@@ -167,4 +167,4 @@ def lammps_run(scene, law):
     return energies, f
 
 
-# ---- Checks: the laws once more, term by term, in extended precision ----------------------------
+# ---- Checks: the formulas again, term by term, in extended precision ----------------------------

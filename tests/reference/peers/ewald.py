@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Ewald's sum over rigid molecules as other engines compute it: energies, loads and molecular virials.
+"""Ewald sums of rigid molecules by other engines: energies, forces and torques, and molecular virials.
 
     python3 -m pip install numpy openmm        # OpenMM 8; and LAMMPS with KSPACE, as the program lmp
     python3 tests/reference/peers/ewald.py [case ...]
 
-Run by hand, never by the tests. It writes one JSON file for each case beside itself and prints how far
-the engines agree; README.md says what the files hold. Units: nm, u, e, kJ/mol.
+Run by hand, never by the tests. It writes one JSON file for each case to its own folder and prints how well
+the engines agree; README.md describes the files. Units: nm, u, e, kJ/mol.
 """
 import subprocess
 import sys
@@ -49,7 +49,7 @@ CASES = {
 
 
 def openmm_ewald(scene, law, cutoff=None):
-    """Energies of both terms, forces on sites. The cutoff is that of the charges, and free: no result
+    """Energies of both terms, forces on sites. The cutoff is that of the charges and arbitrary: no result
     may depend on it."""
     lj = mm.CustomNonbondedForce(f"w*{LENNARD_JONES};{SITE_MIXING};{switch_text(law, 'r')}")
     for key in ("sigma", "epsilon"):
@@ -78,7 +78,7 @@ def openmm_charges_alone(scene, law):
 
 
 def strained(scene, factor):
-    """Box and centres scaled along the axes, molecules as they were."""
+    """Box and centres scaled along the axes, molecules unchanged."""
     other = Scene(scene.counts, list(scene.box * factor))
     other.sites = scene.sites + (scene.centres() * (factor - 1))[scene.body]
     return other
@@ -94,8 +94,8 @@ def openmm_virial(scene, law, h):
 
 
 def openmm_tail(scene, law):
-    """Lennard-Jones beyond the truncation at a uniform density of sites: the engine's own correction,
-    asked for each pair of kinds of sites with two sites out of reach, which then stand for four pairs
+    """Lennard-Jones outside the truncation at a uniform density of sites: the engine's own correction,
+    computed for each pair of kinds of sites with two sites outside the cutoff, which then represent four pairs
     (its average for more kinds counts pairs of like sites differently, by 1/N)."""
     kinds, counts = np.unique(np.column_stack([scene.sigma, scene.epsilon]), axis=0, return_counts=True)
     volume, total = scene.box.prod(), 0.0
@@ -122,7 +122,7 @@ def openmm_tail(scene, law):
 
 def lammps_ewald(scene, law):
     """Coulomb energy, forces and torques on bodies, and the molecular virial as a full tensor: the
-    engine's own of sites less the part that turns and stretches molecules. Its erfc is a polynomial
+    engine's own virial of sites minus the part that rotates and stretches molecules. Its erfc is a polynomial
     of seven digits."""
     scale = sqrt(COULOMB)  # the engine's own constant is 1 in the unit system "lj"
     charges = {q: i + 1 for i, q in enumerate(dict.fromkeys(scene.q.tolist()))}
@@ -186,7 +186,7 @@ def run(name):
     version, energy, loads, tensor = lammps_ewald(scene, law)
     lj_force, lj_torque = scene.loads(f - electric_forces)
     beside = tensor.diagonal() - virial[1]
-    if abs(scene.q.sum()) > 1e-6:  # the engine's virial leaves the background out, alike on all axes
+    if abs(scene.q.sum()) > 1e-6:  # the engine's virial omits the background, which is the same on all axes
         beside -= beside.mean()
     result["lammps"] = {
         "engine": f"LAMMPS {version}, coul/long and Ewald", "coulomb": energy,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The files of numbers: what is said of a scene and how it is written."""
+"""The files with reference values: their contents and format."""
 import datetime
 import json
 import sys
@@ -51,7 +51,7 @@ def off(a, b):
 
 
 def text(value, depth=0):
-    """JSON with one body or site a line; numbers in shortest form that reads back exactly."""
+    """JSON with one body or site per line; numbers in the shortest form that reads back exactly."""
     pad = "  " * depth
     if isinstance(value, dict):
         inner = ",\n".join(f"{pad}  {json.dumps(k)}: {text(v, depth + 1)}" for k, v in value.items())

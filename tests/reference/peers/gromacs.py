@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Ewald's sum over rigid molecules as GROMACS computes it in double precision, by a particle mesh.
+"""PME for rigid molecules as GROMACS computes it in double precision.
 
     apt-get install gromacs python3-numpy        # for gmx_d
     python3 tests/reference/peers/gromacs.py [case ...]
 
-Run by hand, never by the tests. Bodies and laws are those of the files of ewald.py. It writes one JSON
-file for each case beside itself and prints how far GROMACS is from itself with another mesh, and from
-OpenMM; README.md says what the files hold. Units: nm, u, e, kJ/mol.
+Run by hand, never by the tests. Bodies and interactions are those of the files of ewald.py. It writes one JSON
+file for each case to its own folder and prints how GROMACS differs from itself with another mesh, and from
+OpenMM; README.md describes the files. Units: nm, u, e, kJ/mol.
 """
 import re
 import subprocess
@@ -29,7 +29,7 @@ OTHER_MESH = {"reach": 1.02, "ewald-rtol": 1e-15, "fourierspacing": 0.018, "pme-
 
 
 def parameters(law, mesh):
-    """Lennard-Jones ends with Potential-switch, which is the switch of smoothness 2."""
+    """Lennard-Jones with Potential-switch, which is the switching function of smoothness 2."""
     reach = mesh["reach"] * law["cutoff"]
     options = {"integrator": "md", "nsteps": 0, "continuation": "yes", "nstxout": 1, "nstfout": 1,
                "verlet-buffer-tolerance": -1, "rlist": reach, "rvdw": law["cutoff"],
@@ -41,7 +41,7 @@ def parameters(law, mesh):
 
 
 def topology(scene, engine_coulomb):
-    """Each site is an atom of mass 1, free of the others; a body has no pairs of its own."""
+    """Each site is an independent atom of mass 1; pairs within a body are excluded."""
     strengths = dict.fromkeys(zip(scene.sigma.tolist(), scene.epsilon.tolist()))
     kinds = {k: f"T{i}" for i, k in enumerate(strengths)}
     lines = ["[ defaults ]", "1 2", "[ atomtypes ]"]
@@ -93,13 +93,13 @@ def gromacs_run(scene, options, engine_coulomb):
     e = dict(zip(re.findall(r'legend "(.*)"', table), values, strict=True))
     r, f = np.frombuffer(frame[-48 * len(scene.sites):], ">f8").reshape(2, -1, 3)  # its last two
     assert off(scene.image(r - scene.sites), 0) < 1e-15
-    # What it calls virial is -½ Σ r ⊗ f.
+    # What GROMACS calls virial is -½ Σ r ⊗ f.
     virial = -2 * np.array([[e[f"Vir-{a}{b}"] for b in "XYZ"] for a in "XYZ"])
     return (e["LJ (SR)"], e["Coulomb (SR)"] + e.get("Coul. recip.", 0)), f, virial
 
 
 def gromacs_coulomb():
-    """The engine's own Coulomb constant, asked of two unit charges 1 nm apart: a force, for energies
+    """The engine's own Coulomb constant, from the force between two unit charges 1 nm apart; energies
     are shifted at the cutoff."""
     probe = Scene({"argon": 2}, [6.0] * 3, [np.full((1, 3), 2.0), np.array([[3.0, 2, 2]])])
     probe.models[0].q[:], probe.models[0].epsilon[:] = 1, 0  # one model, of both
@@ -109,8 +109,8 @@ def gromacs_coulomb():
 
 
 def of_bodies(scene, f, virial):
-    """Loads of bodies. The virial of sites less the part that turns and stretches molecules is the
-    molecular one."""
+    """Forces and torques on bodies. The virial of sites minus the part that rotates and stretches molecules is the
+    molecular virial."""
     arms = scene.sites - scene.centres()[scene.body]
     return *scene.loads(f), virial - arms.T @ f
 

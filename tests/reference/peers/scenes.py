@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The laws, models and configurations that the engines are given."""
+"""The interactions, models and configurations given to the engines."""
 import tomllib
 from math import inf, pi, prod
 from pathlib import Path
@@ -12,7 +12,7 @@ E, AVOGADRO, EPS0 = 1.602176634e-19, 6.02214076e23, 8.8541878128e-12  # CODATA 2
 COULOMB = E * E * AVOGADRO / (4 * pi * EPS0) * 1e6  # kJ/mol nm/e²
 THERMAL = 1.380649e-26 * AVOGADRO * 298.15  # kJ/mol, for making configurations only
 
-# The switch falls from 1 to 0 while x = (r - from)/(cutoff - from) runs from 0 to 1.
+# The switching function decreases from 1 to 0 while x = (r - from)/(cutoff - from) runs from 0 to 1.
 SWITCH = {1: "1-3*x^2+2*x^3", 2: "1-10*x^3+15*x^4-6*x^5", 3: "1-35*x^4+84*x^5-70*x^6+20*x^7"}
 
 
@@ -84,7 +84,7 @@ class Scene:
         return d if self.box is None else d - self.box * np.round(d / self.box)
 
     def loads(self, f):
-        """Force and torque about the centre of mass on every body, of the forces on its sites."""
+        """Force and torque about the centre of mass on every body, from the forces on its sites."""
         c = self.centres()
         return (np.array([f[p].sum(axis=0) for p in self.parts]),
                 np.array([np.cross(self.sites[p] - c[i], f[p]).sum(axis=0)
@@ -92,7 +92,7 @@ class Scene:
 
 
 def liquid(counts, box, seed, sweeps, radius=None):
-    """A plausible disordered configuration: lattice, random attitudes, then plain Metropolis moves.
+    """A plausible disordered configuration: lattice, random attitudes, then simple Metropolis moves.
 
     With a radius the bodies stay within it, in open space."""
     rng = np.random.default_rng(seed)

@@ -1,16 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Free rotor rows beyond the truth table: random tops of every class, 60 digits or more.
+"""Free rotor rows in addition to the truth table: random tops of every class, 60 digits or more.
 
     python3 make_rows.py > random_rows.csv        (mpmath; minutes; the seed is fixed)
 
 The motion is the textbook closed form: Jacobi's functions with u0 by an incomplete integral of the
 first kind and the angle by Legendre's Pi, all by mpmath. It shares no formula with the program
-beyond Euler's equations (there: addition theorems, Carlson's R_J, a power series). Rows with |omega t| <= 12
-are checked against a Taylor series of Euler's equations and q' = q (0, omega)/2.
+except the Euler equations (there: addition theorems, Carlson's R_J, a power series). Rows with |omega t| <= 12
+are checked against a Taylor series of the Euler equations and q' = q (0, omega)/2.
 
 Tolerances as in README.md: 16 * 2^-53 * (1 + k), with k the change of the result in units of 2^-53 when
-each of the seven inputs changes relatively by 2^-53, summed, by finite difference of the truth.
+each of the seven inputs changes by a relative 2^-53, summed, by finite difference of the truth.
 """
 import random
 import sys
@@ -34,7 +34,7 @@ def frame(L, z):
 
 
 def about_L(J, L, w, t):
-    """Rotation by |w| t about w, passive (Rodrigues), for a body that keeps its L."""
+    """Rotation by |w| t about w, passive (Rodrigues), for a body with constant L."""
     n = sqrt(sum(c * c for c in w))
     if n == 0:
         return [[mpf(i == j) for j in range(3)] for i in range(3)], list(L)

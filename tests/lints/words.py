@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: MIT
+"""Documents and comments contain none of the words that docs/glossary.md says to avoid.
+
+They are the phrases in code font in the left column of its last table. Upper and lower case are equal, a phrase may
+continue on the next line, and N is any number. Code, formulas and links are not checked.
+"""
+
+import io
+import re
+import tokenize
+
+from tree import Finding, files, line_of, main
+
+GLOSSARY = "docs/glossary.md"
+TABLE = "| do not write |"
+# Files and folders that are checked: add one when the lint finds nothing in it.
+CLEAN = ("CONTRIBUTING.md", "bench", "data/start", "docs", "examples", "include/polhode", "src/base", "src/forces",
+         "src/integrate", "src/math", "src/measure", "src/model", "tests/bench", "tests/docs", "tests/fuzz/README.md",
+         "tests/lints", "tests/paper", "tests/reference")
+NOT_YET = ("bench/results", "docs/dynamics.md", "docs/efficiency.md", "docs/family.md", "docs/liquids.md",
+           "docs/manual/advise.md", "docs/manual/analyze.md", "docs/shadow-and-bias.md")
+ROW = re.compile(r"^\|(?P<avoid>.+?)\|(?P<write>.+)\|$", re.M)
+NOT_PROSE = re.compile(r"`[^`\n]*`|\$[^$\n]*\$|<!--.*?-->|\]\([^)\s]*\)")
+BLOCK = re.compile(r"^```.*?^```|^ {4}\S[^\n]*", re.S | re.M)
+IN_CPP = re.compile(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\\\n])*\"", re.S)
+COMMENT_MARK = re.compile(r"^[ \t]*(?:/[/*]+<?|\*)", re.M)
+
+
+def blank(match):
+    """As many characters and lines, but no words."""
+    return re.sub(r"[^\n]", " ", match[0] if isinstance(match, re.Match) else match)
+
+
+def phrases_to_avoid(root):
+    """Pairs of a pattern and what to write instead."""
+    path = root / GLOSSARY
+    table = path.read_text(encoding="utf-8").rpartition(TABLE)[2] if path.exists() else ""
+    for row in ROW.finditer(table):
+        for phrase in re.findall(r"`([^`]+)`", row["avoid"]):
+            words = [r"\d[\d.,]*" if word == "N" else re.escape(word) for word in phrase.split()]
+            after = r"(?![\w-])" if phrase[-1].isalnum() else ""
+            yield re.compile(r"(?<![\w-])" + r"\s+".join(words) + after, re.I), row["write"].strip()
+
+
+def prose_of_markdown(text):
+    return NOT_PROSE.sub(blank, BLOCK.sub(blank, text))
+
+
+def prose_of_cpp(text):
+    """The comments at their positions; everything else is blank."""
+    prose, end = [], 0
+    for match in IN_CPP.finditer(text):
+        is_comment = match[0][0] == "/"
+        prose += [blank(text[end:match.start()]), COMMENT_MARK.sub(blank, match[0]) if is_comment else blank(match)]
+        end = match.end()
+    return NOT_PROSE.sub(blank, "".join(prose) + blank(text[end:]))
+
+
+def prose_of_python(text):
+    """The comments and docstrings at their positions; everything else is blank."""
+    rows = [blank(line) for line in text.splitlines(keepends=True)]
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        is_docstring = token.type == tokenize.STRING and token.string.startswith('"""')
+        if is_docstring or token.type == tokenize.COMMENT:
+            row, column = token.start
+            for line in token.string.replace("#", " ", 1).split("\n"):
+                rows[row - 1] = rows[row - 1][:column] + line + rows[row - 1][column + len(line):]
+                row, column = row + 1, 0
+    return NOT_PROSE.sub(blank, "".join(rows))
+
+
+PROSE = {".md": prose_of_markdown, ".hpp": prose_of_cpp, ".cpp": prose_of_cpp, ".py": prose_of_python}
+
+
+def is_clean(name):
+    return lies_in(name, CLEAN) and not lies_in(name, NOT_YET)
+
+
+def lies_in(name, places):
+    return any(name == place or name.startswith(place + "/") for place in places)
+
+
+def check(root):
+    phrases = list(phrases_to_avoid(root))
+    if not phrases:
+        yield Finding(root / GLOSSARY, 1, f"no table {TABLE} write |; add it, this lint reads it")
+    for path in files(root, tuple(PROSE)):
+        name, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
+        if not is_clean(name):
+            continue
+        prose = PROSE[path.suffix](text.rpartition(TABLE)[0] if name == GLOSSARY else text)
+        for pattern, better in phrases:
+            for match in pattern.finditer(prose):
+                phrase = " ".join(match[0].split())
+                yield Finding(path, line_of(prose, match.start()), f"'{phrase}' is to be avoided; write: {better}")
+
+
+if __name__ == "__main__":
+    main(check, __doc__)
