@@ -13,15 +13,20 @@ namespace {
 
 constexpr double wavenumber = 1e12 / 29979245800.0;  // 1/ps in wavenumbers [1/cm]
 
+/// The standard error; NaN if it is not known, which is an empty field, or null in JSON.
+double known_error(const SeriesEstimate& e) {
+  return e.known == Known::yes ? e.error : std::nan("");
+}
+
 /// Adds a column of values, and a column of their errors.
 void add(AnalysisFile& file, const std::string& name, const std::string& unit,
-         const std::vector<Estimate>& values, bool drawn = true) {
+         const std::vector<SeriesEstimate>& values, bool drawn = true) {
   file.table.columns.push_back({name, unit});
   if (drawn) file.figure.columns.push_back({file.table.columns.size(), name});
   file.table.columns.push_back({name + " error", unit});
   for (std::size_t k = 0; k < file.table.rows.size(); ++k) {
     file.table.rows[k].emplace_back(values.at(k).value);
-    file.table.rows[k].emplace_back(values.at(k).error);
+    file.table.rows[k].emplace_back(known_error(values.at(k)));
   }
 }
 
@@ -64,7 +69,8 @@ AnalysisFile radial_file(const Analysis& a) {
 AnalysisFile displacement_file(Analysis& a, Workers& workers) {
   AnalysisFile file;
   for (std::size_t part = 0; part < a.topology.parts.size(); ++part) {
-    const std::vector<Estimate> squared = a.displacement->squared(part, workers).estimates();
+    const std::vector<SeriesEstimate> squared =
+        series_estimates(a.displacement->squared(part, workers));
     if (part == 0)
       file = file_of_lags(
           "msd", squared.size(), a.interval,
@@ -79,8 +85,8 @@ AnalysisFile rotation_file(Analysis& a, Workers& workers) {
   for (std::size_t part = 0; part < a.topology.parts.size(); ++part)
     for (std::size_t axis = 0; axis < a.reorientation->axes(part).size(); ++axis)
       for (const int rank : {1, 2}) {
-        const std::vector<Estimate> P =
-            a.reorientation->legendre(part, axis, rank, workers).estimates();
+        const std::vector<SeriesEstimate> P =
+            series_estimates(a.reorientation->legendre(part, axis, rank, workers));
         if (file.name.empty())
           file = file_of_lags("rotation", P.size(), a.interval,
                               {{}, "reorientation of body axes", "lag  (ps)", "P₁, P₂", {}});
@@ -124,14 +130,10 @@ std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
   for (std::size_t k = 0; k < first.frequency.size(); ++k)
     waves.table.rows[k].emplace_back(first.frequency[k] * wavenumber);
   for (const auto& [name, curve, linear] : curves) {
-    const std::vector<Estimate> C = curve.estimates();
-    std::vector<Estimate> relative;
-    for (const Estimate& c : C)
-      relative.push_back({c.value / C.front().value, c.error / C.front().value});
-    add(time, name, "1", relative);
-    add(time, name + " product", linear ? "nm2/ps2" : "1/ps2", C, false);
+    add(time, name, "1", series_estimates(normalized(curve)));
+    add(time, name + " product", linear ? "nm2/ps2" : "1/ps2", series_estimates(curve), false);
     if (linear)
-      add(time, name + " integral", "nm2/ps", running_integral(curve, a.interval).estimates(),
+      add(time, name + " integral", "nm2/ps", series_estimates(running_integral(curve, a.interval)),
           false);
     add(waves, name, "ps", spectrum(curve, a.interval).intensity);
   }
@@ -164,8 +166,45 @@ AnalysisFile density_file(const Analysis& a) {
 /// Diffusion coefficient converted from nm²/ps to 10⁻⁹ m²/s.
 double in_si(double diffusion) { return 1000 * diffusion; }
 
-nlohmann::json pair(const Estimate& e, double scale = 1) {
-  return {{"value", e.value * scale}, {"error", e.error * scale}};
+SeriesEstimate without_images(const SeriesEstimate& D, double drag) {
+  return {D.value + drag, D.error, D.known};
+}
+
+nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
+  return {{"value", e.value * scale}, {"error", known_error(e) * scale}};
+}
+
+/// Numbers that there are none of without a peak are null.
+nlohmann::json peak_json(const SitePair& sites,
+                         const std::optional<RadialDistribution::Peak>& peak) {
+  if (!peak)
+    return {{"pair", sites},
+            {"peak_nm", nullptr},
+            {"peak_height", nullptr},
+            {"minimum_nm", nullptr},
+            {"coordination", nullptr}};
+  return {{"pair", sites},
+          {"peak_nm", pair(peak->place)},
+          {"peak_height", pair(peak->height)},
+          {"minimum_nm", peak->minimum.value},
+          {"coordination", pair(peak->coordination)}};
+}
+
+/// "2.30 ± 0.03", or what can be said without an error.
+std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
+  if (e.known == Known::yes)
+    return fmt::format("{:.{}f} ± {:.{}f}", e.value * scale, digits, e.error * scale, digits);
+  return fmt::format("{:.{}f} (error not known from {})", e.value * scale, digits,
+                     e.known == Known::too_short ? "so short a run" : "so few frames");
+}
+
+void print_peak(const std::string& name, const std::optional<RadialDistribution::Peak>& peak) {
+  fmt::print("{:<22}", name);
+  if (peak)
+    fmt::print("first peak {} at {} nm; {} neighbours up to {:.3f} nm\n", text(peak->height, 3),
+               text(peak->place, 4), text(peak->coordination, 2), peak->minimum.value);
+  else
+    fmt::print("no peak within its range\n");
 }
 
 }  // namespace
@@ -196,56 +235,39 @@ void print_summary(const Analysis& a, const AnalysisSummary& s) {
   fmt::print("{} frames from {:g} to {:g} ps", a.frames, a.first, a.last);
   if (a.interval > 0) fmt::print(", {:.6g} ps apart", a.interval);
   fmt::print(", {} molecules\n\n", a.topology.size());
-  const Estimate density = a.conditions->density();
-  fmt::print("density               {:.5f} ± {:.5f} g/cm3\n", density.value / units::gram_per_cm3,
-             density.error / units::gram_per_cm3);
+  fmt::print("density               {} g/cm3\n",
+             text(a.conditions->density(), 5, 1 / units::gram_per_cm3));
   if (a.has_velocities)
-    fmt::print("temperature           {:.2f} ± {:.2f} K, of the velocities\n",
-               a.conditions->temperature().value, a.conditions->temperature().error);
-  for (std::size_t k = 0; k < s.peaks.size(); ++k) {
-    const RadialDistribution::Peak& peak = s.peaks[k];
-    fmt::print(
-        "{:<22}first peak {:.3f} ± {:.3f} at {:.4f} ± {:.4f} nm; {:.2f} ± {:.2f} neighbours up "
-        "to {:.3f} nm\n",
-        fmt::format("g {}-{}", a.pairs[k][0], a.pairs[k][1]), peak.height.value, peak.height.error,
-        peak.place.value, peak.place.error, peak.coordination.value, peak.coordination.error,
-        peak.minimum);
-  }
+    fmt::print("temperature           {} K, of the velocities\n",
+               text(a.conditions->temperature(), 2));
+  for (std::size_t k = 0; k < s.peaks.size(); ++k)
+    print_peak(fmt::format("g {}-{}", a.pairs[k][0], a.pairs[k][1]), s.peaks[k]);
   for (const PartSummary& part : s.parts) {
     if (part.diffusion) {
-      fmt::print("D of {:<17}{:.3f} ± {:.3f} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n",
-                 part.molecule, in_si(part.diffusion->value), in_si(part.diffusion->error),
-                 s.fit.from, s.fit.to);
+      fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
+                 text(*part.diffusion, 3, in_si(1)), s.fit.from, s.fit.to);
       if (s.drag)
-        fmt::print("{:<22}{:.3f} ± {:.3f} 1e-9 m2/s without images (viscosity {})\n", "",
-                   in_si(part.diffusion->value + *s.drag), in_si(part.diffusion->error),
-                   s.viscosity_source);
+        fmt::print("{:<22}{} 1e-9 m2/s without images (viscosity {})\n", "",
+                   text(without_images(*part.diffusion, *s.drag), 3, in_si(1)), s.viscosity_source);
       else
         fmt::print("{:<22}not corrected for images: {}\n", "", s.viscosity_source);
     }
     if (part.green_kubo)
-      fmt::print("{:<22}{:.3f} ± {:.3f} 1e-9 m2/s in this box, from velocities\n",
-                 fmt::format("D of {}", part.molecule), in_si(part.green_kubo->value),
-                 in_si(part.green_kubo->error));
+      fmt::print("{:<22}{} 1e-9 m2/s in this box, from velocities\n",
+                 fmt::format("D of {}", part.molecule), text(*part.green_kubo, 3, in_si(1)));
     for (const AxisRelaxation& axis : part.axes)
       for (std::size_t k = 0; k < 2; ++k) {
         fmt::print("{:<22}", fmt::format("P{} {} {}", k + 1, part.molecule, axis.axis));
         if (const auto& t = axis.rank[k])
-          fmt::print(
-              "{:.3f} ± {:.3f} ps by integral, {:.3f} ± {:.3f} ps by exponential ({:g} to "
-              "{:g} ps)\n",
-              t->integral.value, t->integral.error, t->exponential.value, t->exponential.error,
-              t->from, t->to);
+          fmt::print("{} ps by integral, {} ps by exponential ({:g} to {:g} ps)\n",
+                     text(t->integral, 3), text(t->exponential, 3), t->from, t->to);
         else
           fmt::print("does not fall to 1/e³ within the window\n");
       }
   }
   if (const auto& d = s.dielectric)
-    fmt::print(
-        "dielectric constant   {:.2f} ± {:.2f}; Kirkwood factor {:.2f} ± {:.2f}; |<M>| is "
-        "{:.2f} of the rms M\n",
-        d->constant.value, d->constant.error, d->kirkwood.value, d->kirkwood.error,
-        d->mean_over_rms);
+    fmt::print("dielectric constant   {}; Kirkwood factor {}; |<M>| is {:.2f} of the rms M\n",
+               text(d->constant, 2), text(d->kirkwood, 2), d->mean_over_rms);
 }
 
 nlohmann::json as_json(const Analysis& a, const AnalysisSummary& s) {
@@ -261,11 +283,7 @@ nlohmann::json as_json(const Analysis& a, const AnalysisSummary& s) {
       {"density_g_per_cm3", pair(a.conditions->density(), 1 / units::gram_per_cm3)}};
   if (a.has_velocities) json["temperature_K"] = pair(a.conditions->temperature());
   for (std::size_t k = 0; k < s.peaks.size(); ++k)
-    json["rdf"].push_back({{"pair", a.pairs[k]},
-                           {"peak_nm", pair(s.peaks[k].place)},
-                           {"peak_height", pair(s.peaks[k].height)},
-                           {"minimum_nm", s.peaks[k].minimum},
-                           {"coordination", pair(s.peaks[k].coordination)}});
+    json["rdf"].push_back(peak_json(a.pairs[k], s.peaks[k]));
   if (a.displacement)
     json["diffusion"] = {{"fit_ps", {s.fit.from, s.fit.to}},
                          {"viscosity_source", s.viscosity_source}};
@@ -275,7 +293,7 @@ nlohmann::json as_json(const Analysis& a, const AnalysisSummary& s) {
     if (part.diffusion) one["D_1e-9_m2_per_s"] = pair(*part.diffusion, in_si(1));
     if (part.diffusion && s.drag)
       one["D_without_images_1e-9_m2_per_s"] =
-          pair({part.diffusion->value + *s.drag, part.diffusion->error}, in_si(1));
+          pair(without_images(*part.diffusion, *s.drag), in_si(1));
     if (part.green_kubo) one["D_green_kubo_1e-9_m2_per_s"] = pair(*part.green_kubo, in_si(1));
     for (const AxisRelaxation& axis : part.axes)
       for (std::size_t k = 0; k < 2; ++k) {

@@ -61,7 +61,8 @@ Estimate BlockMeans::estimate(
   return {value, jackknife_error(without)};
 }
 
-void TimeBlocks::add(std::span<const double> sample) {
+void TimeBlocks::add(std::span<const double> sample, double weight) {
+  if (blocks.empty()) samples_per_block = weight;
   if (blocks.empty() || blocks.back().weight >= samples_per_block) {
     if (blocks.size() == most_blocks) {
       for (std::size_t b = 0; b < most_blocks / 2; ++b) {
@@ -75,7 +76,7 @@ void TimeBlocks::add(std::span<const double> sample) {
     blocks.push_back({0, std::vector<double>(sample.size(), 0.0)});
   }
   BlockMeans::Block& last = blocks.back();
-  last.weight += 1;
+  last.weight += weight;
   for (std::size_t k = 0; k < sample.size(); ++k) last.sum[k] += sample[k];
 }
 

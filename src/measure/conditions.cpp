@@ -14,8 +14,8 @@ void Conditions::add(const State& state, bool has_velocities) {
   blocks_.add(std::array{mass_ / volume, polhode::temperature(kinetic, freedoms_), volume});
 }
 
-Estimate Conditions::density() const { return blocks_.means().estimates()[0]; }
-Estimate Conditions::temperature() const { return blocks_.means().estimates()[1]; }
-Estimate Conditions::volume() const { return blocks_.means().estimates()[2]; }
+SeriesEstimate Conditions::density() const { return series_estimates(blocks_.means())[0]; }
+SeriesEstimate Conditions::temperature() const { return series_estimates(blocks_.means())[1]; }
+SeriesEstimate Conditions::volume() const { return series_estimates(blocks_.means())[2]; }
 
 }  // namespace polhode

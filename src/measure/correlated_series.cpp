@@ -124,19 +124,35 @@ SeriesEstimate series_estimate(const BlockMeans& blocks,
   if (blocks.blocks().size() < min_samples) return result;
   const BlockMeans::Block all = blocks.sum();
   std::vector<double> weights, times, influences, without(all.sum.size());
-  double time = 0;  // in samples
+  double time = 0, largest = 0;  // in samples; of the influences
   for (const auto& [weight, sum] : blocks.blocks()) {
     const double rest = all.weight - weight;
     for (std::size_t k = 0; k < without.size(); ++k) without[k] = (all.sum[k] - sum[k]) / rest;
     weights.push_back(weight);
     times.push_back(time + weight / 2);
     influences.push_back((result.value - statistic(without)) * rest / weight);
+    if (!std::isfinite(influences.back())) return result;
+    largest = std::max(largest, std::abs(influences.back()));
     time += weight;
   }
+  constexpr double rounding = 1e-12;  // of sums of some thousand equal numbers, over each of them
+  if (largest <= rounding * std::abs(result.value)) return {result.value, 0, Known::yes};
   Modes modes(std::move(weights), std::move(times), std::move(influences));
   modes.next();  // the mean
   const Noise found = noise(std::move(modes));
   return {result.value, std::sqrt(found.variance / all.weight), found.known};
+}
+
+std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks) {
+  std::vector<SeriesEstimate> result;
+  const std::size_t quantities = blocks.empty() ? 0 : blocks.blocks().front().sum.size();
+  for (std::size_t k = 0; k < quantities; ++k) {
+    std::vector<BlockMeans::Block> one;
+    for (const auto& [weight, sum] : blocks.blocks()) one.push_back({weight, {sum[k]}});
+    result.push_back(
+        series_estimate(BlockMeans(std::move(one)), [](auto mean) { return mean[0]; }));
+  }
+  return result;
 }
 
 Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity, double walk) {

@@ -51,11 +51,15 @@ TotalDipole::Result TotalDipole::result(double temperature, double surrounding) 
     return permittivity(mean, temperature, surrounding);
   };
   Result result;
-  result.constant = means.estimate(epsilon);
-  result.kirkwood =
-      means.estimate([&](std::span<const double> mean) { return variance(mean) / squares_; });
+  result.constant = series_estimate(means, epsilon);
+  result.kirkwood = series_estimate(
+      means, [&](std::span<const double> mean) { return variance(mean) / squares_; });
   const std::vector<double> mean = means.mean();
   result.mean_over_rms = norm(Vec3<double>{mean[Mx], mean[My], mean[Mz]}) / std::sqrt(mean[M2]);
+  constexpr double at_rest = 0.1;  // of ⟨M²⟩, is ⟨M⟩² once the run is long enough
+  if (result.mean_over_rms * result.mean_over_rms > at_rest)
+    for (SeriesEstimate* const e : {&result.constant, &result.kirkwood})
+      if (e->known == Known::yes) *e = {e->value, 0, Known::too_short};
   std::vector<BlockMeans::Block> first;
   double frames = 0;
   for (const BlockMeans::Block& block : means.blocks()) {

@@ -44,8 +44,8 @@ BlockMeans Displacement::squared(std::size_t part, Workers& workers) {
   return parts_[part].means(0, workers);
 }
 
-Estimate diffusion(const BlockMeans& squared, double interval, const FitWindow& window) {
-  return squared.estimate([&](std::span<const double> means) {
+SeriesEstimate diffusion(const BlockMeans& squared, double interval, const FitWindow& window) {
+  const SeriesEstimate D = series_estimate(squared, [&](std::span<const double> means) {
     std::vector<double> t, y;
     for (std::size_t lag = 0; lag < means.size(); ++lag) {
       const double time = static_cast<double>(lag) * interval;
@@ -55,6 +55,11 @@ Estimate diffusion(const BlockMeans& squared, double interval, const FitWindow& 
     }
     return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
   });
+  constexpr double stretches = 8;  // of the longest lag, that an error needs
+  const double length = squared.sum().weight * interval;
+  if (D.known == Known::yes && length < stretches * window.to)
+    return {D.value, 0, Known::too_short};
+  return D;
 }
 
 double image_drag(double temperature, double viscosity, double edge) {

@@ -93,42 +93,84 @@ Vec3<double> wrapped(const Vec3<double>& r, const Vec3<double>& edge) {
           r.z - edge.z * std::floor(r.z / edge.z)};
 }
 
-struct Maximum {
-  double place, height;  // in bins from the middle of bin 0; [1]
+// Bins that a cubic is fitted to.
+struct Bins {
+  std::ptrdiff_t low, high;
 };
 
-// The maximum of a polynomial fitted to the top of the highest peak.
-Maximum top_of(std::span<const double> g) {
-  constexpr double share = 0.9;  // the top is where g exceeds this fraction of its maximum
-  const auto top = static_cast<std::ptrdiff_t>(std::max_element(g.begin(), g.end()) - g.begin());
+// g as means over the bins within 1.5 % of the distance on either side: where peaks are looked for,
+// noise of single bins must not decide.
+std::vector<double> smoothed(std::span<const double> g) {
+  constexpr double part = 0.015;
+  std::vector<double> smooth(g.size());
+  for (std::size_t k = 0; k < g.size(); ++k) {
+    const auto wide = static_cast<std::size_t>(std::lround(part * static_cast<double>(k)));
+    const std::size_t low = k - wide, end = std::min(g.size(), k + wide + 1);
+    for (std::size_t i = low; i < end; ++i) smooth[k] += g[i] / static_cast<double>(end - low);
+  }
+  return smooth;
+}
+
+// The bin of the first peak: from where g first comes near its largest value to where it has fallen
+// to half of the peak; a second peak may be as high.
+std::ptrdiff_t first_summit(std::span<const double> g) {
+  constexpr double near = 0.75, fallen = 0.5;
+  const double largest = *std::max_element(g.begin(), g.end());
+  auto top = std::find_if(g.begin(), g.end(), [&](double x) { return x >= near * largest; });
+  for (auto k = top; k != g.end() && *k >= fallen * *top; ++k)
+    if (*k > *top) top = k;
+  return top - g.begin();
+}
+
+// Bins about a summit in which g is above 0.9 of it; five at least.
+Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
+  constexpr double share = 0.9;
   const auto at = [&](std::ptrdiff_t k) { return g[static_cast<std::size_t>(k)]; };
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
   std::ptrdiff_t low = top, high = top;
   while (low > 0 && at(low - 1) > share * at(top)) --low;
   while (high < last && at(high + 1) > share * at(top)) ++high;
-  low = std::max<std::ptrdiff_t>(0, std::min(low, top - 2));
-  high = std::min(last, std::max(high, top + 2));
-  const Eigen::Index points = high - low + 1, powers = std::min<Eigen::Index>(points, 4);
+  return {std::max<std::ptrdiff_t>(0, std::min(low, top - 2)),
+          std::min(last, std::max(high, top + 2))};
+}
+
+// Bins about the lowest g between a summit and 1.6 times its distance: a tenth of that on each
+// side.
+Bins about_minimum(std::span<const double> g, std::ptrdiff_t top) {
+  constexpr double reach = 1.6, part = 0.1;
+  const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
+  const auto end = std::min(last, static_cast<std::ptrdiff_t>(reach * static_cast<double>(top)));
+  const auto lowest = std::min_element(g.begin() + top, g.begin() + end + 1) - g.begin();
+  const auto wide = std::max<std::ptrdiff_t>(2, std::lround(part * static_cast<double>(top)));
+  return {std::max(top, lowest - wide), std::min(last, lowest + wide)};
+}
+
+struct Extremum {
+  double place, height;  // in bins from the middle of bin 0; [1]
+};
+
+// The maximum of the cubic of least squares through `sign` times g in some bins.
+Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
+  const Eigen::Index points = bins.high - bins.low + 1, powers = std::min<Eigen::Index>(points, 4);
+  const double middle = static_cast<double>(bins.low + bins.high) / 2,
+               half = static_cast<double>(bins.high - bins.low) / 2;
   Eigen::MatrixXd matrix(points, powers);
   Eigen::VectorXd right(points);
   for (Eigen::Index i = 0; i < points; ++i) {
     for (Eigen::Index j = 0; j < powers; ++j)
-      matrix(i, j) = std::pow(static_cast<double>(low - top + i), j);
-    right[i] = at(low + i);
+      matrix(i, j) = std::pow(static_cast<double>(i) - half, j);
+    right[i] = sign * g[static_cast<std::size_t>(bins.low + i)];
   }
-  const Eigen::VectorXd c = matrix.colPivHouseholderQr().solve(right);
-  const auto value = [&](double x) {
-    double sum = 0;
-    for (Eigen::Index j = powers; j-- > 0;) sum = sum * x + c[j];
-    return sum;
-  };
-  constexpr int parts = 2000;  // of the interval: much finer than a bin
-  double best = static_cast<double>(low - top);
-  for (int k = 1; k <= parts; ++k) {
-    const double x = static_cast<double>(low - top) + static_cast<double>(high - low) * k / parts;
-    if (value(x) > value(best)) best = x;
-  }
-  return {static_cast<double>(top) + best, value(best)};
+  Eigen::Vector4d c = Eigen::Vector4d::Zero();
+  c.head(powers) = matrix.colPivHouseholderQr().solve(right);
+  const auto value = [&](double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); };
+  // Where the slope vanishes, with the sign of the root that makes it a maximum. An end only where
+  // there is no such place: ends may be higher by noise alone.
+  const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
+  const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
+  const double end = value(-half) > value(half) ? -half : half;
+  const double best = std::abs(inside) < half ? inside : end;
+  return {middle + best, sign * value(best)};
 }
 
 // Rows of sites are distributed over this many tasks, each with its own histogram.
@@ -286,13 +328,13 @@ std::vector<double> RadialDistribution::neighbours(std::size_t pair,
   return n;
 }
 
-std::vector<Estimate> RadialDistribution::g(std::size_t pair) const {
-  std::vector<Estimate> estimates = blocks_.means().estimates();
-  std::vector<Estimate> g(bins_);
+std::vector<SeriesEstimate> RadialDistribution::g(std::size_t pair) const {
+  const std::vector<SeriesEstimate> estimates = series_estimates(blocks_.means());
+  std::vector<SeriesEstimate> g(bins_);
   for (std::size_t k = 0; k < bins_; ++k) {
     const double scale = 1 / (pairs_of_sites_[pair] * shell(k));
-    const Estimate& counts = estimates[pair * bins_ + k];
-    g[k] = {counts.value * scale, counts.error * scale};
+    const SeriesEstimate& counts = estimates[pair * bins_ + k];
+    g[k] = {counts.value * scale, counts.error * scale, counts.known};
   }
   return g;
 }
@@ -301,23 +343,32 @@ std::vector<double> RadialDistribution::coordination(std::size_t pair) const {
   return neighbours(pair, blocks_.means().mean());
 }
 
-RadialDistribution::Peak RadialDistribution::first_peak(std::size_t pair) const {
+double RadialDistribution::neighbours_within(std::size_t pair, double bins,
+                                             std::span<const double> mean) const {
+  const std::vector<double> n = neighbours(pair, mean);  // up to the end of each bin
+  const double ends = std::max(0.0, bins - 1);
+  const auto k = std::min(static_cast<std::size_t>(ends), bins_ - 2);
+  return n[k] + (ends - static_cast<double>(k)) * (n[k + 1] - n[k]);
+}
+
+std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size_t pair) const {
   const BlockMeans means = blocks_.means();
-  const auto top = [&](std::span<const double> mean) { return top_of(curve(pair, mean)); };
-  Peak peak;
-  peak.place = means.estimate(
-      [&](std::span<const double> mean) { return (top(mean).place + 0.5) * width_; });
-  peak.height = means.estimate([&](std::span<const double> mean) { return top(mean).height; });
-  const std::vector<double> g = curve(pair, means.mean());
-  const auto begin = g.begin() + static_cast<std::ptrdiff_t>(peak.place.value / width_);
-  const auto reach = static_cast<std::ptrdiff_t>(1.6 * peak.place.value / width_);
-  const auto end = g.begin() + std::min(reach, static_cast<std::ptrdiff_t>(bins_));
-  if (begin >= end) return peak;
-  const auto lowest = static_cast<std::size_t>(std::min_element(begin, end) - g.begin());
-  peak.minimum = middle(lowest);
-  peak.coordination =
-      means.estimate([&](std::span<const double> mean) { return neighbours(pair, mean)[lowest]; });
-  return peak;
+  const std::vector<double> g = smoothed(curve(pair, means.mean()));
+  // Not a number throughout where no two molecules have such sites.
+  if (g.size() < 2 || !(*std::max_element(g.begin(), g.end()) > 0)) return std::nullopt;
+  const std::ptrdiff_t summit = first_summit(g);
+  if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
+  // The same bins with and without a block: else the cubic would jump where a bin comes in.
+  const Bins top = about_summit(g, summit), shell = about_minimum(g, summit);
+  const auto peak = [&](auto mean) { return maximum(curve(pair, mean), top, 1); };
+  const auto minimum = [&](auto mean) { return maximum(curve(pair, mean), shell, -1).place; };
+  using Mean = std::span<const double>;
+  return Peak{series_estimate(means, [&](Mean mean) { return (peak(mean).place + 0.5) * width_; }),
+              series_estimate(means, [&](Mean mean) { return peak(mean).height; }),
+              series_estimate(means, [&](Mean mean) { return (minimum(mean) + 0.5) * width_; }),
+              series_estimate(means, [&](Mean mean) {
+                return neighbours_within(pair, minimum(mean) + 0.5, mean);
+              })};
 }
 
 }  // namespace polhode

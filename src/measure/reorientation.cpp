@@ -80,9 +80,10 @@ std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, d
   RelaxationTimes times;
   times.from = static_cast<double>(first) * interval;
   times.to = static_cast<double>(last) * interval;
-  times.exponential = correlation.estimate(
-      [&](std::span<const double> c) { return 1 / decay_rate(c, interval, first, last); });
-  times.integral = correlation.estimate([&](std::span<const double> c) {
+  times.exponential = series_estimate(correlation, [&](std::span<const double> c) {
+    return 1 / decay_rate(c, interval, first, last);
+  });
+  times.integral = series_estimate(correlation, [&](std::span<const double> c) {
     return trapezia(c, interval, last) + c[last] / decay_rate(c, interval, first, last);
   });
   return times;

@@ -10,6 +10,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t most_groups = 32;
+constexpr std::size_t chunks_per_window = 4;  // more cost transforms, fewer leave too few blocks
 
 using Waves = Column<std::complex<double>>;
 
@@ -57,33 +58,41 @@ TimeCorrelation::TimeCorrelation(std::size_t bodies, std::size_t lags,
                                  std::vector<Product> products)
     : bodies_(bodies),
       lags_(lags),
+      chunk_((lags + chunks_per_window - 1) / chunks_per_window),
       groups_(std::min(bodies, most_groups)),
       products_(std::move(products)),
-      transform_(2 * lags),  // lags do not wrap around the end of two windows
-      history_(bodies * 3 * 2 * lags),
-      origins_(lags, 0.0),
-      sums_(groups_, std::vector(products_.size(), std::vector<double>(lags, 0.0))) {}
+      transform_(lags_ + chunk_),  // lags do not reach around the end
+      history_(bodies * 3 * (lags_ + chunk_)),
+      sums_(groups_, std::vector(products_.size(), std::vector<double>(lags, 0.0))),
+      blocks_(products_.size()) {}
 
 void TimeCorrelation::add(const std::function<Vec3<double>(std::size_t)>& value, Workers& workers) {
-  const std::size_t at = before_ + fresh_, window = 2 * lags_;
+  const std::size_t at = before_ + fresh_, row = lags_ + chunk_;
   for (std::size_t i = 0; i < bodies_; ++i) {
     const Vec3<double> a = value(i);
-    for (std::size_t k = 0; k < 3; ++k) history_[(3 * i + k) * window + at] = a[k];
+    for (std::size_t k = 0; k < 3; ++k) history_[(3 * i + k) * row + at] = a[k];
   }
   ++fresh_;
   ++frames_;
-  if (fresh_ == lags_) sum_up(workers);
+  if (fresh_ == chunk_) sum_up(workers);
 }
 
 // Adds the products of the new frames with all frames held, and keeps the last window of them.
 void TimeCorrelation::sum_up(Workers& workers) {
   if (fresh_ == 0) return;
   workers.each(groups_, [&](std::size_t group) { sum_up(group); });
-  const std::size_t held = before_ + fresh_, kept = std::min(held, lags_), window = 2 * lags_;
-  for (std::size_t lag = 0; lag < std::min(held, lags_); ++lag)
-    origins_[lag] += static_cast<double>(held - std::max(before_, lag));
-  for (std::size_t row = 0; row < 3 * bodies_; ++row) {
-    double* const series = &history_[row * window];
+  const std::size_t held = before_ + fresh_, kept = std::min(held, lags_), row = lags_ + chunk_;
+  std::vector<double> sample(2 * lags_);
+  for (std::size_t p = 0; p < products_.size(); ++p) {
+    std::fill(sample.begin(), sample.end(), 0.0);
+    for (std::size_t lag = 0; lag < std::min(held, lags_); ++lag) {
+      for (std::size_t group = 0; group < groups_; ++group) sample[lag] += sums_[group][p][lag];
+      sample[lags_ + lag] = static_cast<double>(bodies_ * (held - std::max(before_, lag)));
+    }
+    blocks_[p].add(sample, static_cast<double>(fresh_));
+  }
+  for (std::size_t r = 0; r < 3 * bodies_; ++r) {
+    double* const series = &history_[r * row];
     std::copy(series + (held - kept), series + held, series);
   }
   before_ = kept;
@@ -93,17 +102,16 @@ void TimeCorrelation::sum_up(Workers& workers) {
 // Σ_t b(t) a(t − lag) over new t, where a holds all frames and b the new ones, preceded by zeros:
 // its transform is that of b times the complex conjugate of that of a.
 void TimeCorrelation::sum_up(std::size_t group) {
-  const std::size_t held = before_ + fresh_, window = 2 * lags_;
+  const std::size_t held = before_ + fresh_, row = lags_ + chunk_;
   Scratch scratch(transform_);
   for (std::size_t p = 0; p < products_.size(); ++p) {
     const Product product = products_[p];
-    std::vector<double>& sums = sums_[group][p];
     Waves correlation(transform_.waves());
     std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and the preceding frames
     for (std::size_t i = group; i < bodies_; i += groups_) {
-      const double* const x = &history_[3 * i * window];
+      const double* const x = &history_[3 * i * row];
       const auto vector = [&](std::size_t t) {
-        return Vec3<double>{x[t], x[window + t], x[2 * window + t]};
+        return Vec3<double>{x[t], x[row + t], x[2 * row + t]};
       };
       // Displacements do not depend on the origin; close to it, differences of squares retain
       // digits.
@@ -125,24 +133,32 @@ void TimeCorrelation::sum_up(std::size_t group) {
     for (std::size_t lag = 0; lag < std::min(held, lags_); ++lag) {
       const double products = scratch.series[lag] / static_cast<double>(transform_.size());
       const std::size_t first = std::max(before_, lag);
-      sums[lag] += product == Product::displacement
-                       ? squares[held] - squares[first] + squares[held - lag] -
-                             squares[first - lag] - 2 * products
-                       : products;
+      sums_[group][p][lag] = product == Product::displacement
+                                 ? squares[held] - squares[first] + squares[held - lag] -
+                                       squares[first - lag] - 2 * products
+                                 : products;
     }
   }
 }
 
 BlockMeans TimeCorrelation::means(std::size_t k, Workers& workers) {
+  if (bodies_ == 0) return {};
   sum_up(workers);
-  const std::size_t lags = std::min(lags_, frames_ / 2 + 1);
+  const std::size_t lags = std::min({lags_, frames_ / 2 + 1, frames_});
+  const BlockMeans raw = blocks_[k].means();
+  std::vector<double> mean(lags), per_frame(lags);
+  const std::vector<double> total = raw.mean();  // sums and numbers of products, over frames
+  for (std::size_t lag = 0; lag < lags; ++lag) {
+    per_frame[lag] = total[lags_ + lag];
+    mean[lag] = total[lag] / per_frame[lag];
+  }
   std::vector<BlockMeans::Block> blocks;
-  for (std::size_t group = 0; group < groups_; ++group) {
-    BlockMeans::Block block;
-    block.weight = static_cast<double>((bodies_ - group + groups_ - 1) / groups_);
-    for (std::size_t lag = 0; lag < std::min(lags, frames_); ++lag)
-      block.sum.push_back(sums_[group][k][lag] / origins_[lag]);
-    blocks.push_back(std::move(block));
+  for (const BlockMeans::Block& part : raw.blocks()) {
+    std::vector<double> sum(lags);
+    for (std::size_t lag = 0; lag < lags; ++lag)
+      sum[lag] = part.weight * mean[lag] +
+                 (part.sum[lag] - part.sum[lags_ + lag] * mean[lag]) / per_frame[lag];
+    blocks.push_back({part.weight, std::move(sum)});
   }
   return BlockMeans(std::move(blocks));
 }

@@ -19,7 +19,7 @@ VelocityCorrelation::VelocityCorrelation(const Topology& topology, std::size_t l
 }
 
 void VelocityCorrelation::add(const State& state, Workers& workers) {
-  const Vec3<double> common = total_momentum(state) / total_mass(bodies_);
+  const Vec3<double> common = 1 / total_mass(bodies_) * total_momentum(state);
   std::size_t first = 0;
   for (std::size_t part = 0; part < linear_.size(); ++part) {
     linear_[part].add(
@@ -67,22 +67,35 @@ BlockMeans running_integral(const BlockMeans& correlation, double interval) {
   return BlockMeans(std::move(blocks));
 }
 
+// A block deviates from the mean by what it changes of it to first order.
+BlockMeans normalized(const BlockMeans& correlation) {
+  const std::vector<double> C = correlation.mean();
+  if (C.empty() || C.front() == 0) return correlation;
+  std::vector<BlockMeans::Block> blocks = correlation.blocks();
+  for (BlockMeans::Block& block : blocks) {
+    const double effective = block.sum.front() / C.front();
+    for (std::size_t lag = 0; lag < C.size(); ++lag)
+      block.sum[lag] = (block.sum[lag] + (block.weight - effective) * C[lag]) / C.front();
+  }
+  return BlockMeans(std::move(blocks));
+}
+
 Spectrum spectrum(const BlockMeans& correlation, double interval) {
   const std::vector<double> C = correlation.mean();
-  if (C.size() < 2 || C.front() == 0) return {};
+  if (C.size() < 2) return {};
   const double length = static_cast<double>(C.size() - 1) * interval;
-  std::vector<BlockMeans::Block> blocks = correlation.blocks();
+  std::vector<BlockMeans::Block> blocks = normalized(correlation).blocks();
   for (BlockMeans::Block& block : blocks) {
     for (std::size_t lag = 0; lag < C.size(); ++lag) {
       const double half_angle = units::pi / 2 * static_cast<double>(lag) * interval / length;
-      block.sum[lag] *= 4 * std::cos(half_angle) * std::cos(half_angle) / C.front();
+      block.sum[lag] *= 4 * std::cos(half_angle) * std::cos(half_angle);
     }
     block.sum = cosine_transform(block.sum, interval);
   }
   Spectrum result;
   for (std::size_t k = 0; k < C.size(); ++k)
     result.frequency.push_back(static_cast<double>(k) / (2 * length));
-  result.intensity = BlockMeans(std::move(blocks)).estimates();
+  result.intensity = series_estimates(BlockMeans(std::move(blocks)));
   return result;
 }
 

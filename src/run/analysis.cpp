@@ -62,7 +62,7 @@ void name_atoms(Frame& frame, const Topology& topology) {
       frame.source);
 }
 
-constexpr double bytes_of_lag = 48;  // of a body, in each TimeCorrelation
+constexpr double bytes_of_lag = 30;  // of a body, in each TimeCorrelation
 
 class Assembly {
  public:
@@ -96,7 +96,12 @@ class Assembly {
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
                    fmt::format("{} lags of {:.0f} bodies", lags, bodies),
                    "ask for a shorter --window");
-    if (wanted(Observable::msd)) result_.displacement.emplace(result_.topology, lags);
+    if (wanted(Observable::msd) && result_.topology.size() == 1)
+      leave_out({Observable::msd},
+                "displacements are relative to the centre of mass of all "
+                "molecules, and there is only one");
+    else if (wanted(Observable::msd))
+      result_.displacement.emplace(result_.topology, lags);
     if (wanted(Observable::rotation)) result_.reorientation.emplace(result_.topology, lags);
     if (!wanted(Observable::velocity)) return;
     if (result_.has_velocities)

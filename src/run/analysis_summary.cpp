@@ -71,7 +71,7 @@ AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& w
       const BlockMeans squared = a.displacement->squared(part, workers);
       const double longest = static_cast<double>(squared.mean().size() - 1) * a.interval;
       s.fit = settings.fit.value_or(FitWindow{longest / 5, longest});
-      const Estimate D = diffusion(squared, a.interval, s.fit);
+      const SeriesEstimate D = diffusion(squared, a.interval, s.fit);
       if (!std::isnan(D.value))
         p.diffusion = D;
       else if (part == 0)
@@ -80,9 +80,9 @@ AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& w
                         "the longest is {:g} ps",
                         s.fit.from, s.fit.to, longest));
     }
-    if (a.velocity && count > 0) {
+    if (a.velocity && count > 0 && a.topology.size() > 1) {
       const BlockMeans integral = running_integral(a.velocity->linear(part, workers), a.interval);
-      p.green_kubo = integral.estimates().back();
+      p.green_kubo = series_estimates(integral).back();
     }
     if (a.reorientation && count > 0)
       for (std::size_t axis = 0; axis < a.reorientation->axes(part).size(); ++axis) {

@@ -41,6 +41,24 @@ class Analyze(Sandbox):
         self.assertEqual(process.returncode, 0, process.err)
         self.assertEqual(self.contents(), before)
 
+    def test_too_few_frames(self):
+        """Values come without errors, and what there is none of is null or left out."""
+        options = ("--molecules", "tip4p 27", "--from", "0.15 ps", "--plot", "none", "--force")
+        process = self.analyze(*options, "--json")
+        self.assertEqual(process.returncode, 0, process.err)
+        report = json.loads(process.out)
+        self.assertLess(report["frames"], 12)
+        self.assertIsNone(report["density_g_per_cm3"]["error"])
+        self.assertGreater(report["density_g_per_cm3"]["value"], 0)
+        process = self.analyze(*options, "--pairs", "OW-OW", "--reach", "0.1 nm")
+        self.assertIn("(error not known from so few frames)", process.out)
+        self.assertIn("g OW-OW               no peak", process.out)
+        self.assertNotIn("nan", process.out)
+        process = self.analyze(*options, "--pairs", "OW-OW", "--reach", "0.1 nm", "--json")
+        self.assertEqual(json.loads(process.out)["rdf"],
+                         [{"pair": ["OW", "OW"], "peak_nm": None, "peak_height": None, "minimum_nm": None,
+                           "coordination": None}])
+
     def test_wrong_input(self):
         before = self.contents()
         for options, said in (((), "--run water.toml"),

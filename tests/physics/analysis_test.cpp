@@ -163,3 +163,44 @@ TEST_CASE("ions have no dielectric constant, and an interrupt leaves what was re
   CHECK(a.reorientation->axes(1).empty());
   CHECK(a.displacement->squared(1).mean().size() == 4);
 }
+
+// A gas of two sites that never come near each other.
+TEST_CASE("a g that is 0 has no peak, and few frames have no errors") {
+  const Topology pair{{{read_molecule("argon"), 2}}};
+  State state(2, Box{{4, 4, 4}});
+  state.q.set(1, {2, 2, 2});
+  std::vector<Frame> frames;
+  for (int k = 0; k < 11; ++k) {
+    frames.push_back(frame_of(state, pair, MasslessSites::kept));
+    frames.back().time = k;
+  }
+  Frames file(frames);
+  Analysis a = analysis(file, pair, {});
+  const AnalysisSummary s = summary(a, {});
+  REQUIRE(s.peaks.size() == 1);
+  CHECK(!s.peaks.front());
+  CHECK(a.conditions->density().known == Known::too_few_samples);
+  frames.push_back(frames.back());
+  frames.back().time = 11;
+  Frames longer(frames);
+  Analysis b = analysis(longer, pair, {});
+  CHECK(b.conditions->density().known == Known::yes);
+  CHECK(b.conditions->density().error == 0);  // the box is constant
+}
+
+TEST_CASE("one molecule has no displacements of its own") {
+  const Topology one{{{read_molecule("tip4p"), 1}}};
+  Frames file(free_flight(one, 30, MasslessSites::kept));
+  Analysis a = analysis(file, one, {});
+  CHECK(!a.displacement);
+  CHECK(a.notes.front().find("there is only one") != std::string::npos);
+  const AnalysisSummary s = summary(a, {.surrounding = tin_foil});
+  CHECK(!s.parts.front().diffusion);
+  CHECK(!s.parts.front().green_kubo);
+  CHECK(a.velocity->linear(0).mean().front() == 0);
+  AnalysisSettings settings;
+  settings.what = {Observable::msd};
+  Frames refused(free_flight(one, 30, MasslessSites::kept));
+  CHECK_THROWS_WITH_AS(analysis(refused, one, settings), doctest::Contains("there is only one"),
+                       Error);
+}

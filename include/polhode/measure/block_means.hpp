@@ -47,7 +47,8 @@ struct TimeBlocks {
   std::vector<BlockMeans::Block> blocks;
   double samples_per_block = 1;
 
-  void add(std::span<const double> sample);
+  /// @param weight  samples that were summed already, or any other measure of size
+  void add(std::span<const double> sample, double weight = 1);
   /// The blocks; one that is less than half full at the end is joined to the one before.
   BlockMeans means() const;
 };

@@ -2,7 +2,7 @@
 // Mass density and kinetic temperature along a trajectory.
 #pragma once
 
-#include "polhode/measure/block_means.hpp"
+#include "polhode/measure/correlated_series.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -15,9 +15,9 @@ class Conditions {
   explicit Conditions(const Topology& topology);
   void add(const State& state, bool has_velocities);
 
-  Estimate density() const;      ///< [u/nm³]
-  Estimate temperature() const;  ///< from translation and rotation [K]; 0 without velocities
-  Estimate volume() const;       ///< [nm³]
+  SeriesEstimate density() const;      ///< [u/nm³]
+  SeriesEstimate temperature() const;  ///< from translation and rotation [K]; 0 without velocities
+  SeriesEstimate volume() const;       ///< [nm³]
   /// Averages over blocks of time: density, temperature and volume.
   BlockMeans blocks() const { return blocks_.means(); }
 

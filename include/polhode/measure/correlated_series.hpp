@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "polhode/measure/block_means.hpp"
 
@@ -45,6 +46,9 @@ Drift drift_of_series(std::span<const double> rates);
 /// of the blocks on it are a series, whose slowest modes give the variance of its mean.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
+
+/// The mean of each quantity with its standard error.
+std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks);
 
 /// The slope of the least-squares line through the block means of a quantity against those of the
 /// time.

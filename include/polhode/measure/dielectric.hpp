@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "polhode/measure/block_means.hpp"
+#include "polhode/measure/correlated_series.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -22,8 +22,9 @@ class TotalDipole {
   void add(const State& state);
 
   struct Result {
-    Estimate constant;  ///< ε
-    Estimate kirkwood;  ///< (⟨M²⟩ − ⟨M⟩²)/Σ μ², the Kirkwood g factor: 1 for uncorrelated dipoles
+    SeriesEstimate constant;  ///< ε
+    SeriesEstimate kirkwood;  ///< (⟨M²⟩ − ⟨M⟩²)/Σ μ², the Kirkwood g factor: 1 for uncorrelated
+                              ///< dipoles
     double mean_over_rms = 0;    ///< |⟨M⟩|/√⟨M²⟩: small for a sufficiently long run
     std::vector<double> stages;  ///< ε from the first block, from the first two, and so on
     std::vector<double> frames;  ///< number of frames that each of these is based on
@@ -31,7 +32,8 @@ class TotalDipole {
 
   /// With g = (⟨M²⟩ − ⟨M⟩²)/(3 ε₀ V k_B T), (ε − 1)(2 ε' + 1)/(2 ε' + ε) = g for surroundings of
   /// permittivity ε': ε = 1 + g for tin foil; for a reaction field, ε' is that of the field
-  /// [neumann1983].
+  /// [neumann1983]. ⟨M⟩² is about ⟨M²⟩ over the number of independent values of M: above a tenth of
+  /// ⟨M²⟩ no error is stated.
   Result result(double temperature, double surrounding) const;
 
  private:

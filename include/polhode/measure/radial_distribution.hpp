@@ -5,13 +5,14 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/measure/block_means.hpp"
+#include "polhode/measure/correlated_series.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -45,22 +46,24 @@ class RadialDistribution {
   double middle(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width_; }
 
   /// g(r) of the k-th pair in each bin.
-  std::vector<Estimate> g(std::size_t pair) const;
+  std::vector<SeriesEstimate> g(std::size_t pair) const;
 
   /// Mean number of sites of the second selection around one of the first, up to the end of each
   /// bin.
   std::vector<double> coordination(std::size_t pair) const;
 
   struct Peak {
-    Estimate place;         ///< [nm]
-    Estimate height;        ///< [1]
-    double minimum = 0;     ///< position of the smallest g up to 1.6 times the peak position [nm]
-    Estimate coordination;  ///< number of neighbours up to the minimum
+    SeriesEstimate place;         ///< [nm]
+    SeriesEstimate height;        ///< [1]
+    SeriesEstimate minimum;       ///< position of the smallest g beyond the peak [nm]
+    SeriesEstimate coordination;  ///< number of neighbours up to the minimum
   };
-  /// The first peak: the maximum of a least-squares cubic through the bins around the largest g, as
-  /// far as g is above 0.9 of it. The minimum is searched for where the first shell of liquids
-  /// ends, between 1.2 and 1.5 times the peak position.
-  Peak first_peak(std::size_t pair) const;
+  /// The first peak: from where g first exceeds 0.75 of its largest value, before it falls to half
+  /// of the peak. Its maximum is that of a least-squares cubic through the bins in which g is above
+  /// 0.9 of it. The minimum is found likewise, through the bins around the smallest g up to 1.6
+  /// times the peak position, a tenth of that on each side: the first shell of liquids ends between
+  /// 1.2 and 1.5 times the peak position. None if g is 0 everywhere, or largest in the last bin.
+  std::optional<Peak> first_peak(std::size_t pair) const;
 
  private:
   struct Count {
@@ -71,6 +74,7 @@ class RadialDistribution {
   double shell(std::size_t bin) const;
   std::vector<double> curve(std::size_t pair, std::span<const double> mean) const;
   std::vector<double> neighbours(std::size_t pair, std::span<const double> mean) const;
+  double neighbours_within(std::size_t pair, double bins, std::span<const double> mean) const;
 
   std::vector<SitePair> pairs_;
   double reach_, width_;

@@ -47,8 +47,9 @@ class Reorientation {
 
 /// Relaxation times of a correlation function that decays from 1 [ps].
 struct RelaxationTimes {
-  Estimate integral;  ///< ∫ C dt: trapezoidal rule up to the end of the fit, the exponential beyond
-  Estimate exponential;  ///< of C ~ exp(−t/τ) between `from` and `to`
+  /// ∫ C dt: trapezoidal rule up to the end of the fit, the exponential beyond
+  SeriesEstimate integral;
+  SeriesEstimate exponential;  ///< of C ~ exp(−t/τ) between `from` and `to`
   double from = 0, to = 0;
 };
 

@@ -10,7 +10,7 @@
 #include "polhode/base/column.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/math/fourier.hpp"
-#include "polhode/measure/block_means.hpp"
+#include "polhode/measure/correlated_series.hpp"
 
 namespace polhode {
 
@@ -24,14 +24,14 @@ enum class Product {
   z,
 };
 
-/// Sums of products by Fourier transforms of each window together with the previous one (Wiener and
-/// Khinchin; frenkel2002, section 4.4). Compared with a multiple-tau correlator [ramirez2010],
-/// which needs less memory, it gives every lag exactly as the direct sum does: spectra need evenly
-/// spaced lags, and nothing is smoothed. Memory: 48 bytes per body and lag.
+/// Sums of products by Fourier transforms of a quarter of a window together with the preceding
+/// window (Wiener and Khinchin; frenkel2002, section 4.4). Compared with a multiple-tau correlator
+/// [ramirez2010], which needs less memory, it gives every lag exactly as the direct sum does:
+/// spectra need evenly spaced lags, and nothing is smoothed. Memory: 30 bytes per body and lag.
 ///
 /// Bodies are distributed over groups, 32 or as many as there are bodies. Each group is one task,
-/// so all sums are bitwise identical for any number of threads; errors come from the scatter
-/// between groups.
+/// so all sums are bitwise identical for any number of threads. Errors come from blocks of time:
+/// the motion of different bodies over the same time is correlated.
 class TimeCorrelation {
  public:
   /// @param lags  number of lags, 0 to lags − 1, in frames
@@ -43,8 +43,9 @@ class TimeCorrelation {
   void add(const std::function<Vec3<double>(std::size_t)>& value,
            Workers& workers = Workers::serial());
 
-  /// The mean of the k-th product at each lag over all frames so far, in blocks of bodies. Lags are
-  /// limited to half of the frames, so that at least half of the frames serve as origins.
+  /// The mean of the k-th product at each lag over all frames so far, in blocks of time. Lags are
+  /// limited to half of the frames, so that at least half of the frames serve as origins. The mean
+  /// of all blocks is that of all products; a block deviates from it by what its products change.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
 
  private:
@@ -52,15 +53,15 @@ class TimeCorrelation {
   void sum_up(Workers& workers);
   void sum_up(std::size_t group);
 
-  std::size_t bodies_, lags_, groups_;
+  std::size_t bodies_, lags_, chunk_, groups_;
   std::vector<Product> products_;
   RealTransform transform_;
-  Column<double> history_;  // [body][component][2 windows]
+  Column<double> history_;  // [body][component][window + chunk]
   std::size_t before_ = 0;  // older frames, already used as origins for all lags
   std::size_t fresh_ = 0;   // newer frames, not yet summed
   std::size_t frames_ = 0;  // total number of frames
-  std::vector<double> origins_;
-  std::vector<std::vector<std::vector<double>>> sums_;  // [group][product][lag]
+  std::vector<std::vector<std::vector<double>>> sums_;  // of new frames: [group][product][lag]
+  std::vector<TimeBlocks> blocks_;  // per product: its sum at each lag, then their numbers
 };
 
 }  // namespace polhode

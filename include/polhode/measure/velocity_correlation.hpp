@@ -18,7 +18,8 @@ class VelocityCorrelation {
   VelocityCorrelation(const Topology& topology, std::size_t lags);
   void add(const State& state, Workers& workers = Workers::serial());
 
-  /// ⟨v(t) · v(t + lag)⟩/3 of the centres of mass [nm²/ps²], for the bodies of one part.
+  /// ⟨v(t) · v(t + lag)⟩/3 of the centres of mass [nm²/ps²], relative to that of all bodies, for
+  /// the bodies of one part.
   BlockMeans linear(std::size_t part, Workers& workers = Workers::serial());
 
   /// ⟨ω_k(t) ω_k(t + lag)⟩ [1/ps²] about a principal axis fixed in the body.
@@ -37,9 +38,12 @@ class VelocityCorrelation {
 /// once C has decayed [allen2017, section 2.7].
 BlockMeans running_integral(const BlockMeans& correlation, double interval);
 
+/// C(t)/C(0): 1 at lag 0, without an error. As it is if C(0) vanishes.
+BlockMeans normalized(const BlockMeans& correlation);
+
 struct Spectrum {
-  std::vector<double> frequency;    ///< [1/ps]
-  std::vector<Estimate> intensity;  ///< [ps]
+  std::vector<double> frequency;          ///< [1/ps]
+  std::vector<SeriesEstimate> intensity;  ///< [ps]
 };
 
 /// I(ν) = 4 ∫₀^T Ĉ(t) w(t) cos(2πνt) dt with Ĉ = C/C(0) and the Hann window w = cos²(πt/2T), which

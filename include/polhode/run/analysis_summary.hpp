@@ -31,8 +31,8 @@ struct AxisRelaxation {
 struct PartSummary {
   std::string molecule;
   std::size_t count = 0;
-  std::optional<Estimate> diffusion;   ///< from displacements, in this box [nm²/ps]
-  std::optional<Estimate> green_kubo;  ///< from velocities, integrated over all lags [nm²/ps]
+  std::optional<SeriesEstimate> diffusion;   ///< from displacements, in this box [nm²/ps]
+  std::optional<SeriesEstimate> green_kubo;  ///< from velocities, integrated over all lags [nm²/ps]
   std::vector<AxisRelaxation> axes;
 };
 
@@ -44,7 +44,7 @@ struct AnalysisSummary {
   std::optional<double> drag;         ///< Yeh-Hummer finite-size correction, to be added to
                                       ///< diffusion [nm²/ps]
   std::vector<PartSummary> parts;
-  std::vector<RadialDistribution::Peak> peaks;  ///< one per pair
+  std::vector<std::optional<RadialDistribution::Peak>> peaks;  ///< one per pair; none: no peak
   std::optional<TotalDipole::Result> dielectric;
   std::vector<std::string> notes;  ///< those of the analysis, and what could not be computed
 };
