@@ -48,7 +48,7 @@ struct Table {
 /// written as an empty field.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
-/// Where a growing table stands.
+/// Position at the end of a growing table.
 struct TableMark {
   std::uint64_t bytes = 0;     ///< length of the file
   std::uint64_t checksum = 0;  ///< CRC-64 of them
