@@ -78,7 +78,7 @@ def frame_bytes(data):
 
 
 def pieces(o, path, system, length):
-    """{quantity: (value, error or None)} of each piece of a run, kept beside it."""
+    """{quantity: (value, error or None)} of each piece of a run, stored in the same folder."""
     kept = path.with_name(f"{path.stem}-{length:g}-{o.window:g}.json")
     if not kept.exists():
         data, found = path.read_bytes(), []

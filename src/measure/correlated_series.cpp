@@ -172,8 +172,8 @@ std::vector<ModeGroup> mode_groups(Modes modes, std::size_t blocks) {
   return groups;
 }
 
-/// The prior: no walk, or one that adds so many times the variance of white noise to the slope, all
-/// with the same probability.
+/// The prior: variance that the walk adds to the slope, divided by that of white noise; all values
+/// are equally probable.
 constexpr std::array walk_strengths{0.0,   1.0,    3.0,    10.0,    30.0,   100.0,
                                     300.0, 1000.0, 3000.0, 10000.0, 30000.0};
 

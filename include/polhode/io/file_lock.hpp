@@ -7,7 +7,7 @@
 namespace polhode {
 
 /// Holds a file for this process alone by flock(2): the system releases it when the process ends,
-/// in whatever way, and NFS passes it on to other computers. The file tells who holds it, and is
+/// in whatever way, and NFS passes it on to other computers. The file names the holder, and is
 /// removed with the lock; one that a killed process left behind holds nothing.
 class FileLock {
  public:

@@ -90,7 +90,7 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 /// @throws Error  which says so
 void check_frames(const std::string& path, const FileMark& mark);
 
-/// Goes on with a file after the frames of a mark; what was written later is cut off.
+/// Continues a file after the frames of a mark; what was written later is truncated.
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Texts and names of files as they stand in gnuplot's scripts, where nothing of them is evaluated.
+// Texts and file names quoted for gnuplot's scripts, so that nothing in them is evaluated.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace polhode {
 /// is not printable is escaped first, so that the text stays one line.
 std::string gnuplot_text(std::string_view text);
 
-/// A file beside the script, quoted. It begins with "./", as gnuplot would take "<command" and
+/// A file in the folder of the script, quoted. It begins with "./", as gnuplot would take "<command" and
 /// "|command" for pipes and "~" for a home.
 std::string gnuplot_file(std::string_view path);
 

@@ -61,13 +61,13 @@ class GrowingTable {
   /// @throws Error  if it cannot be written
   GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
                const Provenance& provenance);
-  /// Goes on with a file after a mark; what follows it is cut off.
+  /// Continues a file after a mark; what follows it is truncated.
   /// @throws Error  if the file is shorter, or cannot be written
   GrowingTable(const std::string& path, const TableMark& mark);
 
   /// @throws RunError  if the row cannot be written completely
   void add(std::span<const double> row);
-  /// Hands all rows to the disk and tells where the file stands.
+  /// Syncs all rows to disk and returns the position in the file.
   /// @throws RunError  as add()
   TableMark mark();
 
