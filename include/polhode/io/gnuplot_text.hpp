@@ -11,7 +11,8 @@ namespace polhode {
 /// is not printable is escaped first, so that the text stays one line.
 std::string gnuplot_text(std::string_view text);
 
-/// A file in the folder of the script, quoted. It begins with "./", as gnuplot would take "<command" and
+/// A file in the folder of the script, quoted. It begins with "./", as gnuplot would take
+/// "<command" and
 /// "|command" for pipes and "~" for a home.
 std::string gnuplot_file(std::string_view path);
 
