@@ -36,7 +36,7 @@ constexpr auto table = [] {
 std::uint64_t crc64(const void* bytes, std::size_t count, std::uint64_t before) {
   const auto* at = static_cast<const unsigned char*>(bytes);
   std::uint64_t crc = ~before;
-  if constexpr (std::endian::native == std::endian::little)  // eight bytes at once: 1.4 GB/s
+  if constexpr (std::endian::native == std::endian::little)  // eight bytes at once
     for (; count >= 8; count -= 8, at += 8) {
       std::uint64_t word;
       std::memcpy(&word, at, 8);

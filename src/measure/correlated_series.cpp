@@ -2,7 +2,10 @@
 #include "polhode/measure/correlated_series.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -79,6 +82,9 @@ constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 /// by its variance at the end of the run and by the number of samples: 1/(2 (2k − 1)(2k + 3)) each.
 double walk_from(double first) { return (1 / (2 * first - 1) + 1 / (2 * first + 1)) / 8; }
 
+/// The same for one mode of degree k ≥ 1.
+double walk_power(double k) { return 1 / (2 * (2 * k - 1) * (2 * k + 3)); }
+
 /// The noise of one mode.
 struct Noise {
   double variance = 0;            ///< without the walk
@@ -105,6 +111,77 @@ Noise noise(Modes modes, double walk = 0) {
   const double grown = 1 + growth * (slow.variance / fast - 1);
   slow.variance *= grown, slow.all *= grown;
   return slow;
+}
+
+/// The slope of a quantity over a run, and the modes above it.
+struct Slope {
+  std::size_t blocks = 0;
+  double samples = 0, length = 0;  ///< length [time]
+  double rate = 0;                 ///< 0 with fewer than two blocks
+  double spread = 0;  ///< √Σ w (t − t̄)²: the coefficient c₁ divided by the slope
+  Modes modes;
+
+  Slope(const BlockMeans& means, std::size_t time, std::size_t quantity)
+      : Slope(columns(means, time, quantity)) {}
+
+ private:
+  struct Columns {
+    std::vector<double> weights, times, values;
+  };
+  static Columns columns(const BlockMeans& means, std::size_t time, std::size_t quantity) {
+    Columns c;
+    for (const auto& [weight, sum] : means.blocks()) {
+      c.weights.push_back(weight);
+      c.times.push_back(sum[time] / weight);
+      c.values.push_back(sum[quantity] / weight);
+    }
+    return c;
+  }
+  explicit Slope(Columns c)
+      : blocks(c.weights.size()),
+        samples(std::accumulate(c.weights.begin(), c.weights.end(), 0.0)),
+        modes(c.weights, c.times, c.values) {
+    if (blocks < 2) return;
+    const auto count = static_cast<double>(blocks);
+    length = (c.times.back() - c.times.front()) * count / (count - 1);
+    modes.next();  // the mean
+    spread = modes.spread();
+    rate = modes.next() / spread;
+  }
+};
+
+/// Neighbouring modes, whose squares are added up.
+struct ModeGroup {
+  double modes = 0;    ///< how many
+  double squares = 0;  ///< sum of their squared coefficients
+  double walk = 0;     ///< what a random walk adds to each, divided by what it adds to c₁²
+};
+
+/// Each of the slowest modes by itself, all faster ones together.
+std::vector<ModeGroup> mode_groups(Modes modes, std::size_t blocks) {
+  constexpr std::size_t by_itself = 12;
+  std::vector<ModeGroup> groups;
+  while (groups.size() < by_itself && modes.degree() < blocks) {
+    const double walk = walk_power(static_cast<double>(modes.degree())) / walk_power(1);
+    groups.push_back({1, std::pow(modes.next(), 2), walk});
+  }
+  if (modes.degree() == blocks) return groups;
+  const auto first = static_cast<double>(modes.degree()), end = static_cast<double>(blocks);
+  const double walk = (walk_from(first) - walk_from(end)) / (end - first) / walk_power(1);
+  groups.push_back({end - first, (end - first) * modes.above(0), walk});
+  return groups;
+}
+
+/// The prior: variance that the walk adds to the slope, divided by that of white noise; all values
+/// are equally probable.
+constexpr std::array walk_strengths{0.0,   1.0,    3.0,    10.0,    30.0,   100.0,
+                                    300.0, 1000.0, 3000.0, 10000.0, 30000.0};
+
+/// Σ c_k²/(1 + strength g_k): the modes, brought to the variance of white noise.
+double scaled_squares(const std::vector<ModeGroup>& groups, double strength) {
+  double sum = 0;
+  for (const ModeGroup& g : groups) sum += g.squares / (1 + strength * g.walk);
+  return sum;
 }
 
 }  // namespace
@@ -156,30 +233,45 @@ std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks) {
 }
 
 Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity, double walk) {
-  std::vector<double> weights, times, values;
-  double samples = 0;
-  for (const auto& [weight, sum] : blocks.blocks()) {
-    samples += weight;
-    weights.push_back(weight);
-    times.push_back(sum[time] / weight);
-    values.push_back(sum[quantity] / weight);
-  }
-  const auto count = static_cast<double>(weights.size());
-  if (count < 2) return {};
-  const double length = (times.back() - times.front()) * count / (count - 1);
-  Modes modes(std::move(weights), std::move(times), std::move(values));
-  modes.next();  // the mean
-  const double spread = modes.spread();
-  Drift drift{{modes.next() / spread, 0}};
-  if (count < min_samples) return drift;
-  const Noise found = noise(std::move(modes), walk * length * samples);
+  Slope slope(blocks, time, quantity);
+  Drift drift{{slope.rate, 0}};
+  if (slope.blocks < min_samples) return drift;
+  const Noise found = noise(std::move(slope.modes), walk * slope.length * slope.samples);
   drift.known = found.known;
   if (found.known != Known::yes) return drift;
   // A walk of variance D t has a slope of variance 6 D/(5 T), known without statistical error.
-  const double walks = walk * length * samples / 10;
-  drift.rate.error = std::sqrt(found.variance + walks) / spread;
+  const double walks = walk * slope.length * slope.samples * walk_power(1);
+  drift.rate.error = std::sqrt(found.variance + walks) / slope.spread;
   drift.chance = chance(
       drift.rate, found.degrees_of_freedom * std::pow((found.variance + walks) / found.all, 2));
+  return drift;
+}
+
+Drift series_drift_over_walk(const BlockMeans& blocks, std::size_t time, std::size_t quantity) {
+  Slope slope(blocks, time, quantity);
+  Drift drift{{slope.rate, 0}};
+  if (slope.blocks < min_samples) return drift;
+  drift.known = Known::yes;
+  const std::vector<ModeGroup> groups = mode_groups(std::move(slope.modes), slope.blocks);
+  const double fit =
+      std::log(std::max(scaled_squares(groups, 0), std::numeric_limits<double>::min()));
+  double sum = 0, variance = 0, chances = 0;
+  for (const double strength : walk_strengths) {
+    double modes = 0, log_likelihood = 0;
+    const double squares = scaled_squares(groups, strength);
+    for (const ModeGroup& g : groups) {
+      modes += g.modes;
+      log_likelihood -= g.modes * std::log(1 + strength * g.walk) / 2;
+    }
+    if (squares > 0) log_likelihood -= modes * (std::log(squares) - fit) / 2;
+    const double weight = std::exp(log_likelihood);
+    const double c1_squared = (1 + strength) * squares / modes;
+    sum += weight;
+    variance += weight * c1_squared * modes / (modes - 2);
+    chances += weight * chance({slope.rate, std::sqrt(c1_squared) / slope.spread}, modes);
+  }
+  drift.rate.error = std::sqrt(variance / sum) / slope.spread;
+  drift.chance = chances / sum;
   return drift;
 }
 

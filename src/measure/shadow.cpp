@@ -44,15 +44,11 @@ double ShadowStatistics::fluctuation() const {
   return std::sqrt(std::max(0.0, mean[2] - mean[1] * mean[1]));
 }
 
-Drift ShadowStatistics::drift(double walk) const {
-  return series_drift(blocks.means(), 0, 1, walk);
-}
+Drift ShadowStatistics::drift() const { return series_drift_over_walk(blocks.means(), 0, 1); }
 
-std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw,
-                                            double walk) {
+std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw) {
   if (statistics.samples < 3) return std::nullopt;
-  ShadowSummary s{statistics.samples, statistics.fluctuation(), statistics.drift(walk),
-                  std::nullopt};
+  ShadowSummary s{statistics.samples, statistics.fluctuation(), statistics.drift(), std::nullopt};
   if (raw.known == Known::yes && s.drift.known == Known::yes && s.drift.rate.error > 0)
     s.sooner = std::pow(raw.rate.error / s.drift.rate.error, 2.0 / 3);
   return s;

@@ -29,7 +29,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
                       double_walk(energies.first, settings.step);
   s.walk_known = system.forces.precision == Precision::full || noise.power > 0;
   s.drift = energies.drift(walk);
-  s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift, walk);
+  s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
   if (s.potential_fluctuation > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /
                  s.potential_fluctuation;

@@ -39,9 +39,10 @@ class Series {
 struct Settings {
   double rho = 0, omega = 0;
   int length = 1000;
-  double drift = 0;        ///< per sample
-  double walk = 0;         ///< rms step
-  bool walk_known = true;  ///< to the test for drift
+  double drift = 0;  ///< per sample
+  double walk = 0;   ///< rms step
+  /// What the test for drift is told of the walk.
+  enum class Walk { known, ignored, unknown_strength } told = Walk::known;
 };
 
 /// What the estimates say of many series.
@@ -52,6 +53,18 @@ struct Calibration {
   double ratio = 0;           ///< rms stated error of the mean over the rms of the mean
   double spread = 0;          ///< the same of the slope
 };
+
+Drift drift_of(const BlockMeans& blocks, const Settings& s) {
+  switch (s.told) {
+    case Settings::Walk::known:
+      return series_drift(blocks, 0, 1, s.walk * s.walk);
+    case Settings::Walk::ignored:
+      return series_drift(blocks, 0, 1);
+    case Settings::Walk::unknown_strength:
+      return series_drift_over_walk(blocks, 0, 1);
+  }
+  return {};
+}
 
 Calibration calibrated(const Settings& s) {
   Calibration c;
@@ -64,7 +77,7 @@ Calibration calibrated(const Settings& s) {
       blocks.add(std::array{double(t), series.next() + s.drift * t + walked});
       if (s.walk > 0) walked += s.walk * series.normal();
     }
-    const Drift drift = series_drift(blocks.means(), 0, 1, s.walk_known ? s.walk * s.walk : 0);
+    const Drift drift = drift_of(blocks.means(), s);
     if (drift.known == Known::yes) {
       c.told += 1.0 / Calibration::series;
       slopes += drift.rate.value * drift.rate.value;
@@ -158,6 +171,26 @@ TEST_CASE("a random walk is no drift") {
     CHECK(known.at_1 < 2 * 0.01);
   }
   const Calibration unknown =
-      calibrated({.rho = std::exp(-1.0 / 8), .walk = 0.3, .walk_known = false});
+      calibrated({.rho = std::exp(-1.0 / 8), .walk = 0.3, .told = Settings::Walk::ignored});
   CHECK(unknown.at_1 > 2 * 0.01);
+}
+
+// A walk of unknown strength, as of shadow energies. White noise of variance 1 on n samples gives
+// c₁ the variance 1, a walk of rms step s gives it s² n²/10: here 10 to 10⁵ times as much.
+TEST_CASE("a random walk of unknown strength is no drift") {
+  for (const double step : {0.01, 0.03, 0.1, 1.0}) {
+    const Calibration c = calibrated({.walk = step, .told = Settings::Walk::unknown_strength});
+    INFO("step " << step << ": " << c.at_5 << ", " << c.at_1 << ", error over scatter "
+                 << c.spread);
+    CHECK(c.told == doctest::Approx(1));
+    CHECK(c.at_5 > 0.3 * 0.05);
+    CHECK(c.at_5 < 2 * 0.05);
+    CHECK(c.at_1 < 2 * 0.01);
+    CHECK(c.spread > 0.9);
+    CHECK(c.spread < 1.6);
+  }
+  // Where there is no walk the test is cautious, but it sees a drift of 16 errors of white noise.
+  const double error = std::sqrt(12) / std::pow(1000, 1.5);
+  CHECK(calibrated({.told = Settings::Walk::unknown_strength}).at_5 < 0.05);
+  CHECK(calibrated({.drift = 16 * error, .told = Settings::Walk::unknown_strength}).at_1 > 0.9);
 }

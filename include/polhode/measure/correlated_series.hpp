@@ -59,4 +59,9 @@ std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks);
 Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity,
                    double walk = 0);
 
+/// The same for a quantity that performs a random walk of unknown strength under white noise, as
+/// the shadow energy does: the strength is averaged over its posterior probability, given all
+/// modes above the slope (docs/statistics.md).
+Drift series_drift_over_walk(const BlockMeans& blocks, std::size_t time, std::size_t quantity);
+
 }  // namespace polhode

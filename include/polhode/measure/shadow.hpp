@@ -46,8 +46,9 @@ struct ShadowStatistics {
   void add(double time, double shadow);
   double fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
   /// [kJ/mol/ps]
-  /// @param walk  variance per time of the random walk that rounding drives [(kJ/mol)²/ps]
-  Drift drift(double walk = 0) const;
+  /// Tested against a random walk of unknown strength: that of rounding, and that of the remaining
+  /// discontinuities of the forces (docs/statistics.md).
+  Drift drift() const;
 };
 
 /// A trajectory by its shadow energy.
@@ -63,8 +64,6 @@ struct ShadowSummary {
 
 /// Nothing if there are fewer than three samples.
 /// @param raw   the drift of the energy over the same time
-/// @param walk  variance per time of the random walk that rounding drives [(kJ/mol)²/ps]
-std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw,
-                                            double walk = 0);
+std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw);
 
 }  // namespace polhode
