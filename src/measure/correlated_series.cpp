@@ -212,7 +212,7 @@ SeriesEstimate series_estimate(const BlockMeans& blocks,
     largest = std::max(largest, std::abs(influences.back()));
     time += weight;
   }
-  constexpr double rounding = 1e-12;  // of sums of some thousand equal numbers, over each of them
+  constexpr double rounding = 1e-12;  // of sums of a few thousand equal numbers, relative
   if (largest <= rounding * std::abs(result.value)) return {result.value, 0, Known::yes};
   Modes modes(std::move(weights), std::move(times), std::move(influences));
   modes.next();  // the mean

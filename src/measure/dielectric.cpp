@@ -56,7 +56,7 @@ TotalDipole::Result TotalDipole::result(double temperature, double surrounding) 
       means, [&](std::span<const double> mean) { return variance(mean) / squares_; });
   const std::vector<double> mean = means.mean();
   result.mean_over_rms = norm(Vec3<double>{mean[Mx], mean[My], mean[Mz]}) / std::sqrt(mean[M2]);
-  constexpr double at_rest = 0.1;  // of ⟨M²⟩, is ⟨M⟩² once the run is long enough
+  constexpr double at_rest = 0.1;  // of ⟨M²⟩: the limit for ⟨M⟩² in a sufficiently long run
   if (result.mean_over_rms * result.mean_over_rms > at_rest)
     for (SeriesEstimate* const e : {&result.constant, &result.kirkwood})
       if (e->known == Known::yes) *e = {e->value, 0, Known::too_short};

@@ -93,13 +93,13 @@ Vec3<double> wrapped(const Vec3<double>& r, const Vec3<double>& edge) {
           r.z - edge.z * std::floor(r.z / edge.z)};
 }
 
-// Bins that a cubic is fitted to.
+// The bins to which a cubic is fitted.
 struct Bins {
   std::ptrdiff_t low, high;
 };
 
-// g as means over the bins within 1.5 % of the distance on either side: where peaks are looked for,
-// noise of single bins must not decide.
+// g averaged over the bins within 1.5 % of the distance on either side, so that the noise of single
+// bins does not affect the search for peaks.
 std::vector<double> smoothed(std::span<const double> g) {
   constexpr double part = 0.015;
   std::vector<double> smooth(g.size());
@@ -111,8 +111,8 @@ std::vector<double> smoothed(std::span<const double> g) {
   return smooth;
 }
 
-// The bin of the first peak: from where g first comes near its largest value to where it has fallen
-// to half of the peak; a second peak may be as high.
+// The bin of the first peak, between where g first comes near its largest value and where it has
+// fallen to half of the peak, because a second peak may be as high.
 std::ptrdiff_t first_summit(std::span<const double> g) {
   constexpr double near = 0.75, fallen = 0.5;
   const double largest = *std::max_element(g.begin(), g.end());
@@ -122,7 +122,7 @@ std::ptrdiff_t first_summit(std::span<const double> g) {
   return top - g.begin();
 }
 
-// Bins about a summit in which g is above 0.9 of it; five at least.
+// Bins around a maximum in which g is above 0.9 of it; at least five.
 Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double share = 0.9;
   const auto at = [&](std::ptrdiff_t k) { return g[static_cast<std::size_t>(k)]; };
@@ -134,8 +134,8 @@ Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
           std::min(last, std::max(high, top + 2))};
 }
 
-// Bins about the lowest g between a summit and 1.6 times its distance: a tenth of that on each
-// side.
+// Bins around the smallest g between a maximum and 1.6 times its distance: a tenth of that distance
+// on each side.
 Bins about_minimum(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double reach = 1.6, part = 0.1;
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
@@ -149,7 +149,7 @@ struct Extremum {
   double place, height;  // in bins from the middle of bin 0; [1]
 };
 
-// The maximum of the cubic of least squares through `sign` times g in some bins.
+// The maximum of the least-squares cubic through `sign` times g in a range of bins.
 Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   const Eigen::Index points = bins.high - bins.low + 1, powers = std::min<Eigen::Index>(points, 4);
   const double middle = static_cast<double>(bins.low + bins.high) / 2,
@@ -164,8 +164,8 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   Eigen::Vector4d c = Eigen::Vector4d::Zero();
   c.head(powers) = matrix.colPivHouseholderQr().solve(right);
   const auto value = [&](double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); };
-  // Where the slope vanishes, with the sign of the root that makes it a maximum. An end only where
-  // there is no such place: ends may be higher by noise alone.
+  // Where the slope is zero, with the sign of the root that makes it a maximum. An end of the range
+  // only if there is no such point, because noise alone can make an end higher.
   const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
   const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
   const double end = value(-half) > value(half) ? -half : half;
@@ -354,11 +354,11 @@ double RadialDistribution::neighbours_within(std::size_t pair, double bins,
 std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size_t pair) const {
   const BlockMeans means = blocks_.means();
   const std::vector<double> g = smoothed(curve(pair, means.mean()));
-  // Not a number throughout where no two molecules have such sites.
+  // Not a number in all bins if no two molecules have such sites.
   if (g.size() < 2 || !(*std::max_element(g.begin(), g.end()) > 0)) return std::nullopt;
   const std::ptrdiff_t summit = first_summit(g);
   if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
-  // The same bins with and without a block: else the cubic would jump where a bin comes in.
+  // The same bins with and without a block: otherwise the cubic would jump when a bin is added.
   const Bins top = about_summit(g, summit), shell = about_minimum(g, summit);
   const auto peak = [&](auto mean) { return maximum(curve(pair, mean), top, 1); };
   const auto minimum = [&](auto mean) { return maximum(curve(pair, mean), shell, -1).place; };

@@ -10,7 +10,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t most_groups = 32;
-constexpr std::size_t chunks_per_window = 4;  // more cost transforms, fewer leave too few blocks
+constexpr std::size_t chunks_per_window = 4;  // more need more transforms, fewer give few blocks
 
 using Waves = Column<std::complex<double>>;
 
@@ -147,7 +147,7 @@ BlockMeans TimeCorrelation::means(std::size_t k, Workers& workers) {
   const std::size_t lags = std::min({lags_, frames_ / 2 + 1, frames_});
   const BlockMeans raw = blocks_[k].means();
   std::vector<double> mean(lags), per_frame(lags);
-  const std::vector<double> total = raw.mean();  // sums and numbers of products, over frames
+  const std::vector<double> total = raw.mean();  // sums and numbers of products, per frame
   for (std::size_t lag = 0; lag < lags; ++lag) {
     per_frame[lag] = total[lags_ + lag];
     mean[lag] = total[lag] / per_frame[lag];

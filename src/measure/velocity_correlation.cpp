@@ -67,7 +67,7 @@ BlockMeans running_integral(const BlockMeans& correlation, double interval) {
   return BlockMeans(std::move(blocks));
 }
 
-// A block deviates from the mean by what it changes of it to first order.
+// A block deviates from the mean by its contribution to first order.
 BlockMeans normalized(const BlockMeans& correlation) {
   const std::vector<double> C = correlation.mean();
   if (C.empty() || C.front() == 0) return correlation;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts from outside (names of files, sites, molecules), made safe for a terminal, or refused where
-// they name something.
+// Texts from outside (names of files, sites, molecules): escaped for the terminal, or refused as
+// names.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@
 namespace polhode {
 
 /// The text with every control character (C0, DEL, C1) and every byte that is not UTF-8 as \xNN, so
-/// that a terminal shows it and obeys nothing in it.
+/// that a terminal displays it and executes nothing in it.
 std::string printable(std::string_view text);
 
-/// Refuses a name that is not printable as it is: names end up in scripts, tables and terminals.
-/// @param what  it names: "the output"
-/// @throws Error  with the name and its first such byte
+/// Refuses a name with such bytes, because names appear in scripts, tables and terminals.
+/// @param what  has the name: "the output"
+/// @throws Error  with the name and the first of these bytes
 void check_name(std::string_view what, std::string_view name);
 
 }  // namespace polhode

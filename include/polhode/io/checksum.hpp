@@ -18,9 +18,9 @@ std::uint64_t crc64(const void* bytes, std::size_t count, std::uint64_t before =
 std::uint64_t file_crc64(const std::string& path, std::uint64_t from, std::uint64_t to,
                          std::uint64_t before = 0);
 
-/// Refuses a file of which the bytes from an offset to another have not the checksum that they had
-/// when a checkpoint was written.
-/// @throws Error  which says so, also if the file is missing or shorter
+/// Refuses a file if the checksum of its bytes from one offset to another is not what it was when a
+/// checkpoint was written.
+/// @throws Error  also if the file is missing or shorter
 void check_crc64(const std::string& path, std::uint64_t from, std::uint64_t to,
                  std::uint64_t expected);
 

@@ -11,8 +11,8 @@ namespace polhode {
 /// The folder of a file; "." for a bare name.
 std::filesystem::path folder_of(const std::string& path);
 
-/// Refuses a name of a file whose folder is not there or takes no new files.
-/// @throws Error  which says so
+/// Refuses a file name whose folder does not exist or cannot be written to.
+/// @throws Error  in both cases
 void check_folder(const std::string& path);
 
 /// Waits until the disk holds what was written to a file.
@@ -22,8 +22,8 @@ void sync_file(const std::string& path);
 /// Waits until the disk holds the name of a file, too. Folders that cannot do this are let be.
 void sync_folder(const std::string& path);
 
-/// Refuses a file that is missing or shorter than it was once.
-/// @throws Error  which says so
+/// Refuses a file that is missing or shorter than it was.
+/// @throws Error  in both cases
 void check_length(const std::string& path, std::uint64_t bytes);
 
 /// Cuts off what follows the first bytes of a file.

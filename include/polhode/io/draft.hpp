@@ -1,28 +1,28 @@
 // SPDX-License-Identifier: MIT
-// Files that are there whole or not at all.
+// Files that exist either completely or not at all.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-/// A file that takes its name when it is complete. Until then it has no name, or, where the file
-/// system knows only named files or the name must tell the format, one that no other file has. If
-/// it is never completed it is gone; nothing of anybody else's is overwritten or removed.
+/// A file that gets its name when it is complete. Until then it has no name, or a unique one if the
+/// file system supports only named files or if the name must show the format. If it is never
+/// completed it disappears; no other file is overwritten or removed.
 class Draft {
  public:
   enum class Name { none, unique };
 
-  /// @throws Error  if no file can be created in the folder of `path`
+  /// @throws Error  if no file can be created next to `path`
   explicit Draft(const std::string& path, Name name = Name::none);
   ~Draft();
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
 
-  /// By which it is opened to be written.
+  /// The path under which it is opened for writing.
   const std::string& path() const { return draft_; }
   /// Syncs it to disk and gives it its name.
-  /// @param keep  name that what was there takes; without it, it is lost
+  /// @param keep  new name for an existing file; if empty, that file is replaced
   /// @throws RunError  if that cannot be done
   void finish(const std::string& keep = {});
 

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
-// A lock that keeps the files of a run or a study to one process.
+// A lock that reserves the files of a run or a study for one process.
 #pragma once
 
 #include <string>
 
 namespace polhode {
 
-/// Holds a file for this process alone by flock(2): the system releases it when the process ends,
-/// in whatever way, and NFS passes it on to other computers. The file names the holder, and is
-/// removed with the lock; one that a killed process left behind holds nothing.
+/// Locks a file for this process by flock(2): the system releases it when the process ends, for
+/// whatever reason, and NFS passes it on to other computers. The file names the process that holds
+/// the lock and is removed with it; one that a killed process left behind locks nothing.
 class FileLock {
  public:
-  /// @throws Error  with process, host and time of who holds the file, if another process does; if
-  ///                it holds what is no lock's text, or cannot be written
+  /// @throws Error  if another process holds the lock, with that process, its host and the time; if
+  ///                the file contains anything but the text of a lock, or cannot be written
   explicit FileLock(std::string path);
   ~FileLock();
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  /// False where the file system has no locks.
+  /// False if the file system does not support locks.
   bool is_held() const { return held_; }
 
  private:

@@ -46,7 +46,7 @@ std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view form
 struct FileMark {
   std::uint64_t frames = 0;
   std::uint64_t bytes = 0;  ///< length of the file; 0 where the format does not count in bytes
-  /// CRC-64 of what the file holds until there, but for what changes with each frame.
+  /// CRC-64 of the file up to there, without the bytes that change with each frame.
   std::uint64_t checksum = 0;
 };
 
@@ -86,11 +86,11 @@ struct FrameChoice {
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
                                            const FrameChoice& choice = {});
 
-/// Refuses a file that does not hold until a mark what it held then; it is read as a whole.
-/// @throws Error  which says so
+/// Refuses a file whose contents up to a mark have changed since then; all of it is read.
+/// @throws Error  if they have changed
 void check_frames(const std::string& path, const FileMark& mark);
 
-/// Continues a file after the frames of a mark; what was written later is truncated.
+/// Resumes a file after the frames of a mark; what was written later is removed.
 /// @throws Error  if the file is shorter than the mark
 std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
                                              const FileMark& mark, const FrameChoice& choice = {});

@@ -12,9 +12,9 @@
 
 namespace polhode {
 
-/// Runs gnuplot on a script in the script's folder, without a shell, the user's settings and input.
-/// False, with a warning that says why and what to do, if gnuplot is not installed, does not like
-/// the script, or takes longer than the limit (whole seconds), when it is ended.
+/// Runs gnuplot on a script in the script's folder, without a shell, the user's settings or input.
+/// False, with a warning that says why and what to do, if gnuplot is not installed, refuses the
+/// script, or takes longer than the limit (whole seconds) and is terminated.
 bool run_gnuplot(const std::string& script, std::ostream& warnings,
                  std::chrono::seconds limit = std::chrono::seconds(60));
 

@@ -48,7 +48,7 @@ struct Table {
 /// written as an empty field.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
-/// Where a growing table stands.
+/// Position at the end of a growing table.
 struct TableMark {
   std::uint64_t bytes = 0;     ///< length of the file
   std::uint64_t checksum = 0;  ///< CRC-64 of them
@@ -61,13 +61,13 @@ class GrowingTable {
   /// @throws Error  if it cannot be written
   GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
                const Provenance& provenance);
-  /// Continues a file after a mark; what follows it is truncated.
+  /// Resumes a file after a mark; what follows it is removed.
   /// @throws Error  if the file is shorter, or cannot be written
   GrowingTable(const std::string& path, const TableMark& mark);
 
   /// @throws RunError  if the row cannot be written completely
   void add(std::span<const double> row);
-  /// Syncs all rows to disk and returns the position in the file.
+  /// Syncs all rows to disk and returns the end of the file.
   /// @throws RunError  as add()
   TableMark mark();
 

@@ -43,7 +43,9 @@ inline constexpr std::size_t min_samples = 12;
 Drift drift_of_series(std::span<const double> rates);
 
 /// A statistic computed from the means of all quantities, with its standard error: the influences
-/// of the blocks on it are a series, whose slowest modes give the variance of its mean.
+/// of the blocks on it are a series, whose slowest modes give the variance of its mean. The error
+/// of a statistic that is constant to rounding is 0; there is no error if the statistic is
+/// undefined when one of the blocks is left out.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
 

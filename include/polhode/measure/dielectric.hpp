@@ -32,8 +32,8 @@ class TotalDipole {
 
   /// With g = (⟨M²⟩ − ⟨M⟩²)/(3 ε₀ V k_B T), (ε − 1)(2 ε' + 1)/(2 ε' + ε) = g for surroundings of
   /// permittivity ε': ε = 1 + g for tin foil; for a reaction field, ε' is that of the field
-  /// [neumann1983]. ⟨M⟩² is about ⟨M²⟩ over the number of independent values of M: above a tenth of
-  /// ⟨M²⟩ no error is stated.
+  /// [neumann1983]. ⟨M⟩² is about ⟨M²⟩ divided by the number of independent values of M: above a
+  /// tenth of ⟨M²⟩ no error is given.
   Result result(double temperature, double surrounding) const;
 
  private:

@@ -32,8 +32,8 @@ class Unwrapped {
 /// apart reliably: displacements are random, and those above half an edge are misassigned.
 inline constexpr double safe_step = 0.25;
 
-/// Displacements relative to the centre of mass of all bodies: the motion of the whole is no
-/// diffusion. With vanishing total momentum the centre of mass rests, and nothing is subtracted.
+/// Displacements relative to the centre of mass of all bodies, because a common motion is not
+/// diffusion. With zero total momentum the centre of mass is at rest, and nothing is subtracted.
 class Displacement {
  public:
   Displacement(const Topology& topology, std::size_t lags);
@@ -58,7 +58,7 @@ struct FitWindow {
 
 /// D = slope/6 of the mean-square displacement [nm²/ps], by a least-squares line through the lags
 /// within the window (Einstein relation; allen2017, section 2.7). NaN if there are fewer than two.
-/// No error is stated for runs shorter than eight times the longest lag.
+/// No error is given for runs shorter than eight times the longest lag.
 /// @param interval  between lags [ps]
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);

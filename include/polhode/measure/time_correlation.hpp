@@ -45,7 +45,8 @@ class TimeCorrelation {
 
   /// The mean of the k-th product at each lag over all frames so far, in blocks of time. Lags are
   /// limited to half of the frames, so that at least half of the frames serve as origins. The mean
-  /// of all blocks is that of all products; a block deviates from it by what its products change.
+  /// of all blocks is that of all products; a block deviates from it by the contribution of its
+  /// products.
   BlockMeans means(std::size_t k, Workers& workers = Workers::serial());
 
  private:

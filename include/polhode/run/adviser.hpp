@@ -43,7 +43,7 @@ struct Advice {
   std::optional<std::size_t> runner_up;  ///< the cheapest of the others, as expected
   AdviserPoint confirmation;             ///< independent runs of the best one
   std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm
-  /// Runs that left so much room that a longer step was tried in their place.
+  /// Runs that met the requirement with such a margin that a longer step was tried instead.
   std::vector<std::pair<std::size_t, AdviserPoint>> surpassed;
   bool stopped = false;
 };

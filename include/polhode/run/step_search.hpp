@@ -46,16 +46,16 @@ struct FoundStep {
 };
 FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// Of what was asked: a step whose bound is below the first of them is longer than it need be by a
-/// tenth and more at second order, and is lengthened to where the bound would be the second.
+/// Relative to the required value: a step whose bound is below `most_caution` is shorter than
+/// necessary, by a tenth or more at second order, and is lengthened until the bound would be `aim`.
 inline constexpr double most_caution = 0.8, aim = 0.9;
 
-/// A longer step in place of one whose runs kept the bound with room to spare, by R ∝ h^exponent
-/// and at most 1.25 times as long; no further than half of the way to where a step is known to be
-/// too long. Nothing where there is less than `most_caution` to gain from, or the gain is below 2
-/// %.
-/// @param reached   the bound of the runs over what was asked
-/// @param too_long  the shortest step known not to do; infinite if none is [ps]
+/// A longer step instead of one whose runs met the requirement with a wide margin, by
+/// R ∝ h^exponent, at most 1.25 times as long and at most half of the way, on a logarithmic scale,
+/// to a step that is known to be too long. Nothing if the ratio reached is at least `most_caution`,
+/// or if the gain is below 2 %.
+/// @param reached   the bound of the runs divided by the required value
+/// @param too_long  the shortest step known to be too long; infinite if none is [ps]
 std::optional<double> lengthened(double step, double reached, double exponent, double too_long);
 
 /// The next shorter step with three significant digits.
