@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Calibration of the errors of `polhode analyze`. Long runs at constant energy are divided into segments of equal length,
-each is analysed alone, and the reported errors are compared with the scatter of the segments about the mean of their run.
-Runs differ in energy and therefore in temperature, which a single segment cannot show."""
+"""Are the errors that `polhode analyze` states those that values have? Long runs at constant energy are cut into pieces
+of equal length, each is analysed alone, and the errors stated are compared with the scatter of the pieces about the mean
+of their own run: runs differ in energy, and so in temperature, which no piece can know."""
 
 import argparse
 import json
@@ -58,7 +58,7 @@ SYSTEMS = (System("64 TIP4P", "tip4p", 64, "0.997 g/cm3", 300, FIELD, 0.6, 4, 10
 
 
 def made(o, system, seed):
-    """The trajectory of one run, which is made unless it is in the folder."""
+    """The trajectory of one run, made or from the folder."""
     name = f"{system.model}-{system.count}-{seed}"
     path = o.folder / f"{name}-trajectory.trr"
     if not path.exists():
@@ -70,7 +70,7 @@ def made(o, system, seed):
 
 
 def frame_bytes(data):
-    """Bytes of a TRR frame, the same for all frames of a run."""
+    """Bytes of a TRR frame; all are alike in a file of one run."""
     length = struct.unpack(">3i", data[:12])[2]
     at = 12 + (length + 3) // 4 * 4
     sizes = struct.unpack(">13i", data[at : at + 52])  # ten sizes of blocks, atoms, step, nre; then two reals
@@ -78,7 +78,7 @@ def frame_bytes(data):
 
 
 def pieces(o, path, system, length):
-    """{quantity: (value, error or None)} of each segment of a run, stored next to it."""
+    """{quantity: (value, error or None)} of each piece of a run, stored in the same folder."""
     kept = path.with_name(f"{path.stem}-{length:g}-{o.window:g}.json")
     if not kept.exists():
         data, found = path.read_bytes(), []
@@ -123,8 +123,8 @@ def quantities(said):
 
 
 def compared(runs, name):
-    """(pieces, fraction with an error, scatter, rms and mean reported error divided by the scatter) of a quantity; only
-    segments with an error count for the last three."""
+    """(pieces, fraction with an error, scatter, rms and mean stated error over the scatter) of a quantity; only pieces
+    with an error count for the last three."""
     squares = freedom = told = every = 0
     stated = []
     for run in runs:

@@ -25,19 +25,6 @@ Outcome outcome(const System& system, const Trajectory& trajectory) {
   return run;
 }
 
-Estimate ratio_over(double length, std::span<const Energies> samples) {
-  const double whole = samples.back().time - samples.front().time;
-  const auto stretches = static_cast<std::size_t>(whole / length * (1 + 1e-9));
-  if (stretches < 2) return fluctuation_ratio_with_error(samples);
-  std::vector<double> ratios;
-  for (std::size_t k = 0; k < stretches; ++k) {
-    const std::size_t first = samples.size() * k / stretches,
-                      end = samples.size() * (k + 1) / stretches;
-    ratios.push_back(fluctuation_ratio(samples.subspan(first, end - first)));
-  }
-  return mean(ratios);
-}
-
 bool blew_up(const std::vector<Outcome>& runs) {
   return std::any_of(runs.begin(), runs.end(), [](auto& run) { return !run.failure.empty(); });
 }

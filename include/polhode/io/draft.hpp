@@ -13,7 +13,7 @@ class Draft {
  public:
   enum class Name { none, unique };
 
-  /// @throws Error  if no file can be created in the folder of `path`
+  /// @throws Error  if no file can be created next to `path`
   explicit Draft(const std::string& path, Name name = Name::none);
   ~Draft();
   Draft(const Draft&) = delete;

@@ -5,7 +5,6 @@
 
 #include <array>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -29,12 +28,6 @@ struct Outcome {
 };
 
 Outcome outcome(const System& system, const Trajectory& trajectory);
-
-/// R over stretches of that length [ps], to which an accuracy guarantee applies: of each stretch of
-/// a run, the rms fluctuation of the total energy over that of the potential energy; the mean over
-/// stretches with its standard error. For a run that is not two stretches long it is R of the
-/// whole.
-Estimate ratio_over(double length, std::span<const Energies> samples);
 
 enum class Quality {
   ratio,            ///< R of a run [1]
