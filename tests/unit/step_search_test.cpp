@@ -13,7 +13,7 @@ using namespace polhode;
 namespace {
 
 // A scheme whose R is known: a hᵖ, up to `end` [fs], and never below `floor`.
-struct Known {
+struct KnownLaw {
   double a;
   int order;
   double end = 1e9, floor = 0;
@@ -21,7 +21,7 @@ struct Known {
 };
 
 // Six runs that scatter by 4 %.
-AdviserPoint measured(const Known& scheme, const StepSearch& search, double step,
+AdviserPoint measured(const KnownLaw& scheme, const StepSearch& search, double step,
                       std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   AdviserPoint point{step, 1, std::vector<Outcome>(6), 0, true};
@@ -35,7 +35,7 @@ AdviserPoint measured(const Known& scheme, const StepSearch& search, double step
   return point;
 }
 
-std::vector<AdviserPoint> searched(const Known& scheme, const StepSearch& search) {
+std::vector<AdviserPoint> searched(const KnownLaw& scheme, const StepSearch& search) {
   std::mt19937_64 random(2);
   std::vector<AdviserPoint> points;
   while (const auto step = next_step(search, points)) {
@@ -56,7 +56,7 @@ std::vector<AdviserPoint> searched(const Known& scheme, const StepSearch& search
 // √(7/6) = 11 % above the mean, give or take half as much for the error of s: the step is 3 to 9 %
 // shorter.
 TEST_CASE("the step is the one whose bound is the R asked for") {
-  const Known scheme{5e-4, 2};
+  const KnownLaw scheme{5e-4, 2};
   const StepSearch search{{Quality::ratio, 0.005}, 2, 0.001};
   const FoundStep found = found_step(search, searched(scheme, search));
   CHECK(found.step > 0.91 * std::sqrt(10) / 1000);
@@ -64,7 +64,7 @@ TEST_CASE("the step is the one whose bound is the R asked for") {
 }
 
 TEST_CASE("a first step that is far too long or too short does not matter") {
-  const Known scheme{5e-4, 2};
+  const KnownLaw scheme{5e-4, 2};
   for (const double first : {0.0001, 0.02}) {
     const StepSearch search{{Quality::ratio, 0.005}, 2, first};
     const FoundStep found = found_step(search, searched(scheme, search));
@@ -75,7 +75,7 @@ TEST_CASE("a first step that is far too long or too short does not matter") {
 
 // Fourth order ends at 5 fs, where R is 0.06 %: for 1 % the longest steps that run are the answer.
 TEST_CASE("where stability ends first, the step lies before its end") {
-  const Known scheme{1e-6, 4, 5};
+  const KnownLaw scheme{1e-6, 4, 5};
   const StepSearch search{{Quality::ratio, 0.01}, 4, 0.002};
   const FoundStep found = found_step(search, searched(scheme, search));
   CHECK(found.step > 0.004);

@@ -134,7 +134,7 @@ TEST_CASE("theta functions and Carlson's integral agree however near the separat
     Vec3<double> J{b + c, c + a, a + b}, L{normal(random), normal(random), normal(random)};
     if (k % 2 == 0) {  // near the middle axis
       L = small * L;
-      const std::size_t middle = a < b == b < c ? 1 : b < a == a < c ? 0 : 2;
+      const std::size_t middle = (a < b) == (b < c) ? 1 : (b < a) == (a < c) ? 0 : 2;
       L[middle] = normal(random);
     } else {  // anywhere on the separatrix: alpha and beta differ by a rounding or not at all
       J = {12, 15, 20};
