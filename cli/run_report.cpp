@@ -130,7 +130,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
       const auto& known = s.configurational[k];
       if (!known) return std::string("-");
       return known->known == Known::yes ? fmt::format("{:.2f} ± {:.2g}", known->value, known->error)
-                                        : fmt::format("{:.2f}", known->value);
+                                        : fmt::format("{:.2f} (error not known)", known->value);
     };
     fmt::print("\nconfigurational       translation {}, rotation {}, {}, {} K", text(0), text(1),
                text(2), text(3));

@@ -105,15 +105,17 @@ double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double
   return noise.power * noise.power * step * kick_weights(scheme, lambda);
 }
 
-double double_walk(const Energies& e, double step) {
-  const double sizes = e.kinetic() + std::abs(e.lennard_jones) + std::abs(e.coulomb);
-  return std::pow(16 * 0x1p-53 * sizes, 2) / step;
+double double_drift(const Energies& e, double step) {
+  return 16 * 0x1p-53 * (e.kinetic() + std::abs(e.lennard_jones) + std::abs(e.coulomb)) / step;
 }
 
-double drift_rate(const EnergyStatistics& energies, double step, double length) {
+double double_walk(const Energies& e, double step) {
+  return std::pow(double_drift(e, step), 2) * step;
+}
+
+double drift_rate(const EnergyStatistics& energies, double step) {
   const double rate = energies.drift().rate.value;
-  const double rounding = std::sqrt(1.2 * double_walk(energies.first, step) / length);
-  return std::abs(rate) > 5 * rounding ? rate : 0;
+  return std::abs(rate) > double_drift(energies.first, step) ? rate : 0;
 }
 
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,

@@ -66,7 +66,7 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
   if (!run.stable) return run;
   const EnergyStatistics& energies = t.statistics.energies;
   run.ratio = energies.ratio();
-  run.drift = drift_rate(energies, point.step, config.study.length);
+  run.drift = drift_rate(energies, point.step);
   run.total = energies.total_fluctuation();
   run.potential = energies.potential_fluctuation();
   run.parts = energies.temperatures(freedoms(system.topology));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/summary.hpp"
 
+#include <cmath>
+
 namespace polhode {
 
 RunSummary summary(const System& system, const TrajectorySettings& settings,
@@ -29,6 +31,8 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
                       double_walk(energies.first, settings.step);
   s.walk_known = system.forces.precision == Precision::full || noise.power > 0;
   s.drift = energies.drift(walk);
+  if (std::abs(s.drift.rate.value) <= double_drift(energies.first, settings.step))
+    s.drift.chance = 1;  // no more than rounding
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
   if (s.potential_fluctuation > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /

@@ -53,9 +53,13 @@ double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double
 /// every energy, 2⁻⁵³ of its size each.
 double double_walk(const Energies& energies, double step);
 
-/// The slope of the total energy [kJ/mol/ps]: 0 where it is within five standard deviations of what
-/// rounding in double precision can make, as for molecules without interactions.
-double drift_rate(const EnergyStatistics& energies, double step, double length);
+/// The largest drift of the energy that rounding in double precision can make [kJ/mol/ps]: all of
+/// these roundings of one sign.
+double double_drift(const Energies& energies, double step);
+
+/// The slope of the total energy [kJ/mol/ps]; 0 where it does not exceed double_drift(), as for
+/// molecules without interactions.
+double drift_rate(const EnergyStatistics& energies, double step);
 
 /// The rms deviation of the total energy from its mean that rounding alone makes in a run
 /// [kJ/mol]. A walk over t has the mean variance t/6 about its own mean (t/2 about its start, less
