@@ -88,7 +88,7 @@ def pieces(o, path, system, length):
             piece.write_bytes(data[k * size : (k + 1) * size])
             done = subprocess.run(
                 [o.polhode, "analyze", piece.name, "--run", f"{path.stem.removesuffix('-trajectory')}.toml", "--window",
-                 f"{o.window:g} ps", "--reach", "0.5 nm", "--plot", "none", "--threads", "1", "--force", "--json",
+                 f"{o.window:g} ps", "--plot", "none", "--threads", "1", "--force", "--json",
                  "--output", "piece"], cwd=o.folder, check=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                 text=True)
             found.append(quantities(json.loads(done.stdout)))
