@@ -4,19 +4,54 @@
 # program, the linker might keep the copy with the wrong instructions. So each set is linked into
 # one object whose only global symbols are the project's own, with the name of the set in them.
 
+set(POLHODE_INSTRUCTION_SETS all CACHE STRING
+    "instruction sets of the kernels: all, native (that of this processor), or a list; scalar is always there")
+
+set(POLHODE_FLAGS_scalar -DHWY_COMPILE_ONLY_SCALAR)
+set(known_sets scalar)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
-  set(POLHODE_TARGET_NAMES scalar sse4 avx2 avx512)
-  set(POLHODE_FLAGS_scalar -march=x86-64 -DHWY_COMPILE_ONLY_SCALAR)
+  list(PREPEND POLHODE_FLAGS_scalar -march=x86-64)
+  list(APPEND known_sets sse4 avx2 avx512)
   set(POLHODE_FLAGS_sse4 -march=x86-64-v2)
   set(POLHODE_FLAGS_avx2 -march=x86-64-v3)
   set(POLHODE_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
-else()
-  set(POLHODE_TARGET_NAMES scalar)
-  set(POLHODE_FLAGS_scalar -DHWY_COMPILE_ONLY_SCALAR)
 endif()
 
+# The best known instruction set of the processor that compiles.
+function(polhode_native_set result)
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
+                  OUTPUT_VARIABLE macros ERROR_QUIET)
+  set(best scalar)
+  if(macros MATCHES "__SSE4_2__ 1")
+    set(best sse4)
+  endif()
+  if(macros MATCHES "__AVX2__ 1" AND macros MATCHES "__FMA__ 1")
+    set(best avx2)
+  endif()
+  if(macros MATCHES "__AVX512F__ 1" AND macros MATCHES "__AVX512BW__ 1" AND macros MATCHES "__AVX512CD__ 1" AND
+     macros MATCHES "__AVX512DQ__ 1" AND macros MATCHES "__AVX512VL__ 1")
+    set(best avx512)
+  endif()
+  set(${result} ${best} PARENT_SCOPE)
+endfunction()
+
+set(compiled_sets ${POLHODE_INSTRUCTION_SETS})
+if(compiled_sets STREQUAL "all")
+  set(compiled_sets ${known_sets})
+elseif(compiled_sets STREQUAL "native")
+  polhode_native_set(compiled_sets)
+endif()
+list(PREPEND compiled_sets scalar)
+list(REMOVE_DUPLICATES compiled_sets)
+foreach(name IN LISTS compiled_sets)
+  if(NOT name IN_LIST known_sets)
+    message(FATAL_ERROR "POLHODE_INSTRUCTION_SETS has '${name}', which is not known on ${CMAKE_SYSTEM_PROCESSOR}; "
+                        "choose all, native or a list of: ${known_sets}")
+  endif()
+endforeach()
+
 function(polhode_compile_per_target library)
-  foreach(name IN LISTS POLHODE_TARGET_NAMES)
+  foreach(name IN LISTS compiled_sets)
     set(objects ${library}_${name})
     add_library(${objects} OBJECT ${ARGN})
     target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags hwy::hwy)

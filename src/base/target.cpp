@@ -49,10 +49,16 @@ const char* name(Target target) {
 std::vector<Target> available_targets() {
   std::vector<Target> targets{Target::scalar};
 #if defined(__x86_64__)
-  const auto supported = hwy::SupportedTargets();
+  [[maybe_unused]] const auto supported = hwy::SupportedTargets();
+#if !defined(POLHODE_WITHOUT_SSE4)
   if (supported & HWY_SSE4) targets.push_back(Target::sse4);
+#endif
+#if !defined(POLHODE_WITHOUT_AVX2)
   if (supported & HWY_AVX2) targets.push_back(Target::avx2);
+#endif
+#if !defined(POLHODE_WITHOUT_AVX512)
   if (supported & HWY_AVX3) targets.push_back(Target::avx512);
+#endif
 #endif
   return targets;
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/block_means.hpp"
 
-#include <cmath>
-
 namespace polhode {
 namespace {
 
@@ -28,37 +26,6 @@ std::vector<double> BlockMeans::mean() const {
   std::vector<double> mean = total.sum;
   for (double& value : mean) value /= total.weight;
   return mean;
-}
-
-std::vector<Estimate> BlockMeans::estimates() const {
-  const std::vector<double> means = mean();
-  const auto n = static_cast<double>(blocks_.size());
-  std::vector<Estimate> result;
-  double weight = 0;
-  for (const Block& block : blocks_) weight += block.weight;
-  for (std::size_t k = 0; k < means.size(); ++k) {
-    double squares = 0;  // of the deviations of the blocks' sums from what their weights say
-    for (const Block& block : blocks_) {
-      const double off = block.sum[k] - block.weight * means[k];
-      squares += off * off;
-    }
-    result.push_back({means[k], n > 1 ? std::sqrt(squares * n / (n - 1)) / weight : 0.0});
-  }
-  return result;
-}
-
-Estimate BlockMeans::estimate(
-    const std::function<double(std::span<const double>)>& statistic) const {
-  const double value = statistic(mean());
-  if (blocks_.size() < 2) return {value, 0};
-  const Block total = sum();
-  std::vector<double> without, means(total.sum.size());
-  for (const Block& block : blocks_) {
-    for (std::size_t k = 0; k < means.size(); ++k)
-      means[k] = (total.sum[k] - block.sum[k]) / (total.weight - block.weight);
-    without.push_back(statistic(means));
-  }
-  return {value, jackknife_error(without)};
 }
 
 void TimeBlocks::add(std::span<const double> sample, double weight) {

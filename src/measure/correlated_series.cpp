@@ -174,14 +174,41 @@ std::vector<ModeGroup> mode_groups(Modes modes, std::size_t blocks) {
 
 /// The prior: variance that the walk adds to the slope, divided by that of white noise; all values
 /// are equally probable.
-constexpr std::array walk_strengths{0.0,   1.0,    3.0,    10.0,    30.0,   100.0,
-                                    300.0, 1000.0, 3000.0, 10000.0, 30000.0};
+constexpr std::array prior_strengths{0.0,   1.0,    3.0,    10.0,    30.0,   100.0,
+                                     300.0, 1000.0, 3000.0, 10000.0, 30000.0};
 
 /// Σ c_k²/(1 + strength g_k): the modes, brought to the variance of white noise.
 double scaled_squares(const std::vector<ModeGroup>& groups, double strength) {
   double sum = 0;
   for (const ModeGroup& g : groups) sum += g.squares / (1 + strength * g.walk);
   return sum;
+}
+
+/// A strength of the prior with its posterior probability.
+struct Posterior {
+  double strength = 0, probability = 0;
+  double noise = 0;  ///< variance of a mode without the walk
+  double modes = 0;  ///< that determine it
+};
+
+std::vector<Posterior> posterior(const std::vector<ModeGroup>& groups) {
+  const double fit =
+      std::log(std::max(scaled_squares(groups, 0), std::numeric_limits<double>::min()));
+  std::vector<Posterior> result;
+  double sum = 0;
+  for (const double strength : prior_strengths) {
+    double modes = 0, log_likelihood = 0;
+    const double squares = scaled_squares(groups, strength);
+    for (const ModeGroup& g : groups) {
+      modes += g.modes;
+      log_likelihood -= g.modes * std::log(1 + strength * g.walk) / 2;
+    }
+    if (squares > 0) log_likelihood -= modes * (std::log(squares) - fit) / 2;
+    result.push_back({strength, std::exp(log_likelihood), squares / modes, modes});
+    sum += result.back().probability;
+  }
+  for (Posterior& p : result) p.probability /= sum;
+  return result;
 }
 
 }  // namespace
@@ -232,18 +259,42 @@ std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks) {
   return result;
 }
 
-Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity, double walk) {
+std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t time,
+                                         std::size_t quantity) {
   Slope slope(blocks, time, quantity);
+  if (slope.blocks < min_samples) return {};
+  const double unit = slope.length * slope.samples * walk_power(1);  // c₁² of a walk of rate 1
+  std::vector<WalkStrength> walks;
+  for (const Posterior& p : posterior(mode_groups(std::move(slope.modes), slope.blocks)))
+    walks.push_back({p.probability, p.strength * p.noise / unit});
+  return walks;
+}
+
+Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity,
+                   std::span<const WalkStrength> walks) {
+  constexpr WalkStrength none{};
+  if (walks.empty()) walks = {&none, 1};
+  const Slope slope(blocks, time, quantity);
   Drift drift{{slope.rate, 0}};
   if (slope.blocks < min_samples) return drift;
-  const Noise found = noise(std::move(slope.modes), walk * slope.length * slope.samples);
-  drift.known = found.known;
-  if (found.known != Known::yes) return drift;
-  // A walk of variance D t has a slope of variance 6 D/(5 T), known without statistical error.
-  const double walks = walk * slope.length * slope.samples * walk_power(1);
-  drift.rate.error = std::sqrt(found.variance + walks) / slope.spread;
-  drift.chance = chance(
-      drift.rate, found.degrees_of_freedom * std::pow((found.variance + walks) / found.all, 2));
+  const double length = slope.length * slope.samples;
+  double known = 0, variance = 0, chances = 0;
+  for (const WalkStrength& walk : walks) {
+    const Noise found = noise(slope.modes, walk.rate * length);
+    if (found.known != Known::yes) continue;
+    // A walk of variance D t has a slope of variance 6 D/(5 T).
+    const double c1_squared = found.variance + walk.rate * length * walk_power(1);
+    known += walk.probability;
+    variance += walk.probability * c1_squared;
+    chances +=
+        walk.probability * chance({slope.rate, std::sqrt(c1_squared) / slope.spread},
+                                  found.degrees_of_freedom * std::pow(c1_squared / found.all, 2));
+  }
+  // Strengths that leave the noise unknown do not count, unless they are the more probable ones.
+  drift.known = known > 0.5 ? Known::yes : Known::too_short;
+  if (drift.known != Known::yes) return drift;
+  drift.rate.error = std::sqrt(variance / known) / slope.spread;
+  drift.chance = chances / known;
   return drift;
 }
 
@@ -252,26 +303,15 @@ Drift series_drift_over_walk(const BlockMeans& blocks, std::size_t time, std::si
   Drift drift{{slope.rate, 0}};
   if (slope.blocks < min_samples) return drift;
   drift.known = Known::yes;
-  const std::vector<ModeGroup> groups = mode_groups(std::move(slope.modes), slope.blocks);
-  const double fit =
-      std::log(std::max(scaled_squares(groups, 0), std::numeric_limits<double>::min()));
-  double sum = 0, variance = 0, chances = 0;
-  for (const double strength : walk_strengths) {
-    double modes = 0, log_likelihood = 0;
-    const double squares = scaled_squares(groups, strength);
-    for (const ModeGroup& g : groups) {
-      modes += g.modes;
-      log_likelihood -= g.modes * std::log(1 + strength * g.walk) / 2;
-    }
-    if (squares > 0) log_likelihood -= modes * (std::log(squares) - fit) / 2;
-    const double weight = std::exp(log_likelihood);
-    const double c1_squared = (1 + strength) * squares / modes;
-    sum += weight;
-    variance += weight * c1_squared * modes / (modes - 2);
-    chances += weight * chance({slope.rate, std::sqrt(c1_squared) / slope.spread}, modes);
+  double variance = 0;
+  drift.chance = 0;
+  for (const Posterior& p : posterior(mode_groups(std::move(slope.modes), slope.blocks))) {
+    const double c1_squared = (1 + p.strength) * p.noise;
+    variance += p.probability * c1_squared * p.modes / (p.modes - 2);
+    drift.chance +=
+        p.probability * chance({slope.rate, std::sqrt(c1_squared) / slope.spread}, p.modes);
   }
-  drift.rate.error = std::sqrt(variance / sum) / slope.spread;
-  drift.chance = chances / sum;
+  drift.rate.error = std::sqrt(variance) / slope.spread;
   return drift;
 }
 

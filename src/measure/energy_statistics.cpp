@@ -84,8 +84,8 @@ SeriesEstimate EnergyStatistics::pressure() const {
   return series_estimate(blocks.means(), [](auto mean) { return mean[pressure_]; });
 }
 
-Drift EnergyStatistics::drift(double walk) const {
-  return series_drift(blocks.means(), time, total_, walk);
+Drift EnergyStatistics::drift(std::span<const WalkStrength> walks) const {
+  return series_drift(blocks.means(), time, total_, walks);
 }
 
 void StretchStatistics::add(const Energies& now, const Energies& first, std::uint64_t length) {

@@ -46,6 +46,10 @@ double ShadowStatistics::fluctuation() const {
 
 Drift ShadowStatistics::drift() const { return series_drift_over_walk(blocks.means(), 0, 1); }
 
+std::vector<WalkStrength> ShadowStatistics::walks() const {
+  return walk_strengths(blocks.means(), 0, 1);
+}
+
 std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw) {
   if (statistics.samples < 3) return std::nullopt;
   ShadowSummary s{statistics.samples, statistics.fluctuation(), statistics.drift(), std::nullopt};

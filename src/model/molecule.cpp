@@ -107,10 +107,6 @@ bool has_dipole(const Molecule& molecule) { return molecule.dipole() > 1e-9; }
 
 double Molecule::dipole() const { return norm(dipole_moment(*this)); }
 
-int Molecule::rotational_freedoms() const {
-  return top == Top::atom ? 0 : top == Top::linear ? 2 : 3;
-}
-
 double Molecule::reach() const {
   double far = 0;
   for (const Site& site : sites)

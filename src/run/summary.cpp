@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/summary.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace polhode {
+namespace {
+
+/// The random walk of the energy: that of the shadow energy, where it was sampled, and no less than
+/// rounding makes it.
+std::vector<WalkStrength> walks(const ShadowStatistics& shadow, double rounding) {
+  std::vector<WalkStrength> result = shadow.walks();
+  if (result.empty()) return {{1, rounding}};
+  for (WalkStrength& walk : result) walk.rate = std::max(walk.rate, rounding);
+  return result;
+}
+
+}  // namespace
 
 RunSummary summary(const System& system, const TrajectorySettings& settings,
                    const Trajectory& trajectory, const ForceNoise& noise) {
@@ -27,10 +41,10 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.configurational = trajectory.statistics.configurational.temperatures();
   s.momentum = norm(total_momentum(system.state));
 
-  const double walk = rounding_walk(noise, scheme, settings.lambda, settings.step) +
-                      double_walk(energies.first, settings.step);
+  const double rounding = rounding_walk(noise, scheme, settings.lambda, settings.step) +
+                          double_walk(energies.first, settings.step);
   s.walk_known = system.forces.precision == Precision::full || noise.power > 0;
-  s.drift = energies.drift(walk);
+  s.drift = energies.drift(walks(trajectory.statistics.shadow, rounding));
   if (std::abs(s.drift.rate.value) <= double_drift(energies.first, settings.step))
     s.drift.chance = 1;  // no more than rounding
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);

@@ -26,20 +26,39 @@ void force_target(Target target);
 // build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares them for all
 // instruction sets, POLHODE_CURRENT_LOOPS selects the current one, and POLHODE_CURRENT_OVERLOAD
 // does so for overloaded functions, given the type of a function pointer.
+// A set that was not compiled in is another name for the scalar one, and never available.
 #if defined(__x86_64__)
-#define POLHODE_DECLARE_LOOPS(...) \
-  namespace loops_scalar {         \
-  __VA_ARGS__                      \
-  }                                \
-  namespace loops_sse4 {           \
-  __VA_ARGS__                      \
-  }                                \
-  namespace loops_avx2 {           \
-  __VA_ARGS__                      \
-  }                                \
-  namespace loops_avx512 {         \
-  __VA_ARGS__                      \
+#if defined(POLHODE_WITHOUT_SSE4)
+#define POLHODE_DECLARE_SSE4(...) namespace loops_sse4 = loops_scalar;
+#else
+#define POLHODE_DECLARE_SSE4(...) \
+  namespace loops_sse4 {          \
+  __VA_ARGS__                     \
   }
+#endif
+#if defined(POLHODE_WITHOUT_AVX2)
+#define POLHODE_DECLARE_AVX2(...) namespace loops_avx2 = loops_scalar;
+#else
+#define POLHODE_DECLARE_AVX2(...) \
+  namespace loops_avx2 {          \
+  __VA_ARGS__                     \
+  }
+#endif
+#if defined(POLHODE_WITHOUT_AVX512)
+#define POLHODE_DECLARE_AVX512(...) namespace loops_avx512 = loops_scalar;
+#else
+#define POLHODE_DECLARE_AVX512(...) \
+  namespace loops_avx512 {          \
+  __VA_ARGS__                       \
+  }
+#endif
+#define POLHODE_DECLARE_LOOPS(...)  \
+  namespace loops_scalar {          \
+  __VA_ARGS__                       \
+  }                                 \
+  POLHODE_DECLARE_SSE4(__VA_ARGS__) \
+  POLHODE_DECLARE_AVX2(__VA_ARGS__) \
+  POLHODE_DECLARE_AVX512(__VA_ARGS__)
 #define POLHODE_CURRENT_LOOPS(function)                                                         \
   (::polhode::pick(::polhode::current_target(), &loops_scalar::function, &loops_sse4::function, \
                    &loops_avx2::function, &loops_avx512::function))

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Means with errors from blocks that are nearly independent: stretches of time, or groups of
-// bodies.
+// Sums of quantities in consecutive blocks of time.
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
-
-#include "polhode/math/fit.hpp"
 
 namespace polhode {
 
@@ -30,12 +26,6 @@ class BlockMeans {
   Block sum() const;
   /// Of all blocks; empty without any.
   std::vector<double> mean() const;
-
-  /// The mean of each quantity with its standard error.
-  std::vector<Estimate> estimates() const;
-
-  /// What is computed from means, with its standard error: each block is left out in turn.
-  Estimate estimate(const std::function<double(std::span<const double>)>& statistic) const;
 
  private:
   std::vector<Block> blocks_;

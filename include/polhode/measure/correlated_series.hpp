@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "polhode/math/fit.hpp"
 #include "polhode/measure/block_means.hpp"
 
 namespace polhode {
@@ -52,16 +53,28 @@ SeriesEstimate series_estimate(const BlockMeans& blocks,
 /// The mean of each quantity with its standard error.
 std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks);
 
+/// A possible strength of a random walk, with its probability.
+struct WalkStrength {
+  double probability = 1;
+  double rate = 0;  ///< variance per time
+};
+
+/// The strength of a random walk under white noise, as the shadow energy performs it: its posterior
+/// probability, given all modes above the slope (docs/statistics.md). Empty with fewer than
+/// `min_samples` blocks.
+std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t time,
+                                         std::size_t quantity);
+
 /// The slope of the least-squares line through the block means of a quantity against those of the
 /// time.
 /// @param time, quantity  which of the sums
-/// @param walk  variance per time that a random walk adds to the quantity, known independently
+/// @param walks  variance per time that a random walk adds to the quantity, known independently,
+///               or its possible values, over which the significance is averaged
 Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity,
-                   double walk = 0);
+                   std::span<const WalkStrength> walks = {});
 
 /// The same for a quantity that performs a random walk of unknown strength under white noise, as
-/// the shadow energy does: the strength is averaged over its posterior probability, given all
-/// modes above the slope (docs/statistics.md).
+/// the shadow energy does: the significance is averaged over the posterior of the strength.
 Drift series_drift_over_walk(const BlockMeans& blocks, std::size_t time, std::size_t quantity);
 
 }  // namespace polhode

@@ -40,8 +40,8 @@ struct EnergyStatistics {
   /// The mean pressure [kJ/mol/nm³] with its standard error.
   SeriesEstimate pressure() const;
   /// The drift of the total energy [kJ/mol/ps].
-  /// @param walk  variance per time of the random walk that rounding drives [(kJ/mol)²/ps]
-  Drift drift(double walk = 0) const;
+  /// @param walks  variance per time of the random walk that it performs [(kJ/mol)²/ps]
+  Drift drift(std::span<const WalkStrength> walks = {}) const;
 };
 
 /// R over stretches of a trajectory, one after the other.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/error_terms.hpp"
@@ -49,6 +50,9 @@ struct ShadowStatistics {
   /// Tested against a random walk of unknown strength: that of rounding, and that of the remaining
   /// discontinuities of the forces (docs/statistics.md).
   Drift drift() const;
+  /// The strength of that walk [(kJ/mol)²/ps], which the energy performs, too. Empty if there are
+  /// too few samples.
+  std::vector<WalkStrength> walks() const;
 };
 
 /// A trajectory by its shadow energy.

@@ -34,10 +34,9 @@ struct Molecule {
   Vec3<double> J;  ///< principal moments [u nm²], J1 ≤ J2 ≤ J3; linear J1 = 0, atom all 0
   Top top = Top::atom;
 
-  double charge() const;            ///< [e]
-  double dipole() const;            ///< |Σ q r| about the centre of mass [e nm]
-  int rotational_freedoms() const;  ///< 0 for atoms, 2 for linear bodies, else 3
-  double reach() const;  ///< largest distance of an interacting site from the centre [nm]
+  double charge() const;  ///< [e]
+  double dipole() const;  ///< |Σ q r| about the centre of mass [e nm]
+  double reach() const;   ///< largest distance of an interacting site from the centre [nm]
 };
 
 /// Builds the molecule from a set of sites given in any frame: mass, centre, principal moments and
