@@ -10,7 +10,7 @@
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -37,7 +37,7 @@ double fraction_option(const std::string& text, const std::string& option) {
 
 Criterion criterion(const Options& o, const Config& config) {
   if (!o.drift.empty()) {
-    const double drift = quantity(o.drift, Dimension::heating, "--drift");
+    const double drift = quantity(o.drift, Dimension::power, "--drift");
     if (!(drift > 0))
       throw Error(fmt::format("--drift = \"{}\" must be above 0 kJ/mol/ns", o.drift));
     return {Quality::drift, drift};
@@ -51,7 +51,7 @@ Criterion criterion(const Options& o, const Config& config) {
       "--temperature-bias \"0.5 %\"");
 }
 
-Config configured(const Options& o) {
+Config make_config(const Options& o) {
   Config config = o.file.empty() ? default_config() : read_config(o.file);
   if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
   if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
@@ -60,10 +60,10 @@ Config configured(const Options& o) {
   return config;
 }
 
-int advise(const Options& o) {
-  const Config config = configured(o);
+int run_advise(const Options& o) {
+  const Config config = make_config(o);
   const AdviserSettings settings{criterion(o, config), config.integrator.candidates, o.seconds};
-  Workers workers(threads_wanted(o.threads));
+  Workers workers(requested_threads(o.threads));
   const AdviceFiles files(o.output, config.output.plot);
   for (const std::string& file : files.all()) refuse_existing(file, o.force);
   const Provenance provenance{
@@ -72,18 +72,18 @@ int advise(const Options& o) {
                                        {"--accuracy", o.accuracy},
                                        {"--drift", o.drift},
                                        {"--temperature-bias", o.temperature_bias}}),
-      config.text, name(current_target()), config.system.seed};
-  const System system = assembled(config);
+      config.text, name(current_instruction_set()), config.system.seed};
+  const System system = build_system(config);
   catch_interrupts();
   log("polhode {}: advice for {} molecules, {}, about {:g} s, target {}, threads {}\n",
-      POLHODE_VERSION, system.topology.size(), config.source, o.seconds, provenance.target,
+      POLHODE_VERSION, system.topology.size(), config.source, o.seconds, provenance.instruction_set,
       workers.threads());
   note_forces(system);
 
   Advice advice;
   {
     Progress progress("advising");
-    advice = advised(
+    advice = advise(
         config, settings,
         {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted},
         workers);
@@ -127,7 +127,7 @@ Action advise_verb(CLI::App& app) {
                  "so many runs at once; without it: one for each core allowed");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the advice as JSON");
-  return [o] { return advise(*o); };
+  return [o] { return run_advise(*o); };
 }
 
 }  // namespace polhode::cli

@@ -12,7 +12,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/quantity.hpp"
-#include "polhode/run/advice_curves.hpp"
+#include "polhode/run/adviser/advice_curves.hpp"
 #include "temperature_tables.hpp"
 
 namespace polhode::cli {
@@ -20,7 +20,7 @@ namespace {
 
 constexpr const char* kinds[] = {"translation", "rotation_1", "rotation_2", "rotation_3"};
 
-double in_kJ_per_ns(double heating) { return heating / unit("kJ/mol/ns", Dimension::heating); }
+double in_kJ_per_ns(double power) { return power / unit("kJ/mol/ns", Dimension::power); }
 
 std::string percent(const Estimate& x) {
   return fmt::format("{:.3g} ± {:.2g} %", 100 * x.value, 100 * x.error);
@@ -121,8 +121,8 @@ Table point_table(const Advice& advice) {
   return table;
 }
 
-std::vector<AdviceCurve> drawn_curves(const Advice& advice) {
-  std::vector<AdviceCurve> drawn;
+std::vector<AdviceCurve> figure_curves(const Advice& advice) {
+  std::vector<AdviceCurve> figure_data;
   for (const Candidate& candidate : advice.candidates) {
     if (candidate.seconds == 0) continue;
     AdviceCurve curve{candidate.name, {}, {}};
@@ -132,9 +132,9 @@ std::vector<AdviceCurve> drawn_curves(const Advice& advice) {
     if (candidate.model)
       for (double step = 0.7 * candidate.step; step < 1.25 * candidate.step; step *= 1.02)
         curve.model.push_back({seconds(step), std::exp(candidate.model->log_ratio(step).value)});
-    drawn.push_back(curve);
+    figure_data.push_back(curve);
   }
-  return drawn;
+  return figure_data;
 }
 
 }  // namespace
@@ -152,7 +152,7 @@ std::vector<std::string> AdviceFiles::all() const {
   return files;
 }
 
-std::string described(const Criterion& criterion) {
+std::string description(const Criterion& criterion) {
   return fmt::format("{} {} of at most {}", criterion.quality == Quality::ratio ? "an" : "a",
                      name_of(criterion.quality), bound_text(criterion.quality, criterion.bound));
 }
@@ -168,7 +168,7 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
   for (const Candidate& candidate : advice.candidates)
     for (const AdviserPoint& point : candidate.points) consider(candidate, point);
   for (const auto& [c, point] : advice.refused) consider(advice.candidates[c], point);
-  std::string text = fmt::format("no scheme was found that keeps {} here", described(criterion));
+  std::string text = fmt::format("no scheme was found that keeps {} here", description(criterion));
   if (!reached)
     return text +
            "; every step that was tried blew up or drifted: equilibrate longer, or look at "
@@ -201,7 +201,7 @@ void write_advice(const AdviceFiles& files, const Advice& advice, const Criterio
   write_file(files.json,
              [&](std::ostream& out) { out << advice_json(advice, criterion, 0) << '\n'; });
   if (files.figure.empty()) return;
-  AdviceFigure figure{drawn_curves(advice), {}, {}};
+  AdviceFigure figure{figure_curves(advice), {}, {}};
   if (criterion.quality == Quality::ratio) figure.bound = criterion.bound;
   if (advice.best) {
     const Candidate& best = advice.candidates[*advice.best];
@@ -214,7 +214,7 @@ void write_advice(const AdviceFiles& files, const Advice& advice, const Criterio
 std::string advice_json(const Advice& advice, const Criterion& criterion, int threads) {
   nlohmann::json json{{"quality", name_of(criterion.quality)},
                       {"wanted", criterion.bound},
-                      {"probability", promise_probability},
+                      {"probability", guarantee_probability},
                       {"interrupted", advice.stopped},
                       {"candidates", nlohmann::json::array()},
                       {"refused", nlohmann::json::array()},
@@ -278,7 +278,7 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
   if (!advice.best) return;
   const Candidate& best = advice.candidates[*advice.best];
   const AdviserPoint& p = advice.confirmation;
-  fmt::print("\nfor {} use {} at {:.3g} fs\n", described(criterion), best.name, p.step * 1000);
+  fmt::print("\nfor {} use {} at {:.3g} fs\n", description(criterion), best.name, p.step * 1000);
   fmt::print("  R                   {}, mean of {} independent runs of {:.3g} ps\n",
              percent(p.ratio()), p.runs.size(), p.length);
   fmt::print("  {}{}\n",
@@ -286,7 +286,7 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
              : criterion.quality == Quality::drift ? "drift               is smaller than "
                                                    : "temperature bias    is smaller than ",
              fmt::format("{} with a probability of {:g} %, {:.2g} of what was asked",
-                         bound_text(criterion.quality, p.bound), 100 * promise_probability,
+                         bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
                          p.bound / criterion.bound));
   fmt::print("  drift per molecule  {:.3g} ± {:.2g} kJ/mol/ns\n", in_kJ_per_ns(p.drift().value),
              in_kJ_per_ns(p.drift().error));

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/adviser.hpp"
+#include "polhode/run/adviser/adviser.hpp"
 
 namespace polhode::cli {
 
@@ -19,7 +19,7 @@ struct AdviceFiles {
 };
 
 /// "an R of at most 0.5 %".
-std::string described(const Criterion& criterion);
+std::string description(const Criterion& criterion);
 
 /// Why there is no answer, and what to ask for instead.
 std::string unreachable(const Advice& advice, const Criterion& criterion);

@@ -15,12 +15,12 @@
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/system.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 #include "verbs.hpp"
@@ -30,7 +30,7 @@ namespace {
 
 struct Options {
   std::string trajectory, run, molecules, names, what, output = "polhode-analysis", plot = "svg";
-  std::string from, interval, window, fit, pairs, reach, bin, viscosity, temperature,
+  std::string from, interval, window, fit, pairs, cutoff, bin, viscosity, temperature,
       electrostatics, threads;
   bool force = false, json = false;
 };
@@ -74,33 +74,33 @@ Topology molecules_option(const std::string& text) {
 }
 
 /// Takes from the forces what the dielectric constant depends on.
-void set_surrounding(SummarySettings& settings, const ForceSettings& forces) {
+void set_surroundings(SummarySettings& settings, const ForceSettings& forces) {
   switch (forces.electrostatics) {
-    case Electrostatics::ewald:
-      settings.surrounding = tin_foil;
+    case Electrostatics::pme:
+      settings.surroundings_permittivity = tin_foil;
       break;
     case Electrostatics::reaction_field:
-      settings.surrounding = forces.dielectric;
+      settings.surroundings_permittivity = forces.dielectric;
       break;
     case Electrostatics::coulomb:
     case Electrostatics::damped_shifted_force:
-      settings.no_surrounding =
+      settings.no_surroundings =
           "fluctuations of a dipole whose charges were cut off or switched off tell no dielectric "
           "constant; pme or a reaction field is needed";
   }
 }
 
-void set_surrounding(SummarySettings& settings, const std::string& electrostatics) {
+void set_surroundings(SummarySettings& settings, const std::string& electrostatics) {
   const std::vector<std::string> names = {"pme", "reaction-field", "coulomb"};
   ForceSettings forces;
   if (electrostatics == "pme")
-    forces.electrostatics = Electrostatics::ewald;
+    forces.electrostatics = Electrostatics::pme;
   else if (electrostatics == "reaction-field")
     forces.electrostatics = Electrostatics::reaction_field;
   else if (electrostatics != "coulomb")
     throw Error(fmt::format("--electrostatics {} must be pme, reaction-field or coulomb{}",
                             electrostatics, did_you_mean(electrostatics, names)));
-  set_surrounding(settings, forces);
+  set_surroundings(settings, forces);
 }
 
 double positive(const std::string& text, Dimension dimension, const std::string& option) {
@@ -117,7 +117,7 @@ AnalysisSettings analysis_settings(const Options& o) {
                           : quantity(o.from, Dimension::time, "--from");
   if (!o.interval.empty()) s.interval = positive_time(o.interval, "--interval");
   if (!o.window.empty()) s.window = positive_time(o.window, "--window");
-  if (!o.reach.empty()) s.reach = positive(o.reach, Dimension::length, "--reach");
+  if (!o.cutoff.empty()) s.cutoff = positive(o.cutoff, Dimension::length, "--cutoff");
   if (!o.bin.empty()) s.bin = positive(o.bin, Dimension::length, "--bin");
   for (const std::string& word : words(o.pairs)) {
     const auto dash = word.find('-');
@@ -128,19 +128,19 @@ AnalysisSettings analysis_settings(const Options& o) {
                       word));
     s.pairs.push_back({word.substr(0, dash), word.substr(dash + 1)});
   }
-  if (s.reach && *s.reach < s.bin)
+  if (s.cutoff && *s.cutoff < s.bin)
     throw Error(
-        fmt::format("--reach of {:g} nm is shorter than a bin of {:g} nm; ask for a longer "
+        fmt::format("--cutoff of {:g} nm is shorter than a bin of {:g} nm; ask for a longer "
                     "one",
-                    *s.reach, s.bin));
+                    *s.cutoff, s.bin));
   return s;
 }
 
 SummarySettings summary_settings(const Options& o, const std::optional<Config>& config) {
   SummarySettings s;
-  s.no_surrounding = "it depends on the electrostatics of the run; give --run or --electrostatics";
-  if (config) set_surrounding(s, config->forces);
-  if (!o.electrostatics.empty()) set_surrounding(s, o.electrostatics);
+  s.no_surroundings = "it depends on the electrostatics of the run; give --run or --electrostatics";
+  if (config) set_surroundings(s, config->forces);
+  if (!o.electrostatics.empty()) set_surroundings(s, o.electrostatics);
   if (!o.temperature.empty())
     s.temperature = positive(o.temperature, Dimension::temperature, "--temperature");
   if (!o.viscosity.empty())
@@ -168,13 +168,13 @@ std::vector<std::string> outputs(const Options& o, const AnalysisSettings& setti
     for (const std::string& name : observable_names()) what.insert(observable(name));
   std::vector<std::string> files;
   for (const std::string& name : file_names(what))
-    for (const std::string& ending : {std::string("csv"), std::string("gp"), o.plot})
-      if (ending == "csv" || o.plot != "none")
-        files.push_back(fmt::format("{}-{}.{}", o.output, name, ending));
+    for (const std::string& extension : {std::string("csv"), std::string("gp"), o.plot})
+      if (extension == "csv" || o.plot != "none")
+        files.push_back(fmt::format("{}-{}.{}", o.output, name, extension));
   return files;
 }
 
-std::string typed(const Options& o) {
+std::string command_line(const Options& o) {
   return typed_command("polhode analyze", {{"", o.trajectory},
                                            {"--run", o.run},
                                            {"--molecules", o.molecules},
@@ -185,14 +185,14 @@ std::string typed(const Options& o) {
                                            {"--window", o.window},
                                            {"--fit", o.fit},
                                            {"--pairs", o.pairs},
-                                           {"--reach", o.reach},
+                                           {"--cutoff", o.cutoff},
                                            {"--bin", o.bin},
                                            {"--viscosity", o.viscosity},
                                            {"--temperature", o.temperature},
                                            {"--electrostatics", o.electrostatics}});
 }
 
-int analyze(const Options& o) {
+int run_analyze(const Options& o) {
   if (o.run.empty() == o.molecules.empty())
     throw Error(
         "the molecules of a trajectory come from its run file or from their names; give "
@@ -201,10 +201,10 @@ int analyze(const Options& o) {
     throw Error(fmt::format("--plot {} must be svg, png or none", o.plot));
   std::optional<Config> config;
   if (!o.run.empty()) config = read_config(o.run);
-  const Topology topology = config ? described(config->system) : molecules_option(o.molecules);
+  const Topology topology = config ? build_topology(config->system) : molecules_option(o.molecules);
   const AnalysisSettings settings = analysis_settings(o);
   const SummarySettings numbers = summary_settings(o, config);
-  Workers workers(threads_wanted(o.threads));
+  Workers workers(requested_threads(o.threads));
   std::optional<Frame> names;
   if (!o.names.empty()) {
     names.emplace();
@@ -222,7 +222,7 @@ int analyze(const Options& o) {
                                 progress.show(fmt::format("{} frames, {:g} ps", frames, time));
                               },
                               interrupted};
-    result = analysis(*reader, topology, settings, watch, workers);
+    result = analyze(*reader, topology, settings, watch, workers);
   }
   if (result.stopped) log("interrupted after {} frames; what they tell follows\n", result.frames);
   const AnalysisSummary s = summary(result, numbers, workers);
@@ -230,8 +230,8 @@ int analyze(const Options& o) {
     log("note: atoms lay up to {:.4f} nm from the rigid models\n", result.deviation);
   for (const std::string& note : s.notes) log("note: {}\n", note);
 
-  const Provenance provenance{POLHODE_VERSION, typed(o), config ? config->text : o.molecules,
-                              name(current_target()), config ? config->system.seed : 0};
+  const Provenance provenance{POLHODE_VERSION, command_line(o), config ? config->text : o.molecules,
+                              name(current_instruction_set()), config ? config->system.seed : 0};
   std::vector<std::string> written;
   for (AnalysisFile& file : analysis_files(result, s, workers)) {
     const std::string csv = fmt::format("{}-{}.csv", o.output, file.name);
@@ -277,7 +277,8 @@ Action analyze_verb(CLI::App& app) {
                  "longest lag to that");
   app.add_option("--pairs", o->pairs,
                  "of sites for g(r): \"OW-OW, OW-HW\"; HW names HW1 and HW2; without it all pairs");
-  app.add_option("--reach", o->reach, "of g(r); without it \"1 nm\", or half of the shortest edge");
+  app.add_option("--cutoff", o->cutoff,
+                 "of g(r); without it \"1 nm\", or half of the shortest edge");
   app.add_option("--bin", o->bin, "of g(r); without it \"0.002 nm\"");
   app.add_option("--viscosity", o->viscosity,
                  "of the liquid, \"0.855 mPa s\", for what images take from D; without it the "
@@ -290,7 +291,7 @@ Action analyze_verb(CLI::App& app) {
                  "that share the work; without it: one for each core allowed");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
-  return [o] { return analyze(*o); };
+  return [o] { return run_analyze(*o); };
 }
 
 }  // namespace polhode::cli

@@ -70,7 +70,7 @@ AnalysisFile displacement_file(Analysis& a, Workers& workers) {
   AnalysisFile file;
   for (std::size_t part = 0; part < a.topology.parts.size(); ++part) {
     const std::vector<SeriesEstimate> squared =
-        series_estimates(a.displacement->squared(part, workers));
+        series_estimates(a.displacement->mean_square(part, workers));
     if (part == 0)
       file = file_of_lags(
           "msd", squared.size(), a.interval,
@@ -166,8 +166,8 @@ AnalysisFile density_file(const Analysis& a) {
 /// Diffusion coefficient converted from nm²/ps to 10⁻⁹ m²/s.
 double in_si(double diffusion) { return 1000 * diffusion; }
 
-SeriesEstimate without_images(const SeriesEstimate& D, double drag) {
-  return {D.value + drag, D.error, D.known};
+SeriesEstimate without_images(const SeriesEstimate& D, double finite_size_correction) {
+  return {D.value + finite_size_correction, D.error, D.known};
 }
 
 nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
@@ -246,9 +246,10 @@ void print_summary(const Analysis& a, const AnalysisSummary& s) {
     if (part.diffusion) {
       fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
                  text(*part.diffusion, 3, in_si(1)), s.fit.from, s.fit.to);
-      if (s.drag)
+      if (s.finite_size_correction)
         fmt::print("{:<22}{} 1e-9 m2/s without images (viscosity {})\n", "",
-                   text(without_images(*part.diffusion, *s.drag), 3, in_si(1)), s.viscosity_source);
+                   text(without_images(*part.diffusion, *s.finite_size_correction), 3, in_si(1)),
+                   s.viscosity_source);
       else
         fmt::print("{:<22}not corrected for images: {}\n", "", s.viscosity_source);
     }
@@ -287,13 +288,14 @@ nlohmann::json as_json(const Analysis& a, const AnalysisSummary& s) {
   if (a.displacement)
     json["diffusion"] = {{"fit_ps", {s.fit.from, s.fit.to}},
                          {"viscosity_source", s.viscosity_source}};
-  if (s.drag) json["diffusion"]["image_drag_1e-9_m2_per_s"] = in_si(*s.drag);
+  if (s.finite_size_correction)
+    json["diffusion"]["finite_size_correction_1e-9_m2_per_s"] = in_si(*s.finite_size_correction);
   for (const PartSummary& part : s.parts) {
     nlohmann::json one = {{"molecule", part.molecule}, {"count", part.count}};
     if (part.diffusion) one["D_1e-9_m2_per_s"] = pair(*part.diffusion, in_si(1));
-    if (part.diffusion && s.drag)
+    if (part.diffusion && s.finite_size_correction)
       one["D_without_images_1e-9_m2_per_s"] =
-          pair(without_images(*part.diffusion, *s.drag), in_si(1));
+          pair(without_images(*part.diffusion, *s.finite_size_correction), in_si(1));
     if (part.green_kubo) one["D_green_kubo_1e-9_m2_per_s"] = pair(*part.green_kubo, in_si(1));
     for (const AxisRelaxation& axis : part.axes)
       for (std::size_t k = 0; k < 2; ++k) {

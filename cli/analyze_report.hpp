@@ -8,7 +8,7 @@
 
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/analysis_summary.hpp"
+#include "polhode/run/analysis/analysis_summary.hpp"
 
 namespace polhode::cli {
 

@@ -9,7 +9,7 @@
 
 #include "bench_report.hpp"
 #include "option_values.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
 #include "progress.hpp"
 #include "verbs.hpp"
@@ -32,25 +32,25 @@ std::string processor() {
   return "unknown processor";
 }
 
-BenchmarkSettings configured(const Options& o) {
+BenchmarkSettings make_settings(const Options& o) {
   BenchmarkSettings settings;
   settings.quick = o.quick;
   if (o.quick) settings.sizes = {512};
   if (!o.sizes.empty()) settings.sizes = o.sizes;
   if (!o.precision.empty()) settings.precisions = {precision_option(o.precision)};
-  const int threads = threads_wanted(o.threads);
+  const int threads = requested_threads(o.threads);
   if (threads > 1) settings.threads.push_back(threads);
   return settings;
 }
 
 int bench(const Options& o) {
-  const BenchmarkSettings settings = configured(o);
-  const Computer computer{processor(), name(current_target()), settings.threads};
+  const BenchmarkSettings settings = make_settings(o);
+  const Computer computer{processor(), name(current_instruction_set()), settings.threads};
   Benchmark result;
   {
     Progress progress("bench");
-    result = benchmark(settings,
-                       [&](double done, const std::string& what) { progress.show(done, what); });
+    result = run_benchmark(
+        settings, [&](double done, const std::string& what) { progress.show(done, what); });
   }
   if (o.json)
     fmt::print("{}\n", benchmark_json(result, computer));

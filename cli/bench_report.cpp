@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/suggest.hpp"
-#include "polhode/base/target.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 
 namespace polhode::cli {
@@ -37,7 +37,7 @@ double share(const EvaluationTiming& e, int threads) {
   return e.arithmetic / threads / e.forces.best;
 }
 
-double beside_forces(const StepTiming& s) { return 1 - s.forces / s.all.best; }
+double non_force_share(const StepTiming& s) { return 1 - s.forces / s.all.best; }
 
 /// The systems of one size.
 std::vector<SystemTiming> of_size(const Benchmark& b, std::size_t molecules) {
@@ -65,11 +65,11 @@ void print_limits(const std::vector<Limit>& limits) {
   fmt::print("\n");
   row("numbers in a pack", [](const Limit& l) { return l.lanes; });
   row("multiply-adds per ns", [](const Limit& l) { return l.multiply_adds; });
-  row("ns for a pair of waters", [](const Limit& l) { return l.forces.whole.best; });
-  row("  within the switch", [](const Limit& l) { return l.forces.ending.best; });
-  row("  with its energy", [](const Limit& l) { return l.energies.whole.best; });
+  row("ns for a pair of waters", [](const Limit& l) { return l.forces.inside.best; });
+  row("  within the switch", [](const Limit& l) { return l.forces.truncated.best; });
+  row("  with its energy", [](const Limit& l) { return l.energies.inside.best; });
   row("  within the switch, with its energy",
-      [](const Limit& l) { return l.energies.ending.best; });
+      [](const Limit& l) { return l.energies.truncated.best; });
 }
 
 void print_evaluations(const std::vector<SystemTiming>& systems) {
@@ -113,7 +113,7 @@ json as_json(const Timing& t, double unit) {
 
 json as_json(const Limit& l) {
   const auto pair = [](const BarePair& p) {
-    return json{{"whole", as_json(p.whole, 1)}, {"ending", as_json(p.ending, 1)}};
+    return json{{"inside", as_json(p.inside, 1)}, {"truncated", as_json(p.truncated, 1)}};
   };
   return {{"precision", name_of(l.precision)},
           {"lanes", l.lanes},
@@ -144,7 +144,7 @@ json as_json(const SystemTiming& s) {
                        {"drift", 1e6 * t.drift},
                        {"kick", 1e6 * t.kick},
                        {"rest", 1e6 * t.rest}}},
-                     {"beside_forces", beside_forces(t)},
+                     {"non_force_share", non_force_share(t)},
                      {"rebuilds_per_step", t.rebuilds},
                      {"ns_per_day", t.ns_per_day()}});
   return {{"molecules", s.molecules},
@@ -154,7 +154,7 @@ json as_json(const SystemTiming& s) {
           {"steps", steps}};
 }
 
-std::string joined(const std::vector<std::string>& parts, const char* between = ", ") {
+std::string join(const std::vector<std::string>& parts, const char* between = ", ") {
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
   return text;
@@ -175,7 +175,7 @@ std::vector<std::string> verdict(const Benchmark& b) {
             "{} waters: {} for the forces in {} precision; the arithmetic of the pairs in range, "
             "alone and with every lane used, would take {}, {:.2f} of that",
             molecules, duration(e.forces.best), precision, duration(e.arithmetic), share(e, 1)));
-        beside.push_back(fmt::format("{:.0f} % in {}", percent(beside_forces(hoa2)), precision));
+        beside.push_back(fmt::format("{:.0f} % in {}", percent(non_force_share(hoa2)), precision));
       } else {
         for (const SystemTiming& one : b.systems)
           if (one.molecules == molecules && one.precision == s.precision && one.threads == 1)
@@ -189,12 +189,12 @@ std::vector<std::string> verdict(const Benchmark& b) {
     }
     lines.push_back(fmt::format(
         "{} waters: everything beside the forces takes {} of a step of hoa2, on one thread",
-        molecules, joined(beside)));
+        molecules, join(beside)));
     if (!speed_up.empty())
       lines.push_back(fmt::format("{} waters: {} do {}", molecules,
-                                  threads_text(b.systems.back().threads), joined(speed_up, "; ")));
+                                  threads_text(b.systems.back().threads), join(speed_up, "; ")));
     lines.push_back(
-        fmt::format("{} waters: ns/day with hoa2 at 4 fs: {}", molecules, joined(speeds)));
+        fmt::format("{} waters: ns/day with hoa2 at 4 fs: {}", molecules, join(speeds)));
   }
   const double spread = b.spread();
   lines.push_back(
@@ -210,12 +210,14 @@ std::vector<std::string> verdict(const Benchmark& b) {
 }
 
 void print_benchmark(const Benchmark& b, const Computer& computer) {
-  std::vector<std::string> targets, threads;
-  for (const Target target : available_targets()) targets.emplace_back(name(target));
+  std::vector<std::string> instruction_sets, threads;
+  for (const InstructionSet instruction_set : available_instruction_sets())
+    instruction_sets.emplace_back(name(instruction_set));
   for (const int n : computer.threads) threads.push_back(std::to_string(n));
   fmt::print("processor         {}\n", computer.processor);
-  fmt::print("instruction set   {} (there are: {})\n", computer.target, listed(targets));
-  fmt::print("threads           {}\n\n", listed(threads));
+  fmt::print("instruction set   {} (there are: {})\n", computer.instruction_set,
+             join_names(instruction_sets));
+  fmt::print("threads           {}\n\n", join_names(threads));
   print_limits(b.limits);
   for (const std::size_t molecules : sizes(b)) {
     fmt::print("\n");
@@ -228,14 +230,19 @@ void print_benchmark(const Benchmark& b, const Computer& computer) {
 }
 
 std::string benchmark_json(const Benchmark& b, const Computer& computer) {
-  json limits = json::array(), systems = json::array(), targets = json::array();
-  for (const Target target : available_targets()) targets.push_back(name(target));
+  json limits = json::array(), systems = json::array(), instruction_sets = json::array();
+  for (const InstructionSet instruction_set : available_instruction_sets())
+    instruction_sets.push_back(name(instruction_set));
   for (const Limit& limit : b.limits) limits.push_back(as_json(limit));
   for (const SystemTiming& s : b.systems) systems.push_back(as_json(s));
-  return json{{"version", POLHODE_VERSION},  {"processor", computer.processor},
-              {"target", computer.target},   {"targets", targets},
-              {"threads", computer.threads}, {"limits", limits},
-              {"systems", systems},          {"spread", b.spread()},
+  return json{{"version", POLHODE_VERSION},
+              {"processor", computer.processor},
+              {"instruction_set", computer.instruction_set},
+              {"instruction_sets", instruction_sets},
+              {"threads", computer.threads},
+              {"limits", limits},
+              {"systems", systems},
+              {"spread", b.spread()},
               {"verdict", verdict(b)}}
       .dump(2);
 }

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "polhode/run/benchmark.hpp"
+#include "polhode/run/benchmark/benchmark.hpp"
 
 namespace polhode::cli {
 
 /// The computer that was measured.
 struct Computer {
-  std::string processor, target;
+  std::string processor, instruction_set;
   std::vector<int> threads;
 };
 

@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/system.hpp"
 #include "system_notes.hpp"
 #include "verbs.hpp"
 
@@ -59,7 +59,7 @@ void print_csv(const System& system, const Load& load, const Load* slope) {
 
 int energy(const Options& o) {
   const Config config = o.file.empty() ? default_config() : read_config(o.file);
-  const System system = assembled(config);
+  const System system = build_system(config);
   note_molecules(system);
   note_forces(system);
   ForceField forces(system.topology, system.forces, system.state.box);
@@ -83,7 +83,7 @@ int energy(const Options& o) {
                                {"potential_kJ_per_mol", load.potential()},
                                {"pressure_tensor_bar", tensor_json},
                                {"pressure_bar", (tensor(0, 0) + tensor(1, 1) + tensor(2, 2)) / 3},
-                               {"target", name(current_target())}}
+                               {"instruction_set", name(current_instruction_set())}}
                     .dump(2));
   } else {
     text += fmt::format("molecules         {}\n", system.topology.size());

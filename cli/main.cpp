@@ -48,10 +48,10 @@ void check_verb(const std::string& word) {
   std::vector<std::string> names;
   for (const Verb& verb : verbs) names.emplace_back(verb.name);
   if (word.empty())
-    throw Error(fmt::format("there is no verb; 'polhode VERB' has one of: {}", listed(names)));
+    throw Error(fmt::format("there is no verb; 'polhode VERB' has one of: {}", join_names(names)));
   if (word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw Error(fmt::format("there is no verb '{}'{} (there are: {})", word,
-                          did_you_mean(word, names), listed(names)));
+                          did_you_mean(word, names), join_names(names)));
 }
 
 int run(int argc, char** argv) {

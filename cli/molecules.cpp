@@ -21,7 +21,7 @@ namespace {
 double in_debye(double dipole) { return dipole / unit("D", Dimension::dipole); }
 
 // Charges with few digits sum to zero only up to rounding.
-double rounded(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
+double round_charge(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
 
 nlohmann::json as_json(const Molecule& m) {
   nlohmann::json sites = nlohmann::json::array();
@@ -39,7 +39,7 @@ nlohmann::json as_json(const Molecule& m) {
           {"mass", m.mass},
           {"moments", {m.J.x, m.J.y, m.J.z}},
           {"top", name(m.top)},
-          {"charge", rounded(m.charge())},
+          {"charge", round_charge(m.charge())},
           {"dipole", in_debye(m.dipole())},
           {"sites", sites}};
 }
@@ -50,7 +50,7 @@ void print_one(const Molecule& m) {
       "nm²\n"
       "  top          {}\n  charge       {:.6g} e\n  dipole       {:.4g} D\n  source       {}\n",
       m.name, m.description.empty() ? "-" : printable(m.description), m.mass, m.J.x, m.J.y, m.J.z,
-      name(m.top), rounded(m.charge()), in_debye(m.dipole()),
+      name(m.top), round_charge(m.charge()), in_debye(m.dipole()),
       m.source.empty() ? "-" : printable(m.source));
   fmt::print(
       "  sites, in the principal frame\n    {:<6}{:>11}{:>11}{:>11}{:>10}{:>11}{:>11}{:>17}\n",
@@ -61,7 +61,7 @@ void print_one(const Molecule& m) {
 }
 
 // The molecules that a name refers to: a model, or those of a topology file, each once.
-std::vector<Molecule> named(const std::string& name) {
+std::vector<Molecule> find_molecules(const std::string& name) {
   if (!name.ends_with(".top") && !is_data_file(name)) return {read_molecule(name)};
   std::vector<Molecule> molecules;
   for (const auto& part : read_topology({.file = name}, nullptr).topology.parts)
@@ -80,7 +80,7 @@ void print_all() {
   for (const std::string& model : models) {
     const Molecule m = read_molecule(model);
     fmt::print("{:<{}}{:>7}{:10.4f}{:7g}{:12.3f}  {:<11} {:<15}{}\n", m.name, width, m.sites.size(),
-               m.mass, rounded(m.charge()), in_debye(m.dipole()), name(m.top), m.source,
+               m.mass, round_charge(m.charge()), in_debye(m.dipole()), name(m.top), m.source,
                m.description);
   }
 }
@@ -101,13 +101,13 @@ Action molecules_verb(CLI::App& app) {
     if (o->json) {
       nlohmann::json list = nlohmann::json::array();
       for (const std::string& name : o->name.empty() ? molecule_names() : std::vector{o->name})
-        for (const Molecule& molecule : named(name)) list.push_back(as_json(molecule));
+        for (const Molecule& molecule : find_molecules(name)) list.push_back(as_json(molecule));
       const bool one = !o->name.empty() && list.size() == 1;
       fmt::print("{}\n", (one ? list[0] : list).dump(2));
     } else if (o->name.empty()) {
       print_all();
     } else {
-      for (const Molecule& molecule : named(o->name)) print_one(molecule);
+      for (const Molecule& molecule : find_molecules(o->name)) print_one(molecule);
     }
     return 0;
   };

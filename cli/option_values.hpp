@@ -10,7 +10,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
-#include "polhode/forces/settings.hpp"
+#include "polhode/forces/laws/settings.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/quantity.hpp"
 
@@ -51,7 +51,7 @@ inline NestedScheme scheme_option(const std::string& text, const std::string& op
 /// "double" or "mixed".
 /// @throws Error  for any other word
 inline Precision precision_option(const std::string& text) {
-  if (text == "double") return Precision::full;
+  if (text == "double") return Precision::double_precision;
   if (text == "mixed") return Precision::mixed;
   const std::string names[] = {"double", "mixed"};
   throw Error(

@@ -9,21 +9,21 @@
 #include <string>
 #include <utility>
 
+#include "guarantee.hpp"
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/io/file_lock.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/near_forces.hpp"
-#include "polhode/run/run_files.hpp"
-#include "polhode/run/summary.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/run_files.hpp"
+#include "polhode/run/simulation/summary.hpp"
 #include "progress.hpp"
-#include "promise.hpp"
 #include "run_report.hpp"
 #include "streams.hpp"
 #include "system_notes.hpp"
@@ -34,10 +34,10 @@ namespace {
 
 struct Options {
   std::string file, scheme, step, length, output, threads, precision;
-  bool go_on = false, force = false, json = false;
+  bool resume = false, force = false, json = false;
 };
 
-Config configured(const Options& o) {
+Config make_config(const Options& o) {
   Config config = o.file.empty() ? default_config() : read_config(o.file);
   if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
   if (!o.scheme.empty()) {
@@ -55,7 +55,7 @@ Config configured(const Options& o) {
 }
 
 /// The command with those options that affect the results.
-std::string typed(const Options& o) {
+std::string command_line(const Options& o) {
   return typed_command("polhode run", {{"", o.file},
                                        {"--scheme", o.scheme},
                                        {"--step", o.step},
@@ -95,13 +95,15 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) {
 
 /// The checkpoint to resume from, if requested and if there is one. Refuses to overwrite existing
 /// files.
-std::optional<FoundCheckpoint> begun(const Options& o, const RunFileNames& names,
-                                     const TrajectorySettings& settings,
-                                     const std::string& identity, const Maker& maker) {
+std::optional<FoundCheckpoint> find_resumable_checkpoint(const Options& o,
+                                                         const RunFileNames& names,
+                                                         const TrajectorySettings& settings,
+                                                         const std::string& identity,
+                                                         const ProgramVersion& program) {
   std::optional<FoundCheckpoint> found;
-  if (o.go_on) found = last_checkpoint(names.checkpoints, identity, maker);
+  if (o.resume) found = last_checkpoint(names.checkpoints, identity, program);
   if (!found) {
-    if (o.go_on) log("note: there is no checkpoint yet; the run begins\n");
+    if (o.resume) log("note: there is no checkpoint yet; the run begins\n");
     if (!o.force && std::filesystem::exists(names.checkpoints.newest))
       throw Error(
           fmt::format("'{}' is there already: the run was begun before; go on with "
@@ -126,34 +128,36 @@ std::optional<FoundCheckpoint> begun(const Options& o, const RunFileNames& names
 }
 
 int run(const Options& o) {
-  if (o.go_on && o.force)
+  if (o.resume && o.force)
     throw Error(
         "--continue and --force contradict each other: one goes on with what is there, the other "
         "begins anew; give one of them");
-  Config config = configured(o);
+  Config config = make_config(o);
   const FileLock lock(config.output.prefix + "-run.lock");
   note_lock(lock);
-  Workers workers(threads_wanted(o.threads));
-  const auto promise = promised(config, {o.go_on, o.force}, workers);
+  Workers workers(requested_threads(o.threads));
+  const auto guarantee = choose_guaranteed_step(config, {o.resume, o.force}, workers);
   if (interrupted()) return 130;
-  const TrajectorySettings settings = trajectory_settings(config, promise ? promise->length : 0);
-  System system = assembled(config);
+  const TrajectorySettings settings =
+      trajectory_settings(config, guarantee ? guarantee->length : 0);
+  System system = build_system(config);
   check_near(system.forces, {settings.scheme, settings.inner}, config.source);
   const RunFileNames names(config.output);
   for (const std::string& file : names.trajectories)
     check_fit(file, system.state, system.topology, config.output.choice());
   ForceField forces(system.topology, system.forces, system.state.box, workers);
-  const Provenance provenance{POLHODE_VERSION, typed(o), config.text, name(current_target()),
-                              config.system.seed};
+  const Provenance provenance{POLHODE_VERSION, command_line(o), config.text,
+                              name(current_instruction_set()), config.system.seed};
   const std::string identity = run_identity(config, system);
-  const auto found = begun(o, names, settings, identity, {provenance.version, provenance.target});
+  const auto found = find_resumable_checkpoint(o, names, settings, identity,
+                                               {provenance.version, provenance.instruction_set});
   const RunState* const from = found ? &found->checkpoint.at : nullptr;
   RunFiles files(names, system.topology, config, provenance, identity, found ? &*found : nullptr);
 
-  const Means means{workers.threads(), provenance.target};
+  const ExecutionSettings execution{workers.threads(), provenance.instruction_set};
   log("polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n", POLHODE_VERSION,
       system.topology.size(), config.source, name_of({settings.scheme, settings.inner}),
-      settings.step * 1000, means.target, means.threads);
+      settings.step * 1000, execution.instruction_set, execution.threads);
   note_molecules(system);
   note_forces(system);
 
@@ -187,12 +191,12 @@ int run(const Options& o) {
           files.sample(step, state, energies);
         },
         interrupted, due, checkpoint};
-    t = trajectory(system, forces, settings, watch, workers, equilibrating ? nullptr : from);
+    t = run_trajectory(system, forces, settings, watch, workers, equilibrating ? nullptr : from);
     files.flush();
   } catch (const RunError&) {
-    if (files.kept())
+    if (files.last_checkpoint_step())
       log("'{}' holds the run until step {}, and --continue goes on from there\n",
-          names.checkpoints.newest, *files.kept());
+          names.checkpoints.newest, *files.last_checkpoint_step());
     throw;
   }
   if (t.statistics.energies.samples == 0) throw RunError(t.failure);
@@ -212,13 +216,13 @@ int run(const Options& o) {
                             name_of({settings.scheme, settings.inner}), settings.step * 1000),
                 config.output.plot, std::cerr);
 
-  std::optional<Kept> kept;
-  if (promise && !t.stopped) kept = checked(*promise, t.statistics);
+  std::optional<GuaranteeCheck> guarantee_check;
+  if (guarantee && !t.stopped) guarantee_check = check_guarantee(*guarantee, t.statistics);
   if (o.json) {
-    print_json(s, settings, means, names, kept, t.stopped);
+    print_json(s, settings, execution, names, guarantee_check, t.stopped);
   } else {
-    print_summary(s, settings, means);
-    if (kept) print_kept(*kept);
+    print_summary(s, settings, execution);
+    if (guarantee_check) print_guarantee(*guarantee_check);
     fmt::print("files                ");
     for (const std::string& file : names.all()) fmt::print(" {}", file);
     fmt::print("\n");
@@ -239,7 +243,7 @@ Action run_verb(CLI::App& app) {
                  "of the pairs, instead of the run file's: double or mixed");
   app.add_option("--threads", o->threads,
                  "that share the work of a run; without it: one for each core allowed");
-  app.add_flag("--continue", o->go_on, "go on from the last checkpoint; begin if there is none");
+  app.add_flag("--continue", o->resume, "go on from the last checkpoint; begin if there is none");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return run(*o); };

@@ -59,7 +59,7 @@ std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < fewest_samples) return not_known(samples);
   const std::string rate = with_error(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
   if (drift.known != Known::yes) return rate;
-  return fmt::format("{}, {} (chance {:.2g})", rate, verdict(drift), drift.chance);
+  return fmt::format("{}, {} (chance {:.2g})", rate, verdict(drift), drift.p_value);
 }
 
 void print_ratio(const RunSummary& s) {
@@ -92,14 +92,15 @@ nlohmann::json drift_json(const Drift& drift, std::uint64_t samples) {
   const bool known = drift.known == Known::yes;
   return {{"drift_kJ_per_mol_ps", number_if(samples >= fewest_samples, drift.rate.value)},
           {"drift_error", number_if(known, drift.rate.error)},
-          {"drift_chance", number_if(known, drift.chance)},
+          {"drift_p_value", number_if(known, drift.p_value)},
           {"drift_significant", known ? nlohmann::json(drift.significant()) : nlohmann::json()},
           {"drift_verdict", verdict(drift)}};
 }
 
 }  // namespace
 
-void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means& means) {
+void print_summary(const RunSummary& s, const TrajectorySettings& t,
+                   const ExecutionSettings& execution) {
   const auto percent = [](double x) { return 100 * x; };
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
              s.molecules, s.steps, t.step * 1000, name_of({t.scheme, t.inner}), s.length,
@@ -108,21 +109,22 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
   fmt::print("drift                 {}{}\n", drift_text(s.drift, s.samples),
              s.walk_known ? "" : "; the random walk of rounding in mixed precision is part of it");
   if (s.shadow)
-    fmt::print(
-        "drift of the shadow   {}{}; its rms is {:.3g} kJ/mol\n",
-        drift_text(s.shadow->drift, s.shadow->samples),
-        s.shadow->sooner ? fmt::format(", which shows {:.2g} times sooner", *s.shadow->sooner) : "",
-        s.shadow->fluctuation);
+    fmt::print("drift of the shadow   {}{}; its rms is {:.3g} kJ/mol\n",
+               drift_text(s.shadow->drift, s.shadow->samples),
+               s.shadow->time_gain
+                   ? fmt::format(", which shows {:.2g} times sooner", *s.shadow->time_gain)
+                   : "",
+               s.shadow->fluctuation);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
   fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
-  const auto kelvin = [](double freedoms, double T) {
-    return freedoms > 0 ? fmt::format("{:.2f}", T) : "-";
+  const auto kelvin = [](double degrees_of_freedom, double T) {
+    return degrees_of_freedom > 0 ? fmt::format("{:.2f}", T) : "-";
   };
   fmt::print("temperature           {} K: translation {}, rotation",
-             kelvin(s.freedoms.all(), s.temperatures.all),
-             kelvin(s.freedoms.translation, s.temperatures.translation));
+             kelvin(s.degrees_of_freedom.all(), s.temperatures.all),
+             kelvin(s.degrees_of_freedom.translation, s.temperatures.translation));
   for (std::size_t k = 0; k < 3; ++k)
-    fmt::print(" {}", kelvin(s.freedoms.rotation[k], s.temperatures.rotation[k]));
+    fmt::print(" {}", kelvin(s.degrees_of_freedom.rotation[k], s.temperatures.rotation[k]));
   fmt::print(" K");
   if (std::any_of(s.configurational.begin(), s.configurational.end(),
                   [](const auto& known) { return known.has_value(); })) {
@@ -135,7 +137,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
     fmt::print("\nconfigurational       translation {}, rotation {}, {}, {} K", text(0), text(1),
                text(2), text(3));
   }
-  const Freedoms& n = s.freedoms;
+  const DegreesOfFreedom& n = s.degrees_of_freedom;
   fmt::print("\nfreedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
              n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
   fmt::print(
@@ -163,11 +165,13 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t, const Means
       percent(s.timings.list / all), percent(s.timings.motion / all),
       percent(s.timings.measurement / all));
   fmt::print("speed                 {:.4g} ns/day with {} {}, instruction set {}\n", s.ns_per_day,
-             means.threads, means.threads == 1 ? "thread" : "threads", means.target);
+             execution.threads, execution.threads == 1 ? "thread" : "threads",
+             execution.instruction_set);
 }
 
-void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& means,
-                const RunFileNames& files, const std::optional<Kept>& kept, bool stopped) {
+void print_json(const RunSummary& s, const TrajectorySettings& t,
+                const ExecutionSettings& execution, const RunFileNames& files,
+                const std::optional<GuaranteeCheck>& check, bool stopped) {
   nlohmann::json report = {
       {"molecules", s.molecules},
       {"scheme", text_of({t.scheme, t.inner})},
@@ -187,8 +191,8 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
       {"temperature_K", s.temperatures.all},
       {"temperature_translation_K", s.temperatures.translation},
       {"temperature_rotation_K", s.temperatures.rotation},
-      {"freedoms_translation", s.freedoms.translation},
-      {"freedoms_rotation", s.freedoms.rotation},
+      {"degrees_of_freedom_translation", s.degrees_of_freedom.translation},
+      {"degrees_of_freedom_rotation", s.degrees_of_freedom.rotation},
       {"pressure_bar", in_bar(s.pressure.value)},
       {"pressure_error_bar", number_if(s.pressure.known == Known::yes, in_bar(s.pressure.error))},
       {"momentum", s.momentum},
@@ -206,8 +210,8 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
         {"motion", s.timings.motion},
         {"energies_and_output", s.timings.measurement}}},
       {"ns_per_day", s.ns_per_day},
-      {"threads", means.threads},
-      {"target", means.target},
+      {"threads", execution.threads},
+      {"instruction_set", execution.instruction_set},
       {"files", files.all()}};
   report.update(drift_json(s.drift, s.samples));
   report["walk_of_rounding_known"] = s.walk_known;
@@ -215,8 +219,8 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
     report["shadow"] = drift_json(s.shadow->drift, s.shadow->samples);
     report["shadow"]["samples"] = s.shadow->samples;
     report["shadow"]["rms_kJ_per_mol"] = s.shadow->fluctuation;
-    report["shadow"]["times_sooner"] =
-        s.shadow->sooner ? nlohmann::json(*s.shadow->sooner) : nlohmann::json();
+    report["shadow"]["time_gain"] =
+        s.shadow->time_gain ? nlohmann::json(*s.shadow->time_gain) : nlohmann::json();
   }
   if (s.configurational[0])
     for (const auto& known : s.configurational)
@@ -224,7 +228,7 @@ void print_json(const RunSummary& s, const TrajectorySettings& t, const Means& m
           known ? nlohmann::json{{"value", known->value},
                                  {"error", number_if(known->known == Known::yes, known->error)}}
                 : nlohmann::json());
-  report["promise"] = kept ? as_json(*kept) : nlohmann::json();
+  report["guarantee"] = check ? as_json(*check) : nlohmann::json();
   fmt::print("{}\n", report.dump(2));
 }
 

@@ -5,22 +5,23 @@
 #include <optional>
 #include <string>
 
-#include "polhode/run/run_files.hpp"
-#include "polhode/run/summary.hpp"
-#include "promise.hpp"
+#include "guarantee.hpp"
+#include "polhode/run/simulation/run_files.hpp"
+#include "polhode/run/simulation/summary.hpp"
 
 namespace polhode::cli {
 
 /// Execution settings of a run.
-struct Means {
+struct ExecutionSettings {
   int threads;
-  std::string target;
+  std::string instruction_set;
 };
 
 void print_summary(const RunSummary& summary, const TrajectorySettings& settings,
-                   const Means& means);
+                   const ExecutionSettings& execution);
 
-void print_json(const RunSummary& summary, const TrajectorySettings& settings, const Means& means,
-                const RunFileNames& files, const std::optional<Kept>& kept, bool stopped);
+void print_json(const RunSummary& summary, const TrajectorySettings& settings,
+                const ExecutionSettings& execution, const RunFileNames& files,
+                const std::optional<GuaranteeCheck>& check, bool stopped);
 
 }  // namespace polhode::cli

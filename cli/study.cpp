@@ -11,15 +11,15 @@
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/io/file_lock.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/guideline.hpp"
-#include "polhode/run/near_forces.hpp"
-#include "polhode/run/study_record.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/study/guideline.hpp"
+#include "polhode/run/study/study_record.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 #include "study_report.hpp"
@@ -45,7 +45,7 @@ void make_quick(StudySettings& study) {
   study.coarse = true;
 }
 
-Config configured(const Options& o) {
+Config make_config(const Options& o) {
   Config config = o.file.empty() ? default_config() : read_config(o.file);
   if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
   StudySettings& study = config.study;
@@ -84,24 +84,24 @@ void report(const Options& o, Config config, const System& system,
 
 /// Tables and figure from an existing record, without new runs.
 int study_of_record(const Options& o) {
-  const Config config = configured(o);
+  const Config config = make_config(o);
   std::ifstream in(o.from_record, std::ios::binary);
   if (!in) throw Error(fmt::format("there is no file '{}'", o.from_record), "--from-record");
   const std::vector<StudyRun> runs = read_any_study_record(in, o.from_record);
   const StudyFiles files(o.output);
   for (const std::string& file : files.tables()) refuse_existing(file, o.force);
-  const System system = assembled(config);
+  const System system = build_system(config);
   const Provenance provenance{
       POLHODE_VERSION,
       typed_command("polhode study", {{"", o.file}, {"--from-record", o.from_record}}),
-      study_identity(config, system), name(current_target()), config.system.seed};
+      study_identity(config, system), name(current_instruction_set()), config.system.seed};
   report(o, config, system, study_points(config.study), runs, files, provenance);
   return 0;
 }
 
 int study(const Options& o) {
   if (!o.from_record.empty()) return study_of_record(o);
-  const Config config = configured(o);
+  const Config config = make_config(o);
   const std::vector<StudyPoint> points = study_points(config.study);
   for (const StudyPoint& point : points)
     if (config.study.length < 10 * point.step)
@@ -110,8 +110,8 @@ int study(const Options& o) {
                       "more, so ask for longer runs, or leave out long steps",
                       config.study.length * 1000, point.step * 1000),
           config.source);
-  Workers workers(threads_wanted(o.threads));
-  const System system = assembled(config);
+  Workers workers(requested_threads(o.threads));
+  const System system = build_system(config);
   for (const StudyPoint& point : points) check_near(system.forces, point.scheme, config.source);
 
   const StudyFiles files(o.output);
@@ -121,14 +121,14 @@ int study(const Options& o) {
   if (!std::filesystem::exists(files.runs))
     for (const std::string& file : files.all()) refuse_existing(file, o.force);
   const Provenance provenance{POLHODE_VERSION, typed_command("polhode study", {{"", o.file}}),
-                              study_identity(config, system), name(current_target()),
+                              study_identity(config, system), name(current_instruction_set()),
                               config.system.seed};
   StudyRecord record(files.runs, provenance, o.force);
   std::vector<StudyRun> runs = record.known();
   log("polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}, "
       "threads {}\n",
       POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
-      config.study.length, provenance.target, workers.threads());
+      config.study.length, provenance.instruction_set, workers.threads());
   note_molecules(system);
   note_forces(system);
   if (!runs.empty()) log("{} runs are known from {}\n", runs.size(), files.runs);

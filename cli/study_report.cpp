@@ -30,7 +30,7 @@ Table point_table(const StudyReport& report) {
                    {"R_error", "1"},
                    {"drift", "kJ/mol/ps"},
                    {"drift_error", "kJ/mol/ps"},
-                   {"drift_chance", "1"},
+                   {"drift_p_value", "1"},
                    {"temperature", "K"},
                    {"R_rounding", "1"},
                    {"rounded", "1"},
@@ -41,7 +41,7 @@ Table point_table(const StudyReport& report) {
       const EfficiencyPoint& p = curve.points[i];
       table.rows.push_back({p.scheme, p.step * 1000, p.cost, static_cast<double>(p.runs),
                             p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
-                            p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.chance,
+                            p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.p_value,
                             p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
       add_excesses(table.rows.back(), p);
     }
@@ -50,7 +50,7 @@ Table point_table(const StudyReport& report) {
 
 std::string conditions(const Config& config) {
   const ForceSettings& f = config.forces;
-  const std::string mixing = described(f.mixing);
+  const std::string mixing = description(f.mixing);
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, start {}; at most {} "
       "runs of {:g} ps from starts prepared for {:g} ps at {:g} K, the same for every scheme; "
@@ -59,8 +59,9 @@ std::string conditions(const Config& config) {
       "drift significant below a chance of {:g}",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
-      config.system.start.empty() ? "lattice" : config.system.start, config.study.runs,
-      config.study.length, config.study.decorrelate, config.system.temperature, significance);
+      config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,
+      config.study.runs, config.study.length, config.study.decorrelate, config.system.temperature,
+      significance);
 }
 
 /// A mean over runs with its error, where there are enough of them.
@@ -116,7 +117,7 @@ std::string study_json(const StudyReport& report) {
            {"R_error", error_of(p.ratio)},
            {"drift_kJ_per_mol_ps", p.drift.rate.value},
            {"drift_error", error_of(p.drift.rate)},
-           {"drift_chance", p.runs > 1 ? nlohmann::json(p.drift.chance) : nlohmann::json()},
+           {"drift_p_value", p.runs > 1 ? nlohmann::json(p.drift.p_value) : nlohmann::json()},
            {"temperature_K", p.temperature},
            {"R_rounding", p.rounding},
            {"rounded", p.at_rounding()},
@@ -128,11 +129,12 @@ std::string study_json(const StudyReport& report) {
     nlohmann::json row{{"R", line.ratio}};
     for (std::size_t c = 0; c < line.costs.size(); ++c)
       if (line.costs[c])
-        row["costs"][report.curves[c].scheme] = {{"force_evaluations_per_ps", line.costs[c]->cost},
-                                                 {"error", line.costs[c]->error},
-                                                 {"step_fs", line.costs[c]->step * 1000},
-                                                 {"extrapolated", line.costs[c]->extrapolated},
-                                                 {"longest_without_drift", line.costs[c]->longest}};
+        row["costs"][report.curves[c].scheme] = {
+            {"force_evaluations_per_ps", line.costs[c]->cost},
+            {"error", line.costs[c]->error},
+            {"step_fs", line.costs[c]->step * 1000},
+            {"extrapolated", line.costs[c]->extrapolated},
+            {"max_step_without_drift", line.costs[c]->at_max_step}};
     if (line.best) row["best"] = report.curves[*line.best].scheme;
     json["guidelines"].push_back(row);
   }
@@ -149,16 +151,17 @@ void write_study(const StudyFiles& files, const StudyReport& report, const Prove
   write_file(files.points,
              [&](std::ostream& out) { write_csv(out, point_table(report), provenance); });
   write_file(files.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
-  std::vector<EfficiencyCurve> drawn;
+  std::vector<EfficiencyCurve> figure_data;
   for (const Curve& curve : report.curves) {
-    drawn.push_back({curve.scheme, {}});
+    figure_data.push_back({curve.scheme, {}});
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      drawn.back().marks.push_back(
+      figure_data.back().marks.push_back(
           {p.cost, p.ratio.value, p.ratio.error, i < curve.usable, p.at_rounding()});
     }
   }
-  for (const char* format : {"svg", "png"}) efficiency_plot(files.prefix, drawn, format, std::cerr);
+  for (const char* format : {"svg", "png"})
+    efficiency_plot(files.prefix, figure_data, format, std::cerr);
 }
 
 void print_study(const StudyReport& report, const std::vector<std::string>& written) {
@@ -195,9 +198,9 @@ void print_study(const StudyReport& report, const std::vector<std::string>& writ
       const auto& cost = line.costs[c];
       std::string text = "-";
       if (cost) {
-        text = cost->longest ? fmt::format("{:.0f}+", cost->cost)
-                             : fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error,
-                                           cost->extrapolated ? "*" : "");
+        text = cost->at_max_step ? fmt::format("{:.0f}+", cost->cost)
+                                 : fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error,
+                                               cost->extrapolated ? "*" : "");
         if (verlet < line.costs.size() && line.costs[verlet])
           text += fmt::format(" ({:.2f})", line.costs[verlet]->cost / cost->cost);
       }

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/claims.hpp"
-#include "polhode/run/equipartition.hpp"
+#include "polhode/run/simulation/equipartition.hpp"
+#include "polhode/run/study/claims.hpp"
 
 namespace polhode::cli {
 

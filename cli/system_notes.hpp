@@ -11,14 +11,14 @@
 #include "polhode/base/printable.hpp"
 #include "polhode/io/file_lock.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/system.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
 
 /// On standard error: the molecules of a topology file, and how their rigid shapes were determined;
-/// the distance of atoms in the start configuration from the rigid bodies, if it exceeds rounding,
-/// and of massless sites, if it exceeds what that of the atoms explains.
+/// the distance of atoms in the initial configuration from the rigid bodies, if it exceeds
+/// rounding, and of massless sites, if it exceeds what that of the atoms explains.
 inline void note_molecules(const System& system) {
   for (std::size_t k = 0; k < system.origins.size(); ++k) {
     const auto& [molecule, count] = system.topology.parts[k];
@@ -36,7 +36,7 @@ inline void note_molecules(const System& system) {
     log("note: the start moved as a whole at {:.4g} nm/ps, which counted as {:.4g} K; its "
         "total momentum is removed\n",
         system.removed_velocity, system.removed_temperature);
-  if (freedoms(system.topology).all() == 0)
+  if (degrees_of_freedom(system.topology).all() == 0)
     log("note: a single atom rests in its own frame and has no degrees of freedom, so it "
         "has no temperature\n");
 }
@@ -51,13 +51,13 @@ inline void note_lock(const FileLock& lock) {
 /// grid, order and split of a mesh; a net charge.
 inline void note_forces(const System& system) {
   const ForceSettings& forces = system.forces;
-  if (const std::string mixing = described(forces.mixing); !mixing.empty())
+  if (const std::string mixing = description(forces.mixing); !mixing.empty())
     log("Lennard-Jones: {}\n", mixing);
   if (forces.mesh)
     log("PME: grid {} x {} x {}, order {}, split exponent {}, for a relative force error of "
         "{:g}\n",
         forces.mesh->points[0], forces.mesh->points[1], forces.mesh->points[2], forces.mesh->order,
-        forces.mesh->exponent, forces.accuracy);
+        forces.mesh->exponent, forces.pme_accuracy);
   double net = 0;
   for (const auto& part : system.topology.parts)
     net += static_cast<double>(part.count) * part.molecule.charge();

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/equipartition.hpp"
+#include "polhode/run/simulation/equipartition.hpp"
 
 namespace polhode::cli {
 

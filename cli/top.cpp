@@ -88,7 +88,7 @@ std::vector<std::string> cells(std::string line) {
 
 /// Converts the columns I1 I2 I3 L1 L2 L3 t of a CSV file to the text for stdout. All rows are
 /// checked and computed before the first is written.
-std::string rotated_table(const std::string& file, RotorMethod method) {
+std::string rotate_table(const std::string& file, RotorMethod method) {
   std::ifstream in(file);
   if (!in) throw Error("the table cannot be opened; check its name and that it may be read", file);
   std::string line;
@@ -168,8 +168,8 @@ struct TopLine {
   Track series, no_squish;
 };
 
-std::vector<TopLine> followed(const Vec3<double>& J, const Vec3<double>& L, double step,
-                              double steps) {
+std::vector<TopLine> integrate_top(const Vec3<double>& J, const Vec3<double>& L, double step,
+                                   double steps) {
   std::vector<TopLine> lines;
   const double shown = std::min(steps, 20.0);
   TopLine now{0, closed_rotation(J, L, 0), {{}, L}, {{}, L}};
@@ -232,7 +232,7 @@ void print_json(const std::vector<TopLine>& lines, double step) {
 
 int top(const TopOptions& options) {
   if (!options.table.empty()) {
-    fmt::print("{}", rotated_table(options.table, options.method));
+    fmt::print("{}", rotate_table(options.table, options.method));
     return 0;
   }
   if (options.J.size() != 3 || options.L.size() != 3)
@@ -256,7 +256,8 @@ int top(const TopOptions& options) {
   const TopFigure figure(options.output);
   if (!options.output.empty())
     for (const std::string& file : figure.files()) refuse_existing(file, options.force);
-  const std::vector<TopLine> lines = followed(J, L, step, std::floor(length / step * (1 + 1e-12)));
+  const std::vector<TopLine> lines =
+      integrate_top(J, L, step, std::floor(length / step * (1 + 1e-12)));
   if (options.json)
     print_json(lines, step);
   else

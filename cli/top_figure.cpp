@@ -137,7 +137,7 @@ std::string data_text(const Vec3<double>& J, const Vec3<double>& L, double twice
     if (!any_point) text += "NaN NaN NaN\n\n";
   };
   // Two blank lines would start a new block.
-  const auto squeezed = [&](std::size_t from) {
+  const auto squeeze_blank_lines = [&](std::size_t from) {
     std::string out;
     for (std::size_t k = from; k < text.size(); ++k)
       if (!(text[k] == '\n' && out.size() >= 2 && out[out.size() - 1] == '\n' &&
@@ -153,7 +153,7 @@ std::string data_text(const Vec3<double>& J, const Vec3<double>& L, double twice
        {std::pair{&others, false}, {&others, true}, {&own, false}, {&own, true}}) {
     const std::size_t from = text.size();
     block(*curves, visible);
-    squeezed(from);
+    squeeze_blank_lines(from);
   }
   text += '\n';
   point(Vec3<double>{L.x / J.x, L.y / J.y, L.z / J.z} * 1.004);
@@ -162,8 +162,8 @@ std::string data_text(const Vec3<double>& J, const Vec3<double>& L, double twice
 
 std::string script_text(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
                         double twice_E) {
-  const double longest = std::sqrt(twice_E / std::min({J.x, J.y, J.z}));
-  const double reach = 1.22 * longest;
+  const double max_omega = std::sqrt(twice_E / std::min({J.x, J.y, J.z}));
+  const double plot_range = 1.22 * max_omega;
   std::string text = fmt::format(
       R"(# Drawn by: gnuplot {}
 set view {}, {}, 1.72
@@ -187,15 +187,15 @@ set bmargin 0
 set tmargin 0
 set palette defined (0 '#e9eef5', 1 '#cfdbe8')
 )",
-      gnuplot_comment(fs::path(figure.script).filename().string()), tilt, turn, -reach, -reach,
-      reach, -reach, reach, -reach, reach);
+      gnuplot_comment(fs::path(figure.script).filename().string()), tilt, turn, -plot_range,
+      -plot_range, plot_range, -plot_range, plot_range, -plot_range, plot_range);
   std::string marks;  // axes and title, drawn with the lines
   const std::array<const char*, 3> names{"1", "2", "3"};
   for (std::size_t k = 0; k < 3; ++k) {
     Vec3<double> from, to, label;
     from[k] = std::sqrt(twice_E / J[k]);
-    to[k] = from[k] + 0.24 * longest;
-    label[k] = to[k] + 0.09 * longest;
+    to[k] = from[k] + 0.24 * max_omega;
+    label[k] = to[k] + 0.09 * max_omega;
     marks += fmt::format(
         "set arrow from {:.6g},{:.6g},{:.6g} to {:.6g},{:.6g},{:.6g} head filled size screen "
         "0.012,18 lc rgb '#555555' lw 1.2 front\n"

@@ -10,11 +10,11 @@
 #include "interrupt.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/run/tune.hpp"
+#include "polhode/run/study/tune.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
 #include "system_notes.hpp"
@@ -29,7 +29,7 @@ struct Options {
   bool json = false;
 };
 
-TuneSettings configured(const Options& o, const Config& config) {
+TuneSettings make_settings(const Options& o, const Config& config) {
   try {
     single_scheme_of(config.integrator.scheme);
   } catch (const Error& e) {
@@ -41,12 +41,12 @@ TuneSettings configured(const Options& o, const Config& config) {
   if (!o.length.empty()) settings.length = positive_time(o.length, "--length");
   if (!o.decorrelate.empty()) settings.decorrelate = positive_time(o.decorrelate, "--decorrelate");
   if (!o.sample.empty()) settings.sample = positive_time(o.sample, "--sample");
-  constexpr double fewest = 20;  // for covariances of three quantities
-  if (settings.length < fewest * settings.sample)
+  constexpr double min_repeats = 20;  // for covariances of three quantities
+  if (settings.length < min_repeats * settings.sample)
     throw Error(
         fmt::format("length {:g} fs holds fewer than {:g} samples of the brackets, {:g} fs "
                     "apart; ask for longer runs, or for a shorter --sample",
-                    settings.length * 1000, fewest, settings.sample * 1000));
+                    settings.length * 1000, min_repeats, settings.sample * 1000));
   return settings;
 }
 
@@ -85,13 +85,13 @@ void print(const Tuned& t) {
 
 int tune_scheme(const Options& o) {
   const Config config = o.file.empty() ? default_config() : read_config(o.file);
-  const TuneSettings settings = configured(o, config);
-  Workers workers(threads_wanted(o.threads));
-  const System system = assembled(config);
+  const TuneSettings settings = make_settings(o, config);
+  Workers workers(requested_threads(o.threads));
+  const System system = build_system(config);
   log("polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and "
       "{} that confirm, target {}, threads {}\n",
       POLHODE_VERSION, system.topology.size(), settings.step * 1000, settings.runs, settings.length,
-      settings.runs, name(current_target()), workers.threads());
+      settings.runs, name(current_instruction_set()), workers.threads());
   note_molecules(system);
   note_forces(system);
 

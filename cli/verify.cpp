@@ -29,7 +29,7 @@ Action verify_verb(CLI::App& app) {
   app.add_flag("--json", o->json, "print JSON");
   return [o] {
     const NestedScheme scheme = nested_scheme_of(o->scheme);
-    const OrderMeasurement m = measured_order(scheme, o->lambda);
+    const OrderMeasurement m = measure_order(scheme, o->lambda);
     const int declared = o->order ? o->order : scheme.order();
     // The error of a symmetric scheme is C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²),
     // here < 0.1.

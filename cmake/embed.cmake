@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Data files built into the program: molecule models, the default run and its start configuration.
+# Data files built into the program: molecule models, the default run and its initial configuration.
 
 # polhode_embed(VARIABLE FILE...): VARIABLE names a generated source that defines embedded_files().
 function(polhode_embed variable)

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "polhode/forces/force_field.hpp"
-#include "polhode/forces/reference.hpp"
+#include "polhode/forces/pairs/reference.hpp"
 #include "polhode/io/molecule_file.hpp"
 
 namespace polhode::scenes {

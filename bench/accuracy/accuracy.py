@@ -71,7 +71,7 @@ def measured(o, scheme, step, seed):
     kept = o.folder / f"{name}.json"
     if not kept.exists():
         whole = lambda fs: step * max(1, round(fs / step))  # so that all steps have the same sampling interval
-        text = RUN_FILE.format(count=o.count, start=f'start = "{start(o, seed)}"', seed=seed, scheme=scheme, step=step,
+        text = RUN_FILE.format(count=o.count, start=f'initial_configuration = "{start(o, seed)}"', seed=seed, scheme=scheme, step=step,
                                equilibrate=0, length=o.length, sample=whole(12), name=name, every=whole(120),
                                form=o.format)
         (o.folder / f"{name}.toml").write_text(text, encoding="utf-8")

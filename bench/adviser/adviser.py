@@ -19,7 +19,7 @@ import machine
 
 # Molecules with their number, initial configuration, and forces.
 BOXES = {
-    "tip4p-512": (["tip4p", 512], 'start = "w512"', 'cutoff = "1.0 nm"\nswitch = "0.85 nm"'),
+    "tip4p-512": (["tip4p", 512], 'initial_configuration = "w512"', 'cutoff = "1.0 nm"\nswitch = "0.85 nm"'),
     "tip4p-216-reaction-field": (["tip4p", 216], 'density = "1 g/cm3"',
                                  'truncation = "site-switch"\nelectrostatics = "reaction-field"\ncutoff = "0.9 nm"'),
     "spce-125-pme": (["spce", 125], 'density = "0.997 g/cm3"', 'electrostatics = "pme"\ncutoff = "0.75 nm"'),

@@ -41,7 +41,7 @@ prefix = "run"
 plot = "none"
 trajectory_every = "0 ps"
 """
-KEYS = ("samples", "R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_chance", "drift_verdict", "pressure_bar",
+KEYS = ("samples", "R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_p_value", "drift_verdict", "pressure_bar",
         "pressure_error_bar", "total_kJ_per_mol")
 
 
@@ -78,16 +78,16 @@ def over_scatter(reports, value, error):
 
 
 def fired(reports, level):
-    return sum(r["drift_chance"] is not None and r["drift_chance"] < level for r in reports) / len(reports) / level
+    return sum(r["drift_p_value"] is not None and r["drift_p_value"] < level for r in reports) / len(reports) / level
 
 
 def row(system, scheme, length, reports):
     """Fractions of runs with a significant drift are divided by the nominal ones."""
     shadow = [r["shadow"] for r in reports if r["shadow"]]
     return {"system": system, "scheme": scheme, "length_ps": length, "runs": len(reports),
-            "told": sum(r["drift_chance"] is not None for r in reports) / len(reports),
+            "told": sum(r["drift_p_value"] is not None for r in reports) / len(reports),
             "fired_5": fired(reports, 0.05), "fired_1": fired(reports, 0.01),
-            "shadow_told": sum(r["drift_chance"] is not None for r in shadow) / len(shadow) if shadow else None,
+            "shadow_told": sum(r["drift_p_value"] is not None for r in shadow) / len(shadow) if shadow else None,
             "shadow_fired_5": fired(shadow, 0.05) if shadow else None, "shadow_fired_1": fired(shadow, 0.01) if shadow else None,
             "error_of_R": over_scatter(reports, "R", "R_error"),
             "error_of_drift": over_scatter(reports, "drift_kJ_per_mol_ps", "drift_error"),

@@ -116,7 +116,7 @@ def measured(o):
         for molecules in o.sizes:
             systems, report = timed(o, molecules, precision)
             rest = at_rest(o, molecules, precision)
-            result.update({key: report[key] for key in ("version", "processor", "target")})
+            result.update({key: report[key] for key in ("version", "processor", "instruction_set")})
             if molecules == o.sizes[0]:
                 result["limits"] += report["limits"]
             for system in systems:

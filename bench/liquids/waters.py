@@ -13,7 +13,7 @@ temperature = "{temperature:g} K"
 seed = {seed}
 [forces]
 electrostatics = "pme"
-accuracy = 1e-4
+pme_accuracy = 1e-4
 cutoff = "0.9 nm"
 dispersion_correction = true
 precision = "mixed"

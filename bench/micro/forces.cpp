@@ -9,11 +9,11 @@
 #include <chrono>
 #include <string>
 
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/benchmark.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/benchmark/benchmark.hpp"
+#include "polhode/run/simulation/system.hpp"
 
 namespace {
 
@@ -23,10 +23,10 @@ ForceSettings law(Truncation truncation, Precision precision, double skin) {
   return {truncation, 0.9, 0.765, 2, Electrostatics::reaction_field, 78.5, skin, precision};
 }
 
-void force_evaluation(benchmark::State& loop, Target target, Truncation truncation,
+void force_evaluation(benchmark::State& loop, InstructionSet instruction_set, Truncation truncation,
                       Precision precision, bool energies) {
-  force_target(target);
-  const System water = assembled(default_config());
+  force_instruction_set(instruction_set);
+  const System water = build_system(default_config());
   ForceField forces(water.topology, law(truncation, precision, 0.04), water.state.box);
   Load load;
   forces(water.state, load);
@@ -44,15 +44,15 @@ void force_evaluation(benchmark::State& loop, Target target, Truncation truncati
                     whole = pairs_within(water.state, settings.switch_from);
   loop.counters["fill"] = static_cast<double>(pairs) / lanes;
   loop.counters["arithmetic_us"] =
-      1e6 * measured_limit(precision, 0.05).seconds(whole, pairs - whole, energies);
+      1e6 * measure_limit(precision, 0.05).seconds(whole, pairs - whole, energies);
 }
 
 /// The derivative of forces along the direction of a gradient kick, interleaved with force
 /// evaluations: minimum times, so that the ratio does not depend on other load.
-void derivative(benchmark::State& loop, Target target, Precision precision,
+void derivative(benchmark::State& loop, InstructionSet instruction_set, Precision precision,
                 const ForceSettings& settings) {
-  force_target(target);
-  const System water = assembled(default_config());
+  force_instruction_set(instruction_set);
+  const System water = build_system(default_config());
   ForceSettings with_precision = settings;
   with_precision.precision = precision;
   ForceField forces(water.topology, with_precision, water.state.box);
@@ -78,9 +78,10 @@ void derivative(benchmark::State& loop, Target target, Precision precision,
   loop.counters["ratio"] = derivative / evaluation;
 }
 
-void hoa2_step(benchmark::State& loop, Target target, Precision precision, double skin) {
-  force_target(target);
-  System water = assembled(default_config());
+void hoa2_step(benchmark::State& loop, InstructionSet instruction_set, Precision precision,
+               double skin) {
+  force_instruction_set(instruction_set);
+  System water = build_system(default_config());
   ForceField forces(water.topology, law(Truncation::molecule_switch, precision, skin),
                     water.state.box);
   Integrator integrator(scheme_of("hoa2"), water.bodies, forces);
@@ -94,26 +95,27 @@ void hoa2_step(benchmark::State& loop, Target target, Precision precision, doubl
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const Target target : available_targets())
-    for (const Precision precision : {Precision::full, Precision::mixed}) {
+  for (const InstructionSet instruction_set : available_instruction_sets())
+    for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
       const std::string on =
-          std::string(precision == Precision::full ? "/double/" : "/mixed/") + name(target);
+          std::string(precision == Precision::double_precision ? "/double/" : "/mixed/") +
+          name(instruction_set);
       const auto add = [&](const std::string& name, auto... arguments) {
         benchmark::RegisterBenchmark((name + on).c_str(), arguments...)
             ->Unit(benchmark::kMicrosecond);
       };
       for (const bool energies : {false, true}) {
         const std::string what = energies ? "/energies" : "/forces";
-        add("molecule_switch" + what, force_evaluation, target, Truncation::molecule_switch,
+        add("molecule_switch" + what, force_evaluation, instruction_set,
+            Truncation::molecule_switch, precision, energies);
+        add("site_switch" + what, force_evaluation, instruction_set, Truncation::site_switch,
             precision, energies);
-        add("site_switch" + what, force_evaluation, target, Truncation::site_switch, precision,
-            energies);
-        add("site_shift" + what, force_evaluation, target, Truncation::site_shift, precision,
-            energies);
+        add("site_shift" + what, force_evaluation, instruction_set, Truncation::site_shift,
+            precision, energies);
       }
       const auto add_derivative = [&](const std::string& name, const ForceSettings& settings) {
-        benchmark::RegisterBenchmark(("derivative/" + name + on).c_str(), derivative, target,
-                                     precision, settings)
+        benchmark::RegisterBenchmark(("derivative/" + name + on).c_str(), derivative,
+                                     instruction_set, precision, settings)
             ->UseManualTime()
             ->Unit(benchmark::kMicrosecond);
       };
@@ -121,11 +123,11 @@ int main(int argc, char** argv) {
       add_derivative("site_switch", law(Truncation::site_switch, precision, 0.04));
       add_derivative("site_shift", law(Truncation::site_shift, precision, 0.04));
       ForceSettings ewald = law(Truncation::site_switch, precision, 0.04);
-      ewald.electrostatics = Electrostatics::ewald;
+      ewald.electrostatics = Electrostatics::pme;
       add_derivative("ewald", ewald);
       for (const double skin : {0.03, 0.05, 0.07})
-        add("hoa2_step/skin=" + std::to_string(skin).substr(0, 4), hoa2_step, target, precision,
-            skin);
+        add("hoa2_step/skin=" + std::to_string(skin).substr(0, 4), hoa2_step, instruction_set,
+            precision, skin);
     }
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();

@@ -9,10 +9,10 @@
 #include <random>
 #include <string>
 
-#include "polhode/base/target.hpp"
-#include "polhode/forces/mesh_choice.hpp"
-#include "polhode/forces/particle_mesh.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/base/instruction_set.hpp"
+#include "polhode/forces/mesh/mesh_choice.hpp"
+#include "polhode/forces/mesh/particle_mesh.hpp"
+#include "polhode/run/simulation/system.hpp"
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr double cutoff = 0.9;
 
 /// `copies` of the box of water along each edge.
 System waters(std::size_t copies) {
-  const System one = assembled(default_config());
+  const System one = build_system(default_config());
   System all = one;
   const std::size_t n = one.state.size(), boxes = copies * copies * copies;
   all.topology.parts[0].count = n * boxes;
@@ -62,9 +62,9 @@ struct Placed {
 enum class What { spread, convolve, gather, forces, energies };
 
 template <class T>
-void mesh(benchmark::State& loop, Target target, What what, std::size_t copies,
+void mesh(benchmark::State& loop, InstructionSet instruction_set, What what, std::size_t copies,
           const MeshSettings& settings, int threads) {
-  force_target(target);
+  force_instruction_set(instruction_set);
   const System system = waters(copies);
   Placed<T> placed(system);
   Workers workers(threads);
@@ -95,9 +95,10 @@ void mesh(benchmark::State& loop, Target target, What what, std::size_t copies,
 }
 
 template <class T>
-void add(const std::string& name, Target target, What what, std::size_t copies,
+void add(const std::string& name, InstructionSet instruction_set, What what, std::size_t copies,
          const MeshSettings& settings, int threads = 1) {
-  benchmark::RegisterBenchmark(name.c_str(), mesh<T>, target, what, copies, settings, threads)
+  benchmark::RegisterBenchmark(name.c_str(), mesh<T>, instruction_set, what, copies, settings,
+                               threads)
       ->Unit(benchmark::kMicrosecond)
       ->UseRealTime();
 }
@@ -106,15 +107,15 @@ template <class T>
 void add_all(const std::string& precision) {
   // Relative errors of 0.9e-4 in this water.
   const MeshSettings usual{{20, 20, 20}, 5, 5, cutoff};
-  for (const Target target : available_targets()) {
-    const std::string on = precision + "/" + name(target);
-    add<T>("spread" + on, target, What::spread, 1, usual);
-    add<T>("convolve" + on, target, What::convolve, 1, usual);
-    add<T>("gather" + on, target, What::gather, 1, usual);
-    add<T>("forces" + on, target, What::forces, 1, usual);
-    add<T>("energies" + on, target, What::energies, 1, usual);
+  for (const InstructionSet instruction_set : available_instruction_sets()) {
+    const std::string on = precision + "/" + name(instruction_set);
+    add<T>("spread" + on, instruction_set, What::spread, 1, usual);
+    add<T>("convolve" + on, instruction_set, What::convolve, 1, usual);
+    add<T>("gather" + on, instruction_set, What::gather, 1, usual);
+    add<T>("forces" + on, instruction_set, What::forces, 1, usual);
+    add<T>("energies" + on, instruction_set, What::energies, 1, usual);
   }
-  const Target best = available_targets().back();
+  const InstructionSet best = available_instruction_sets().back();
   const System water = waters(1);
   for (const double error : {1e-3, 1e-4, 1e-5, 1e-6})
     add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,

@@ -15,7 +15,7 @@
 #include <chrono>
 #include <random>
 
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/rotor/free_rotation.hpp"
 
 namespace polhode {
@@ -93,16 +93,16 @@ double nanoseconds_per_body(Turn turn, Tops& tops) {
 struct Loops {
   Turn series, no_squish;
 };
-Loops loops(Target target) {
-  force_target(target);
+Loops loops(InstructionSet instruction_set) {
+  force_instruction_set(instruction_set);
   return {POLHODE_CURRENT_LOOPS(turn_by_series), POLHODE_CURRENT_LOOPS(turn_by_no_squish)};
 }
 
 void print_ratios() {
   fmt::print("\nmedian of 41 alternating runs     ns per body         ratio\n");
   fmt::print("target    |omega t|      series    NO_SQUISH   series/NO_SQUISH\n");
-  for (const Target target : available_targets()) {
-    const Loops turn = loops(target);
+  for (const InstructionSet instruction_set : available_instruction_sets()) {
+    const Loops turn = loops(instruction_set);
     for (const double angle : {0.1, 0.3}) {
       Tops a = water_tops(angle), b = water_tops(angle);
       std::array<double, 41> series{}, no_squish{}, ratio{};
@@ -115,8 +115,8 @@ void print_ratios() {
         std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
         return values[values.size() / 2];
       };
-      fmt::print("{:8} {:9.1f} {:12.2f} {:12.2f} {:12.2f}\n", name(target), angle, median(series),
-                 median(no_squish), median(ratio));
+      fmt::print("{:8} {:9.1f} {:12.2f} {:12.2f} {:12.2f}\n", name(instruction_set), angle,
+                 median(series), median(no_squish), median(ratio));
     }
   }
 }
@@ -127,10 +127,10 @@ void print_ratios() {
 
 int main(int argc, char** argv) {
   using namespace polhode;
-  for (const Target target : available_targets()) {
-    const bench::Loops turn = bench::loops(target);
+  for (const InstructionSet instruction_set : available_instruction_sets()) {
+    const bench::Loops turn = bench::loops(instruction_set);
     for (const double angle : {0.1, 0.3}) {
-      const std::string suffix = fmt::format("/{}/{}", name(target), angle);
+      const std::string suffix = fmt::format("/{}/{}", name(instruction_set), angle);
       benchmark::RegisterBenchmark(("series" + suffix).c_str(), bench::turn_packs, turn.series,
                                    angle);
       benchmark::RegisterBenchmark(("no_squish" + suffix).c_str(), bench::turn_packs,

@@ -18,7 +18,7 @@ import machine
 
 RUN_FILE = """[system]
 molecules = [{{ model = "tip4p" }}]
-start = "{start}"
+initial_configuration = "{start}"
 [forces]
 electrostatics = "{electrostatics}"
 [integrator]

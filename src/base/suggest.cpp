@@ -26,11 +26,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names) {
   std::optional<std::string> best;
-  std::size_t least = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
+  std::size_t min_distance = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
   for (const std::string& name : names) {
     const std::size_t distance = edit_distance(word, name);
-    if (distance >= least) continue;
-    least = distance;
+    if (distance >= min_distance) continue;
+    min_distance = distance;
     best = name;
   }
   return best;
@@ -41,7 +41,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> nam
   return name ? "; did you mean '" + *name + "'?" : "";
 }
 
-std::string listed(std::span<const std::string> names) {
+std::string join_names(std::span<const std::string> names) {
   std::string list;
   for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   return list;

@@ -52,7 +52,7 @@ std::optional<int> cores(const std::string& quota, const std::string& period) {
   return static_cast<int>(std::clamp(std::ceil(q / p), 1.0, 1e6));
 }
 
-std::optional<int> least(std::optional<int> a, std::optional<int> b) {
+std::optional<int> smaller(std::optional<int> a, std::optional<int> b) {
   return a && b ? std::min(a, b) : a ? a : b;
 }
 
@@ -61,8 +61,8 @@ std::optional<int> bound_of(const fs::path& group) {
   std::istringstream words(first_line(group / "cpu.max"));
   std::string quota, period;
   words >> quota >> period;
-  return least(cores(quota, period), cores(first_line(group / "cpu.cfs_quota_us"),
-                                           first_line(group / "cpu.cfs_period_us")));
+  return smaller(cores(quota, period), cores(first_line(group / "cpu.cfs_quota_us"),
+                                             first_line(group / "cpu.cfs_period_us")));
 }
 
 /// The smallest limit of a group and its ancestors. In a container a group may appear as the root,
@@ -70,12 +70,12 @@ std::optional<int> bound_of(const fs::path& group) {
 std::optional<int> bound_up_to_root(const fs::path& mount, fs::path group) {
   std::optional<int> bound = bound_of(mount);
   for (group = group.relative_path(); !group.empty(); group = group.parent_path())
-    bound = least(bound, bound_of(mount / group));
+    bound = smaller(bound, bound_of(mount / group));
   return bound;
 }
 
 /// Parses and checks a number of threads.
-int judged(const std::string& text, const std::string& place) {
+int parse_thread_count(const std::string& text, const std::string& place) {
   const int allowed = allowed_threads();
   int n = 0;
   const char* const last = text.data() + text.size();
@@ -101,10 +101,10 @@ std::optional<int> group_bandwidth(const std::string& membership, const fs::path
     const fs::path group = line.substr(second + 1);
     if (controllers.empty())
       for (const fs::path& root : {mount, mount / "unified"})
-        bound = least(bound, bound_up_to_root(root, group));
+        bound = smaller(bound, bound_up_to_root(root, group));
     else if (("," + controllers + ",").find(",cpu,") != std::string::npos)
       for (const std::string& folder : {controllers, std::string("cpu")})
-        bound = least(bound, bound_up_to_root(mount / folder, group));
+        bound = smaller(bound, bound_up_to_root(mount / folder, group));
   }
   return bound;
 }
@@ -117,15 +117,16 @@ int allowed_threads() {
   return std::min(bound_cores(), bandwidth.value_or(bound_cores()));
 }
 
-int threads_wanted(const std::string& option) {
-  if (!option.empty()) return judged(option, "--threads");
+int requested_threads(const std::string& option) {
+  if (!option.empty()) return parse_thread_count(option, "--threads");
   const char* const variable = std::getenv("POLHODE_THREADS");
-  if (variable != nullptr && *variable != '\0') return judged(variable, "POLHODE_THREADS");
+  if (variable != nullptr && *variable != '\0')
+    return parse_thread_count(variable, "POLHODE_THREADS");
   return allowed_threads();
 }
 
-int threads_wanted(std::optional<int> option) {
-  return threads_wanted(option ? std::to_string(*option) : std::string());
+int requested_threads(std::optional<int> option) {
+  return requested_threads(option ? std::to_string(*option) : std::string());
 }
 
 }  // namespace polhode

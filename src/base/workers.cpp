@@ -32,7 +32,7 @@ void pause() {
 /// up, and little time taken from another process on the core.
 template <class Done>
 bool spin(const Done& done) {
-  constexpr std::chrono::microseconds longest(30);
+  constexpr std::chrono::microseconds max_spin(30);
   constexpr int pauses = 16;  // between two readings of the clock
   const auto start = std::chrono::steady_clock::now();
   do {
@@ -40,13 +40,13 @@ bool spin(const Done& done) {
       if (done()) return true;
       pause();
     }
-  } while (std::chrono::steady_clock::now() - start < longest);
+  } while (std::chrono::steady_clock::now() - start < max_spin);
   return done();
 }
 
 /// A number on which threads sleep until it changes. std::atomic::wait would first yield several
 /// times, and each yield can give a whole time slice to another process.
-struct Sleepable {
+struct Futex {
   std::atomic<std::uint32_t> value{0};
   std::atomic<int> sleepers{0};
 
@@ -63,14 +63,14 @@ struct Sleepable {
 
   /// To be called after a sequentially consistent change of the value, so that either the sleeper
   /// sees the change or the caller sees the sleeper.
-  void wake(std::size_t most) {
+  void wake(std::size_t max_wake) {
 #ifdef __linux__
     constexpr std::size_t all = std::numeric_limits<int>::max();
     if (sleepers.load() > 0)
-      syscall(SYS_futex, &value, FUTEX_WAKE_PRIVATE, static_cast<int>(std::min(most, all)), nullptr,
-              nullptr, 0);
+      syscall(SYS_futex, &value, FUTEX_WAKE_PRIVATE, static_cast<int>(std::min(max_wake, all)),
+              nullptr, nullptr, 0);
 #else
-    if (most > 0) value.notify_all();
+    if (max_wake > 0) value.notify_all();
 #endif
   }
 };
@@ -185,10 +185,10 @@ class Workers::Pool {
   }
 
   // Variables written by many threads get their own cache lines.
-  alignas(64) Sleepable gate_;
+  alignas(64) Futex gate_;
   alignas(64) std::atomic<std::size_t> next_{0};
   alignas(64) Work work_;
-  Sleepable ended_;  // number of calls that were closed before their last worker left
+  Futex ended_;  // number of calls that were closed before their last worker left
   std::atomic<bool> busy_{false};
   std::mutex throwing_;
   std::exception_ptr thrown_;

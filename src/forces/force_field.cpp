@@ -7,18 +7,18 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
-#include "polhode/forces/mesh_choice.hpp"
-#include "polhode/forces/molecule_pair.hpp"
-#include "polhode/forces/own_charges.hpp"
-#include "polhode/forces/tail.hpp"
+#include "polhode/forces/laws/tail.hpp"
+#include "polhode/forces/mesh/mesh_choice.hpp"
+#include "polhode/forces/mesh/self_interaction.hpp"
+#include "polhode/forces/pairs/molecule_pair.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr double least_error_in_mixed = 1e-5;
+constexpr double min_error_in_mixed = 1e-5;
 
-const ForceSettings& checked(const ForceSettings& s) {
+const ForceSettings& validate(const ForceSettings& s) {
   if (!(s.cutoff > 0) || !std::isfinite(s.cutoff))
     throw Error(
         fmt::format("cutoff {} nm must be a positive length; 0.9 to 1.2 nm is usual", s.cutoff));
@@ -35,28 +35,28 @@ const ForceSettings& checked(const ForceSettings& s) {
     throw Error(fmt::format("dielectric {} must be 1 or more, or infinite", s.dielectric));
   if (!(s.skin > 0) || !std::isfinite(s.skin))
     throw Error(fmt::format("skin {} nm must be a positive length; 0.1 nm is usual", s.skin));
-  if (s.electrostatics == Electrostatics::ewald && s.precision == Precision::mixed &&
-      s.accuracy < least_error_in_mixed)
+  if (s.electrostatics == Electrostatics::pme && s.precision == Precision::mixed &&
+      s.pme_accuracy < min_error_in_mixed)
     throw Error(fmt::format(
         "accuracy {:g} is below {:g}, about what rounding to float leaves of forces on a "
         "mesh; take precision \"double\", or ask for {:g}",
-        s.accuracy, least_error_in_mixed, least_error_in_mixed));
-  if (ends_smoothly(s.electrostatics) && s.truncation != Truncation::site_switch)
+        s.pme_accuracy, min_error_in_mixed, min_error_in_mixed));
+  if (vanishes_at_cutoff(s.electrostatics) && s.truncation != Truncation::site_switch)
     throw Error(
         "electrostatics \"pme\" and \"damped-shifted-force\" go with truncation \"site-switch\", "
         "which then ends Lennard-Jones alone: charges have an ending of their own");
   if (s.electrostatics == Electrostatics::damped_shifted_force &&
-      !(s.damping >= 0 && s.damping * s.cutoff <= most_damping))
+      !(s.damping >= 0 && s.damping * s.cutoff <= max_damping))
     throw Error(fmt::format(
         "damping {:g} 1/nm must be 0 or more, and at most {:g} over the cutoff, {:.4g} 1/nm, where "
         "next to nothing is left of charges at the cutoff; 2 1/nm is usual",
-        s.damping, most_damping, most_damping / s.cutoff));
+        s.damping, max_damping, max_damping / s.cutoff));
   return s;
 }
 
 ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box) {
-  if (s.electrostatics == Electrostatics::ewald && !s.mesh)
-    s.mesh = mesh_for(s.accuracy, s.cutoff, box, topology);
+  if (s.electrostatics == Electrostatics::pme && !s.mesh)
+    s.mesh = mesh_for(s.pme_accuracy, s.cutoff, box, topology);
   return s;
 }
 
@@ -64,14 +64,14 @@ ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s
   ConstantTerms terms;
   if (s.dispersion_correction) terms.dispersion = dispersion_tail(topology, s, box);
   for (std::size_t d = 0; d < 3; ++d) terms.virial[d][d] = terms.dispersion;
-  if (s.electrostatics == Electrostatics::ewald) {
+  if (s.electrostatics == Electrostatics::pme) {
     const MeshConstant mesh(topology, {s.cutoff, s.mesh->exponent}, box);
     terms.self = mesh.self;
     terms.intramolecular = mesh.intramolecular;
     terms.background = mesh.background;
     for (std::size_t d = 0; d < 3; ++d) terms.virial[d] += mesh.virial[d];
   } else if (const auto smooth = smooth_polynomial(s)) {
-    const OwnCharges own(topology, *smooth);
+    const SelfInteraction own(topology, *smooth);
     terms.self = own.self;
     terms.intramolecular = own.intramolecular;
   }
@@ -93,7 +93,7 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
     : workers_(workers),
       topology_(topology),
       bodies_(topology),
-      settings_(with_mesh(checked(settings), topology, box)),
+      settings_(with_mesh(validate(settings), topology, box)),
       constant_(constant_terms_of(topology, settings_, box)),
       engine_(engine(topology, settings_, box, workers)) {}
 
@@ -124,7 +124,7 @@ ListMemory ForceField::list_memory() const {
   return memory;
 }
 
-void ForceField::take_over(const ListMemory& memory) {
+void ForceField::resume_from(const ListMemory& memory) {
   if (memory.built_at.size() == 0) return;
   State state(memory.built_at.size(), neighbours().box());
   state.q = memory.built_at;

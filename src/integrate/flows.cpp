@@ -2,7 +2,7 @@
 #include "polhode/integrate/flows.hpp"
 
 #include "polhode/base/blocks.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 
 namespace polhode {
 

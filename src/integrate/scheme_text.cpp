@@ -26,9 +26,9 @@ class Reader {
     std::vector<Stage> all;
     for (skip_space(); at_ < text_.size(); skip_space()) {
       all.push_back(stage());
-      if (all.size() > Scheme::most_stages)
+      if (all.size() > Scheme::max_stages)
         throw Error(fmt::format("the scheme has more than {} stages; write a shorter one",
-                                Scheme::most_stages));
+                                Scheme::max_stages));
     }
     return all;
   }

@@ -38,13 +38,13 @@ std::uint64_t number_at(std::string_view bytes, std::size_t at) {
 
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(std::ostream& out, const Maker& maker) : out_(out) {
+CheckpointWriter::CheckpointWriter(std::ostream& out, const ProgramVersion& program) : out_(out) {
   put(magic.data(), magic.size());
   (*this)(format_version);
   const std::uint64_t length = 0;  // filled in at the end
   out_.write(reinterpret_cast<const char*>(&length), number);
-  (*this)(maker.version);
-  (*this)(maker.target);
+  (*this)(program.version);
+  (*this)(program.instruction_set);
 }
 
 void CheckpointWriter::put(const void* bytes, std::size_t n) {
@@ -74,10 +74,11 @@ void CheckpointWriter::end() {
   out_.write(reinterpret_cast<const char*>(&length), number);
 }
 
-CheckpointReader::CheckpointReader(const std::string& path, const Maker& reader)
+CheckpointReader::CheckpointReader(const std::string& path, const ProgramVersion& reader)
     : CheckpointReader(contents(path), path, reader) {}
 
-CheckpointReader::CheckpointReader(std::string bytes, const std::string& path, const Maker& reader)
+CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
+                                   const ProgramVersion& reader)
     : bytes_(std::move(bytes)), path_(path), rest_(bytes_) {
   constexpr std::size_t head = length_at + number;
   if (bytes_.size() < head + number || !rest_.starts_with(magic))
@@ -98,21 +99,21 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path, c
                     "with the program that wrote it, or begin the run anew with --force",
                     path_, version, format_version));
   rest_ = rest_.substr(head, sum_at - head);
-  Maker maker;
-  (*this)(maker.version);
-  (*this)(maker.target);
-  if (maker.version != reader.version)
+  ProgramVersion program;
+  (*this)(program.version);
+  (*this)(program.instruction_set);
+  if (program.version != reader.version)
     throw Error(
         fmt::format("the checkpoint '{}' was written by polhode {} and this is {}: the run "
                     "would not go on bit for bit; take that program, or begin the run anew "
                     "with --force",
-                    path_, maker.version, reader.version));
-  if (maker.target != reader.target)
+                    path_, program.version, reader.version));
+  if (program.instruction_set != reader.instruction_set)
     throw Error(
         fmt::format("the checkpoint '{0}' was written with the instruction set {1}, and "
                     "this run uses {2}: its sums differ in the last digits; set the "
-                    "environment variable POLHODE_TARGET={1}",
-                    path_, maker.target, reader.target));
+                    "environment variable POLHODE_INSTRUCTION_SET={1}",
+                    path_, program.instruction_set, reader.instruction_set));
 }
 
 std::string_view CheckpointReader::take(std::size_t n) {

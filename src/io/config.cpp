@@ -10,7 +10,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
-#include "polhode/forces/damped_shifted_force.hpp"
+#include "polhode/forces/laws/damped_shifted_force.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
@@ -23,7 +23,6 @@ namespace {
 
 using std::filesystem::path;
 
-// Sets `value` if the key exists.
 template <class T>
 void take(T& value, const std::optional<T>& found) {
   if (found) value = *found;
@@ -37,11 +36,11 @@ std::string one_of(TomlTable& table, std::string_view key, const std::string& fa
                    const std::vector<std::string>& names) {
   const std::string value = table.text(key).value_or(fallback);
   table.require(std::find(names.begin(), names.end(), value) != names.end(), key,
-                fmt::format("must be one of: {}{}", listed(names), did_you_mean(value, names)));
+                fmt::format("must be one of: {}{}", join_names(names), did_you_mean(value, names)));
   return value;
 }
 
-std::string beside(const path& folder, const std::string& name) {
+std::string resolve(const path& folder, const std::string& name) {
   return (folder / name).lexically_normal().string();
 }
 
@@ -49,15 +48,15 @@ SystemSettings::Component read_component(TomlTable table, const path& folder, bo
   SystemSettings::Component component;
   const auto model = table.text("model");
   if (!model) table.refuse("model", "a molecule has no model; write for example model = \"tip4p\"");
-  component.model = is_molecule_path(*model) ? beside(folder, *model) : *model;
+  component.model = is_molecule_path(*model) ? resolve(folder, *model) : *model;
   const auto count = table.integer("count");
   table.refuse_unknown();
   if (!count && !from_file)
     table.refuse("count",
-                 "a molecule has no count and there is no start configuration to count "
+                 "a molecule has no count and there is no initial configuration to count "
                  "them in; write for example count = 512");
   table.require(count.value_or(0) >= (from_file ? 0 : 1), "count",
-                from_file ? "must be 0 or more; 0 takes as many as the start configuration holds"
+                from_file ? "must be 0 or more; 0 takes as many as the initial configuration holds"
                           : "must be 1 or more");
   component.count = static_cast<std::size_t>(count.value_or(0));
   try {
@@ -95,32 +94,33 @@ void read_extent(TomlTable& table, SystemSettings& system) {
   if (system.box)
     table.require(std::min({system.box->x, system.box->y, system.box->z}) > 0, "box",
                   "must have edges longer than 0 nm");
-  const bool start = !system.start.empty();
+  const bool start = !system.initial_configuration.empty();
   if (system.density && system.box)
     table.refuse("density", "stands beside a box, which fixes the density already; leave one out");
   if (start && (system.density || system.box))
     table.refuse(system.box ? "box" : "density",
-                 "stands beside a start configuration, which brings its own box; leave one out");
+                 "stands beside an initial configuration, which brings its own box; leave one out");
   if (!start && !system.density && !system.box)
     table.refuse("",
-                 "there is neither a density nor a box nor a start configuration; "
+                 "there is neither a density nor a box nor an initial configuration; "
                  "write for example density = \"1 g/cm3\"");
 }
 
 void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
-  system.start = table.text("start").value_or("");
-  if (system.start.empty()) return;
-  if (embedded_text("start/" + system.start + ".gro")) return;
-  std::string file = beside(folder, system.start);
-  table.require(std::filesystem::is_regular_file(file), "start",
-                fmt::format("is no file and no start configuration of the program; \"w512\" is "
+  table.renamed("start", "initial_configuration");
+  system.initial_configuration = table.text("initial_configuration").value_or("");
+  if (system.initial_configuration.empty()) return;
+  if (embedded_text("start/" + system.initial_configuration + ".gro")) return;
+  std::string file = resolve(folder, system.initial_configuration);
+  table.require(std::filesystem::is_regular_file(file), "initial_configuration",
+                fmt::format("is no file and no initial configuration of the program; \"w512\" is "
                             "one, and a file would be '{}'",
                             file));
-  system.start = std::move(file);
+  system.initial_configuration = std::move(file);
 }
 
 std::vector<std::string> folders_beside(const path& folder, std::vector<std::string> names) {
-  for (std::string& name : names) name = beside(folder, name);
+  for (std::string& name : names) name = resolve(folder, name);
   return names;
 }
 
@@ -130,25 +130,27 @@ bool is_macro(std::string_view text) {
   return !name.empty() && name.front() != '-' && name.find_first_of(" \t") == name.npos;
 }
 
-// The topology file. A LAMMPS data file is both topology and start configuration.
+// The topology file. A LAMMPS data file is both topology and initial configuration.
 void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& system) {
   TopologySettings& topology = system.topology;
   topology.file = table.text("topology").value_or("");
   const bool given = !topology.file.empty();
   if (given) {
-    topology.file = beside(folder, topology.file);
+    topology.file = resolve(folder, topology.file);
     table.require(!table.has("molecules"), "topology",
                   "stands beside molecules, which it brings itself; leave one out");
     table.require(std::filesystem::is_regular_file(topology.file), "topology",
                   fmt::format("is no file; it would be '{}'", topology.file));
-  } else if (is_data_file(system.start) && !table.has("molecules")) {
-    topology.file = system.start;
+  } else if (is_data_file(system.initial_configuration) && !table.has("molecules")) {
+    topology.file = system.initial_configuration;
   }
-  if (given && system.start.empty() && is_data_file(topology.file)) system.start = topology.file;
-  if (given && system.start.empty())
+  if (given && system.initial_configuration.empty() && is_data_file(topology.file))
+    system.initial_configuration = topology.file;
+  if (given && system.initial_configuration.empty())
     table.refuse("topology",
-                 "has no start beside it, whose atoms must stand in its order; write for example "
-                 "start = \"conf.gro\"");
+                 "has no initial configuration beside it, whose atoms must stand in its order; "
+                 "write for example "
+                 "initial_configuration = \"conf.gro\"");
   const bool gromacs = given && !is_data_file(topology.file);
   for (const char* key : {"include", "define", "rigid"})
     table.require(gromacs || !table.has(key), key,
@@ -171,13 +173,14 @@ void read_molecules(TomlTable& table, const path& folder, SystemSettings& system
                  "there are no molecules; write for example "
                  "molecules = [{ model = \"tip4p\", count = 512 }]");
   for (const TomlTable& component : *components)
-    system.molecules.push_back(read_component(component, folder, !system.start.empty()));
+    system.molecules.push_back(
+        read_component(component, folder, !system.initial_configuration.empty()));
   const auto open = [](const auto& component) { return component.count == 0; };
   if (system.molecules.size() > 1 &&
       std::any_of(system.molecules.begin(), system.molecules.end(), open))
     table.refuse("molecules",
                  "has several models, of which one has no count; only a single model "
-                 "can be counted in the start configuration");
+                 "can be counted in the initial configuration");
 }
 
 void read_system(TomlTable table, const path& folder, SystemSettings& system) {
@@ -208,15 +211,15 @@ double read_dielectric(TomlTable& table, const ForceSettings& forces) {
 
 void read_forces(TomlTable table, ForceSettings& forces) {
   const auto wanted = table.holds_text("electrostatics") ? table.text("electrostatics") : "";
-  const bool ewald = wanted == "pme", damped = wanted == "damped-shifted-force";
+  const bool pme = wanted == "pme", damped = wanted == "damped-shifted-force";
   const std::string truncation =
-      one_of(table, "truncation", ewald || damped ? "site-switch" : "molecule-switch",
+      one_of(table, "truncation", pme || damped ? "site-switch" : "molecule-switch",
              {"molecule-switch", "site-switch", "site-shift"});
   table.require(
-      !(ewald || damped) || truncation == "site-switch", "truncation",
+      !(pme || damped) || truncation == "site-switch", "truncation",
       fmt::format("does not go with electrostatics = \"{}\": charges {}, and what the truncation "
                   "ends is Lennard-Jones alone, with \"site-switch\"; leave it out",
-                  *wanted, ewald ? "are summed over all images" : "end by their own law"));
+                  *wanted, pme ? "are summed over all images" : "end by their own law"));
   const bool by_molecule = truncation == "molecule-switch";
   forces.truncation = by_molecule                   ? Truncation::molecule_switch
                       : truncation == "site-switch" ? Truncation::site_switch
@@ -225,20 +228,21 @@ void read_forces(TomlTable table, ForceSettings& forces) {
   const std::string electrostatics =
       one_of(table, "electrostatics", by_molecule ? "coulomb" : "reaction-field",
              {"coulomb", "reaction-field", "damped-shifted-force", "pme"});
-  forces.electrostatics = ewald                         ? Electrostatics::ewald
+  forces.electrostatics = pme                           ? Electrostatics::pme
                           : damped                      ? Electrostatics::damped_shifted_force
                           : electrostatics == "coulomb" ? Electrostatics::coulomb
                                                         : Electrostatics::reaction_field;
-  if (table.has("accuracy")) {
-    table.require(ewald, "accuracy",
+  table.renamed("accuracy", "pme_accuracy");
+  if (table.has("pme_accuracy")) {
+    table.require(pme, "pme_accuracy",
                   "has no meaning without electrostatics = \"pme\"; leave it out");
-    take(forces.accuracy, table.number("accuracy"));
-    table.require(forces.accuracy >= 1e-7 && forces.accuracy <= 0.1, "accuracy",
+    take(forces.pme_accuracy, table.number("pme_accuracy"));
+    table.require(forces.pme_accuracy >= 1e-7 && forces.pme_accuracy <= 0.1, "pme_accuracy",
                   "must lie from 1e-7 to 0.1: the error of electrostatic forces over the forces, "
                   "both rms; 1e-4 is usual");
   }
   const std::string precision = one_of(table, "precision", "double", {"double", "mixed"});
-  forces.precision = precision == "mixed" ? Precision::mixed : Precision::full;
+  forces.precision = precision == "mixed" ? Precision::mixed : Precision::double_precision;
   const std::string mixing =
       one_of(table, "mixing", "lorentz-berthelot", {"lorentz-berthelot", "geometric"});
   forces.mixing.rule =
@@ -250,11 +254,11 @@ void read_forces(TomlTable table, ForceSettings& forces) {
     table.require(damped, "damping",
                   "has no meaning without electrostatics = \"damped-shifted-force\"; leave it out");
     take(forces.damping, table.quantity("damping", Dimension::inverse_length, "2 1/nm"));
-    table.require(forces.damping >= 0 && forces.damping * forces.cutoff <= most_damping, "damping",
+    table.require(forces.damping >= 0 && forces.damping * forces.cutoff <= max_damping, "damping",
                   fmt::format("must be 0 or more, and at most {:g} over the cutoff, {:.4g} 1/nm: "
                               "next to nothing is left of charges at the cutoff there; 2 1/nm is "
                               "usual",
-                              most_damping, most_damping / forces.cutoff));
+                              max_damping, max_damping / forces.cutoff));
   }
   const auto from = table.quantity("switch", Dimension::length, "0.85 nm");
   // By default the switch covers the outer 15 % of the range: from 0.85 nm for a cutoff of 1 nm.
@@ -398,7 +402,7 @@ void read_output(TomlTable table, OutputSettings& output) {
   for (const std::string& format : output.formats)
     table.require(std::find(known.begin(), known.end(), format) != known.end(), "formats",
                   fmt::format("has the unknown format '{}'{}; there are: {}", format,
-                              did_you_mean(format, known), listed(known)));
+                              did_you_mean(format, known), join_names(known)));
   take(output.massless_sites, table.boolean("massless_sites"));
   take(output.velocities, table.boolean("velocities"));
   output.plot = one_of(table, "plot", output.plot, {"svg", "png", "none"});
@@ -474,12 +478,12 @@ void set_precision(Config& config, Precision precision) {
   config.forces.precision = precision;
   IntegratorSettings& integrator = config.integrator;
   if (!integrator.lambda_given) integrator.lambda = precision == Precision::mixed ? 1 : 1e-4;
-  if (precision == Precision::mixed && integrator.lambda < least_lambda_in_mixed)
+  if (precision == Precision::mixed && integrator.lambda < min_lambda_in_mixed)
     throw Error(
         fmt::format("lambda = {:g} is below {:g}, the least in mixed precision: forces rounded to "
                     "float enter a finite-difference gradient divided by lambda; leave it out, "
                     "which means 1, or take precision = \"double\"",
-                    integrator.lambda, least_lambda_in_mixed),
+                    integrator.lambda, min_lambda_in_mixed),
         integrator.lambda_place);
 }
 

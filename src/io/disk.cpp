@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// 0, or what went wrong.
-int synced(const std::string& path) {
+int sync(const std::string& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) return errno;
   const int error = ::fsync(file) == 0 ? 0 : errno;
@@ -45,12 +45,12 @@ void check_folder(const std::string& path) {
 }
 
 void sync_file(const std::string& path) {
-  if (const int error = synced(path))
+  if (const int error = sync(path))
     throw RunError(
         fmt::format("'{}' could not be brought to the disk ({})", path, std::strerror(error)));
 }
 
-void sync_folder(const std::string& path) { synced(folder_of(path).string()); }
+void sync_folder(const std::string& path) { sync(folder_of(path).string()); }
 
 void check_length(const std::string& path, std::uint64_t bytes) {
   std::error_code error;

@@ -7,15 +7,16 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
-#include "words.hpp"
+#include "split_words.hpp"
 
 namespace polhode {
 namespace {
 
 // A text shortened for display in a message.
-std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  return text.size() <= longest ? std::string(text) : std::string(text.substr(0, longest)) + "...";
+std::string abbreviate(std::string_view text) {
+  constexpr std::size_t max_length = 40;
+  return text.size() <= max_length ? std::string(text)
+                                   : std::string(text.substr(0, max_length)) + "...";
 }
 
 }  // namespace
@@ -31,17 +32,17 @@ FieldLine::FieldLine(std::string_view text, TextPlace place) : place_(std::move(
 
 void FieldLine::refuse(const std::string& what) const { throw Error(what, text_of(place_)); }
 
-void FieldLine::require(std::size_t least, std::string_view what) const {
-  if (size() < least)
+void FieldLine::require(std::size_t minimum, std::string_view what) const {
+  if (size() < minimum)
     refuse(
-        fmt::format("the line has {} fields; it must have {} at least: {}", size(), least, what));
+        fmt::format("the line has {} fields; it must have {} at least: {}", size(), minimum, what));
 }
 
 std::string FieldLine::word(std::size_t k) const {
   const std::string_view field = fields_[k];
-  if (field.size() > longest_name)
-    refuse(fmt::format("the name '{}' has {} characters; it must have {} at most", shown(field),
-                       field.size(), longest_name));
+  if (field.size() > max_name_length)
+    refuse(fmt::format("the name '{}' has {} characters; it must have {} at most",
+                       abbreviate(field), field.size(), max_name_length));
   return std::string(field);
 }
 
@@ -52,21 +53,21 @@ double FieldLine::number(std::size_t k, std::string_view what) const {
   const char* const last = field.data() + field.size();
   const auto [end, status] = std::from_chars(field.data(), last, value);
   if (status == std::errc::result_out_of_range || (status == std::errc() && !std::isfinite(value)))
-    refuse(fmt::format("the {} is {}; it must be a finite number", what, shown(field)));
+    refuse(fmt::format("the {} is {}; it must be a finite number", what, abbreviate(field)));
   if (status != std::errc() || end != last)
-    refuse(fmt::format("'{}' stands where the {} must be a number", shown(field), what));
+    refuse(fmt::format("'{}' stands where the {} must be a number", abbreviate(field), what));
   return value;
 }
 
-std::int64_t FieldLine::integer(std::size_t k, std::string_view what, std::int64_t least,
-                                std::int64_t most) const {
+std::int64_t FieldLine::integer(std::size_t k, std::string_view what, std::int64_t minimum,
+                                std::int64_t maximum) const {
   const std::string_view field = fields_[k];
   std::int64_t value = 0;
   const char* const last = field.data() + field.size();
   const auto [end, status] = std::from_chars(field.data(), last, value);
-  if (status != std::errc() || end != last || value < least || value > most)
+  if (status != std::errc() || end != last || value < minimum || value > maximum)
     refuse(fmt::format("'{}' stands where the {} must be a whole number from {} to {}",
-                       shown(field), what, least, most));
+                       abbreviate(field), what, minimum, maximum));
   return value;
 }
 

@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-inline constexpr std::size_t longest_name = 63;
+inline constexpr std::size_t max_name_length = 63;
 
 class FieldLine {
  public:
@@ -22,7 +22,8 @@ class FieldLine {
   std::size_t size() const { return fields_.size(); }
   std::string_view operator[](std::size_t k) const { return fields_[k]; }
   /// The name in field k, checked for its length.
-  /// @throws Error  if it is longer than `longest_name`: macros can expand a short file enormously
+  /// @throws Error  if it is longer than `max_name_length`: macros can expand a short file
+  /// enormously
   std::string word(std::size_t k) const;
   const TextPlace& place() const { return place_; }
 
@@ -30,11 +31,11 @@ class FieldLine {
   /// @throws Error  if it is not a finite number
   double number(std::size_t k, std::string_view what) const;
   /// @throws Error  if it is not an integer from `least` to `most`
-  std::int64_t integer(std::size_t k, std::string_view what, std::int64_t least,
-                       std::int64_t most) const;
+  std::int64_t integer(std::size_t k, std::string_view what, std::int64_t minimum,
+                       std::int64_t maximum) const;
   /// @param what  names the required fields
   /// @throws Error  if there are fewer than `least`
-  void require(std::size_t least, std::string_view what) const;
+  void require(std::size_t minimum, std::string_view what) const;
 
   [[noreturn]] void refuse(const std::string& what) const;
 

@@ -15,7 +15,7 @@ namespace {
 double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
 bool visible(const Site& site, MasslessSites massless) {
-  return massless == MasslessSites::kept || site.mass != 0;
+  return massless == MasslessSites::keep || site.mass != 0;
 }
 
 // The element that a name begins with; ions are residues of one atom, named after the element.

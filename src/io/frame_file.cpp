@@ -25,8 +25,8 @@ namespace polhode {
 namespace {
 
 template <AppendFrame append, std::uint64_t head = 0>
-std::unique_ptr<FrameWriter> appended(const std::string& path, const Topology& topology,
-                                      const FrameChoice& choice, const FileMark* mark) {
+std::unique_ptr<FrameWriter> append_writer(const std::string& path, const Topology& topology,
+                                           const FrameChoice& choice, const FileMark* mark) {
   return stream_writer({append, head}, path, topology, choice, mark);
 }
 
@@ -38,34 +38,34 @@ void checked_bytes(const std::string& path, const FileMark& mark) {
 // clang-format off
 constexpr std::array formats = {
     //     extension  names  velocities
-    Format{"gro",  true,  true,  gro_reader,  appended<append_gro>, checked_bytes<0>},
-    Format{"pdb",  true,  false, pdb_reader,  appended<append_pdb>, checked_bytes<0>, nullptr, pdb_limits},
-    Format{"xyz",  true,  true,  xyz_reader,  appended<append_xyz>, checked_bytes<0>},
-    Format{"xtc",  false, false, xtc_reader,  appended<append_xtc>, checked_bytes<0>, nullptr, xtc_limits},
-    Format{"trr",  false, true,  trr_reader,  appended<append_trr>, checked_bytes<0>, nullptr, trr_limits},
-    Format{"dcd",  false, false, dcd_reader,  appended<append_dcd, dcd_count_end>, checked_bytes<dcd_count_end>, nullptr, dcd_limits},
+    Format{"gro",  true,  true,  gro_reader,  append_writer<append_gro>, checked_bytes<0>},
+    Format{"pdb",  true,  false, pdb_reader,  append_writer<append_pdb>, checked_bytes<0>, nullptr, pdb_limits},
+    Format{"xyz",  true,  true,  xyz_reader,  append_writer<append_xyz>, checked_bytes<0>},
+    Format{"xtc",  false, false, xtc_reader,  append_writer<append_xtc>, checked_bytes<0>, nullptr, xtc_limits},
+    Format{"trr",  false, true,  trr_reader,  append_writer<append_trr>, checked_bytes<0>, nullptr, trr_limits},
+    Format{"dcd",  false, false, dcd_reader,  append_writer<append_dcd, dcd_count_end>, checked_bytes<dcd_count_end>, nullptr, dcd_limits},
     Format{"h5md", false, true,  h5md_reader, h5md_writer, check_h5md, open_h5md, h5md_limits},
     Format{"data", true,  true,  lammps_data_reader, nullptr, nullptr},
     Format{"lmp",  true,  true,  lammps_data_reader, nullptr, nullptr},
 };
 // clang-format on
 
-const Format& format_named(std::string_view ending, const std::string& file) {
-  const auto format = std::ranges::find(formats, ending, &Format::ending);
+const Format& format_named(std::string_view extension, const std::string& file) {
+  const auto format = std::ranges::find(formats, extension, &Format::extension);
   if (format != formats.end()) return *format;
   std::vector<std::string> known;
-  for (const Format& f : formats) known.emplace_back(f.ending);
+  for (const Format& f : formats) known.emplace_back(f.extension);
   throw Error(fmt::format("'{}' ends in none of the formats that are known{}; there are: {}", file,
-                          did_you_mean(std::string(ending), known), listed(known)));
+                          did_you_mean(std::string(extension), known), join_names(known)));
 }
 
-const Format& written_format(const std::string& path) {
+const Format& writable_format(const std::string& path) {
   const Format& format = format_of(path);
   if (format.write != nullptr) return format;
   const auto written = writable_formats();
-  throw Error(
-      fmt::format("files that end in '.{}' are read alone; those that are written end in {}",
-                  format.ending, listed(std::vector<std::string>(written.begin(), written.end()))));
+  throw Error(fmt::format(
+      "files that end in '.{}' are read alone; those that are written end in {}", format.extension,
+      join_names(std::vector<std::string>(written.begin(), written.end()))));
 }
 
 // A writer that first checks that the format can store a frame.
@@ -74,7 +74,7 @@ class FittingWriter : public FrameWriter {
   FittingWriter(std::unique_ptr<FrameWriter> writer, const Format& format, const Topology& topology,
                 const FrameChoice& choice)
       : writer_(std::move(writer)),
-        fit_(format.ending, format.limits),
+        fit_(format.extension, format.limits),
         topology_(topology),
         choice_(choice) {}
   void write(const State& state) override { write(state, {}); }
@@ -97,7 +97,7 @@ class FittingWriter : public FrameWriter {
 
 std::unique_ptr<FrameWriter> writer(const std::string& path, const Topology& topology,
                                     const FrameChoice& choice, const FileMark* mark) {
-  const Format& format = written_format(path);
+  const Format& format = writable_format(path);
   return std::make_unique<FittingWriter>(format.write(path, topology, choice, mark), format,
                                          topology, choice);
 }
@@ -142,8 +142,8 @@ class NamedReader : public FrameReader {
   Names names_;
 };
 
-std::unique_ptr<FrameReader> named(std::unique_ptr<FrameReader> frames, const Format& format,
-                                   const Frame* names) {
+std::unique_ptr<FrameReader> with_names(std::unique_ptr<FrameReader> frames, const Format& format,
+                                        const Frame* names) {
   if (names == nullptr || format.has_names) return frames;
   return std::make_unique<NamedReader>(std::move(frames), *names);
 }
@@ -152,7 +152,7 @@ std::unique_ptr<FrameReader> named(std::unique_ptr<FrameReader> frames, const Fo
 class FileReader : public FrameReader {
  public:
   FileReader(const Format& format, const std::string& path)
-      : stream_(opened(path)), frames_(format.read(stream_, path)) {
+      : stream_(open_text_file(path)), frames_(format.read(stream_, path)) {
     std::error_code unknown;
     bytes_ = static_cast<double>(std::filesystem::file_size(path, unknown));
   }
@@ -176,15 +176,15 @@ const Format& format_of(const std::string& path) {
 
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names) {
   const Format& format = format_of(path);
-  opened(path);  // throws a precise error if the file cannot be opened
-  if (format.open != nullptr) return named(format.open(path), format, names);
-  return named(std::make_unique<FileReader>(format, path), format, names);
+  open_text_file(path);  // throws a precise error if the file cannot be opened
+  if (format.open != nullptr) return with_names(format.open(path), format, names);
+  return with_names(std::make_unique<FileReader>(format, path), format, names);
 }
 
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
                                          const std::string& file, const Frame* names) {
   const Format& f = format_named(format, file);
-  return named(f.read(in, file), f, names);
+  return with_names(f.read(in, file), f, names);
 }
 
 std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topology& topology,
@@ -193,19 +193,19 @@ std::unique_ptr<FrameWriter> create_frames(const std::string& path, const Topolo
 }
 
 void check_frames(const std::string& path, const FileMark& mark) {
-  written_format(path).check(path, mark);
+  writable_format(path).check(path, mark);
 }
 
-std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
-                                             const FileMark& mark, const FrameChoice& choice) {
+std::unique_ptr<FrameWriter> resume_frames(const std::string& path, const Topology& topology,
+                                           const FileMark& mark, const FrameChoice& choice) {
   return writer(path, topology, choice, &mark);
 }
 
 void check_fit(const std::string& path, const State& state, const Topology& topology,
                const FrameChoice& choice) {
-  const Format& format = written_format(path);
+  const Format& format = writable_format(path);
   try {
-    FrameFit(format.ending, format.limits).check(extent_of(state, topology, choice));
+    FrameFit(format.extension, format.limits).check(extent_of(state, topology, choice));
   } catch (const Error& e) {
     throw e.at(path);
   }
@@ -217,22 +217,22 @@ FormatTraits format_traits(const std::string& path) {
 }
 
 std::vector<std::string_view> readable_formats() {
-  std::vector<std::string_view> endings;
-  for (const Format& format : formats) endings.push_back(format.ending);
-  return endings;
+  std::vector<std::string_view> extensions;
+  for (const Format& format : formats) extensions.push_back(format.extension);
+  return extensions;
 }
 
 std::vector<std::string_view> writable_formats() {
-  std::vector<std::string_view> endings;
+  std::vector<std::string_view> extensions;
   for (const Format& format : formats)
-    if (format.write != nullptr) endings.push_back(format.ending);
-  return endings;
+    if (format.write != nullptr) extensions.push_back(format.extension);
+  return extensions;
 }
 
 Frame read_start(const std::string& name_or_path) {
   const std::string path = "start/" + name_or_path + ".gro";
   if (const auto text = embedded_text(path)) return parse_gro(*text, path);
-  opened(name_or_path);  // throws a precise error if the file cannot be opened
+  open_text_file(name_or_path);  // throws a precise error if the file cannot be opened
   if (!format_of(name_or_path).has_names)
     throw Error(
         fmt::format("'{0}' is of a format without names of atoms, which a start needs; "

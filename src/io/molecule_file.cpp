@@ -14,9 +14,9 @@
 namespace polhode {
 namespace {
 
-constexpr std::string_view folder = "molecules/", ending = ".toml";
+constexpr std::string_view folder = "molecules/", extension = ".toml";
 
-std::string needed_text(TomlTable& table, std::string_view key, std::string_view example) {
+std::string required_text(TomlTable& table, std::string_view key, std::string_view example) {
   const auto value = table.text(key);
   if (!value)
     table.refuse(
@@ -34,7 +34,7 @@ double not_negative(TomlTable& table, std::string_view key, Dimension dimension)
 
 Site read_site(TomlTable table) {
   Site site;
-  site.name = needed_text(table, "name", "OW");
+  site.name = required_text(table, "name", "OW");
   site.element = table.text("element").value_or("");
   const auto position = table.vector("position", Dimension::length);
   if (!position)
@@ -59,9 +59,9 @@ Site read_site(TomlTable table) {
 Molecule parse_molecule(std::string_view text, const std::string& file) {
   const toml::table document = parse_toml(text, file);
   TomlTable table(document, file);
-  const std::string name = needed_text(table, "name", "tip4p");
+  const std::string name = required_text(table, "name", "tip4p");
   const std::string description = table.text("description").value_or("");
-  const std::string source = needed_text(table, "source", "jorgensen1983");
+  const std::string source = required_text(table, "source", "jorgensen1983");
   const auto site_tables = table.tables("site");
   table.refuse_unknown();
   if (!site_tables || site_tables->empty())
@@ -81,27 +81,27 @@ Molecule parse_molecule(std::string_view text, const std::string& file) {
 std::vector<std::string> molecule_names() {
   std::vector<std::string> names;
   for (const EmbeddedFile& file : embedded_files())
-    if (file.path.starts_with(folder) && file.path.ends_with(ending))
+    if (file.path.starts_with(folder) && file.path.ends_with(extension))
       names.emplace_back(
-          file.path.substr(folder.size(), file.path.size() - folder.size() - ending.size()));
+          file.path.substr(folder.size(), file.path.size() - folder.size() - extension.size()));
   std::sort(names.begin(), names.end());
   return names;
 }
 
 bool is_molecule_path(std::string_view name) {
-  return name.find('/') != name.npos || name.ends_with(ending);
+  return name.find('/') != name.npos || name.ends_with(extension);
 }
 
 Molecule read_molecule(const std::string& name_or_path) {
   if (is_molecule_path(name_or_path)) return parse_molecule(file_text(name_or_path), name_or_path);
-  const std::string path = std::string(folder) + name_or_path + std::string(ending);
+  const std::string path = std::string(folder) + name_or_path + std::string(extension);
   if (const auto text = embedded_text(path)) return parse_molecule(*text, path);
   const auto names = molecule_names();
   const auto near = did_you_mean(name_or_path, names);
   throw Error(
       fmt::format("there is no molecule '{}'{} (there are: {}; the path of a file of your own "
                   "ends in .toml)",
-                  name_or_path, near, listed(names)));
+                  name_or_path, near, join_names(names)));
 }
 
 }  // namespace polhode

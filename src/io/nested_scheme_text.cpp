@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-constexpr int most_steps = 1000;
+constexpr int max_steps = 1000;
 
 /// End of the outer scheme: the first slash that is not part of a fraction.
 std::size_t slash(std::string_view text) {
@@ -34,11 +34,11 @@ std::string trimmed(std::string_view text) {
 int steps_of(const std::string& text) {
   int steps = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
-  if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > most_steps)
+  if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > max_steps)
     throw Error(
         fmt::format("{} steps of an inner scheme must be a whole number from 1 to {}, the "
                     "inner steps in each drift of the outer scheme",
-                    text, most_steps));
+                    text, max_steps));
   return steps;
 }
 

@@ -93,9 +93,9 @@ bool end_known(const EfficiencyCurve& curve) {
   return std::any_of(curve.marks.begin(), curve.marks.end(), [](auto& m) { return !m.stable; });
 }
 
-bool any_rounded(const EfficiencyCurve& curve) {
+bool any_at_rounding(const EfficiencyCurve& curve) {
   return std::any_of(curve.marks.begin(), curve.marks.end(),
-                     [](auto& m) { return m.stable && m.rounded; });
+                     [](auto& m) { return m.stable && m.at_rounding; });
 }
 
 // One data block per curve: cost, R [%], its error, 1 at the stability limit, and 1 where R is
@@ -112,7 +112,7 @@ std::string data_blocks(const std::vector<EfficiencyCurve>& curves) {
       if (!mark.stable) continue;
       text +=
           fmt::format("{:.8g} {:.8g} {:.3g} {} {}\n", mark.cost, 100 * mark.ratio, 100 * mark.error,
-                      first && end_known(curves[k]) ? 1 : 0, mark.rounded ? 1 : 0);
+                      first && end_known(curves[k]) ? 1 : 0, mark.at_rounding ? 1 : 0);
       first = false;
     }
     text += "EOD\n";
@@ -147,7 +147,7 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
         "\\\n  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype {} "
         "pointsize {} linewidth 1.6 linecolor \"{}\" notitle, ",
         open, 1.4 * size, colour);
-    if (any_rounded(curves[k]))
+    if (any_at_rounding(curves[k]))
       plot += fmt::format(
           "\\\n  '' using 1:($5 == 1 ? $2 : NaN) with points pointtype 2 pointsize {} "
           "linewidth 1.4 linecolor \"#404040\" notitle, ",
@@ -158,7 +158,7 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
           "linecolor \"{}\" title {}, ",
           filled, size, colour, gnuplot_text(curves[k].scheme));
   }
-  if (!inset && std::any_of(curves.begin(), curves.end(), any_rounded))
+  if (!inset && std::any_of(curves.begin(), curves.end(), any_at_rounding))
     plot +=
         "\\\n  NaN with points pointtype 2 pointsize 1.3 linewidth 1.4 linecolor \"#404040\" "
         "title \"rounding\", ";

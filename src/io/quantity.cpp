@@ -12,7 +12,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
-#include "words.hpp"
+#include "split_words.hpp"
 
 namespace polhode {
 namespace {
@@ -55,8 +55,8 @@ constexpr std::array all_units = {
     Unit{"bar", Dimension::pressure, bar},   Unit{"MPa", Dimension::pressure, 10 * bar},
     Unit{"atm", Dimension::pressure, 1.01325 * bar},
     Unit{"kJ/mol/nm3", Dimension::pressure, 1},
-    Unit{"kJ/mol/ps", Dimension::heating, 1}, Unit{"kJ/mol/ns", Dimension::heating, 1e-3},
-    Unit{"K/ns", Dimension::heating, units::boltzmann * 1e-3},
+    Unit{"kJ/mol/ps", Dimension::power, 1}, Unit{"kJ/mol/ns", Dimension::power, 1e-3},
+    Unit{"K/ns", Dimension::power, units::boltzmann * 1e-3},
     Unit{"mPa s", Dimension::viscosity, 1e4 * bar},
     Unit{"Pa s", Dimension::viscosity, 1e7 * bar},
     Unit{"cP", Dimension::viscosity, 1e4 * bar},
@@ -94,7 +94,7 @@ Words words(Dimension dimension) {
       return {"a", "dipole moment", "1.85 D"};
     case Dimension::pressure:
       return {"a", "pressure", "1 bar"};
-    case Dimension::heating:
+    case Dimension::power:
       return {"a", "drift of energy", "0.1 kJ/mol/ns"};
     case Dimension::viscosity:
       return {"a", "viscosity", "0.9 mPa s"};
@@ -120,7 +120,7 @@ std::vector<std::string> symbols(Dimension dimension) {
 }
 
 // Name, text and example: what all error messages about a quantity have in common.
-struct Written {
+struct QuantityText {
   std::string_view text, name;
   Dimension dimension;
   std::string_view example;
@@ -132,37 +132,37 @@ struct Written {
 };
 
 // Parses the number at the front of `rest` and removes it.
-double number(std::string_view& rest, const Written& written) {
+double number(std::string_view& rest, const QuantityText& source) {
   rest = trimmed(rest);
   if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
   double value = 0;
   const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-  if (status == std::errc::invalid_argument) written.refuse(" has no number where one is needed");
+  if (status == std::errc::invalid_argument) source.refuse(" has no number where one is needed");
   if (status == std::errc::result_out_of_range || !std::isfinite(value))
-    written.refuse(" is not finite or not a number that fits; it must be a finite number");
+    source.refuse(" is not finite or not a number that fits; it must be a finite number");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   if (!rest.empty() && rest.front() == ',')
-    written.refuse(" has a comma in a number; decimals follow a point");
+    source.refuse(" has a comma in a number; decimals follow a point");
   return value;
 }
 
-double unit_at(std::string_view rest, const Written& written) {
+double unit_at(std::string_view rest, const QuantityText& source) {
   const std::string_view symbol = trimmed(rest);
   if (symbol.empty())
-    throw Error(no_unit(written.name, fmt::format("\"{}\"", written.text), written.dimension,
-                        written.example));
-  if (const Unit* u = find(symbol, written.dimension)) return u->value;
-  const auto wanted = symbols(written.dimension);
-  const auto [article, noun, example] = words(written.dimension);
+    throw Error(
+        no_unit(source.name, fmt::format("\"{}\"", source.text), source.dimension, source.example));
+  if (const Unit* u = find(symbol, source.dimension)) return u->value;
+  const auto wanted = symbols(source.dimension);
+  const auto [article, noun, example] = words(source.dimension);
   for (const Unit& u : all_units)
     if (u.symbol == symbol)
-      written.refuse(fmt::format(" is {} {}; it must be {} {}, in one of: {}",
-                                 words(u.dimension).article, words(u.dimension).noun, article, noun,
-                                 listed(wanted)));
+      source.refuse(fmt::format(" is {} {}; it must be {} {}, in one of: {}",
+                                words(u.dimension).article, words(u.dimension).noun, article, noun,
+                                join_names(wanted)));
   const auto near = nearest_name(symbol, wanted);
-  written.refuse(fmt::format(": there is no unit '{}' of {}{}; there are: {}", symbol, noun,
-                             near ? fmt::format(" (did you mean '{}'?)", *near) : "",
-                             listed(wanted)));
+  source.refuse(fmt::format(": there is no unit '{}' of {}{}; there are: {}", symbol, noun,
+                            near ? fmt::format(" (did you mean '{}'?)", *near) : "",
+                            join_names(wanted)));
 }
 
 }  // namespace
@@ -179,23 +179,23 @@ std::string no_unit(std::string_view name, std::string_view number, Dimension di
 
 double quantity(std::string_view text, Dimension dimension, std::string_view name,
                 std::string_view example) {
-  const Written written{text, name, dimension, example};
+  const QuantityText source{text, name, dimension, example};
   std::string_view rest = text;
-  const double value = number(rest, written);
-  return value * unit_at(rest, written);
+  const double value = number(rest, source);
+  return value * unit_at(rest, source);
 }
 
 Vec3<double> vector_quantity(std::string_view text, Dimension dimension, std::string_view name) {
-  const Written written{text, name, dimension, "0 0.015 0 nm"};
+  const QuantityText source{text, name, dimension, "0 0.015 0 nm"};
   std::string_view rest = text;
-  const double x = number(rest, written), y = number(rest, written), z = number(rest, written);
-  return Vec3<double>{x, y, z} * unit_at(rest, written);
+  const double x = number(rest, source), y = number(rest, source), z = number(rest, source);
+  return Vec3<double>{x, y, z} * unit_at(rest, source);
 }
 
 double unit(std::string_view symbol, Dimension dimension) {
   if (const Unit* u = find(symbol, dimension)) return u->value;
   throw Error(fmt::format("there is no unit '{}' of {}; there are: {}", symbol,
-                          words(dimension).noun, listed(symbols(dimension))));
+                          words(dimension).noun, join_names(symbols(dimension))));
 }
 
 }  // namespace polhode

@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A text with commas or quotes stands in quotes, its own doubled (RFC 4180).
-std::string quoted(const std::string& text) {
+std::string quote_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string result = "\"";
   for (const char c : text) result += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -45,7 +45,7 @@ std::string head_of(const std::vector<Table::Column>& columns) {
   std::string line;
   for (const auto& [name, unit] : columns) {
     if (!line.empty()) line += ',';
-    line += quoted(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
+    line += quote_field(unit.empty() ? name : fmt::format("{} [{}]", name, unit));
   }
   return line;
 }
@@ -54,7 +54,7 @@ void write_head(std::ostream& out, const std::vector<Table::Column>& columns,
                 const Provenance& provenance) {
   out << fmt::format("# polhode {}\n# command: {}\n# config hash: {}\n# target: {}\n# seed: {}\n",
                      provenance.version, printable(provenance.command),
-                     text_hash(provenance.config), provenance.target, provenance.seed)
+                     text_hash(provenance.config), provenance.instruction_set, provenance.seed)
       << head_of(columns) << '\n';
 }
 
@@ -65,7 +65,8 @@ void write_csv(std::ostream& out, const Table& table, const Provenance& provenan
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size())
       throw std::logic_error("a row of a table has another length than its head");
-    for (std::size_t k = 0; k < row.size(); ++k) out << (k == 0 ? "" : ",") << quoted(row[k].text);
+    for (std::size_t k = 0; k < row.size(); ++k)
+      out << (k == 0 ? "" : ",") << quote_field(row[k].text);
     out << '\n';
   }
 }
@@ -115,7 +116,7 @@ void each_row(const std::string& path, std::uint64_t bytes,
   const std::string head = head_of(columns);
   std::string line;
   std::vector<double> row;
-  bool begun = false;
+  bool started = false;
   std::uint64_t read = 0;
   for (std::size_t number = 1; read < bytes; ++number) {
     if (!std::getline(in, line))
@@ -125,10 +126,10 @@ void each_row(const std::string& path, std::uint64_t bytes,
     const auto refuse = [&](const std::string& what) {
       throw Error(what, fmt::format("{}:{}", path, number));
     };
-    if (!begun) {
+    if (!started) {
       if (line != head)
         refuse(fmt::format("the table has the columns '{}' and must have '{}'", line, head));
-      begun = true;
+      started = true;
       continue;
     }
     row.clear();

@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "polhode/base/error.hpp"
-#include "words.hpp"
+#include "split_words.hpp"
 
 namespace polhode {
 namespace {
@@ -22,7 +22,7 @@ Error unreadable(const std::string& path) {
 
 }  // namespace
 
-std::ifstream opened(const std::string& path) {
+std::ifstream open_text_file(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown))
     throw Error(fmt::format("'{}' is a folder; name a file in it", path));
@@ -39,7 +39,7 @@ std::optional<std::string> odd_byte(std::string_view text, const std::string& fi
 }
 
 std::string file_text(const std::string& path) {
-  std::ifstream file = opened(path);
+  std::ifstream file = open_text_file(path);
   std::error_code unknown;
   const auto size = std::filesystem::file_size(path, unknown);
   return stream_text(file, path, unknown ? 0 : size);  // files of unknown size (pipes) are read in

@@ -210,13 +210,20 @@ bool TomlTable::holds_text(std::string_view key) const {
   return node != nullptr && node->is_string();
 }
 
+void TomlTable::renamed(std::string_view old, std::string_view now) const {
+  if (!table_->contains(old)) return;
+  throw Error(
+      fmt::format("the key '{0}' is called '{1}' since version 0.2; give {1} instead", old, now),
+      where(old));
+}
+
 void TomlTable::refuse_unknown() const {
   for (const auto& [key, node] : *table_) {
     const std::string_view name = key.str();
     if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
     const std::string place = path_.empty() ? "" : fmt::format(" in {}", path_);
     std::string hint = did_you_mean(name, asked_);
-    if (hint.empty()) hint = fmt::format("; there are: {}", listed(asked_));
+    if (hint.empty()) hint = fmt::format("; there are: {}", join_names(asked_));
     throw Error(fmt::format("there is no {} '{}'{}{}", node.is_table() ? "table" : "key", name,
                             place, hint),
                 where(name));

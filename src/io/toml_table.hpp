@@ -50,6 +50,9 @@ class TomlTable {
     if (!good) refuse(key, must);
   }
 
+  /// Throws if the table has the old name of a key.
+  void renamed(std::string_view old, std::string_view now) const;
+
   /// Throws if the table has a key that was never read.
   void refuse_unknown() const;
 

@@ -13,7 +13,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t most_pairs = 10'000;
+constexpr std::size_t max_pairs = 10'000;
 
 struct Type {
   double epsilon = 0;
@@ -66,11 +66,11 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                             "them different names",
                             site));
         given[std::minmax(a, b)] = {a, b, pair.sigma, pair.epsilon};
-        if (given.size() > most_pairs)
+        if (given.size() > max_pairs)
           refuse(fmt::format(
               "more than {} pairs of sites are given; there must be less, since each is "
               "looked for among all",
-              most_pairs));
+              max_pairs));
       }
   }
   std::vector<PairOverride> list;

@@ -165,7 +165,7 @@ Neighbours neighbours_of(std::size_t count, std::span<const Distance> distances)
 
 }  // namespace
 
-PlacedPoints placed_points(std::size_t count, std::span<const Distance> distances) {
+PlacedPoints place_points(std::size_t count, std::span<const Distance> distances) {
   const Neighbours neighbours = neighbours_of(count, distances);
   Placing placing(count, neighbours);
   for (std::size_t first = 0; first < count; ++first)

@@ -55,7 +55,7 @@ Line weighted_line(std::span<const double> x, std::span<const Estimate> y) {
   return {{y0 - b * x0, std::sqrt(1 / w + x0 * x0 / xx)}, {b, std::sqrt(1 / xx)}};
 }
 
-double chance(const Estimate& estimate, double degrees_of_freedom) {
+double p_value(const Estimate& estimate, double degrees_of_freedom) {
   if (estimate.value == 0) return 1;
   if (estimate.error == 0) return 0;
   const boost::math::students_t t(degrees_of_freedom);

@@ -14,8 +14,8 @@ fftw_complex* library(std::complex<double>* waves) {
   return reinterpret_cast<fftw_complex*>(waves);
 }
 
-std::size_t smooth_size(std::size_t least) {
-  for (std::size_t n = least;; ++n) {
+std::size_t smooth_size(std::size_t min_length) {
+  for (std::size_t n = min_length;; ++n) {
     std::size_t rest = n;
     for (const std::size_t prime : {2U, 3U, 5U, 7U})
       while (rest % prime == 0) rest /= prime;
@@ -43,8 +43,9 @@ struct RealTransform::Plans {
   }
 };
 
-RealTransform::RealTransform(std::size_t least)
-    : size_(smooth_size(std::max<std::size_t>(least, 1))), plans_(std::make_unique<Plans>(size_)) {}
+RealTransform::RealTransform(std::size_t min_length)
+    : size_(smooth_size(std::max<std::size_t>(min_length, 1))),
+      plans_(std::make_unique<Plans>(size_)) {}
 
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;

@@ -8,7 +8,7 @@
 namespace polhode {
 namespace {
 
-Shape centred(Shape shape) {
+Shape centre_at_origin(Shape shape) {
   Vec3<double> centre{};
   for (const Vec3<double>& r : shape) centre += r;
   for (Vec3<double>& r : shape) r -= centre / static_cast<double>(shape.size());
@@ -16,7 +16,7 @@ Shape centred(Shape shape) {
 }
 
 // The shape rotated onto `onto`; both are centred.
-Shape turned(Shape shape, const Shape& onto) {
+Shape rotate_onto(Shape shape, const Shape& onto) {
   const std::vector<double> weight(shape.size(), 1.0);
   const Quaternion<double> turn = best_rotation(shape, onto, weight);
   for (Vec3<double>& r : shape) r = to_lab(turn, r);
@@ -26,10 +26,10 @@ Shape turned(Shape shape, const Shape& onto) {
 }  // namespace
 
 Shape mean_shape(std::size_t copies, const std::function<Shape(std::size_t)>& copy) {
-  const Shape first = centred(copy(0));
+  const Shape first = centre_at_origin(copy(0));
   Shape sum = first;
   for (std::size_t k = 1; k < copies; ++k) {
-    const Shape next = turned(centred(copy(k)), first);
+    const Shape next = rotate_onto(centre_at_origin(copy(k)), first);
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += next[i];
   }
   for (Vec3<double>& r : sum) r = r / static_cast<double>(copies);
@@ -37,16 +37,16 @@ Shape mean_shape(std::size_t copies, const std::function<Shape(std::size_t)>& co
 }
 
 double difference(const Shape& a, const Shape& b) {
-  const Shape there = centred(b), here = turned(centred(a), there);
+  const Shape there = centre_at_origin(b), here = rotate_onto(centre_at_origin(a), there);
   double largest = 0;
   for (std::size_t i = 0; i < here.size(); ++i)
     largest = std::max(largest, norm(here[i] - there[i]));
   return largest;
 }
 
-Shape straightened(Shape shape) {
+Shape straighten(Shape shape) {
   if (shape.empty()) return shape;
-  shape = centred(std::move(shape));
+  shape = centre_at_origin(std::move(shape));
   Mat3<double> inertia{};  // Σ (r² 1 − r rᵀ)
   for (const Vec3<double>& r : shape)
     for (std::size_t i = 0; i < 3; ++i)
@@ -59,7 +59,7 @@ Shape straightened(Shape shape) {
   return shape;
 }
 
-Shape mirrored(Shape shape) {
+Shape mirror_image(Shape shape) {
   for (Vec3<double>& r : shape) r.z = -r.z;
   return shape;
 }

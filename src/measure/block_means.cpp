@@ -4,7 +4,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t most_blocks = 40;
+constexpr std::size_t max_blocks = 40;
 
 void join(BlockMeans::Block& block, const BlockMeans::Block& other) {
   block.weight += other.weight;
@@ -31,13 +31,13 @@ std::vector<double> BlockMeans::mean() const {
 void TimeBlocks::add(std::span<const double> sample, double weight) {
   if (blocks.empty()) samples_per_block = weight;
   if (blocks.empty() || blocks.back().weight >= samples_per_block) {
-    if (blocks.size() == most_blocks) {
-      for (std::size_t b = 0; b < most_blocks / 2; ++b) {
+    if (blocks.size() == max_blocks) {
+      for (std::size_t b = 0; b < max_blocks / 2; ++b) {
         BlockMeans::Block joined = blocks[2 * b];
         join(joined, blocks[2 * b + 1]);
         blocks[b] = std::move(joined);
       }
-      blocks.resize(most_blocks / 2);
+      blocks.resize(max_blocks / 2);
       samples_per_block *= 2;
     }
     blocks.push_back({0, std::vector<double>(sample.size(), 0.0)});

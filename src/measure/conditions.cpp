@@ -6,12 +6,15 @@
 namespace polhode {
 
 Conditions::Conditions(const Topology& topology)
-    : bodies_(topology), mass_(topology.mass()), freedoms_(freedoms(topology).all()) {}
+    : bodies_(topology),
+      mass_(topology.mass()),
+      degrees_of_freedom_(degrees_of_freedom(topology).all()) {}
 
 void Conditions::add(const State& state, bool has_velocities) {
   const double kinetic = has_velocities ? energies(state, bodies_, Load{}).kinetic() : 0;
   const double volume = state.box.volume();
-  blocks_.add(std::array{mass_ / volume, polhode::temperature(kinetic, freedoms_), volume});
+  blocks_.add(
+      std::array{mass_ / volume, polhode::temperature(kinetic, degrees_of_freedom_), volume});
 }
 
 SeriesEstimate Conditions::density() const { return series_estimates(blocks_.means())[0]; }

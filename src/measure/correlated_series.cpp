@@ -213,12 +213,12 @@ std::vector<Posterior> posterior(const std::vector<ModeGroup>& groups) {
 
 }  // namespace
 
-bool Drift::significant() const { return known == Known::yes && chance < significance; }
+bool Drift::significant() const { return known == Known::yes && p_value < significance; }
 
 Drift drift_of_series(std::span<const double> rates) {
   const Estimate rate = mean(rates);
   if (rates.size() < 2) return {rate};
-  return {rate, chance(rate, static_cast<double>(rates.size() - 1)), Known::yes};
+  return {rate, p_value(rate, static_cast<double>(rates.size() - 1)), Known::yes};
 }
 
 SeriesEstimate series_estimate(const BlockMeans& blocks,
@@ -287,14 +287,14 @@ Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quant
     known += walk.probability;
     variance += walk.probability * c1_squared;
     chances +=
-        walk.probability * chance({slope.rate, std::sqrt(c1_squared) / slope.spread},
-                                  found.degrees_of_freedom * std::pow(c1_squared / found.all, 2));
+        walk.probability * p_value({slope.rate, std::sqrt(c1_squared) / slope.spread},
+                                   found.degrees_of_freedom * std::pow(c1_squared / found.all, 2));
   }
   // Strengths that leave the noise unknown do not count, unless they are the more probable ones.
   drift.known = known > 0.5 ? Known::yes : Known::too_short;
   if (drift.known != Known::yes) return drift;
   drift.rate.error = std::sqrt(variance / known) / slope.spread;
-  drift.chance = chances / known;
+  drift.p_value = chances / known;
   return drift;
 }
 
@@ -304,12 +304,12 @@ Drift series_drift_over_walk(const BlockMeans& blocks, std::size_t time, std::si
   if (slope.blocks < min_samples) return drift;
   drift.known = Known::yes;
   double variance = 0;
-  drift.chance = 0;
+  drift.p_value = 0;
   for (const Posterior& p : posterior(mode_groups(std::move(slope.modes), slope.blocks))) {
     const double c1_squared = (1 + p.strength) * p.noise;
     variance += p.probability * c1_squared * p.modes / (p.modes - 2);
-    drift.chance +=
-        p.probability * chance({slope.rate, std::sqrt(c1_squared) / slope.spread}, p.modes);
+    drift.p_value +=
+        p.probability * p_value({slope.rate, std::sqrt(c1_squared) / slope.spread}, p.modes);
   }
   drift.rate.error = std::sqrt(variance) / slope.spread;
   return drift;

@@ -18,12 +18,13 @@ double variance(std::span<const double> mean) {
 }
 
 // ε from the means of M, M² and V; not positive if the fluctuations are too large for any ε.
-double permittivity(std::span<const double> mean, double temperature, double surrounding) {
+double permittivity(std::span<const double> mean, double temperature,
+                    double surroundings_permittivity) {
   // 1/ε₀ is 4π times Coulomb's constant.
   const double g = 4 * units::pi * units::coulomb * variance(mean) /
                    (3 * mean[volume] * units::boltzmann * temperature);
-  if (std::isinf(surrounding)) return 1 + g;
-  return (1 + 2 * surrounding * (1 + g)) / (1 + 2 * surrounding - g);
+  if (std::isinf(surroundings_permittivity)) return 1 + g;
+  return (1 + 2 * surroundings_permittivity * (1 + g)) / (1 + 2 * surroundings_permittivity - g);
 }
 
 }  // namespace
@@ -45,10 +46,11 @@ void TotalDipole::add(const State& state) {
   blocks_.add(std::array{M.x, M.y, M.z, norm2(M), state.box.volume()});
 }
 
-TotalDipole::Result TotalDipole::result(double temperature, double surrounding) const {
+TotalDipole::Result TotalDipole::result(double temperature,
+                                        double surroundings_permittivity) const {
   const BlockMeans means = blocks_.means();
   const auto epsilon = [&](std::span<const double> mean) {
-    return permittivity(mean, temperature, surrounding);
+    return permittivity(mean, temperature, surroundings_permittivity);
   };
   Result result;
   result.constant = series_estimate(means, epsilon);

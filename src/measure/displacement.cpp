@@ -20,7 +20,7 @@ void Unwrapped::follow(const State& state) {
     const Vec3<double> step = state.box.minimum_image(state.q[i] - last_[i]);
     q_.add(i, step);
     for (std::size_t k = 0; k < 3; ++k)
-      longest_step_ = std::max(longest_step_, std::abs(step[k]) / edge[k]);
+      max_step_ = std::max(max_step_, std::abs(step[k]) / edge[k]);
   }
   last_ = state.q;
 }
@@ -40,7 +40,7 @@ void Displacement::add(const State& state, Workers& workers) {
   }
 }
 
-BlockMeans Displacement::squared(std::size_t part, Workers& workers) {
+BlockMeans Displacement::mean_square(std::size_t part, Workers& workers) {
   return parts_[part].means(0, workers);
 }
 
@@ -62,7 +62,7 @@ SeriesEstimate diffusion(const BlockMeans& squared, double interval, const FitWi
   return D;
 }
 
-double image_drag(double temperature, double viscosity, double edge) {
+double yeh_hummer_correction(double temperature, double viscosity, double edge) {
   constexpr double xi = 2.837297;  // for a cubic lattice of images: yeh2004, Eq. 12
   return xi * units::boltzmann * temperature / (6 * units::pi * viscosity * edge);
 }

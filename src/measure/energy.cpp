@@ -5,7 +5,7 @@
 
 #include "kinetic_sums.hpp"
 #include "polhode/base/blocks.hpp"
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/units.hpp"
 
 namespace polhode {
@@ -59,16 +59,16 @@ Vec3<double> total_angular_momentum(const State& state) {
   return sum;
 }
 
-double temperature(double kinetic_energy, double freedoms) {
-  return freedoms > 0 ? 2 * kinetic_energy / (freedoms * units::boltzmann) : 0;
+double temperature(double kinetic_energy, double degrees_of_freedom) {
+  return degrees_of_freedom > 0 ? 2 * kinetic_energy / (degrees_of_freedom * units::boltzmann) : 0;
 }
 
-Temperatures mean_temperatures(const Energies& mean, const Freedoms& freedoms) {
-  Temperatures t{temperature(mean.kinetic(), freedoms.all()),
-                 temperature(mean.translation, freedoms.translation),
+Temperatures mean_temperatures(const Energies& mean, const DegreesOfFreedom& degrees_of_freedom) {
+  Temperatures t{temperature(mean.kinetic(), degrees_of_freedom.all()),
+                 temperature(mean.translation, degrees_of_freedom.translation),
                  {}};
   for (std::size_t k = 0; k < 3; ++k)
-    t.rotation[k] = temperature(mean.rotation[k], freedoms.rotation[k]);
+    t.rotation[k] = temperature(mean.rotation[k], degrees_of_freedom.rotation[k]);
   return t;
 }
 

@@ -66,14 +66,14 @@ double EnergyStatistics::ratio() const {
   return samples == 0 ? std::nan("") : ratio_of(blocks.means().mean());
 }
 
-Temperatures EnergyStatistics::temperatures(const Freedoms& freedoms) const {
+Temperatures EnergyStatistics::temperatures(const DegreesOfFreedom& degrees_of_freedom) const {
   if (samples == 0) return {};
   const std::vector<double> mean = blocks.means().mean();
   const Energies kinetic{
       .translation = mean[translation],
       .rotation = {mean[rotation_1], mean[rotation_2], mean[rotation_3]},
   };
-  return mean_temperatures(kinetic, freedoms);
+  return mean_temperatures(kinetic, degrees_of_freedom);
 }
 
 SeriesEstimate EnergyStatistics::ratio_with_error() const {

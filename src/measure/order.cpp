@@ -26,47 +26,47 @@ class Field {
       : sites_(molecule.sites), cubic_(900 * anharmonic), quartic_(5000 * anharmonic) {}
 
   void operator()(const State& state, Load& load) const {
-    const Felt<double> felt = of(state.q[0], state.attitude[0]);
-    load.lennard_jones = felt.energy;
+    const FieldValue<double> value = of(state.q[0], state.attitude[0]);
+    load.lennard_jones = value.energy;
     load.coulomb = 0;
-    load.f.set(0, felt.f);
-    load.tau.set(0, felt.tau);
+    load.f.set(0, value.f);
+    load.tau.set(0, value.tau);
   }
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& derivative) const {
     const Quaternion<double> a = state.attitude[0];
     const Vec3<double> v = dtheta[0];
     const Quaternion<double> da = scaled(a * Quaternion<double>{0, v.x, v.y, v.z}, 0.5);
-    const Felt<Dual<double>> felt = of<Dual<double>>(
+    const FieldValue<Dual<double>> value = of<Dual<double>>(
         dual(state.q[0], dq[0]), {{a.w, da.w}, {a.x, da.x}, {a.y, da.y}, {a.z, da.z}});
-    derivative.f.set(0, slope(felt.f));
-    derivative.tau.set(0, slope(felt.tau));
+    derivative.f.set(0, slope(value.f));
+    derivative.tau.set(0, slope(value.tau));
   }
 
  private:
   template <class Real>
-  struct Felt {
+  struct FieldValue {
     Vec3<Real> f{}, tau{};
     Real energy{};
   };
   template <class Real>
-  Felt<Real> of(const Vec3<Real>& q, const Quaternion<Real>& attitude) const {
+  FieldValue<Real> of(const Vec3<Real>& q, const Quaternion<Real>& attitude) const {
     const auto as_real = [](const Vec3<double>& v) { return Vec3<Real>{v.x, v.y, v.z}; };
     const Vec3<Real> stiffness = as_real(stiffness_), skew = as_real(skew_);
-    Felt<Real> felt;
+    FieldValue<Real> value;
     for (std::size_t k = 0; k < sites_.size(); ++k) {
       const Real weight = 1 + 0.3 * static_cast<double>(k);
       const Vec3<Real> arm = to_lab(attitude, as_real(sites_[k].r));
       const Vec3<Real> x = q + arm;
       const Real along = dot(x, skew), x2 = norm2(x);
-      felt.energy += weight * (dot(x, scaled(stiffness, x)) / 2.0 +
-                               cubic_ * along * along * along / 3.0 + quartic_ * x2 * x2 / 4.0);
+      value.energy += weight * (dot(x, scaled(stiffness, x)) / 2.0 +
+                                cubic_ * along * along * along / 3.0 + quartic_ * x2 * x2 / 4.0);
       const Vec3<Real> force =
           -weight * (scaled(stiffness, x) + (cubic_ * along * along) * skew + (quartic_ * x2) * x);
-      felt.f += force;
-      felt.tau += cross(arm, force);
+      value.f += force;
+      value.tau += cross(arm, force);
     }
-    return felt;
+    return value;
   }
   std::vector<Site> sites_;
   Vec3<double> stiffness_{900, 1400, 600};  // [kJ/mol/nm²]
@@ -120,18 +120,18 @@ double energy_error(const NestedScheme& scheme, double lambda, double h, std::si
 
 }  // namespace
 
-OrderMeasurement measured_order(const NestedScheme& scheme, double lambda) {
+OrderMeasurement measure_order(const NestedScheme& scheme, double lambda) {
   // Several periods, with steps that are large for the scheme [ps]; schemes with many stages still
   // reach their order at 20 fs.
   constexpr double length = 0.64;
-  const double longest = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
+  const double max_step = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
   // A finite difference amplifies rounding by 1/λ; otherwise a few units of 2⁻⁵³ per step add up as
   // a random walk over a few hundred to some ten thousand steps.
   const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;
-  auto steps = static_cast<std::size_t>(std::llround(length / longest));
-  for (double h = longest; h > length / 20000; h /= 2, steps *= 2) {
+  auto steps = static_cast<std::size_t>(std::llround(length / max_step));
+  for (double h = max_step; h > length / 20000; h /= 2, steps *= 2) {
     const double error = energy_error(scheme, lambda, h, steps);
     result.points.push_back({h, error});
     const std::size_t n = result.points.size();

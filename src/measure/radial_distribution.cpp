@@ -29,7 +29,7 @@ bool names(const std::string& word, const Site& site) {
 }
 
 // A site of a frame, wrapped into the box.
-struct PlacedSite {
+struct WrappedSite {
   Vec3<double> r;
   std::uint32_t body, kind;
 };
@@ -38,15 +38,15 @@ struct PlacedSite {
 // than sites.
 struct CellSort {
   std::array<std::size_t, 3> cells;
-  std::vector<PlacedSite> sites;
+  std::vector<WrappedSite> sites;
   std::vector<std::size_t> first;  // of each cell, and the end
 
-  CellSort(const std::vector<PlacedSite>& unsorted, const Box& box, double reach) {
+  CellSort(const std::vector<WrappedSite>& unsorted, const Box& box, double cutoff) {
     const double width =
-        cell_width(box, reach, std::max(27.0, static_cast<double>(unsorted.size())));
+        cell_width(box, cutoff, std::max(27.0, static_cast<double>(unsorted.size())));
     for (std::size_t k = 0; k < 3; ++k)
       cells[k] = std::max<std::size_t>(1, static_cast<std::size_t>(box.edge[k] / width));
-    const auto cell_of = [&](const PlacedSite& site) {
+    const auto cell_of = [&](const WrappedSite& site) {
       std::size_t cell = 0;
       for (std::size_t k = 3; k-- > 0;) {
         const auto n = static_cast<double>(cells[k]);
@@ -56,11 +56,11 @@ struct CellSort {
       return cell;
     };
     first.assign(cells[0] * cells[1] * cells[2] + 1, 0);
-    for (const PlacedSite& site : unsorted) ++first[cell_of(site) + 1];
+    for (const WrappedSite& site : unsorted) ++first[cell_of(site) + 1];
     for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
     std::vector<std::size_t> next(first.begin(), first.end() - 1);
     sites.resize(unsorted.size());
-    for (const PlacedSite& site : unsorted) sites[next[cell_of(site)]++] = site;
+    for (const WrappedSite& site : unsorted) sites[next[cell_of(site)]++] = site;
   }
 
   // The cell itself and its neighbours with higher numbers, each once even if a small box has few.
@@ -88,7 +88,7 @@ Vec3<double> nearest(Vec3<double> d, const Vec3<double>& edge, const Vec3<double
   return d;
 }
 
-Vec3<double> wrapped(const Vec3<double>& r, const Vec3<double>& edge) {
+Vec3<double> wrap_into_box(const Vec3<double>& r, const Vec3<double>& edge) {
   return {r.x - edge.x * std::floor(r.x / edge.x), r.y - edge.y * std::floor(r.y / edge.y),
           r.z - edge.z * std::floor(r.z / edge.z)};
 }
@@ -137,9 +137,10 @@ Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
 // Bins around the smallest g between a maximum and 1.6 times its distance: a tenth of that distance
 // on each side.
 Bins about_minimum(std::span<const double> g, std::ptrdiff_t top) {
-  constexpr double reach = 1.6, part = 0.1;
+  constexpr double search_end = 1.6, part = 0.1;
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
-  const auto end = std::min(last, static_cast<std::ptrdiff_t>(reach * static_cast<double>(top)));
+  const auto end =
+      std::min(last, static_cast<std::ptrdiff_t>(search_end * static_cast<double>(top)));
   const auto lowest = std::min_element(g.begin() + top, g.begin() + end + 1) - g.begin();
   const auto wide = std::max<std::ptrdiff_t>(2, std::lround(part * static_cast<double>(top)));
   return {std::max(top, lowest - wide), std::min(last, lowest + wide)};
@@ -177,7 +178,7 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
 constexpr std::size_t tasks = 32;
 
 std::size_t checked_bins(const RadialSettings& settings) {
-  const double bins = settings.reach / settings.bin + 1e-9;
+  const double bins = settings.cutoff / settings.bin + 1e-9;
   require_memory(sizeof(std::uint64_t) * tasks * static_cast<double>(settings.pairs.size()) * bins,
                  fmt::format("g(r) histograms of {:.3g} bins", bins), "take wider bins");
   return static_cast<std::size_t>(bins);
@@ -201,7 +202,7 @@ std::vector<SitePair> site_pairs(const Topology& topology) {
 
 RadialDistribution::RadialDistribution(const Topology& topology, const RadialSettings& settings)
     : pairs_(settings.pairs),
-      reach_(settings.reach),
+      cutoff_(settings.cutoff),
       width_(settings.bin),
       bins_(checked_bins(settings)) {
   // Sites that are selected by the same names form a kind.
@@ -224,7 +225,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
   for (std::size_t w = 0; w < words.size(); ++w)
     if (std::none_of(kinds.begin(), kinds.end(), [&](auto& kind) { return kind[w]; }))
       throw Error(fmt::format("no site is named '{}'{} (there are: {})", words[w],
-                              did_you_mean(words[w], all_names), listed(all_names)));
+                              did_you_mean(words[w], all_names), join_names(all_names)));
 
   // Weight of a pair of sites of two kinds: 1 if both selections are the same, else 1 for each
   // direction.
@@ -256,19 +257,19 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
 void RadialDistribution::add(const State& state, Workers& workers) {
   const Vec3<double> edge = state.box.edge, half = edge / 2.0;
   // Half an edge, as rounded by text files, still counts as half.
-  if (reach_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
+  if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
     throw Error(fmt::format(
         "the reach of {:g} nm is more than half of the shortest box edge ({:.4f} nm) at {:g} ps: "
         "beyond, not all images of a site count; ask for a shorter one",
-        reach_, state.box.shortest_edge(), state.time));
-  std::vector<PlacedSite> placed;
+        cutoff_, state.box.shortest_edge(), state.time));
+  std::vector<WrappedSite> placed;
   std::size_t i = 0;
   for (std::size_t part = 0; part < sites_.size(); ++part)
     for (const std::size_t end = i + bodies_[part]; i < end; ++i)
       for (const auto& [r, kind] : sites_[part])
-        placed.push_back({wrapped(state.q[i] + to_lab(state.attitude[i], r), edge),
+        placed.push_back({wrap_into_box(state.q[i] + to_lab(state.attitude[i], r), edge),
                           static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(kind)});
-  const CellSort sorted(placed, state.box, reach_);
+  const CellSort sorted(placed, state.box, cutoff_);
 
   // Integers, so that the sum does not depend on the distribution over tasks.
   std::vector<std::vector<std::uint64_t>> histograms(tasks);
@@ -283,10 +284,10 @@ void RadialDistribution::add(const State& state, Workers& workers) {
       for (const std::size_t other : near[cell])
         for (std::size_t a = sorted.first[cell]; a < sorted.first[cell + 1]; ++a) {
           if (a % tasks != task) continue;
-          const PlacedSite& one = sorted.sites[a];
+          const WrappedSite& one = sorted.sites[a];
           for (std::size_t b = other == cell ? a + 1 : sorted.first[other];
                b < sorted.first[other + 1]; ++b) {
-            const PlacedSite& two = sorted.sites[b];
+            const WrappedSite& two = sorted.sites[b];
             const double r2 = norm2(nearest(one.r - two.r, edge, half));
             if (r2 >= reach2 || one.body == two.body) continue;
             const auto bin = std::min(bins_ - 1, static_cast<std::size_t>(std::sqrt(r2) / width_));

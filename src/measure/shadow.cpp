@@ -54,7 +54,7 @@ std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, 
   if (statistics.samples < 3) return std::nullopt;
   ShadowSummary s{statistics.samples, statistics.fluctuation(), statistics.drift(), std::nullopt};
   if (raw.known == Known::yes && s.drift.known == Known::yes && s.drift.rate.error > 0)
-    s.sooner = std::pow(raw.rate.error / s.drift.rate.error, 2.0 / 3);
+    s.time_gain = std::pow(raw.rate.error / s.drift.rate.error, 2.0 / 3);
   return s;
 }
 

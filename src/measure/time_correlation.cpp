@@ -9,7 +9,7 @@
 namespace polhode {
 namespace {
 
-constexpr std::size_t most_groups = 32;
+constexpr std::size_t max_groups = 32;
 constexpr std::size_t chunks_per_window = 4;  // more need more transforms, fewer give few blocks
 
 using Waves = Column<std::complex<double>>;
@@ -59,7 +59,7 @@ TimeCorrelation::TimeCorrelation(std::size_t bodies, std::size_t lags,
     : bodies_(bodies),
       lags_(lags),
       chunk_((lags + chunks_per_window - 1) / chunks_per_window),
-      groups_(std::min(bodies, most_groups)),
+      groups_(std::min(bodies, max_groups)),
       products_(std::move(products)),
       transform_(lags_ + chunk_),  // lags do not reach around the end
       history_(bodies * 3 * (lags_ + chunk_)),

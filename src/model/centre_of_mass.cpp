@@ -10,14 +10,14 @@ namespace polhode {
 namespace {
 
 // Blocks depend only on the number of bodies; they are few, so that their sums fit on the stack.
-constexpr std::size_t most_blocks = 64;
+constexpr std::size_t max_blocks = 64;
 std::size_t block_of(std::size_t size) {
-  return std::max<std::size_t>(4096, blocks(size, most_blocks));
+  return std::max<std::size_t>(4096, blocks(size, max_blocks));
 }
 
 /// Σ v, summed over blocks in order.
 Vec3<double> total(const Vec3Column& v, Workers& workers = Workers::serial()) {
-  std::array<Vec3<double>, most_blocks> sums{};
+  std::array<Vec3<double>, max_blocks> sums{};
   const std::size_t block = block_of(v.size());
   each_block(v.size(), block, workers, [&](std::size_t first, std::size_t end) {
     Vec3<double> sum{};

@@ -5,8 +5,8 @@
 
 namespace polhode {
 
-Freedoms freedoms(const Topology& topology) {
-  Freedoms n;
+DegreesOfFreedom degrees_of_freedom(const Topology& topology) {
+  DegreesOfFreedom n;
   n.translation = std::max(0.0, 3 * static_cast<double>(topology.size()) - 3);
   for (const auto& part : topology.parts)
     for (std::size_t k = 0; k < 3; ++k)

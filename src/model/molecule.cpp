@@ -18,7 +18,7 @@ constexpr double same_moment = 1e-9;
 
 // More than a rigid molecule needs: the pair loops allow 64 interacting sites, and the size of a
 // molecule is found by looping over all pairs.
-constexpr std::size_t most_sites = 1024;
+constexpr std::size_t max_sites = 1024;
 
 void check(const Site& site, const std::string& molecule) {
   const auto refuse = [&](const std::string& what) {
@@ -107,7 +107,7 @@ bool has_dipole(const Molecule& molecule) { return molecule.dipole() > 1e-9; }
 
 double Molecule::dipole() const { return norm(dipole_moment(*this)); }
 
-double Molecule::reach() const {
+double Molecule::extent() const {
   double far = 0;
   for (const Site& site : sites)
     if (site.charge != 0 || site.epsilon != 0) far = std::max(far, norm(site.r));
@@ -115,9 +115,9 @@ double Molecule::reach() const {
 }
 
 Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
-  if (sites.size() > most_sites)
+  if (sites.size() > max_sites)
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
-                " sites; a rigid molecule may have " + std::to_string(most_sites) +
+                " sites; a rigid molecule may have " + std::to_string(max_sites) +
                 " at most, so divide it, or check where one molecule ends");
   check_name("a molecule", name);
   Molecule molecule;

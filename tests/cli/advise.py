@@ -147,18 +147,18 @@ class Advise(Sandbox):
 
     def test_run(self):
         report = json.loads(self.done("run", GAS, "--json").out)
-        promise = report["promise"]
+        promise = report["guarantee"]
         self.assertEqual(promise["accuracy"], 0.02)
-        self.assertEqual(promise["kept"], promise["R"] <= 0.02)
+        self.assertEqual(promise["met"], promise["R"] <= 0.02)
         self.assertAlmostEqual(promise["R"], report["R"])
         self.assertGreater(report["step_fs"], 1)
         # A step of one's own takes the place of the promise; a scheme leaves only the step to choose.
         report = json.loads(self.done("run", GAS, "--json", "--force", "--step", "5 fs").out)
-        self.assertIsNone(report["promise"])
+        self.assertIsNone(report["guarantee"])
         self.assertEqual(report["step_fs"], 5)
         process = self.done("run", edited(GAS, ("accuracy =", 'scheme = "velocity-verlet"\naccuracy =')), "--force")
         self.assertIn("for an R of at most 2 %: velocity-verlet at", process.err)
-        self.assertIn("promise ", process.out)
+        self.assertIn("accuracy guarantee", process.out)
 
     def test_wrong_input(self):
         for wrong, words in (("0 %", ["0 %", "above 0 %"]), ("150 %", ["150 %", "below 100 %"]),

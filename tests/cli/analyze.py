@@ -50,11 +50,11 @@ class Analyze(Sandbox):
         self.assertLess(report["frames"], 12)
         self.assertIsNone(report["density_g_per_cm3"]["error"])
         self.assertGreater(report["density_g_per_cm3"]["value"], 0)
-        process = self.analyze(*options, "--pairs", "OW-OW", "--reach", "0.1 nm")
+        process = self.analyze(*options, "--pairs", "OW-OW", "--cutoff", "0.1 nm")
         self.assertIn("(error not known from so few frames)", process.out)
         self.assertIn("g OW-OW               no peak", process.out)
         self.assertNotIn("nan", process.out)
-        process = self.analyze(*options, "--pairs", "OW-OW", "--reach", "0.1 nm", "--json")
+        process = self.analyze(*options, "--pairs", "OW-OW", "--cutoff", "0.1 nm", "--json")
         self.assertEqual(json.loads(process.out)["rdf"],
                          [{"pair": ["OW", "OW"], "peak_nm": None, "peak_height": None, "minimum_nm": None,
                            "coordination": None}])
@@ -68,7 +68,7 @@ class Analyze(Sandbox):
                               (("--molecules", "tip4p 27", "--what", "rdf,msf"), "did you mean 'msd'"),
                               (("--molecules", "tip4p 27", "--pairs", "OW"), "two names of sites"),
                               (("--molecules", "tip4p 27", "--pairs", "OW-OX"), "no site is named 'OX'"),
-                              (("--molecules", "tip4p 27", "--reach", "1.3 nm"), "half of the shortest box edge"),
+                              (("--molecules", "tip4p 27", "--cutoff", "1.3 nm"), "half of the shortest box edge"),
                               (("--molecules", "tip4p 27", "--fit", "3 ps"), "must be two lags"),
                               (("--molecules", "tip4p 27", "--window", "10"), "has no unit"),
                               (("--molecules", "tip4p 27", "--from", "9 ps"), "no frame at 9 ps"),

@@ -14,7 +14,7 @@ ATOMS = """two argon atoms
     2argon   AR    2   1.500   1.500   1.500
    2.50000   2.50000   2.50000
 """
-FROM_GRO = edited(SMALL, ('box = "2.5 nm"', 'start = "start.gro"'), ("count = 27", "count = 2"))
+FROM_GRO = edited(SMALL, ('box = "2.5 nm"', 'initial_configuration = "start.gro"'), ("count = 27", "count = 2"))
 BALL = """name = "ball"
 source = "user"
 
@@ -72,7 +72,7 @@ RUN_FILE = [
     ("small lambda in mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nprecision = "mixed"\n'), ('"2 fs"\n\n', '"2 fs"\nlambda = 0.01\n\n')],
      ["lambda = 0.01", "0.1", "mixed", "double", "run.toml:13", "integrator.lambda"]),
     ("unknown electrostatics", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "coulom"\n')], ["'coulomb'", "reaction-field", "run.toml:8"]),
-    ("accuracy beyond mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "pme"\nprecision = "mixed"\naccuracy = 1e-6\n')],
+    ("accuracy beyond mixed precision", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "pme"\nprecision = "mixed"\npme_accuracy = 1e-6\n')],
      ["1e-06", "1e-05", "double", "run.toml"]),
     ("damping without its law", [('"1.0 nm"\n', '"1.0 nm"\ndamping = "2 1/nm"\n')],
      ["damping", "damped-shifted-force", "run.toml:8"]),
@@ -95,13 +95,13 @@ RUN_FILE = [
     ("zero skin", [('"1.0 nm"\n', '"1.0 nm"\nskin = "0 nm"\n')], ["skin", "0.1 nm", "run.toml:8"]),
     ("not TOML", [("[system]", "[system")], ["not TOML", "run.toml:1"]),
     ("no molecules", [('molecules = [{ model = "argon", count = 27 }]\n', "")], ["no molecules", "tip4p", "run.toml"]),
-    ("start that is not there", [('box = "2.5 nm"', 'start = "none.gro"')], ["none.gro", "w512", "run.toml:3"]),
+    ("start that is not there", [('box = "2.5 nm"', 'initial_configuration = "none.gro"')], ["none.gro", "w512", "run.toml:3"]),
     ("unknown format of trajectories", [('plot = "none"', 'formats = ["xyzz"]')], ["'xyzz'", "'xyz'", "run.toml:18"]),
     ("unknown key of a study", [("runs = 2", "run = 2")], ["'run'", "'runs'", "run.toml:23"]),
     ("one run a point", [("runs = 2", "runs = 1")], ["runs = 1", "2 or more", "run.toml:23"]),
 ]
 
-# Name of the case, the start configuration, what the message must contain.
+# Name of the case, the initial configuration, what the message must contain.
 START_FILE = [
     ("empty file", "", ["start.gro:1", "first frame"]),
     ("binary garbage", bytes(range(256)) * 20, ["start.gro:"]),
@@ -173,8 +173,8 @@ class BadInput(Sandbox):
         for name, word in (("folder", "'folder'"), ("empty.toml", "name"), ("garbage.toml", "text file")):
             self.write("run.toml", edited(SMALL, ('"argon"', f'"./{name}"')))
             self.each_verb([word], "molecule file " + name)
-        self.write("run.toml", edited(SMALL, ('box = "2.5 nm"', 'start = "folder"')))
-        self.each_verb(["'folder'", "run.toml:3", "system.start"], "start that is a folder")
+        self.write("run.toml", edited(SMALL, ('box = "2.5 nm"', 'initial_configuration = "folder"')))
+        self.each_verb(["'folder'", "run.toml:3", "system.initial_configuration"], "start that is a folder")
 
     def test_options(self):
         self.write("run.toml", SMALL)

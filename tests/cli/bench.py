@@ -14,14 +14,14 @@ class Bench(Sandbox):
         process = self.polhode("bench", "--quick", "--json")
         self.assertEqual(process.returncode, 0, process.err)
         report = json.loads(process.out)
-        self.assertIn(report["target"], report["targets"])
+        self.assertIn(report["instruction_set"], report["instruction_sets"])
         self.assertTrue(report["processor"])
         self.assertTrue(report["verdict"])
         self.assertEqual([limit["precision"] for limit in report["limits"]], ["mixed", "double"])
         for limit in report["limits"]:
             self.assertGreater(limit["multiply_adds_per_ns"], 0)
             for kind in ("forces", "energies"):
-                for pair in ("whole", "ending"):
+                for pair in ("inside", "truncated"):
                     self.assertGreater(limit["pair_ns"][kind][pair]["best"], 0)
         self.assertEqual([(s["molecules"], s["precision"], s["threads"]) for s in report["systems"]],
                          [(512, p, n) for p in ("mixed", "double") for n in report["threads"]])

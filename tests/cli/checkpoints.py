@@ -173,8 +173,8 @@ class Checkpoints(Sandbox):
         self.write("run.toml", WATER)
         self.refused("another run", options=("--continue", "--step", "1 fs"))
         self.refused("another run", options=("--continue", "--precision", "mixed"))
-        if summary["target"] != "scalar":
-            self.refused("scalar", "POLHODE_TARGET", POLHODE_TARGET="scalar")
+        if summary["instruction_set"] != "scalar":
+            self.refused("scalar", "POLHODE_INSTRUCTION_SET", POLHODE_INSTRUCTION_SET="scalar")
         # Without --continue nothing is overwritten, and --force begins anew.
         self.refused("out-checkpoint.bin", "--continue", "--force", options=())
         self.assertEqual(self.summary("--force"), summary)
@@ -183,7 +183,7 @@ class Checkpoints(Sandbox):
     def test_another_start(self):
         self.summary("--output", "start")
         start = (self.folder / "start-final.gro").read_text()
-        water = edited(WATER, ('box = "2.5 nm"', 'start = "start-final.gro"'), ('equilibrate = "0.1 ps"\n', ""))
+        water = edited(WATER, ('box = "2.5 nm"', 'initial_configuration = "start-final.gro"'), ('equilibrate = "0.1 ps"\n', ""))
         self.write("run.toml", water)
         self.interrupt()
         def edit(change):

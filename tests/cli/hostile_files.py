@@ -50,9 +50,9 @@ SPCE_GRO = """water
    2.50000   2.50000   2.50000
 """
 WITH_TOPOLOGY = edited(SMALL, ('molecules = [{ model = "argon", count = 27 }]\nbox = "2.5 nm"',
-                               'topology = "topol.top"\nstart = "conf.gro"'))
+                               'topology = "topol.top"\ninitial_configuration = "conf.gro"'))
 
-WITH_DATA = edited(SMALL, ('molecules = [{ model = "argon", count = 27 }]\nbox = "2.5 nm"', 'start = "in.data"'),
+WITH_DATA = edited(SMALL, ('molecules = [{ model = "argon", count = 27 }]\nbox = "2.5 nm"', 'initial_configuration = "in.data"'),
                    ("[forces]\n", '[forces]\nmixing = "geometric"\n'))
 # A molecule of one atom and one of two, in turns.
 DATA = """interleaved

@@ -16,7 +16,7 @@ temperature = "300 K"
 [forces]
 cutoff = "0.44 nm"
 electrostatics = "pme"
-accuracy = 1e-2
+pme_accuracy = 1e-2
 dispersion_correction = false
 
 [integrator]
@@ -58,7 +58,7 @@ class Momentum(Sandbox):
         results = []
         for velocity in (0, 1):
             self.write("start.gro", moved(start, velocity))
-            report, log = self.report(edited(SMALL, ('box = "2.5 nm"', 'start = "start.gro"')))
+            report, log = self.report(edited(SMALL, ('box = "2.5 nm"', 'initial_configuration = "start.gro"')))
             self.assertLess(report["momentum"], 1e-9)
             noted = re.search(r"moved as a whole at (\S+) nm/ps, which counted as (\S+) K", log)
             if velocity == 0:
@@ -84,7 +84,7 @@ class Momentum(Sandbox):
                      ('length = "0.02 ps"', 'length = "0.02 ps"\nequilibrate = "0.1 ps"'))
         report, _ = self.report(one)
         self.assertAlmostEqual(report["temperature_K"], 297, delta=1e-6)
-        self.assertEqual(report["freedoms_translation"], 0)
+        self.assertEqual(report["degrees_of_freedom_translation"], 0)
         self.assertEqual(report["momentum"], 0)
 
     def test_a_single_atom_is_said_to_have_no_temperature(self):

@@ -16,7 +16,7 @@ temperature = "250 K"
 [forces]
 cutoff = "0.6 nm"
 electrostatics = "pme"
-accuracy = ACCURACY
+pme_accuracy = ACCURACY
 """
 RUN = """
 [integrator]
@@ -50,9 +50,9 @@ class Pme(Sandbox):
 
     def test_the_damped_shifted_force_comes_near_the_sum_over_all_images(self):
         more = (water().replace('"0.6 nm"', '"0.9 nm"').replace("spce", "tip4p").replace("count = 64", "count = 512")
-                .replace('density = "0.9 g/cm3"', 'start = "w512"'))
+                .replace('density = "0.9 g/cm3"', 'initial_configuration = "w512"'))
         ewald = self.energy(more)
-        damped = self.energy(more.replace('"pme"', '"damped-shifted-force"').replace("accuracy = 1e-4", ""))
+        damped = self.energy(more.replace('"pme"', '"damped-shifted-force"').replace("pme_accuracy = 1e-4", ""))
         terms = damped["terms_kJ_per_mol"]
         self.assertEqual(set(terms), {"pairs", "self", "intramolecular"})
         self.assertAlmostEqual(sum(terms.values()), damped["coulomb_kJ_per_mol"], delta=1e-8)

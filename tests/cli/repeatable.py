@@ -33,14 +33,14 @@ class Repeatable(Sandbox):
         self.write("run.toml", WATER)
         energies, totals = {}, {}  # of 512 waters, and along a run of few
         for target in ("scalar", "sse4", "avx2", "avx512"):
-            process = self.polhode("energy", "--json", POLHODE_TARGET=target)
+            process = self.polhode("energy", "--json", POLHODE_INSTRUCTION_SET=target)
             if process.returncode == 2 and target != "scalar":
                 self.assertIn("on this processor", process.err)
                 continue
             report = json.loads(process.out)
-            self.assertEqual(report["target"], target)
+            self.assertEqual(report["instruction_set"], target)
             energies[target] = [report[k + "_kJ_per_mol"] for k in ("lennard_jones", "coulomb", "potential")]
-            process = self.polhode("run", "run.toml", "--output", target, POLHODE_TARGET=target)
+            process = self.polhode("run", "run.toml", "--output", target, POLHODE_INSTRUCTION_SET=target)
             totals[target] = [float(row.split(",")[1]) for row in self.rows(f"{target}-energies.csv")[1:]]
         for target, values in energies.items():
             for value, scalar in zip(values, energies["scalar"], strict=True):
@@ -56,7 +56,7 @@ class Repeatable(Sandbox):
             self.assertEqual(process.returncode, 0, process.err)
             report = json.loads(process.out)
             self.assertIn(report["threads"], [1] if threads == "one" else range(1, os.cpu_count() + 1))
-            self.assertIn(report["target"], ("scalar", "sse4", "avx2", "avx512"))
+            self.assertIn(report["instruction_set"], ("scalar", "sse4", "avx2", "avx512"))
         for kind in ("energies.csv", "trajectory.gro", "final.gro"):
             self.assertEqual(self.body(f"one-{kind}"), self.body(f"all-{kind}"), kind)
 
@@ -72,9 +72,9 @@ class Repeatable(Sandbox):
         self.write("run.toml", SMALL)
         before = self.contents()
         for verb in ("run", "energy", "study"):
-            process = self.polhode(verb, "run.toml", POLHODE_TARGET="mmx")
+            process = self.polhode(verb, "run.toml", POLHODE_INSTRUCTION_SET="mmx")
             self.assertEqual(process.returncode, 2)
-            for word in ("POLHODE_TARGET", "'mmx'", "scalar"):
+            for word in ("POLHODE_INSTRUCTION_SET", "'mmx'", "scalar"):
                 self.assertIn(word, process.err)
             self.assertEqual(self.contents(), before)
 

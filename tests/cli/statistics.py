@@ -26,7 +26,7 @@ class Statistics(Sandbox):
         self.assertEqual(report["samples"], 2)
         self.assertIn("R                     not known from 2 samples", text)
         self.assertIn("drift                 not known from 2 samples", text)
-        for key in ("R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_chance", "drift_significant", "pressure_error_bar"):
+        for key in ("R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_p_value", "drift_significant", "pressure_error_bar"):
             self.assertIsNone(report[key], key)
         self.assertEqual(report["drift_verdict"], "too few samples")
 
@@ -34,7 +34,7 @@ class Statistics(Sandbox):
         text, report = self.both(SMALL)  # 0.02 ps: 6 samples
         self.assertEqual(report["samples"], 6)
         self.assertGreater(report["R"], 0)
-        for key in ("R_error", "drift_error", "drift_chance", "drift_significant"):
+        for key in ("R_error", "drift_error", "drift_p_value", "drift_significant"):
             self.assertIsNone(report[key], key)
         self.assertEqual(len(re.findall("its error is not known from 6 samples", text)), 3)  # R, drift, pressure
         self.assertNotIn("±", text)
@@ -52,7 +52,7 @@ class Statistics(Sandbox):
         self.assertIsNone(NO_NUMBER.search(study.out), study.out)
         point = json.loads((self.folder / "study.json").read_text())["points"][0]
         self.assertIsNone(point["R"])
-        self.assertEqual(point["drift_chance"], 1)
+        self.assertEqual(point["drift_p_value"], 1)
         self.assertIsNone(NO_NUMBER.search((self.folder / "study.csv").read_text().splitlines()[-1]))
 
     def test_memory_does_not_grow_with_the_number_of_samples(self):

@@ -9,7 +9,7 @@ import sandbox
 from sandbox import Sandbox, edited
 
 MANUAL = Path(__file__).resolve().parents[2] / "docs/manual"
-GROMACS = '[system]\ntopology = "topol.top"\nstart = "conf.gro"\n[forces]\nelectrostatics = "pme"\ncutoff = "0.9 nm"\n'
+GROMACS = '[system]\ntopology = "topol.top"\ninitial_configuration = "conf.gro"\n[forces]\nelectrostatics = "pme"\ncutoff = "0.9 nm"\n'
 
 
 def manual_file(page, name):
@@ -54,7 +54,7 @@ class Topologies(Sandbox):
         self.assertGreater(abs(gromacs["potential_kJ_per_mol"]), 100 * bound)
 
     def test_a_model_with_a_massless_site_takes_atoms_of_a_data_file(self):
-        text = '[system]\nmolecules = [{ model = "tip4p" }]\nstart = "water.data"\n[forces]\ncutoff = "0.9 nm"\n'
+        text = '[system]\nmolecules = [{ model = "tip4p" }]\ninitial_configuration = "water.data"\n[forces]\ncutoff = "0.9 nm"\n'
         self.assertIn("molecules         2\n", self.done("energy", text).out)
 
     def test_molecules_of_a_topology_are_shown(self):
@@ -63,7 +63,7 @@ class Topologies(Sandbox):
         self.assertIn("NA\n", shown)
 
     def test_run_files_that_do_not_fit(self):
-        self.refused(edited(GROMACS, ('start = "conf.gro"\n', "")), "has no start beside it", "run.toml:2")
+        self.refused(edited(GROMACS, ('initial_configuration = "conf.gro"\n', "")), "has no initial configuration beside it", "run.toml:2")
         self.refused(edited(GROMACS, ("topol.top", "gone.top")), "is no file", "system.topology")
         self.refused(edited(GROMACS, ("[system]\n", '[system]\nmolecules = [{ model = "tip4p" }]\n')), "stands beside molecules")
         self.refused(edited(GROMACS, ("[forces]\n", '[forces]\nmixing = "geometric"\n')), "stands beside a GROMACS topology")

@@ -15,9 +15,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 FIGURE = ROOT / "docs/figure1"
 PROGRAM = None
-sys.path.insert(0, str(ROOT / "bench/family"))
+sys.path.insert(0, str(ROOT / "bench/all_schemes"))
 
-import family
+import all_schemes
 
 
 def rows(path):
@@ -95,9 +95,9 @@ class Family(unittest.TestCase):
     def test_the_ranking_and_the_page_are_what_the_points_say(self):
         listed = subprocess.run([PROGRAM, "schemes", "--json"], text=True, capture_output=True, check=True).stdout
         orders = {s["name"]: s["order"] for s in json.loads(listed)}
-        again = {system: {"ranking": family.ranking(of["points"], orders)} for system, of in self.kept["systems"].items()}
-        self.assertEqual(family.tables({"systems": again}), family.tables(self.kept))
-        self.assertTrue(family.tables(self.kept).strip() in self.page, "docs/family.md has other tables")
+        again = {system: {"ranking": all_schemes.ranking(of["points"], orders)} for system, of in self.kept["systems"].items()}
+        self.assertEqual(all_schemes.tables({"systems": again}), all_schemes.tables(self.kept))
+        self.assertTrue(all_schemes.tables(self.kept).strip() in self.page, "docs/family.md has other tables")
 
 
 if __name__ == "__main__":

@@ -18,15 +18,15 @@ SOUND = {
     "tests/reference/a.py": SPDX.replace("//", "#") + "text = 'goes on'\n",
     "data/molecules/a.toml": 'source = "one1990"\n',
     "include/polhode/base/pack.hpp": SPDX + "#include <hwy/highway.h>\n",
-    "include/polhode/io/file.hpp": SPDX + '#include "polhode/forces/settings.hpp"\n',
+    "include/polhode/io/file.hpp": SPDX + '#include "polhode/forces/laws/settings.hpp"\n',
     "src/io/file.cpp": SPDX + "#include <fmt/core.h>\n\n"
                               'void f() { throw Error(message("x = {} is 0; write 1", x)); }\n',
 }
 # lint, file, text appended to it (or the whole of a new file), line that must be named
 FAULTS = [
-    ("floors", "include/polhode/base/low.hpp", SPDX + '#include "polhode/run/study.hpp"\n', 2),
+    ("floors", "include/polhode/base/low.hpp", SPDX + '#include "polhode/run/study/study.hpp"\n', 2),
     ("floors", "include/polhode/io/file.hpp", '#include "polhode/measure/energy.hpp"\n', 3),
-    ("floors", "include/polhode/rotor/a.hpp", SPDX + '#include "polhode/forces/laws.hpp"\n', 2),
+    ("floors", "include/polhode/rotor/a.hpp", SPDX + '#include "polhode/forces/laws/laws.hpp"\n', 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <hwy/highway.h>\n", 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fmt/core.h>\n", 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fftw3.h>\n", 2),

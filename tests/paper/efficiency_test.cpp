@@ -9,8 +9,8 @@
 #include "polhode/base/threads.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/guideline.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/study/guideline.hpp"
 
 using namespace polhode;
 
@@ -19,7 +19,7 @@ namespace {
 Config small_water() {
   Config config = default_config();
   config.system.molecules = {{"tip4p", 125}};
-  config.system.start = "";
+  config.system.initial_configuration = "";
   config.system.density = 602.214076;  // 1 g/cm³
   config.forces = {.cutoff = 0.77, .switch_from = 0.62, .skin = 0.08};
   config.study.runs = 6;
@@ -76,7 +76,7 @@ TEST_CASE("orders and ordering of the schemes on liquid water") {
 // Forces too strong by a part in 10³ leave the total energy with 10⁻³ of the fluctuation of the
 // potential.
 TEST_CASE("a force without its energy shows as an R that does not fall with the step") {
-  const System start = assembled(small_water());
+  const System start = build_system(small_water());
   const auto ratio = [&](double h, double factor) {
     System system = start;
     ForceField right(system.topology, system.forces, system.state.box);

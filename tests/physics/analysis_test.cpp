@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trajectories as files hold them: frames of atoms in, observables out.
-#include "polhode/run/analysis_summary.hpp"
+#include "polhode/run/analysis/analysis_summary.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/model/start.hpp"
+#include "polhode/model/initial_state.hpp"
 
 using namespace polhode;
 
@@ -68,8 +68,8 @@ TEST_CASE("free molecules in memory") {
   const Topology topology = waters();
   AnalysisSettings settings;
   settings.window = 0.1;
-  Frames file(free_flight(topology, 40, MasslessSites::kept));
-  Analysis a = analysis(file, {{{topology.parts[0].molecule, 0}}}, settings);
+  Frames file(free_flight(topology, 40, MasslessSites::keep));
+  Analysis a = analyze(file, {{{topology.parts[0].molecule, 0}}}, settings);
   CHECK(a.frames == 40);
   CHECK(a.topology.size() == 27);
   CHECK(a.interval == doctest::Approx(0.01).epsilon(1e-9));
@@ -77,21 +77,21 @@ TEST_CASE("free molecules in memory") {
   const double v2 = 3 * a.velocity->linear(0).mean()[0];
   for (std::size_t lag = 0; lag <= 10; ++lag) {
     const double t = 0.01 * static_cast<double>(lag);
-    CHECK(a.displacement->squared(0).mean()[lag] == doctest::Approx(v2 * t * t).epsilon(1e-7));
+    CHECK(a.displacement->mean_square(0).mean()[lag] == doctest::Approx(v2 * t * t).epsilon(1e-7));
     CHECK(a.velocity->linear(0).mean()[lag] == doctest::Approx(v2 / 3).epsilon(1e-9));
   }
   CHECK(a.conditions->temperature().value == doctest::Approx(300).epsilon(1e-6));
   CHECK(a.conditions->density().value == doctest::Approx(topology.mass() / 8).epsilon(1e-12));
 
   Workers workers(3);
-  Frames again(free_flight(topology, 40, MasslessSites::kept));
-  Analysis b = analysis(again, topology, settings, {}, workers);
+  Frames again(free_flight(topology, 40, MasslessSites::keep));
+  Analysis b = analyze(again, topology, settings, {}, workers);
   for (const int rank : {1, 2})
     CHECK(a.reorientation->legendre(0, 3, rank).mean() ==
           b.reorientation->legendre(0, 3, rank, workers).mean());
-  CHECK(a.displacement->squared(0).mean() == b.displacement->squared(0, workers).mean());
+  CHECK(a.displacement->mean_square(0).mean() == b.displacement->mean_square(0, workers).mean());
   CHECK(a.radial->coordination(2) == b.radial->coordination(2));
-  const SummarySettings numbers{.fit = FitWindow{0.02, 0.1}, .surrounding = tin_foil};
+  const SummarySettings numbers{.fit = FitWindow{0.02, 0.1}, .surroundings_permittivity = tin_foil};
   CHECK(summary(a, numbers).dielectric->constant.value ==
         summary(b, numbers, workers).dielectric->constant.value);
   CHECK(summary(a, numbers).viscosity_source.find("gonzalez2010") != std::string::npos);
@@ -103,65 +103,65 @@ TEST_CASE("files without names, velocities, massless sites or many digits") {
   const Topology topology = waters();
   AnalysisSettings settings;
   settings.window = 0.1;
-  Frames exact(free_flight(topology, 40, MasslessSites::kept));
-  std::vector<Frame> poor = free_flight(topology, 40, MasslessSites::left_out);
+  Frames exact(free_flight(topology, 40, MasslessSites::keep));
+  std::vector<Frame> poor = free_flight(topology, 40, MasslessSites::omit);
   make_poor(poor);
   Frames file(poor);
-  Analysis a = analysis(exact, topology, settings), b = analysis(file, topology, settings);
+  Analysis a = analyze(exact, topology, settings), b = analyze(file, topology, settings);
   CHECK(b.deviation > 1e-4);
   CHECK(b.deviation < 0.0018);
   CHECK(!b.velocity);
   CHECK(b.notes.size() == 1);
   for (std::size_t lag = 1; lag <= 10; ++lag) {
-    const double far = std::sqrt(a.displacement->squared(0).mean()[lag]);
-    CHECK(std::abs(std::sqrt(b.displacement->squared(0).mean()[lag]) - far) < 0.001);
+    const double far = std::sqrt(a.displacement->mean_square(0).mean()[lag]);
+    CHECK(std::abs(std::sqrt(b.displacement->mean_square(0).mean()[lag]) - far) < 0.001);
     CHECK(b.reorientation->legendre(0, 0, 1).mean()[lag] ==
           doctest::Approx(a.reorientation->legendre(0, 0, 1).mean()[lag]).epsilon(1e-3));
   }
-  const AnalysisSummary s = summary(b, {.surrounding = tin_foil});
+  const AnalysisSummary s = summary(b, {.surroundings_permittivity = tin_foil});
   CHECK(!s.dielectric);
   CHECK(s.viscosity_source.find("--temperature") != std::string::npos);
 
   settings.what = {Observable::velocity};
   Frames refused(poor);
-  CHECK_THROWS_WITH_AS(analysis(refused, topology, settings), doctest::Contains("no velocities"),
+  CHECK_THROWS_WITH_AS(analyze(refused, topology, settings), doctest::Contains("no velocities"),
                        Error);
   Frames other(poor);
-  CHECK_THROWS_WITH_AS(analysis(other, {{{topology.parts[0].molecule, 26}}}, {}),
+  CHECK_THROWS_WITH_AS(analyze(other, {{{topology.parts[0].molecule, 26}}}, {}),
                        doctest::Contains("81 atoms without names"), Error);
 }
 
 TEST_CASE("frames that are not evenly spaced are refused, unless no correlation is wanted") {
-  std::vector<Frame> frames = free_flight(waters(), 6, MasslessSites::kept);
+  std::vector<Frame> frames = free_flight(waters(), 6, MasslessSites::keep);
   frames[4].time += 0.005;
   AnalysisSettings settings;
   Frames uneven(frames), structure(frames), told(frames);
-  CHECK_THROWS_WITH_AS(analysis(uneven, waters(), settings),
+  CHECK_THROWS_WITH_AS(analyze(uneven, waters(), settings),
                        doctest::Contains("frame 5 is of 5.045 ps where 5.04 ps must be"), Error);
   settings.what = {Observable::rdf, Observable::density};
-  CHECK(analysis(structure, waters(), settings).frames == 6);
+  CHECK(analyze(structure, waters(), settings).frames == 6);
   settings.what.clear();
   settings.interval = 0.02;
-  CHECK(analysis(told, waters(), settings).interval == 0.02);
+  CHECK(analyze(told, waters(), settings).interval == 0.02);
   settings.from = 7;
   Frames late(frames);
-  CHECK_THROWS_WITH_AS(analysis(late, waters(), settings), doctest::Contains("no frame at 7 ps"),
+  CHECK_THROWS_WITH_AS(analyze(late, waters(), settings), doctest::Contains("no frame at 7 ps"),
                        Error);
 }
 
 TEST_CASE("ions have no dielectric constant, and an interrupt leaves what was read") {
   const Topology brine{{{read_molecule("tip4p"), 20}, {read_molecule("na-tip4p-ew"), 2}}};
-  Frames file(free_flight(brine, 20, MasslessSites::kept));
+  Frames file(free_flight(brine, 20, MasslessSites::keep));
   std::size_t batches = 0;
-  Analysis a = analysis(file, brine, {},
-                        {.each_batch = [&](std::size_t, double) { ++batches; },
-                         .stop = [&] { return batches == 3; }});
+  Analysis a = analyze(file, brine, {},
+                       {.each_batch = [&](std::size_t, double) { ++batches; },
+                        .stop = [&] { return batches == 3; }});
   CHECK(a.stopped);
   CHECK(a.frames == 6);
   CHECK(!a.dipole);
   CHECK(a.notes.front().find("carries 1 e") != std::string::npos);
   CHECK(a.reorientation->axes(1).empty());
-  CHECK(a.displacement->squared(1).mean().size() == 4);
+  CHECK(a.displacement->mean_square(1).mean().size() == 4);
 }
 
 // A gas of two sites that never come near each other.
@@ -171,11 +171,11 @@ TEST_CASE("a g that is 0 has no peak, and few frames have no errors") {
   state.q.set(1, {2, 2, 2});
   std::vector<Frame> frames;
   for (int k = 0; k < 11; ++k) {
-    frames.push_back(frame_of(state, pair, MasslessSites::kept));
+    frames.push_back(frame_of(state, pair, MasslessSites::keep));
     frames.back().time = k;
   }
   Frames file(frames);
-  Analysis a = analysis(file, pair, {});
+  Analysis a = analyze(file, pair, {});
   const AnalysisSummary s = summary(a, {});
   REQUIRE(s.peaks.size() == 1);
   CHECK(!s.peaks.front());
@@ -183,24 +183,24 @@ TEST_CASE("a g that is 0 has no peak, and few frames have no errors") {
   frames.push_back(frames.back());
   frames.back().time = 11;
   Frames longer(frames);
-  Analysis b = analysis(longer, pair, {});
+  Analysis b = analyze(longer, pair, {});
   CHECK(b.conditions->density().known == Known::yes);
   CHECK(b.conditions->density().error == 0);  // the box is constant
 }
 
 TEST_CASE("one molecule has no displacements of its own") {
   const Topology one{{{read_molecule("tip4p"), 1}}};
-  Frames file(free_flight(one, 30, MasslessSites::kept));
-  Analysis a = analysis(file, one, {});
+  Frames file(free_flight(one, 30, MasslessSites::keep));
+  Analysis a = analyze(file, one, {});
   CHECK(!a.displacement);
   CHECK(a.notes.front().find("there is only one") != std::string::npos);
-  const AnalysisSummary s = summary(a, {.surrounding = tin_foil});
+  const AnalysisSummary s = summary(a, {.surroundings_permittivity = tin_foil});
   CHECK(!s.parts.front().diffusion);
   CHECK(!s.parts.front().green_kubo);
   CHECK(a.velocity->linear(0).mean().front() == 0);
   AnalysisSettings settings;
   settings.what = {Observable::msd};
-  Frames refused(free_flight(one, 30, MasslessSites::kept));
-  CHECK_THROWS_WITH_AS(analysis(refused, one, settings), doctest::Contains("there is only one"),
+  Frames refused(free_flight(one, 30, MasslessSites::keep));
+  CHECK_THROWS_WITH_AS(analyze(refused, one, settings), doctest::Contains("there is only one"),
                        Error);
 }

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <random>
 
+#include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
 #include "physics/mesh_scene.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/model/centre_of_mass.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 
@@ -72,7 +72,7 @@ double work(const Load& load, const State& state, const Displacement& u) {
 }
 
 ForceSettings with_mesh(const MeshSettings& mesh) {
-  ForceSettings settings{Truncation::site_switch, 0.75, 0.6, 3, Electrostatics::ewald};
+  ForceSettings settings{Truncation::site_switch, 0.75, 0.6, 3, Electrostatics::pme};
   settings.skin = 0.05;
   settings.mesh = mesh;
   return settings;
@@ -105,7 +105,7 @@ TEST_CASE("the derivative over the list equals dual numbers over all pairs, on e
         reference_derivative(scene.topology, law.settings, scene.state, u.dq, u.dtheta);
     const double bound = 0x1p-53 * (500 + 8 * scene.state.box.edge.x * 14 / 0.25);
     const double rounded = 10 * std::sqrt(terms_of(scene, law.settings).f2_of_places);
-    for_each_target([&] {
+    for_each_instruction_set([&] {
       Load slope;
       ForceField(scene.topology, law.settings, scene.state.box)
           .directional_derivative(scene.state, u.dq, u.dtheta, slope);
@@ -142,7 +142,7 @@ TEST_CASE("the derivative of waters of three and five sites equals dual numbers 
                                    78.5,       0.05};
       const Load exact =
           reference_derivative(scene.topology, settings, scene.state, u.dq, u.dtheta);
-      for_each_target([&] {
+      for_each_instruction_set([&] {
         ForceField forces(scene.topology, settings, scene.state.box);
         Load slope;
         forces.directional_derivative(scene.state, u.dq, u.dtheta, slope);
@@ -178,7 +178,7 @@ TEST_CASE("with a mesh the derivative is the slope of its forces and torques") {
       numeric.f.set(i, difference([](const Load& l) -> const Vec3Column& { return l.f; }));
       numeric.tau.set(i, difference([](const Load& l) -> const Vec3Column& { return l.tau; }));
     }
-    for_each_target([&] {
+    for_each_instruction_set([&] {
       ForceField forces(scene.topology, law.settings, scene.state.box);
       Load slope;
       forces.directional_derivative(scene.state, u.dq, u.dtheta, slope);

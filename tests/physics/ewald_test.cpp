@@ -11,7 +11,7 @@
 
 #include "physics/force_laws.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/ewald.hpp"
+#include "polhode/forces/mesh/ewald.hpp"
 #include "skip.hpp"
 
 using namespace polhode;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/base/units.hpp"
-#include "polhode/forces/reference.hpp"
+#include "polhode/forces/pairs/reference.hpp"
 #include "scenes.hpp"
 
 namespace polhode {
@@ -111,7 +111,7 @@ inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings)
       Vec3<double> R = state.q[j] - state.q[i];
       for (std::size_t d = 0; d < 3; ++d)
         R[d] -= std::round(R[d] / state.box.edge[d]) * state.box.edge[d];
-      if (norm(R) > settings.cutoff + (by_molecule ? 0 : a_molecule.reach() + b_molecule.reach()))
+      if (norm(R) > settings.cutoff + (by_molecule ? 0 : a_molecule.extent() + b_molecule.extent()))
         continue;
       for (const Site& a : a_molecule.sites)
         for (const Site& b : b_molecule.sites) {
@@ -137,7 +137,7 @@ inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings)
             terms.virial2 += norm2(R) * (f * f + by_place * by_place);
             terms.f2 += 2 * f * f / double(state.size());  // on both bodies
             const double moment = 0.6 * 0x1p-24 * n * u / r * norm(R);
-            if (a_molecule.reach() > 0 || b_molecule.reach() > 0)
+            if (a_molecule.extent() > 0 || b_molecule.extent() > 0)
               terms.tau2 +=
                   (f * f * (norm2(a.r) + norm2(b.r)) + moment * moment) / double(state.size());
             terms.f2_of_places += 2 * by_place * by_place / double(state.size());

@@ -7,7 +7,7 @@
 
 #include "physics/force_laws.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/reference.hpp"
+#include "polhode/forces/pairs/reference.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/math/dual.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The accuracy of the mesh that is asked for, and the one that is reached.
-#include "polhode/forces/mesh_choice.hpp"
+#include "polhode/forces/mesh/mesh_choice.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 
 #include "physics/mesh_scene.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/system.hpp"
 #include "unit/errors.hpp"
 
 using namespace polhode;
@@ -45,7 +45,7 @@ struct Liquid {
 };
 
 Liquid water() {
-  const System system = assembled(default_config());
+  const System system = build_system(default_config());
   return {"water", system.topology, system.state};
 }
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "physics/force_laws.hpp"
-#include "polhode/forces/ewald.hpp"
-#include "polhode/forces/particle_mesh.hpp"
+#include "polhode/forces/mesh/ewald.hpp"
+#include "polhode/forces/mesh/particle_mesh.hpp"
 
 namespace polhode {
 

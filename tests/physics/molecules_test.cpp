@@ -11,7 +11,7 @@
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/math/rotation.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/system.hpp"
 
 using namespace polhode;
 
@@ -26,7 +26,7 @@ struct Crowd {
 Crowd fluid(const Molecule& molecule) {
   double sigma = 0;
   for (const Site& site : molecule.sites) sigma = std::max(sigma, site.sigma);
-  const double edge = 3 * (1.1 * sigma + 1.2 * molecule.reach());
+  const double edge = 3 * (1.1 * sigma + 1.2 * molecule.extent());
   Crowd made{scenes::spread({{{molecule, 27}}}, {edge, edge, edge}, 17), {}};
   made.forces = {.cutoff = 0.49 * edge, .switch_from = 0.25 * edge, .smoothness = 3};
   made.forces.skin = 0.01 * edge;
@@ -157,7 +157,7 @@ TEST_CASE("the energy with Ewald's sum is kept to the order of the scheme, and s
       CAPTURE(points);
       Crowd made = crowd(read_molecule(name));
       made.forces.truncation = Truncation::site_switch;
-      made.forces.electrostatics = Electrostatics::ewald;
+      made.forces.electrostatics = Electrostatics::pme;
       made.forces.mesh = MeshSettings{{points, points, points}, 6, 4, made.forces.cutoff};
       check_orders(made);
     }

@@ -70,10 +70,10 @@ TEST_CASE("displacements of free flight are ballistic, through the walls of the 
     }
     displacement.add(state);
   }
-  const std::vector<double> squared = displacement.squared(0).mean();
+  const std::vector<double> squared = displacement.mean_square(0).mean();
   for (std::size_t lag = 0; lag < 20; ++lag)
     CHECK(std::abs(squared[lag] - norm2(v) * static_cast<double>(lag * lag)) < 1e-11);
-  CHECK(displacement.longest_step() == doctest::Approx(0.24).epsilon(1e-12));
+  CHECK(displacement.max_step() == doctest::Approx(0.24).epsilon(1e-12));
 }
 
 // Brownian steps of variance 2 D t along each axis. The slope through lags 1 to 10 of 400 frames of
@@ -91,15 +91,16 @@ TEST_CASE("the diffusion coefficient of a random walk") {
       state.q.set(i, into(state.box, state.q[i] + normal3(random, std::sqrt(2 * D * interval))));
     displacement.add(state);
   }
-  check(diffusion(displacement.squared(0), interval, {0.5, 5}), D * 63 / 64, 0.016 * D);
-  CHECK(std::isnan(diffusion(displacement.squared(0), interval, {5, 9}).value));
+  check(diffusion(displacement.mean_square(0), interval, {0.5, 5}), D * 63 / 64, 0.016 * D);
+  CHECK(std::isnan(diffusion(displacement.mean_square(0), interval, {5, 9}).value));
 }
 
 // yeh2004, Eq. 12: 2.837297 k_B T/(6πηL). By hand, in SI: 1.380649e-23 · 298 · 2.837297 /
 // (6π · 0.729e-3 · 2.4858e-9) = 3.4175e-10 m²/s = 3.4175e-4 nm²/ps.
 TEST_CASE("what images take from diffusion") {
   const double viscosity = quantity("0.729 mPa s", Dimension::viscosity, "viscosity");
-  CHECK(std::abs(image_drag(298, viscosity, 2.4858) / 3.4175e-4 - 1) < 2e-5);  // its five digits
+  CHECK(std::abs(yeh_hummer_correction(298, viscosity, 2.4858) / 3.4175e-4 - 1) <
+        2e-5);  // its five digits
 }
 
 // A steady turn about a lab axis at right angles to body axis 1 and along axis 3: axis 1 turns by

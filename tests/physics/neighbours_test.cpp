@@ -5,10 +5,10 @@
 #include <array>
 #include <map>
 
+#include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 
@@ -52,12 +52,12 @@ std::vector<ListCase> list_cases() {
                    {{"tip4p", 60}},
                    {1.3, 1.3, 1.3},
                    law(molecule_switch, 0.6499, 0.5, 0.06)});
-  const double reach = read_molecule("benzene").reach();
+  const double extent = read_molecule("benzene").extent();
   for (const Truncation truncation : {site_switch, site_shift})
     cases.push_back({"a box of the cutoff and two benzenes",
                      {{"benzene", 4}},
                      {1.0, 1.01, 1.02},
-                     law(truncation, 0.99 - 2 * reach, 0.3, 0.05)});
+                     law(truncation, 0.99 - 2 * extent, 0.3, 0.05)});
   for (const Truncation truncation : {molecule_switch, site_switch}) {
     cases.push_back({"a long box",
                      {{"tip4p", 100}, {"argon", 50}},
@@ -79,9 +79,9 @@ std::vector<ListCase> list_cases() {
 // as when the list was made.
 using Pair = std::array<int, 5>;
 
-// How often each pair is listed, and how often as one that does not end.
+// How often each pair is listed, and how often as one that lies inside the switching distance.
 struct Listed {
-  std::map<Pair, int> times, whole;
+  std::map<Pair, int> times, inside;
   std::size_t nowhere = 0;
 
   explicit Listed(const NeighbourList& list) {
@@ -90,12 +90,12 @@ struct Listed {
       for (std::uint32_t slot = chunk.first; slot < chunk.end; ++slot)
         for (std::size_t p = chunk.part; p < slots.parts.size(); ++p) {
           const ListChunk::Row& row = chunk.row(slot, p, slots.parts.size());
-          CHECK((row.ending - row.begin) % list.width() == 0);
-          CHECK((row.end - row.ending) % list.width() == 0);
+          CHECK((row.truncated - row.begin) % list.width() == 0);
+          CHECK((row.end - row.truncated) % list.width() == 0);
           for (std::uint32_t k = row.begin; k < row.end; ++k) {
             const Neighbour n(chunk.entries[k]);
             if (n.image() == Neighbour::nowhere) {
-              CHECK(k >= row.ending);  // a pair that does not end is somewhere
+              CHECK(k >= row.truncated);  // such a pair has a partner
               ++nowhere;
               continue;
             }
@@ -103,7 +103,7 @@ struct Listed {
             CHECK(n.slot() < slots.parts[p].end());
             const Pair pair = pair_of(slots.body[slot], slots.body[n.slot()], n.image());
             ++times[pair];
-            if (k < row.ending) ++whole[pair];
+            if (k < row.truncated) ++inside[pair];
           }
         }
   }
@@ -134,8 +134,8 @@ void all_pairs(const NeighbourList& list, const State& state, const Bodies& bodi
 
 // Centres of two types may be so much farther apart than their sites.
 double reach_of(const ListCase& c, const scenes::Scene& scene, std::size_t a, std::size_t b) {
-  const auto reach = [&](std::size_t p) { return scene.topology.parts[p].molecule.reach(); };
-  return c.settings.truncation == Truncation::molecule_switch ? 0 : reach(a) + reach(b);
+  const auto extent = [&](std::size_t p) { return scene.topology.parts[p].molecule.extent(); };
+  return c.settings.truncation == Truncation::molecule_switch ? 0 : extent(a) + extent(b);
 }
 
 // The skin is shorter where the box leaves less.
@@ -144,13 +144,13 @@ double skin_of(const NeighbourList& list) { return 2 * std::sqrt(list.allowed2()
 }  // namespace
 
 // Places are compared in fixed point and float, which a margin of 1e-5 nm covers: pairs may be
-// listed that are so much beyond the range, but none be missed within it, and those that do not end
-// are closer than the switch by the skin, whatever the rounding.
+// listed that are so much beyond the range, but none be missed within it, and those inside the
+// switching distance are closer than the switch by the skin, whatever the rounding.
 TEST_CASE("every pair in range is listed once, in whole packs") {
   for (const ListCase& c : list_cases()) {
     CAPTURE(c.name);
     const scenes::Scene scene = scene_of(c);
-    for_each_target([&] {
+    for_each_instruction_set([&] {
       for (const std::size_t width : {1, 4, 16}) {
         CAPTURE(width);
         NeighbourList list(scene.topology, c.settings, scene.state.box);
@@ -160,8 +160,8 @@ TEST_CASE("every pair in range is listed once, in whole packs") {
         std::size_t expected = 0, wrong = 0, too_early = 0, inner = 0, found = 0, all = 0;
         all_pairs(list, scene.state, scene.bodies,
                   [&](const Pair& pair, double r, std::size_t a, std::size_t b) {
-                    const double reach = reach_of(c, scene, a, b);
-                    const double range = c.settings.cutoff + reach + skin;
+                    const double extent = reach_of(c, scene, a, b);
+                    const double range = c.settings.cutoff + extent + skin;
                     if (r > range + 2e-5) return;
                     const auto at = listed.times.find(pair);
                     const int times = at == listed.times.end() ? 0 : at->second;
@@ -170,8 +170,8 @@ TEST_CASE("every pair in range is listed once, in whole packs") {
                     expected += r < range;
                     const double from = c.settings.truncation == Truncation::site_shift
                                             ? 0
-                                            : c.settings.switch_from - reach - skin;
-                    too_early += listed.whole.contains(pair) && r >= from;
+                                            : c.settings.switch_from - extent - skin;
+                    too_early += listed.inside.contains(pair) && r >= from;
                     inner += r < from;
                   });
         CHECK(wrong == 0);
@@ -182,8 +182,8 @@ TEST_CASE("every pair in range is listed once, in whole packs") {
         CHECK(list.lanes() == all + listed.nowhere);
         if (width == 1) {  // nothing is left over
           CHECK(listed.nowhere == 0);
-          CHECK(listed.whole.size() <= inner);
-          CHECK(double(listed.whole.size()) >= 0.99 * double(inner));
+          CHECK(listed.inside.size() <= inner);
+          CHECK(double(listed.inside.size()) >= 0.99 * double(inner));
         }
       }
     });
@@ -227,9 +227,9 @@ TEST_CASE("the neighbour list misses no pair over long hot runs") {
   for (const ListCase& c : list_cases()) {
     CAPTURE(c.name);
     const bool large = scene_of(c).state.size() > 300;
-    for_each_target([&] {
-      if (large && current_target() != available_targets().back()) return;
-      for (const Precision precision : {Precision::full, Precision::mixed}) {
+    for_each_instruction_set([&] {
+      if (large && current_instruction_set() != available_instruction_sets().back()) return;
+      for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
         CAPTURE(int(precision));
         scenes::Scene scene = scene_of(c, 22);
         for (std::size_t i = 0; i < scene.state.size(); ++i)
@@ -239,22 +239,22 @@ TEST_CASE("the neighbour list misses no pair over long hot runs") {
         ForceField forces(scene.topology, settings, scene.state.box);
         Integrator integrator(schemes[1], scene.bodies, forces);
         std::size_t missed = 0, seen = 0;
-        double reach = 0;  // of any site from a centre
+        double extent = 0;  // of any site from a centre
         for (const auto& part : scene.topology.parts)
-          reach = std::max(reach, part.molecule.reach());
+          extent = std::max(extent, part.molecule.extent());
         for (int k = 0; k < (large ? 4 : 8); ++k) {
           integrator.advance(scene.state, 0.0003, 17, false);
           const Load& load = integrator.load(scene.state);
           const auto exact =
               reference_load(scene.topology, settings, scene.state.box, scenes::poses(scene.state));
-          if (precision == Precision::full) {
+          if (precision == Precision::double_precision) {
             CHECK(largest_difference(load.f, exact.f) <= 1e-12 * largest(load.f));
             CHECK(largest_difference(load.tau, exact.tau) <= 1e-12 * largest(load.f));
           } else {
             const Terms terms = terms_of(scene, settings);
             const double rounding = 3 * std::sqrt(terms.f2 + terms.f2_of_places);
             CHECK(rms_distance(load.f, exact.f) <= rounding);
-            CHECK(rms_distance(load.tau, exact.tau) <= reach * rounding);
+            CHECK(rms_distance(load.tau, exact.tau) <= extent * rounding);
           }
           const Listed listed(forces.neighbours());
           all_pairs(forces.neighbours(), scene.state, scene.bodies,
@@ -263,7 +263,7 @@ TEST_CASE("the neighbour list misses no pair over long hot runs") {
                       ++seen;
                       missed += !listed.times.contains(pair);
                     });
-          for (const auto& [pair, times] : listed.whole) missed += times != 1;
+          for (const auto& [pair, times] : listed.inside) missed += times != 1;
         }
         CHECK(missed == 0);
         if (scene.state.size() >= 60) {

@@ -10,8 +10,8 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/order.hpp"
-#include "polhode/run/near_forces.hpp"
-#include "polhode/run/trajectory.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;
@@ -63,14 +63,14 @@ TEST_CASE("a nested scheme's energy error falls with the order of its coarser le
   for (const char* text : texts) {
     CAPTURE(std::string(text));
     const NestedScheme scheme = nested_scheme_of(text);
-    const OrderMeasurement m = measured_order(scheme);
+    const OrderMeasurement m = measure_order(scheme);
     REQUIRE(m.points.size() > 3);
     CHECK(std::abs(m.order - scheme.order()) < 0.1);
   }
   for (const char* text : {"gier4 / hoa2 x 4 within 0.5 nm", "hoa2 / gier4 x 4 within 0.5 nm",
                            "B(1/6) A(1/2) B(2/3) A(1/2) B(1/6) / gier4 x 4 within 0.5 nm"}) {
     CAPTURE(std::string(text));
-    CHECK(std::abs(measured_order(nested_scheme_of(text)).order - 2) < 0.1);
+    CHECK(std::abs(measure_order(nested_scheme_of(text)).order - 2) < 0.1);
   }
 }
 
@@ -136,8 +136,8 @@ TEST_CASE("near and slow forces are all forces") {
   ForceSettings pme{.truncation = Truncation::site_switch,
                     .cutoff = 0.9,
                     .switch_from = 0.75,
-                    .electrostatics = Electrostatics::ewald};
-  pme.accuracy = 1e-4;
+                    .electrostatics = Electrostatics::pme};
+  pme.pme_accuracy = 1e-4;
   ForceSettings reaction_field{.cutoff = 0.9, .switch_from = 0.75};
   reaction_field.electrostatics = Electrostatics::reaction_field;
   const ForceSettings plain{.cutoff = 0.9, .switch_from = 0.75};
@@ -260,15 +260,15 @@ System water(Precision precision) {
 Trajectory followed(System& system, const NestedScheme& scheme, int threads, Energies& last) {
   Workers workers(threads);
   ForceField forces(system.topology, system.forces, system.state.box, workers);
-  return trajectory(system, forces,
-                    {.scheme = scheme.outer,
-                     .step = 0.001,
-                     .length = 0.02,
-                     .sample = 0.005,
-                     .lambda = system.forces.precision == Precision::mixed ? 1 : 1e-4,
-                     .inner = scheme.inner},
-                    {.sample = [&](std::size_t, const State&, const Energies& now) { last = now; }},
-                    workers);
+  return run_trajectory(
+      system, forces,
+      {.scheme = scheme.outer,
+       .step = 0.001,
+       .length = 0.02,
+       .sample = 0.005,
+       .lambda = system.forces.precision == Precision::mixed ? 1 : 1e-4,
+       .inner = scheme.inner},
+      {.sample = [&](std::size_t, const State&, const Energies& now) { last = now; }}, workers);
 }
 
 }  // namespace
@@ -279,7 +279,7 @@ TEST_CASE(
   for (const char* text :
        {"hoa2 / velocity-verlet x 2 within 0.5 nm", "gier4 / gier4 x 1 within 0.5 nm",
         "gier4-fd / gier4-fd x 1 within 0.5 nm"})
-    for (const Precision precision : {Precision::full, Precision::mixed}) {
+    for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
       CAPTURE(std::string(text));
       CAPTURE(int(precision));
       const NestedScheme scheme = nested_scheme_of(text);

@@ -5,9 +5,9 @@
 
 #include <array>
 
+#include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
 #include "polhode/base/units.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 
@@ -114,7 +114,7 @@ void check_all_targets(const scenes::Scene& scene, const ForceSettings& settings
   const Exact exact(scene, settings);
   CHECK(exact.scale > 5);
   CHECK(largest(exact.load.virial) > 1);
-  for_each_target([&] {
+  for_each_instruction_set([&] {
     check_double(scene, settings, exact);
     check_mixed(scene, settings, exact);
   });

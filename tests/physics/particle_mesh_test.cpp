@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The particle mesh against direct sums, and against itself: energy, forces, torques and virial
 // belong together whatever the accuracy.
-#include "polhode/forces/particle_mesh.hpp"
+#include "polhode/forces/mesh/particle_mesh.hpp"
 
 #include <doctest/doctest.h>
 
+#include "instruction_sets.hpp"
 #include "physics/mesh_scene.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 
@@ -47,7 +47,7 @@ TEST_CASE("on a fine grid the mesh is the smooth part of the Ewald sum") {
   const ExactMesh exact(scene.topology, scene.state, split);
   const MeshConstant constant(scene.topology, split, scene.state.box);
   CHECK(std::abs(constant.background) > 0.1);
-  for_each_target([&] {
+  for_each_instruction_set([&] {
     BodyLoads loads;
     const MeshLoad load = mesh_load<double>(scene.topology, scene.state, fine, loads);
     CHECK(std::abs(load.energy - exact.energy) < 1e-6 * std::abs(exact.energy));
@@ -183,7 +183,7 @@ TEST_CASE("a mesh does not mind where in the periodic box bodies are") {
         by[d] = spacing * (d == 0 ? 3 : d == 1 ? -4 : 7);
         there.q.add(i, by);
       }
-    for_each_target([&] {
+    for_each_instruction_set([&] {
       BodyLoads loads;
       const MeshLoad load = mesh_load<double>(scene.topology, there, settings, loads);
       CHECK(std::abs(load.energy - energy) < 1e-12 * std::abs(energy));

@@ -5,21 +5,21 @@
 #include <algorithm>
 #include <cmath>
 
+#include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
 #include "physics/mesh_scene.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/tail.hpp"
+#include "polhode/forces/laws/tail.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 
 namespace {
 
 ForceSettings ewald(double cutoff, const MeshSettings& mesh) {
-  ForceSettings settings{Truncation::site_switch, cutoff, 0.8 * cutoff, 2, Electrostatics::ewald};
+  ForceSettings settings{Truncation::site_switch, cutoff, 0.8 * cutoff, 2, Electrostatics::pme};
   settings.mesh = mesh;
   settings.mesh->cutoff = cutoff;
   return settings;
@@ -69,14 +69,14 @@ double rms_error(const Vec3Column& of, const std::vector<Vec3<double>>& exact) {
 // here, and root 3 times that if they are independent. Mixed precision has float's own error in
 // Lennard-Jones contacts, some 1e-6 of the forces, below the least accuracy it takes.
 TEST_CASE("forces and energies are those of Ewald's sum, as accurate as asked for") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const scenes::Scene scene = charged_mixture();
-    for (const Precision precision : {Precision::full, Precision::mixed})
+    for (const Precision precision : {Precision::double_precision, Precision::mixed})
       for (const double accuracy : {1e-3, 3e-5}) {
         CAPTURE(accuracy);
-        ForceSettings settings{Truncation::site_switch, 0.7, 0.56, 2, Electrostatics::ewald};
+        ForceSettings settings{Truncation::site_switch, 0.7, 0.56, 2, Electrostatics::pme};
         settings.precision = precision;
-        settings.accuracy = accuracy;
+        settings.pme_accuracy = accuracy;
         const Direct direct(scene, settings);
         ForceField forces(scene.topology, settings, scene.state.box);
         Load load, alone;
@@ -91,8 +91,9 @@ TEST_CASE("forces and energies are those of Ewald's sum, as accurate as asked fo
         // An error of energy is at most a few arms of force errors, with signs at random.
         const double bound = accuracy * direct.f_rms * std::sqrt(3.0 * double(scene.state.size()));
         CHECK(std::abs(load.coulomb - direct.coulomb) < bound);
-        CHECK(load.lennard_jones == doctest::Approx(direct.lennard_jones)
-                                        .epsilon(precision == Precision::full ? 1e-12 : 1e-5));
+        CHECK(load.lennard_jones ==
+              doctest::Approx(direct.lennard_jones)
+                  .epsilon(precision == Precision::double_precision ? 1e-12 : 1e-5));
       }
   });
 }
@@ -158,7 +159,7 @@ TEST_CASE("the virial is the change of the energy when the box is strained") {
 
 TEST_CASE("Ewald's sum has the same bits for any number of threads") {
   const scenes::Scene scene = charged_mixture();
-  for (const Precision precision : {Precision::full, Precision::mixed}) {
+  for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
     ForceSettings settings = ewald(0.7, {{20, 24, 20}, 5, 5});
     settings.precision = precision;
     Load one, many;
@@ -212,11 +213,11 @@ TEST_CASE("the dispersion tail is the integral beyond the cutoff, and falls as t
 
 TEST_CASE("what Ewald's sum cannot do is refused") {
   const scenes::Scene scene = charged_mixture();
-  ForceSettings settings{Truncation::molecule_switch, 0.7, 0.56, 2, Electrostatics::ewald};
+  ForceSettings settings{Truncation::molecule_switch, 0.7, 0.56, 2, Electrostatics::pme};
   CHECK_THROWS_AS(ForceField(scene.topology, settings, scene.state.box), Error);
   settings.truncation = Truncation::site_switch;
   settings.precision = Precision::mixed;
-  settings.accuracy = 1e-6;
+  settings.pme_accuracy = 1e-6;
   CHECK_THROWS_AS(ForceField(scene.topology, settings, scene.state.box), Error);
 }
 

@@ -9,7 +9,7 @@
 
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/run/checkpoint.hpp"
+#include "polhode/run/simulation/checkpoint.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;
@@ -87,9 +87,8 @@ RunState stored(const RunState& at) {
 
 TEST_CASE("a run goes on from any step with the same bits, for any number of threads") {
   std::mt19937_64 random(11);
-  for (const Electrostatics electrostatics :
-       {Electrostatics::reaction_field, Electrostatics::ewald})
-    for (const Precision precision : {Precision::full, Precision::mixed})
+  for (const Electrostatics electrostatics : {Electrostatics::reaction_field, Electrostatics::pme})
+    for (const Precision precision : {Precision::double_precision, Precision::mixed})
       for (const char* name :
            {"velocity-verlet", "hoa2", "gier4", "position-verlet",
             "hoa2 / velocity-verlet x 2 within 0.5 nm",
@@ -115,7 +114,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         Watch watch;
         watch.due = [] { return true; };
         watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
-        const Trajectory t = trajectory(whole, forces, settings, watch);
+        const Trajectory t = run_trajectory(whole, forces, settings, watch);
         CHECK(t.list_rebuilds > 3);  // or there would be nothing to find out about the list
         CHECK(t.statistics.configurational.blocks.blocks.size() == 5);
         CHECK(t.statistics.stretches.stretches == 3);
@@ -124,7 +123,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         // Taking checkpoints changes nothing, nor does a length that is reached in two goes.
         System plain = mixture(electrostatics, precision);
         ForceField its_forces(plain.topology, plain.forces, plain.state.box);
-        const Trajectory without = trajectory(plain, its_forces, settings);
+        const Trajectory without = run_trajectory(plain, its_forces, settings);
         CHECK((bits(plain.state, without) == expected));
 
         // Nor do configurational temperatures, which an inner scheme does not change either.
@@ -132,7 +131,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         silent.configurational_sample = 0;
         System unasked = mixture(electrostatics, precision);
         ForceField of_unasked(unasked.topology, unasked.forces, unasked.state.box);
-        Trajectory other = trajectory(unasked, of_unasked, silent);
+        Trajectory other = run_trajectory(unasked, of_unasked, silent);
         other.statistics.configurational = t.statistics.configurational;
         CHECK((bits(unasked.state, other) == expected));
 
@@ -144,7 +143,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
           Workers workers(threads);
           System system = mixture(electrostatics, precision);
           ForceField again(system.topology, system.forces, system.state.box, workers);
-          const Trajectory rest = trajectory(system, again, settings, {}, workers, &from);
+          const Trajectory rest = run_trajectory(system, again, settings, {}, workers, &from);
           CHECK((bits(system.state, rest) == expected));
         }
       }
@@ -153,26 +152,26 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
 TEST_CASE("a run that ended between two samples is extended as if it had been asked for at once") {
   const double step = 0.002;
   TrajectorySettings settings{scheme_of("hoa2"), step, 20 * step, 3 * step};
-  System whole = mixture(Electrostatics::reaction_field, Precision::full);
+  System whole = mixture(Electrostatics::reaction_field, Precision::double_precision);
   ForceField forces(whole.topology, whole.forces, whole.state.box);
-  const Trajectory at_once = trajectory(whole, forces, settings);
+  const Trajectory at_once = run_trajectory(whole, forces, settings);
   const Bits expected = bits(whole.state, at_once);
 
   settings.length = 10 * step;
   RunState last;
   Watch watch;
   watch.checkpoint = [&](RunState at) { last = std::move(at); };
-  System first = mixture(Electrostatics::reaction_field, Precision::full);
+  System first = mixture(Electrostatics::reaction_field, Precision::double_precision);
   ForceField its(first.topology, first.forces, first.state.box);
-  const Trajectory half = trajectory(first, its, settings, watch);
+  const Trajectory half = run_trajectory(first, its, settings, watch);
   CHECK(half.statistics.energies.samples == 5);  // at steps 0, 3, 6, 9 and 10
   CHECK(last.statistics.energies.samples == 4);
   CHECK(last.steps == 10);
 
   settings.length = 20 * step;
-  System second = mixture(Electrostatics::reaction_field, Precision::full);
+  System second = mixture(Electrostatics::reaction_field, Precision::double_precision);
   ForceField again(second.topology, second.forces, second.state.box);
-  const Trajectory rest = trajectory(second, again, settings, {}, Workers::serial(), &last);
+  const Trajectory rest = run_trajectory(second, again, settings, {}, Workers::serial(), &last);
   CHECK((bits(second.state, rest) == expected));
 }
 
@@ -182,21 +181,21 @@ TEST_CASE(
   const double step = 0.002;
   const TrajectorySettings settings{scheme_of("hoa2"), step, 25 * step, 2 * step, 1e-4, 6 * step};
   std::vector<RunState> kept;
-  System whole = mixture(Electrostatics::reaction_field, Precision::full);
+  System whole = mixture(Electrostatics::reaction_field, Precision::double_precision);
   ForceField forces(whole.topology, whole.forces, whole.state.box);
   Watch watch;
   watch.due = [] { return true; };
   watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
-  const Trajectory t = trajectory(whole, forces, settings, watch);
+  const Trajectory t = run_trajectory(whole, forces, settings, watch);
   REQUIRE(t.statistics.shadow.samples == 5);
   const Bits expected = bits(whole.state, t);
   for (const std::size_t steps : {1, 6, 7, 12, 17, 25}) {
     const RunState from = stored(kept.at(steps));
     CAPTURE(steps);
     CHECK(from.statistics.shadow.samples == steps / 6 + 1);
-    System system = mixture(Electrostatics::reaction_field, Precision::full);
+    System system = mixture(Electrostatics::reaction_field, Precision::double_precision);
     ForceField again(system.topology, system.forces, system.state.box);
-    const Trajectory rest = trajectory(system, again, settings, {}, Workers::serial(), &from);
+    const Trajectory rest = run_trajectory(system, again, settings, {}, Workers::serial(), &from);
     CHECK((bits(system.state, rest) == expected));
   }
 }
@@ -211,7 +210,7 @@ TEST_CASE("an equilibration that was left goes on with the same bits") {
     add(all, list.built_at);
     return all;
   };
-  System whole = mixture(Electrostatics::reaction_field, Precision::full);
+  System whole = mixture(Electrostatics::reaction_field, Precision::double_precision);
   const Bits expected = prepared(whole, nullptr, {});
   for (const int stop_after : {5, 47, 100}) {
     CAPTURE(stop_after);
@@ -220,12 +219,12 @@ TEST_CASE("an equilibration that was left goes on with the same bits") {
     Watch watch;
     watch.stop = [&] { return ++steps == stop_after; };
     watch.checkpoint = [&](RunState at) { left = std::move(at); };
-    System first = mixture(Electrostatics::reaction_field, Precision::full);
+    System first = mixture(Electrostatics::reaction_field, Precision::double_precision);
     prepared(first, nullptr, watch);
     REQUIRE(left.equilibrated.has_value());
     CHECK(*left.equilibrated <= 0.001 * stop_after);
     const RunState from = stored(left);
-    System second = mixture(Electrostatics::reaction_field, Precision::full);
+    System second = mixture(Electrostatics::reaction_field, Precision::double_precision);
     CHECK((prepared(second, &from, {}) == expected));
   }
 }

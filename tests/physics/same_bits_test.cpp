@@ -69,7 +69,7 @@ TEST_CASE("any number of threads gives the same bits of forces, torques, energie
     const double edge = 0.32 * std::cbrt(double(topology.size()));
     const scenes::Scene scene = scenes::spread(topology, {edge, edge, edge}, 31);
     CAPTURE(scene.state.size());
-    for (const Precision precision : {Precision::full, Precision::mixed}) {
+    for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
       CAPTURE(int(precision));
       ForceSettings settings{.cutoff = 0.9, .switch_from = 0.75, .skin = 0.05};
       settings.precision = precision;

@@ -38,7 +38,7 @@ double rounding_gain(const Scheme& scheme, double lambda) {
 TEST_CASE("every scheme's energy error falls with its declared order") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
-    const OrderMeasurement m = measured_order(scheme);
+    const OrderMeasurement m = measure_order(scheme);
     REQUIRE(m.points.size() > 3);
     CHECK(std::abs(m.order - scheme.order()) < 0.1);
   }
@@ -51,7 +51,7 @@ TEST_CASE("a wrong factor of xi or a wrong weight breaks the fourth order of gie
        {"B(1/6) A(1/2) B(2/3, -1/48) A(1/2) B(1/6)", "B(1/6) A(1/2) B(2/3, 1/24) A(1/2) B(1/6)",
         "B(1/6) A(1/2) B(2/3, 1/72) A(1/2) B(1/6)"}) {
     CAPTURE(std::string(text));
-    CHECK(std::abs(measured_order(scheme_of(text)).order - 2) < 0.1);
+    CHECK(std::abs(measure_order(scheme_of(text)).order - 2) < 0.1);
   }
 }
 

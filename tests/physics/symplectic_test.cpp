@@ -11,7 +11,7 @@
 #include "polhode/integrate/nested_forces.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/run/near_forces.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Tuned schemes: systems whose best parameters are known, and one where they are looked for.
-#include "polhode/run/tune.hpp"
+#include "polhode/run/study/tune.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/trajectory.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
 
 using namespace polhode;
 
@@ -80,14 +80,14 @@ seed = 3
 cutoff = "0.75 nm"
 )",
                                      "argon.toml");
-  const System start = decorrelated_start(assembled(config), config, 0, 2, {});
+  const System start = prepare_start(build_system(config), config, 0, 2, {});
   const Scheme hoa2 = scheme_of("hoa2");
   std::vector<BracketSample> brackets;
   const auto run = [&](const Scheme& scheme, double shadow_sample) {
     System system = start;
     ForceField forces(system.topology, system.forces, system.state.box);
     const Watch watch{.brackets = [&](const BracketSample& sample) { brackets.push_back(sample); }};
-    return trajectory(system, forces, {scheme, step, 2, step, 1e-4, shadow_sample}, watch);
+    return run_trajectory(system, forces, {scheme, step, 2, step, 1e-4, shadow_sample}, watch);
   };
   run(hoa2, 2 * step);
   const ErrorCovariance c = error_covariance(brackets, step);

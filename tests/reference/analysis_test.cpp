@@ -12,7 +12,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
-#include "polhode/run/analysis_summary.hpp"
+#include "polhode/run/analysis/analysis_summary.hpp"
 
 using namespace polhode;
 
@@ -26,10 +26,10 @@ Analysis analysed() {
   AnalysisSettings settings;
   settings.window = 2;
   settings.pairs = {{"OW", "OW"}, {"OW", "HW"}, {"HW", "HW"}};
-  settings.reach = 0.4;
+  settings.cutoff = 0.4;
   settings.bin = 0.02;
   const auto reader = open_frames(folder + "spce24.gro");
-  return analysis(*reader, {{{read_molecule("spce"), 24}}}, settings);
+  return analyze(*reader, {{{read_molecule("spce"), 24}}}, settings);
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ TEST_CASE("displacements and reorientation of MDAnalysis") {
   Analysis a = analysed();
   const nlohmann::json numbers = expected();
   const std::vector<double> msd = numbers["msd"];
-  const std::vector<double> squared = a.displacement->squared(0).mean();
+  const std::vector<double> squared = a.displacement->mean_square(0).mean();
   for (std::size_t lag = 0; lag < msd.size(); ++lag)
     CHECK(squared[lag] == doctest::Approx(msd[lag]).epsilon(2e-5));
   // The error of a direction is 1e-6 nm / 0.06 nm.
@@ -78,7 +78,7 @@ TEST_CASE("displacements and reorientation of MDAnalysis") {
 TEST_CASE("dielectric constant and density of MDAnalysis and mdtraj") {
   Analysis a = analysed();
   const nlohmann::json numbers = expected();
-  const AnalysisSummary s = summary(a, {.temperature = 298, .surrounding = tin_foil});
+  const AnalysisSummary s = summary(a, {.temperature = 298, .surroundings_permittivity = tin_foil});
   REQUIRE(s.dielectric);
   CHECK(s.dielectric->constant.value ==
         doctest::Approx(double(numbers["dielectric"]["MDAnalysis"])).epsilon(1e-5));

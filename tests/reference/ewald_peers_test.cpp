@@ -8,11 +8,11 @@
 #include <cmath>
 #include <string>
 
-#include "polhode/forces/ewald.hpp"
+#include "instruction_sets.hpp"
 #include "polhode/forces/force_field.hpp"
-#include "polhode/forces/mesh_choice.hpp"
+#include "polhode/forces/mesh/ewald.hpp"
+#include "polhode/forces/mesh/mesh_choice.hpp"
 #include "reference/peers_scene.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 using namespace peers;
@@ -44,7 +44,7 @@ struct Peer {
     scene = rebuild(from, {vec3(from["box"])});
     const json& law = result["law"];
     settings.truncation = Truncation::site_switch;
-    settings.electrostatics = Electrostatics::ewald;
+    settings.electrostatics = Electrostatics::pme;
     settings.switch_from = law["switch_from"];
     settings.cutoff = law["cutoff"];
     settings.smoothness = law["smoothness"];
@@ -72,11 +72,11 @@ struct Peer {
 
   double scale() const { return std::abs(energy("lennard_jones")) + std::abs(energy("coulomb")); }
   double spacing(const ForceField& forces) const {
-    double widest = 0;
+    double max_width = 0;
     for (std::size_t d = 0; d < 3; ++d)
-      widest = std::max(
-          widest, scene.state.box.edge[d] / static_cast<double>(forces.settings().mesh->points[d]));
-    return widest;
+      max_width = std::max(max_width, scene.state.box.edge[d] /
+                                          static_cast<double>(forces.settings().mesh->points[d]));
+    return max_width;
   }
 };
 
@@ -91,7 +91,7 @@ struct Peer {
 //  - `other_width` and `other_step` are changes with the width of the engine's Gaussians and with
 //    the step of its finite differences; they estimate its error within a factor.
 void equal(const std::string& name) {
-  for_each_target([&] {
+  for_each_instruction_set([&] {
     const Peer peer(name);
     const Scene& scene = peer.scene;
     const json& r = peer.result;
@@ -205,13 +205,13 @@ void as_accurate_as_asked(const std::string& name) {
   const Scene& scene = peer.scene;
   const json& r = peer.result;
   for (const auto& [precision, accuracy] :
-       {std::pair{Precision::full, 1e-3}, std::pair{Precision::full, 1e-4},
-        std::pair{Precision::full, 1e-6}, std::pair{Precision::mixed, 1e-4}}) {
+       {std::pair{Precision::double_precision, 1e-3}, std::pair{Precision::double_precision, 1e-4},
+        std::pair{Precision::double_precision, 1e-6}, std::pair{Precision::mixed, 1e-4}}) {
     CAPTURE(accuracy);
     CAPTURE(precision == Precision::mixed);
     ForceSettings s = peer.settings;
     s.precision = precision;
-    s.accuracy = accuracy;
+    s.pme_accuracy = accuracy;
     ForceField forces(scene.topology, s, scene.state.box);
     Load load;
     forces(scene.state, load);
@@ -236,7 +236,7 @@ void as_accurate_as_asked(const std::string& name) {
 void tail(const std::string& name) {
   const Peer peer(name);
   ForceSettings s = peer.settings;
-  s.accuracy = 1e-3;
+  s.pme_accuracy = 1e-3;
   Load without, with;
   ForceField(peer.scene.topology, s, peer.scene.state.box)(peer.scene.state, without);
   s.dispersion_correction = true;

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "polhode/io/gromacs.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/run/simulation/system.hpp"
 #include "skip.hpp"
 
 using namespace polhode;
@@ -39,11 +39,11 @@ GromacsEnergies gromacs_energies() {
 TEST_CASE("salt water made by GROMACS's tools has the energies that GROMACS finds") {
   if (!gromacs_data_folder())
     return skip("GROMACS's data is not installed; on Debian: apt-get install gromacs-data");
-  const System system = assembled(
-      parse_config("[system]\ntopology = \"topol.top\"\nstart = "
-                   "\"conf.gro\"\n[forces]\nelectrostatics = \"pme\"\n"
-                   "accuracy = 1e-6\ncutoff = \"0.9 nm\"\nswitch = \"0.75 nm\"\nsmoothness = 2\n",
-                   folder + "system.toml"));
+  const System system = build_system(parse_config(
+      "[system]\ntopology = \"topol.top\"\ninitial_configuration = "
+      "\"conf.gro\"\n[forces]\nelectrostatics = \"pme\"\n"
+      "pme_accuracy = 1e-6\ncutoff = \"0.9 nm\"\nswitch = \"0.75 nm\"\nsmoothness = 2\n",
+      folder + "system.toml"));
   REQUIRE(system.topology.parts.size() == 3);
   CHECK(system.topology.parts[0].count == 215);
   CHECK(system.origins[0] == "rigid by settles");

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "reference/peers_scene.hpp"
 
@@ -42,9 +42,9 @@ ForceSettings settings(const json& law) {
 }
 
 void compare(const Scene& scene, const ForceSettings& law, const json& result) {
-  const Target usual = current_target();
-  for (const Target target : available_targets()) {
-    force_target(target);
+  const InstructionSet usual = current_instruction_set();
+  for (const InstructionSet instruction_set : available_instruction_sets()) {
+    force_instruction_set(instruction_set);
     ForceField forces(scene.topology, law, scene.state.box);
     Load load(scene.state.size());
     forces(scene.state, load);
@@ -59,14 +59,14 @@ void compare(const Scene& scene, const ForceSettings& law, const json& result) {
     const double scale = std::abs(lennard_jones) + std::abs(coulomb);
 
     INFO(result["engine"].get<std::string>(), ", ", result["law"].dump(), ", ",
-         std::string(name(target)));
+         std::string(name(instruction_set)));
     CHECK(force <= tolerance * result["largest"]["force"].get<double>());
     CHECK(torque <= tolerance * result["largest"]["torque"].get<double>());
     CHECK(std::abs(load.lennard_jones - lennard_jones) <= tolerance * scale);
     CHECK(std::abs(load.coulomb - coulomb) <= tolerance * scale);
     CHECK(std::abs(load.potential() - energy["potential"].get<double>()) <= tolerance * scale);
   }
-  force_target(usual);
+  force_instruction_set(usual);
 }
 
 void periodic(const std::string& name) {

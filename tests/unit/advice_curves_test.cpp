@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Temperatures of the adviser's runs as a curve of a study, from runs whose limit is known.
-#include "polhode/run/advice_curves.hpp"
+#include "polhode/run/adviser/advice_curves.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/equipartition.hpp"
+#include "polhode/run/simulation/equipartition.hpp"
 
 using namespace polhode;
 

@@ -67,7 +67,7 @@ SeriesEstimate walk(std::uint64_t seed, std::size_t bodies, int frames, bool sha
       state.q.add(i, step * Vec3<double>{a, b, c});
     }
   }
-  return diffusion(displacement.squared(0), 1, {2, 10});
+  return diffusion(displacement.mean_square(0), 1, {2, 10});
 }
 
 // Bodies that turn by small random angles: ⟨u · u'⟩ = exp(−2 D_r t), here forgotten in 10 frames.
@@ -154,7 +154,7 @@ TEST_CASE("the motion of the whole is no diffusion") {
   for (std::size_t part = 0; part < 2; ++part)
     for (std::size_t lag = 0; lag < 10; ++lag) {
       // To the rounding of places that have moved by 5 nm.
-      CHECK(std::abs(a.squared(part).mean()[lag] - b.squared(part).mean()[lag]) < 1e-13);
+      CHECK(std::abs(a.mean_square(part).mean()[lag] - b.mean_square(part).mean()[lag]) < 1e-13);
       CHECK(std::abs(v.linear(part).mean()[lag] - w.linear(part).mean()[lag]) < 1e-13);
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The counts that force evaluations are held against; times are no test's business.
-#include "polhode/run/benchmark.hpp"
+#include "polhode/run/benchmark/benchmark.hpp"
 
 #include <doctest/doctest.h>
 
@@ -49,7 +49,7 @@ TEST_CASE("a timing is the best of its repeats with their median") {
 }
 
 TEST_CASE("a limit counts pairs within the switch at their own price") {
-  const Limit limit{Precision::full, 8, 1, {{2, 2}, {3, 3}}, {{4, 4}, {5, 5}}};
+  const Limit limit{Precision::double_precision, 8, 1, {{2, 2}, {3, 3}}, {{4, 4}, {5, 5}}};
   CHECK(1e9 * limit.seconds(10, 100, false) == doctest::Approx(320));
   CHECK(1e9 * limit.seconds(10, 100, true) == doctest::Approx(540));
 }

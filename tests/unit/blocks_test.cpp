@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/base/target.hpp"
+#include "polhode/base/instruction_set.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/measure/energy.hpp"
 #include "scenes.hpp"
@@ -49,14 +49,14 @@ bool same_bits(const State& a, const State& b) {
 }
 
 template <class Function>
-void for_each_target(const Function& f) {
-  const Target before = current_target();
-  for (const Target target : available_targets()) {
-    force_target(target);
-    INFO(name(target));
+void for_each_instruction_set(const Function& f) {
+  const InstructionSet before = current_instruction_set();
+  for (const InstructionSet instruction_set : available_instruction_sets()) {
+    force_instruction_set(instruction_set);
+    INFO(name(instruction_set));
     f();
   }
-  force_target(before);
+  force_instruction_set(before);
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ TEST_CASE("blocks cover each body once") {
 }
 
 TEST_CASE("flows and energies are the same bits for any number of threads") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const scenes::Scene start = crowd();
     const Load load = some_load(start.state);
     State one = start.state;
@@ -102,7 +102,7 @@ TEST_CASE("flows and energies are the same bits for any number of threads") {
 // A sum of n positive terms in any order errs by less than n roundings; here the chains are at most
 // a block long, and each term has some roundings of its own.
 TEST_CASE("energies are the sums over bodies") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const scenes::Scene scene = crowd();
     const State& state = scene.state;
     long double translation = 0, rotation[3] = {0, 0, 0}, mass = 0;
@@ -128,7 +128,7 @@ TEST_CASE("energies are the sums over bodies") {
 
 // What padding holds belongs to no body.
 TEST_CASE("energies leave padding out") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     scenes::Scene scene = crowd();
     const Energies before = energies(scene.state, scene.bodies, Load{});
     for (std::size_t i = count; i < scene.state.p.padded_size(); ++i) {
@@ -143,7 +143,7 @@ TEST_CASE("energies leave padding out") {
 // quaternions; turns by 1e-6 are those of gradient kicks, those by 0.4 use the whole series, and
 // those by 2 the closed form.
 TEST_CASE("displace moves and turns each body by its own force and torque") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const scenes::Scene start = crowd();
     for (const double largest : {1e-6, 0.4, 2.0}) {
       Load load = some_load(start.state);

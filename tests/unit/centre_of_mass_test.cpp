@@ -10,8 +10,8 @@
 #include "polhode/measure/displacement.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/velocity_correlation.hpp"
-#include "polhode/model/start.hpp"
-#include "polhode/run/system.hpp"
+#include "polhode/model/initial_state.hpp"
+#include "polhode/run/simulation/system.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;
@@ -126,7 +126,7 @@ TEST_CASE("displacements and velocity correlations are those relative to the cen
       velocities.add(now);
       for (std::size_t i = 0; i < 3; ++i) now.q.add(i, 0.01 * now.p[i] / bodies.m[i]);
     }
-    return std::pair(displacement.squared(0).mean(), velocities.linear(0).mean());
+    return std::pair(displacement.mean_square(0).mean(), velocities.linear(0).mean());
   };
   const auto [still, no_velocity] = moved({});
   for (std::size_t lag = 0; lag < 4; ++lag) {
@@ -151,7 +151,7 @@ TEST_CASE("one body, two bodies and many are drawn, rescaled and read at one tem
       CAPTURE(n);
       const Topology topology{{{read_molecule(name), n}}};
       const Bodies bodies(topology);
-      const Freedoms own = freedoms(topology);
+      const DegreesOfFreedom own = degrees_of_freedom(topology);
       CHECK(own.translation == 3 * double(n) - 3);
       State state = lattice(topology, {{3, 3, 3}}, 1);
       draw_momenta(state, topology, 297, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/claims.hpp"
+#include "polhode/run/study/claims.hpp"
 
 #include <doctest/doctest.h>
 
@@ -29,7 +29,7 @@ std::vector<EfficiencyPoint> points_of(const Law& law, double relative_error) {
     p.runs = law.runs;
     const double R = law.factor * std::pow(h, law.order);
     p.ratio = {R, relative_error * R};
-    p.drift.chance = h < law.drifts_from ? 0.5 : 1e-4;
+    p.drift.p_value = h < law.drifts_from ? 0.5 : 1e-4;
     points.push_back(p);
   }
   return points;

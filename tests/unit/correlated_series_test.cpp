@@ -90,8 +90,8 @@ Calibration calibrated(const Settings& s) {
       slopes += drift.rate.value * drift.rate.value;
       slope_errors += drift.rate.error * drift.rate.error;
     }
-    if (drift.chance < 0.05) c.at_5 += 1.0 / Calibration::series;
-    if (drift.chance < 0.01) c.at_1 += 1.0 / Calibration::series;
+    if (drift.p_value < 0.05) c.at_5 += 1.0 / Calibration::series;
+    if (drift.p_value < 0.01) c.at_1 += 1.0 / Calibration::series;
     const SeriesEstimate mean = series_estimate(blocks.means(), [](auto m) { return m[1]; });
     if (mean.known != Known::yes) continue;
     ++means;

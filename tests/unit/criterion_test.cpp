@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/criterion.hpp"
+#include "polhode/run/adviser/criterion.hpp"
 
 #include <doctest/doctest.h>
 
@@ -28,14 +28,14 @@ TEST_CASE("a part of the length may keep a bound if R stays and its scatter fall
   for (const double part : {1.0 / 9, 1.0 / 3, 1.0}) {
     CAPTURE(part);
     const double bound = 0.004 * std::exp(t7 * std::sqrt(part) * d * std::sqrt(9.0 / 7));
-    CHECK(hoped_bound(runs, part) == doctest::Approx(bound).epsilon(1e-9));
-    CHECK(may_keep({Quality::ratio, bound * (1 + 1e-9)}, runs, part));
-    CHECK(!may_keep({Quality::ratio, bound * (1 - 1e-9)}, runs, part));
+    CHECK(optimistic_bound(runs, part) == doctest::Approx(bound).epsilon(1e-9));
+    CHECK(may_meet({Quality::ratio, bound * (1 + 1e-9)}, runs, part));
+    CHECK(!may_meet({Quality::ratio, bound * (1 - 1e-9)}, runs, part));
   }
   // The whole of the length is what the bound is about.
   const double whole = upper_bound(Quality::ratio, runs);
-  CHECK(may_keep({Quality::ratio, whole}, runs, 1));
-  CHECK(!may_keep({Quality::ratio, whole * (1 - 1e-12)}, runs, 1));
+  CHECK(may_meet({Quality::ratio, whole}, runs, 1));
+  CHECK(!may_meet({Quality::ratio, whole * (1 - 1e-12)}, runs, 1));
 }
 
 // n runs, all but one alike: that one lies δ above them, 1 − 1/n above the mean of the logarithms
@@ -57,9 +57,9 @@ TEST_CASE("one run beyond what was asked is enough: the bound of no set with it 
 TEST_CASE("parts of runs say no more of a drift or a bias than that they blew up") {
   std::vector<Outcome> runs = scattered(0.1);
   for (const Quality quality : {Quality::drift, Quality::temperature_bias}) {
-    CHECK(may_keep({quality, 1e-9}, runs, 1.0 / 3));
+    CHECK(may_meet({quality, 1e-9}, runs, 1.0 / 3));
     runs[3].failure = "it blew up";
-    CHECK(!may_keep({quality, 1e9}, runs, 1.0 / 3));
+    CHECK(!may_meet({quality, 1e9}, runs, 1.0 / 3));
     runs[3].failure.clear();
   }
 }

@@ -27,13 +27,13 @@ const Shape chiral = {
 
 TEST_CASE("all distances of a shape give it back, but for its mirror image") {
   for (const auto& [shape, dimension] : {std::pair{water, 2}, {rod, 1}, {chiral, 3}}) {
-    const PlacedPoints found = placed_points(shape.size(), all_distances(shape));
+    const PlacedPoints found = place_points(shape.size(), all_distances(shape));
     CHECK(found.dimension == dimension);
     // Roots of differences of squares, each about 1e-2 nm², lose half of the digits at worst.
-    CHECK(std::min(difference(found.points, shape), difference(mirrored(found.points), shape)) <
+    CHECK(std::min(difference(found.points, shape), difference(mirror_image(found.points), shape)) <
           1e-8);
   }
-  CHECK(placed_points(1, {}).points.size() == 1);
+  CHECK(place_points(1, {}).points.size() == 1);
 }
 
 TEST_CASE("a plane of six points stays a plane although its distances are rounded") {
@@ -43,7 +43,7 @@ TEST_CASE("a plane of six points stays a plane although its distances are rounde
   std::vector<Distance> some;
   for (const Distance& d : all_distances(ring))
     some.push_back({d.first, d.second, std::round(d.length * 1e5) / 1e5});
-  const PlacedPoints found = placed_points(6, some);
+  const PlacedPoints found = place_points(6, some);
   CHECK(found.dimension == 2);  // although each length is rounded to five decimals
   CHECK(difference(found.points, ring) < distance_tolerance);
 }
@@ -51,7 +51,7 @@ TEST_CASE("a plane of six points stays a plane although its distances are rounde
 TEST_CASE("distances that fix no shape are refused with what is loose, or wrong") {
   const auto refused = [](std::size_t count, std::vector<Distance> list,
                           std::initializer_list<const char*> parts) {
-    check_error([&] { placed_points(count, list); }, parts);
+    check_error([&] { place_points(count, list); }, parts);
   };
   refused(3, {{0, 1, 0.1}, {0, 2, 0.1}}, {"2 distances do not fix 3 points", "stays loose"});
   refused(2, {}, {"0 distances do not fix 2 points"});
@@ -68,8 +68,8 @@ TEST_CASE("distances that fix no shape are refused with what is loose, or wrong"
 TEST_CASE("a shape that is nearly a line is put on it, others stay") {
   Shape bent = rod;
   bent[0].y = 0.0015;
-  const Shape line = straightened(bent);
+  const Shape line = straighten(bent);
   CHECK(norm(cross(line[1] - line[0], line[2] - line[0])) < 1e-16);
   CHECK(difference(line, bent) < 0.002);
-  CHECK(difference(straightened(water), water) < 1e-15);
+  CHECK(difference(straighten(water), water) < 1e-15);
 }

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
+#include "instruction_sets.hpp"
 #include "polhode/rotor/free_rotation.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 
@@ -71,7 +71,7 @@ double distance(const Quaternion<double>& a, const Quaternion<double>& b) {
 // k <= 6 (1 + |ω t|) for these shapes (the truth table's k_abs of asymmetric tops). Then 16 ε (1 +
 // k).
 TEST_CASE("drift turns every body of a pack by its free rotation") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     Crowd crowd;
     const Crowd before;
     drift(crowd.state, crowd.bodies, 1.0);
@@ -97,7 +97,7 @@ TEST_CASE("drift turns every body of a pack by its free rotation") {
 // Exactly on the separatrix, far beyond the series: attitudes are the identity, so that L = S ell
 // is exact. Lanes beside them turn regularly.
 TEST_CASE("drift turns bodies on the separatrix in packs with others") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     for (const double t : {20.0, 250.0, 25000.0, -1e5}) {
       Crowd crowd;
       for (std::size_t n = 0; n < count; ++n) {
@@ -126,12 +126,12 @@ TEST_CASE("drift turns bodies on the separatrix in packs with others") {
 // Instruction sets differ by contraction into fused operations only: half a rounding each, on both
 // sides of the bound above, and none may differ by more than two of those.
 TEST_CASE("drift agrees between instruction sets") {
-  const Target before = current_target();
-  force_target(Target::scalar);
+  const InstructionSet before = current_instruction_set();
+  force_instruction_set(InstructionSet::scalar);
   Crowd reference;
   for (int n = 0; n < 20; ++n) drift(reference.state, reference.bodies, 0.1);
-  force_target(before);
-  for_each_target([&] {
+  force_instruction_set(before);
+  for_each_instruction_set([&] {
     Crowd crowd;
     for (int n = 0; n < 20; ++n) drift(crowd.state, crowd.bodies, 0.1);
     for (std::size_t n = 0; n < count; ++n) {
@@ -148,7 +148,7 @@ TEST_CASE("drift agrees between instruction sets") {
 // a few roundings of L, however many kicks rounded torques make. Without inertia at all L is 0.
 // Along other axes a kick is ell + t tau, to the last bit.
 TEST_CASE("kicks leave no angular momentum along an axis without inertia") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     Crowd crowd;
     crowd.bodies.inverse_J.set(9, {});
     std::mt19937_64 random(8);
@@ -185,7 +185,7 @@ TEST_CASE("kicks leave no angular momentum along an axis without inertia") {
 
 // The flow is its own inverse under t -> -t; two steps at the bound of the first test.
 TEST_CASE("drift forth and back is the identity") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     Crowd crowd;
     const Crowd before;
     drift(crowd.state, crowd.bodies, 0.7);

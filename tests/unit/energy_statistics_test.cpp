@@ -105,8 +105,8 @@ TEST_CASE("drift of a series is the mean of its slopes against their scatter") {
   const Drift d = drift_of_series(rates);
   CHECK(d.rate.value == doctest::Approx(1.0));
   CHECK(d.rate.error == doctest::Approx(std::sqrt(0.1 / 4 / 5)));
-  CHECK(d.chance < significance);
-  CHECK(drift_of_series(std::vector<double>{1.0, -1.1, 0.9, -1.0, 0.2}).chance > 0.5);
+  CHECK(d.p_value < significance);
+  CHECK(drift_of_series(std::vector<double>{1.0, -1.1, 0.9, -1.0, 0.2}).p_value > 0.5);
 }
 
 // By hand: 9 bodies move in 27 ways less the 3 of the total momentum; atoms do not turn, linear
@@ -114,15 +114,15 @@ TEST_CASE("drift of a series is the mean of its slopes against their scatter") {
 TEST_CASE("freedoms of a mixture") {
   const Topology mixture{
       {{read_molecule("argon"), 3}, {read_molecule("n2"), 2}, {read_molecule("tip4p"), 4}}};
-  const Freedoms n = freedoms(mixture);
+  const DegreesOfFreedom n = degrees_of_freedom(mixture);
   CHECK(n.translation == 24);
   CHECK(n.rotation[0] == 4);
   CHECK(n.rotation[1] == 6);
   CHECK(n.rotation[2] == 6);
   CHECK(n.all() == 40);
-  CHECK(freedoms({{{read_molecule("argon"), 1}}}).all() == 0);
-  CHECK(freedoms({{{read_molecule("n2"), 1}}}).all() == 2);
-  CHECK(freedoms({{{read_molecule("argon"), 2}}}).all() == 3);
+  CHECK(degrees_of_freedom({{{read_molecule("argon"), 1}}}).all() == 0);
+  CHECK(degrees_of_freedom({{{read_molecule("n2"), 1}}}).all() == 2);
+  CHECK(degrees_of_freedom({{{read_molecule("argon"), 2}}}).all() == 3);
 }
 
 TEST_CASE("temperature counts freedoms") {

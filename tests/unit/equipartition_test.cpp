@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The extrapolation of temperatures to no step, from points whose limit is known.
-#include "polhode/run/equipartition.hpp"
+#include "polhode/run/simulation/equipartition.hpp"
 
 #include <doctest/doctest.h>
 

@@ -29,10 +29,10 @@ TEST_CASE("slope and standard error of a published example") {
 
 // Student's t tables: t(9) = 3.250 and t(9) = 2.262 leave 1 % and 5 % on both sides.
 TEST_CASE("the chance of an estimate follows Student's t") {
-  CHECK(100 * chance({3.250, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
-  CHECK(20 * chance({-2.262, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
-  CHECK(chance({0, 0}, 9) == 1);
-  CHECK(chance({1, 0}, 9) == 0);
+  CHECK(100 * p_value({3.250, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
+  CHECK(20 * p_value({-2.262, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
+  CHECK(p_value({0, 0}, 9) == 1);
+  CHECK(p_value({1, 0}, 9) == 0);
 }
 
 // Under the null hypothesis the chance is uniform: of 2000 series, as many as a binomial count with
@@ -45,7 +45,7 @@ TEST_CASE("noise is called significant as often as it should be") {
   for (int k = 0; k < 2000; ++k) {
     std::vector<double> x;
     for (int i = 0; i < 10; ++i) x.push_back(normal(random));
-    if (chance(mean(x), 9) < 0.05) ++significant;
+    if (p_value(mean(x), 9) < 0.05) ++significant;
   }
   CHECK(std::abs(significant - 100) < 39);
 }

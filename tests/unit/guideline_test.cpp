@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/guideline.hpp"
+#include "polhode/run/study/guideline.hpp"
 
 #include <doctest/doctest.h>
 
@@ -43,13 +43,13 @@ TEST_CASE("costs are interpolated along the power law, and extrapolated by the o
   CHECK(below->cost == doctest::Approx(2000).epsilon(1e-12));
   const auto above = cost_at(all[0], 1.0);  // the longest step will do
   REQUIRE(above);
-  CHECK(above->longest);
+  CHECK(above->at_max_step);
   CHECK(above->step == 0.008);
 }
 
 TEST_CASE("a curve ends where a step drifts or blows up") {
   auto points = law("hoa2", 3e-4, 2, 2);
-  points[3].drift.chance = 0.001;
+  points[3].drift.p_value = 0.001;
   const auto all = curves(points);
   CHECK(all[0].usable == 3);
   CHECK(cost_at(all[0], points[4].ratio.value)->step == points[2].step);

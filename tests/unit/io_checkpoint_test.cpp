@@ -6,14 +6,14 @@
 
 #include "errors.hpp"
 #include "polhode/io/checksum.hpp"
-#include "polhode/run/checkpoint.hpp"
+#include "polhode/run/simulation/checkpoint.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;
 
 namespace {
 
-const Maker maker{"1.2.3", "avx2"};
+const ProgramVersion program{"1.2.3", "avx2"};
 
 std::string text_of(const std::string& path) {
   std::ostringstream text;
@@ -129,8 +129,8 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
   for (const std::size_t bodies : {0, 1, 2, 17}) {
     Checkpoint c = example(bodies);
     if (bodies == 17) c.at.equilibrated.reset(), c.at.statistics = {}, c.outputs.reset();
-    write_checkpoint(folder.files(), c, maker);
-    const Checkpoint back = read_checkpoint(folder.files().newest, maker);
+    write_checkpoint(folder.files(), c, program);
+    const Checkpoint back = read_checkpoint(folder.files().newest, program);
     same(back.at.state.q, c.at.state.q);
     same(back.at.state.p, c.at.state.p);
     same(back.at.state.ell, c.at.state.ell);
@@ -183,20 +183,20 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
 TEST_CASE("a checkpoint with one wrong bit, or cut short anywhere, is refused") {
   const Folder folder;
   const std::string path = folder.files().newest;
-  write_checkpoint(folder.files(), example(1), maker);
+  write_checkpoint(folder.files(), example(1), program);
   const std::string intact = text_of(path);
-  CheckpointReader(intact, path, maker);
+  CheckpointReader(intact, path, program);
   for (std::size_t bit = 0; bit < 8 * intact.size(); ++bit) {
     CAPTURE(bit);
     std::string flipped = intact;
     flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << bit % 8));
-    CHECK_THROWS_AS(CheckpointReader(flipped, path, maker), DamagedCheckpoint);
+    CHECK_THROWS_AS(CheckpointReader(flipped, path, program), DamagedCheckpoint);
   }
   for (std::size_t n = 0; n < intact.size(); ++n) {
     CAPTURE(n);
-    CHECK_THROWS_AS(CheckpointReader(intact.substr(0, n), path, maker), DamagedCheckpoint);
+    CHECK_THROWS_AS(CheckpointReader(intact.substr(0, n), path, program), DamagedCheckpoint);
   }
-  CHECK_THROWS_AS(CheckpointReader(intact + '\0', path, maker), DamagedCheckpoint);
+  CHECK_THROWS_AS(CheckpointReader(intact + '\0', path, program), DamagedCheckpoint);
 
   // Of another version, and sealed as such, it is somebody else's: the one before it is no remedy.
   std::string other = intact;
@@ -204,16 +204,16 @@ TEST_CASE("a checkpoint with one wrong bit, or cut short anywhere, is refused") 
   const std::size_t end = other.size() - 8;
   const std::uint64_t sum = crc64(other.data() + 32, end - 32, crc64(other.data(), 24));
   other.replace(end, 8, reinterpret_cast<const char*>(&sum), 8);
-  check_error([&] { CheckpointReader(other, path, maker); },
+  check_error([&] { CheckpointReader(other, path, program); },
               {"format 99", "newest.bin", "--force"});
 }
 
 TEST_CASE("a checkpoint of another program, instruction set or run is refused with what to do") {
   const Folder folder;
   const CheckpointFiles files = folder.files();
-  CHECK(!last_checkpoint(files, "of this run", maker));
-  write_checkpoint(files, example(), maker);
-  CHECK(last_checkpoint(files, "of this run", maker)->note.empty());
+  CHECK(!last_checkpoint(files, "of this run", program));
+  write_checkpoint(files, example(), program);
+  CHECK(last_checkpoint(files, "of this run", program)->note.empty());
   check_error(
       [&] {
         last_checkpoint(files, "of this run", {"1.2.4", "avx2"});
@@ -223,8 +223,8 @@ TEST_CASE("a checkpoint of another program, instruction set or run is refused wi
       [&] {
         last_checkpoint(files, "of this run", {"1.2.3", "sse4"});
       },
-      {"newest.bin", "avx2", "sse4", "POLHODE_TARGET=avx2"});
-  check_error([&] { last_checkpoint(files, "of that run", maker); },
+      {"newest.bin", "avx2", "sse4", "POLHODE_INSTRUCTION_SET=avx2"});
+  check_error([&] { last_checkpoint(files, "of that run", program); },
               {"newest.bin", "another run", "polhode run a.toml", "--output", "--force"});
 }
 
@@ -232,22 +232,22 @@ TEST_CASE("the checkpoint before the newest serves where the newest is damaged o
   const Folder folder;
   const CheckpointFiles files = folder.files();
   Checkpoint c = example();
-  for (c.at.steps = 10; c.at.steps <= 30; c.at.steps += 10) write_checkpoint(files, c, maker);
-  CHECK(last_checkpoint(files, c.identity, maker)->checkpoint.at.steps == 30);
+  for (c.at.steps = 10; c.at.steps <= 30; c.at.steps += 10) write_checkpoint(files, c, program);
+  CHECK(last_checkpoint(files, c.identity, program)->checkpoint.at.steps == 30);
   const std::string newest = text_of(files.newest);
 
   std::string damaged = newest;
   damaged[damaged.size() / 2] ^= 1;
   write(files.newest, damaged);
-  auto found = last_checkpoint(files, c.identity, maker);
+  auto found = last_checkpoint(files, c.identity, program);
   CHECK(found->checkpoint.at.steps == 20);
   for (const char* word : {"newest.bin", "checksum", "previous.bin", "intact"})
     CHECK(found->note.find(word) != std::string::npos);
 
   fs::remove(files.newest);
-  CHECK(last_checkpoint(files, c.identity, maker)->checkpoint.at.steps == 20);
+  CHECK(last_checkpoint(files, c.identity, program)->checkpoint.at.steps == 20);
   write(files.newest, newest.substr(0, 100));
   write(files.previous, damaged);
-  check_error([&] { last_checkpoint(files, c.identity, maker); },
+  check_error([&] { last_checkpoint(files, c.identity, program); },
               {"newest.bin", "100 bytes", "previous.bin", "checksum", "--force"});
 }

@@ -28,7 +28,7 @@ TEST_CASE("the default run is the paper's system") {
   CHECK(config.source == "default");
   CHECK(config.system.molecules.front().model == "tip4p");
   CHECK(config.system.molecules.front().count == 512);
-  CHECK(config.system.start == "w512");
+  CHECK(config.system.initial_configuration == "w512");
   CHECK(config.system.temperature == 297);
   CHECK(config.integrator.scheme == "hoa2");
   CHECK(config.integrator.step == 4 * 1e-3);
@@ -121,29 +121,33 @@ TEST_CASE("a text that is not TOML names its line") {
 TEST_CASE("the system is described once and in full") {
   check_error([] { parse_config("", "water.toml"); }, {"no table [system]", "water.toml"});
   check_system("", {"there are no molecules", "model = \"tip4p\"", "water.toml:1, system"});
-  check_system(two, {"neither a density nor a box nor a start", "density = \"1 g/cm3\""});
+  check_system(two, {"neither a density nor a box nor an initial", "density = \"1 g/cm3\""});
   check_system(two + "density = \"1 g/cm3\"\nbox = \"2 nm\"", {"beside a box", "water.toml:3"});
-  check_system(two + "density = \"1 g/cm3\"\nstart = \"w512\"",
-               {"density = \"1 g/cm3\" stands beside a start configuration"});
-  check_system(two + "box = \"1 nm\"\nstart = \"w512\"",
-               {"box = \"1 nm\" stands beside a start configuration"});
+  check_system(two + "density = \"1 g/cm3\"\ninitial_configuration = \"w512\"",
+               {"density = \"1 g/cm3\" stands beside an initial configuration"});
+  check_system(two + "box = \"1 nm\"\ninitial_configuration = \"w512\"",
+               {"box = \"1 nm\" stands beside an initial configuration"});
   check_system(two + "box = 2.5", {"box = 2.5 has no unit", "\"2.5 nm\""});
   check_system(two + "box = [\"1 nm\", \"2 nm\"]", {"one edge or a list of three"});
   check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 nm\"]", {"longer than 0 nm"});
   check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 ps\"]", {"box[2]", "is a time"});
   check_system(two + "density = \"0 g/cm3\"", {"density = \"0 g/cm3\" must be above 0"});
-  check_system(two + "start = \"nowhere.gro\"",
-               {"start = \"nowhere.gro\" is no file", "w512", "water.toml:3, system.start"});
+  check_system(two + "initial_configuration = \"nowhere.gro\"",
+               {"initial_configuration = \"nowhere.gro\" is no file", "w512",
+                "water.toml:3, system.initial_configuration"});
   check_system("molecules = [{ model = \"tip4p\" }]\nbox = \"2 nm\"", {"has no count"});
   check_system("molecules = [{ model = \"tip4p\", count = 0 }]\nbox = \"2 nm\"",
                {"count = 0 must be 1 or more", "system.molecules[0].count"});
   check_system("molecules = [{ count = 1 }]\nbox = \"2 nm\"", {"no model"});
   check_system("molecules = [{ model = \"tip4\", count = 1 }]\nbox = \"2 nm\"",
                {"no molecule 'tip4'; did you mean 'tip4p'?", "water.toml:2, system.molecules[0]"});
-  check_system("molecules = [{ model = \"tip4p\" }, { model = \"tip4p\" }]\nstart = \"w512\"",
-               {"several models"});
+  check_system(
+      "molecules = [{ model = \"tip4p\" }, { model = \"tip4p\" }]\ninitial_configuration = "
+      "\"w512\"",
+      {"several models"});
   check_system("molecules = 3\nbox = \"2 nm\"", {"must be a list of tables"});
-  CHECK(parse_config("[system]\nmolecules = [{ model = \"tip4p\" }]\nstart = \"w512\"", "x")
+  CHECK(parse_config(
+            "[system]\nmolecules = [{ model = \"tip4p\" }]\ninitial_configuration = \"w512\"", "x")
             .system.molecules.front()
             .count == 0);
 }
@@ -219,23 +223,23 @@ TEST_CASE("the damped shifted force has a damping, and ends Lennard-Jones by a s
   CHECK(forces.damping == doctest::Approx(1.5).epsilon(1e-15));
   check_text(law + "damping = \"-1 1/nm\"", {"must be 0 or more", "forces.damping"});
   check_text(law + "damping = \"5 1/nm\"", {"at most 3 over the cutoff, 3 1/nm"});
-  check_text(law + "accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
+  check_text(law + "pme_accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
 }
 
 TEST_CASE("Ewald's sum has an accuracy, and ends Lennard-Jones by a switch of sites") {
   const ForceSettings pme =
-      parse_config(system_table + "[forces]\nelectrostatics = \"pme\"\naccuracy = 1e-5\n", "x")
+      parse_config(system_table + "[forces]\nelectrostatics = \"pme\"\npme_accuracy = 1e-5\n", "x")
           .forces;
-  CHECK(pme.electrostatics == Electrostatics::ewald);
+  CHECK(pme.electrostatics == Electrostatics::pme);
   CHECK(pme.truncation == Truncation::site_switch);
-  CHECK(pme.accuracy == 1e-5);
+  CHECK(pme.pme_accuracy == 1e-5);
   CHECK(!pme.dispersion_correction);
   CHECK(parse_config(system_table + "[forces]\ndispersion_correction = true", "x")
             .forces.dispersion_correction);
   const std::string with_pme = "[forces]\nelectrostatics = \"pme\"\n";
-  check_text(with_pme + "accuracy = 1e-8", {"accuracy = 1e-08 must lie from 1e-7 to 0.1"});
-  check_text(with_pme + "accuracy = \"high\"", {"forces.accuracy", "number"});
-  check_text("[forces]\naccuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
+  check_text(with_pme + "pme_accuracy = 1e-8", {"pme_accuracy = 1e-08 must lie from 1e-7 to 0.1"});
+  check_text(with_pme + "pme_accuracy = \"high\"", {"forces.pme_accuracy", "number"});
+  check_text("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
   check_text(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
   check_text(with_pme + "truncation = \"molecule-switch\"",
              {"does not go with electrostatics = \"pme\"", "leave it out", "forces.truncation"});
@@ -284,7 +288,7 @@ TEST_CASE("unlike sites mix as the run file says, and pairs are given by molecul
 TEST_CASE("mixed precision has a lambda that its rounding bears") {
   const auto read = [](const std::string& more) { return parse_config(system_table + more, "x"); };
   const std::string mixed = "[forces]\nprecision = \"mixed\"\n";
-  CHECK(read("").forces.precision == Precision::full);
+  CHECK(read("").forces.precision == Precision::double_precision);
   CHECK(read("").integrator.lambda == 1e-4);
   CHECK(read("[forces]\nprecision = \"double\"").integrator.lambda == 1e-4);
   CHECK(read(mixed).forces.precision == Precision::mixed);
@@ -299,8 +303,8 @@ TEST_CASE("mixed precision has a lambda that its rounding bears") {
   set_precision(config, Precision::mixed);
   CHECK(config.forces.precision == Precision::mixed);
   CHECK(config.integrator.lambda == 1);
-  set_precision(config, Precision::full);
-  CHECK(config.forces.precision == Precision::full);
+  set_precision(config, Precision::double_precision);
+  CHECK(config.forces.precision == Precision::double_precision);
   CHECK(config.integrator.lambda == 1e-4);
   Config given = read("[integrator]\nlambda = 1e-3");
   check_error([&] { set_precision(given, Precision::mixed); },

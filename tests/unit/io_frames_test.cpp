@@ -8,7 +8,7 @@
 #include "errors.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
-#include "polhode/model/start.hpp"
+#include "polhode/model/initial_state.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;
@@ -135,7 +135,7 @@ TEST_CASE("a file goes on after its mark as if it had never been left") {
     check_frames(parts, mark);
     FileMark end;
     {
-      const auto writer = continue_frames(parts, topology, mark);
+      const auto writer = resume_frames(parts, topology, mark);
       write(*writer, 2);
       write(*writer, 3);
       end = writer->mark();
@@ -151,11 +151,11 @@ TEST_CASE("a file goes on after its mark as if it had never been left") {
       CHECK(a[n].time == b[n].time);
     }
     if (format == "h5md")
-      check_error([&] { continue_frames(parts, topology, {9, 0}); }, {"must be the same file"});
+      check_error([&] { resume_frames(parts, topology, {9, 0}); }, {"must be the same file"});
     else
       check_error(
           [&] {
-            continue_frames(parts, topology, {9, 1u << 30});
+            resume_frames(parts, topology, {9, 1u << 30});
           },
           {"what is missing cannot be made up"});
   }
@@ -194,7 +194,7 @@ TEST_CASE("names come from another file where a format has none") {
   CHECK(frames[0].kind(frames[0].atoms[1]).name == "HW1");
   CHECK(frames[0].atoms[7].residue == 2);
   // Rounded to 0.001 nm, bodies still fit their models.
-  CHECK(fitted_state(frames[0], topology).deviation < 2e-3);
+  CHECK(fit_state(frames[0], topology).deviation < 2e-3);
   Frame fewer = names;
   fewer.atoms.pop_back();
   check_error([&] { all_frames(folder / "a.xtc", &fewer); }, {"244 atoms", "243"});

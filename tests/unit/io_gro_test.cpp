@@ -113,7 +113,7 @@ TEST_CASE("atoms that are not the model's molecules are refused") {
   const Molecule tip4p = read_molecule("tip4p");
   const auto check_fit = [&](const std::string& text, std::size_t count,
                              std::initializer_list<const char*> parts) {
-    check_error([&] { fitted_state(parse_gro(text, "a.gro"), {{{tip4p, count}}}); }, parts);
+    check_error([&] { fit_state(parse_gro(text, "a.gro"), {{{tip4p, count}}}); }, parts);
   };
   check_fit(replaced(water, " OW ", "  N "), 1,
             {"atom 1 (1 SOL) is 'N' where site 'OW' of molecule 'tip4p' must be", "a.gro"});
@@ -126,9 +126,9 @@ TEST_CASE("atoms that are not the model's molecules are refused") {
 }
 
 TEST_CASE("three-site water files serve a model with a massless site, and count molecules") {
-  const Topology water1 = completed({{{read_molecule("tip4p"), 0}}}, parse_gro(water, "x"));
+  const Topology water1 = complete_topology({{{read_molecule("tip4p"), 0}}}, parse_gro(water, "x"));
   CHECK(water1.parts[0].count == 1);
-  const FittedState fitted = fitted_state(parse_gro(water, "x"), water1);
+  const FittedState fitted = fit_state(parse_gro(water, "x"), water1);
   CHECK(!fitted.has_velocities);
   CHECK(norm(fitted.state.p[0]) == 0);
   // The file's molecule is 0.1 nm and 109.3 degrees wide, TIP4P 0.09572 nm and 104.52 degrees:
@@ -139,8 +139,8 @@ TEST_CASE("three-site water files serve a model with a massless site, and count 
 
 TEST_CASE("a molecule broken across the boundary is made whole") {
   const Topology one{{{read_molecule("tip4p"), 1}}};
-  const FittedState a = fitted_state(parse_gro(water, "x"), one);
-  const FittedState b = fitted_state(parse_gro(replaced(water, "0.067", "2.067"), "x"), one);
+  const FittedState a = fit_state(parse_gro(water, "x"), one);
+  const FittedState b = fit_state(parse_gro(replaced(water, "0.067", "2.067"), "x"), one);
   // 2.067 - 2 differs from 0.067 by the rounding of 2.067.
   CHECK(norm(a.state.q[0] - b.state.q[0]) < 1e-15);
   CHECK(b.deviation == doctest::Approx(a.deviation).epsilon(1e-12));
@@ -148,9 +148,9 @@ TEST_CASE("a molecule broken across the boundary is made whole") {
 
 TEST_CASE("W512 is rigid TIP4P at about 297 K") {
   const Frame frame = read_start("w512");
-  const Topology topology = completed({{{read_molecule("tip4p"), 0}}}, frame);
+  const Topology topology = complete_topology({{{read_molecule("tip4p"), 0}}}, frame);
   REQUIRE(topology.size() == 512);
-  const FittedState fitted = fitted_state(frame, topology);
+  const FittedState fitted = fit_state(frame, topology);
   // Positions have 10 decimals: an atom errs by at most sqrt(3)/2 units of the last, and the body
   // it is compared with, a mean of such atoms, by as much again.
   CHECK(fitted.deviation < std::sqrt(3.0) * 1e-10);
@@ -170,7 +170,7 @@ TEST_CASE("W512 is rigid TIP4P at about 297 K") {
 TEST_CASE("write and read of a GRO file give the same bodies") {
   const Frame start = read_start("w512");
   const Topology topology{{{read_molecule("tip4p"), 512}}};
-  const State state = fitted_state(start, topology).state;
+  const State state = fit_state(start, topology).state;
   const Frame frame = frame_of(state, topology);
   std::ostringstream out;
   write_gro(out, frame);
@@ -185,7 +185,7 @@ TEST_CASE("write and read of a GRO file give the same bodies") {
   // Half a unit of the last decimal in each of three coordinates.
   CHECK(dr < std::sqrt(3.0) * 0.51e-10);
   CHECK(dv < std::sqrt(3.0) * 0.51e-11);
-  const State back = fitted_state(again, topology).state;
+  const State back = fit_state(again, topology).state;
   // The centre is a mean of the sites. Momenta are sums over sites of mass times dv. ℓ = Σ m x × v
   // errs by Σ m (|x| dv + |v| dr) with Σ m |x| < 0.4 u nm and Σ m |v| < 60 u nm/ps.
   for (std::size_t i = 0; i < state.size(); ++i)
@@ -196,9 +196,9 @@ TEST_CASE("write and read of a GRO file give the same bodies") {
 
 TEST_CASE("without massless sites a frame has only atoms") {
   const Topology topology{{{read_molecule("tip4p"), 512}}};
-  const State state = fitted_state(read_start("w512"), topology).state;
-  const Frame frame = frame_of(state, topology, MasslessSites::left_out);
+  const State state = fit_state(read_start("w512"), topology).state;
+  const Frame frame = frame_of(state, topology, MasslessSites::omit);
   CHECK(frame.atoms.size() == 3 * 512);
   // Bodies fitted to atoms made of bodies: only rounding of 1e-16 nm times a few.
-  CHECK(fitted_state(frame, topology).deviation < 1e-14);
+  CHECK(fit_state(frame, topology).deviation < 1e-14);
 }

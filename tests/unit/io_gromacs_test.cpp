@@ -253,7 +253,7 @@ TEST_CASE("a type that rigid names and nothing fixes has the mean shape of those
   CHECK(rigid.origins[0] == "declared rigid, mean shape in the start");
   // Turning the first onto the others is off in second order: 0.001² / 0.1 nm.
   CHECK(difference(shape_of(rigid), truth) < 1e-5);
-  const double deviation = fitted_state(start, rigid.topology).deviation;
+  const double deviation = fit_state(start, rigid.topology).deviation;
   CHECK(deviation < 0.001);  // a fit spreads it over the atoms
   CHECK(deviation > 0.0003);
   const Frame one = start_of({truth});
@@ -271,12 +271,12 @@ TEST_CASE("of two mirror images the start's is taken") {
     for (std::size_t k = 0; k < i; ++k)
       text += fmt::format("{} {} 1 {:.16g}\n", k + 1, i + 1, norm(right[i] - right[k]));
   text += "[ molecules ]\nM 1\n";
-  for (const Shape& shape : {right, mirrored(right)}) {
+  for (const Shape& shape : {right, mirror_image(right)}) {
     const Frame start = start_of({shape});
     const RigidTopology rigid = rigid_topology(parsed(text), {}, &start);
     CHECK(rigid.origins[0] == "rigid by constraints");
     CHECK(difference(shape_of(rigid), shape) < 1e-8);  // see distances_test.cpp
-    CHECK(difference(shape_of(rigid), mirrored(shape)) > 0.01);
+    CHECK(difference(shape_of(rigid), mirror_image(shape)) > 0.01);
   }
 }
 
@@ -325,7 +325,7 @@ TEST_CASE("the force fields and boxes that GROMACS brings are read") {
     CHECK(water.sites[0].sigma == doctest::Approx(c.oxygen).epsilon(1e-4));
     CHECK(std::abs(water.charge()) < 1e-12);
     // Three decimals leave 0.9 pm, and the models of water differ by some pm.
-    const FittedState fitted = fitted_state(frame, rigid.topology);
+    const FittedState fitted = fit_state(frame, rigid.topology);
     CHECK(fitted.deviation < 0.02);
     CHECK(fitted.deviation > 1e-4);
     if (box ==

@@ -8,7 +8,7 @@
 #include "errors.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
-#include "polhode/model/start.hpp"
+#include "polhode/model/initial_state.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;

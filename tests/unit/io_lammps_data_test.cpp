@@ -75,7 +75,7 @@ TEST_CASE("molecule ids of a LAMMPS data file are bodies, and equal ones are of 
   CHECK(frame.atoms[0].r == Vec3<double>{1.5, 1.5, 0.5});             // from the lower corner
   CHECK(frame.atoms[0].v.x == doctest::Approx(1).epsilon(1e-15));     // 0.01 Å/fs
   CHECK(frame.atoms[5].r.x == doctest::Approx(2.05).epsilon(1e-15));  // unwrapped by its image flag
-  const FittedState fitted = fitted_state(frame, rigid.topology);
+  const FittedState fitted = fit_state(frame, rigid.topology);
   CHECK(fitted.deviation < 1e-12);
   CHECK(fitted.state.p[0].x == doctest::Approx(22.99).epsilon(1e-15));
 }

@@ -16,7 +16,7 @@
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/io/xyz.hpp"
-#include "polhode/model/start.hpp"
+#include "polhode/model/initial_state.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;

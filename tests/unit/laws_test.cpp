@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/laws.hpp"
+#include "polhode/forces/laws/laws.hpp"
 
 #include <doctest/doctest.h>
 

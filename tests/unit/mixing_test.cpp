@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/mixing.hpp"
+#include "polhode/forces/laws/mixing.hpp"
 
 #include <cmath>
 
 #include "errors.hpp"
 #include "polhode/forces/force_field.hpp"
-#include "polhode/forces/reference.hpp"
+#include "polhode/forces/pairs/reference.hpp"
 
 using namespace polhode;
 
@@ -31,7 +31,7 @@ double lennard_jones(double sigma, double epsilon, double r) {
 
 // The energy of one body of each of two molecules, r apart along x, far below the switch.
 double energy(const Molecule& a, const Molecule& b, double r, const Mixing& mixing,
-              Precision precision = Precision::full) {
+              Precision precision = Precision::double_precision) {
   const Topology topology{{{a, 1}, {b, 1}}};
   State state(2, Box{{10, 10, 10}});
   state.q.set(0, {1, 1, 1});
@@ -46,7 +46,7 @@ double energy(const Molecule& a, const Molecule& b, double r, const Mixing& mixi
   const double plain = reference_load(topology, settings, state.box, poses).lennard_jones;
   // Float: three roundings of 2⁻²⁴ in r², which r¹² feels six times, and of the strengths.
   CHECK(load.lennard_jones ==
-        doctest::Approx(plain).epsilon(precision == Precision::full ? 1e-13 : 1e-5));
+        doctest::Approx(plain).epsilon(precision == Precision::double_precision ? 1e-13 : 1e-5));
   return plain;
 }
 
@@ -122,11 +122,11 @@ TEST_CASE("pairs that cannot be are refused") {
 }
 
 TEST_CASE("mixing is described where it is not the usual one") {
-  CHECK(described({}).empty());
-  CHECK(described({.rule = MixingRule::geometric}) == "geometric mixing");
-  CHECK(described({MixingRule::geometric, {{"a.X", "b.X", 0.33, 1.2}}}) ==
+  CHECK(description({}).empty());
+  CHECK(description({.rule = MixingRule::geometric}) == "geometric mixing");
+  CHECK(description({MixingRule::geometric, {{"a.X", "b.X", 0.33, 1.2}}}) ==
         "geometric mixing; a.X with b.X: sigma 0.33 nm, epsilon 1.2 kJ/mol");
   CHECK(
-      described({.pairs = {{"a.X", "b.X", 0.1, 0}, {"b.X", "b.X", 0.1, 1}}}) ==
+      description({.pairs = {{"a.X", "b.X", 0.1, 0}, {"b.X", "b.X", 0.1, 1}}}) ==
       "a.X with b.X: sigma 0.1 nm, epsilon 0 kJ/mol; b.X with b.X: sigma 0.1 nm, epsilon 1 kJ/mol");
 }

@@ -5,8 +5,8 @@
 
 #include "errors.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/near_forces.hpp"
-#include "polhode/run/rounding.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/rounding.hpp"
 
 using namespace polhode;
 
@@ -68,7 +68,7 @@ TEST_CASE("near forces are a part of all forces") {
   const InnerScheme inner = *nested_scheme_of("hoa2 / hoa2 x 2 within 0.35 to 0.5 nm").inner;
   ForceSettings whole;
   whole.truncation = Truncation::site_switch;
-  whole.electrostatics = Electrostatics::ewald;
+  whole.electrostatics = Electrostatics::pme;
   whole.precision = Precision::mixed;
   whole.dispersion_correction = true;
   const ForceSettings near = near_settings(whole, inner);

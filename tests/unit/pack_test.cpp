@@ -8,15 +8,15 @@
 #include <cmath>
 #include <random>
 
+#include "instruction_sets.hpp"
 #include "pack_loops.hpp"
 #include "polhode/base/column.hpp"
-#include "targets.hpp"
 
 using namespace polhode;
 
 namespace {
 
-constexpr std::size_t widest = 16;  // numbers in the widest pack
+constexpr std::size_t max_width = 16;  // numbers in the widest pack
 
 template <class T>
 std::size_t width() {
@@ -40,7 +40,7 @@ void check_records() {
   Column<T> value(6 * n);
   for (std::size_t k = 0; k < 6; ++k)
     for (std::size_t lane = 0; lane < n; ++lane) value[k * n + lane] = T(100 * k + 3 * lane + 1);
-  std::array<std::uint32_t, widest> index{};
+  std::array<std::uint32_t, max_width> index{};
   for (std::size_t lane = 0; lane < n; ++lane) index[lane] = std::uint32_t(7 * lane % 5);  // shared
   if (n > 1) index[1] = index[0];
   Column<T> records(8 * 8);
@@ -92,14 +92,14 @@ std::array<double, 3> worst_inverse_powers() {
 }  // namespace
 
 TEST_CASE("a square of numbers is turned") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     check_transpose<double>();
     check_transpose<float>();
   });
 }
 
 TEST_CASE("columns are added to records, to one record from several lanes, and in sum") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     check_records<double>();
     check_records<float>();
   });
@@ -111,8 +111,8 @@ TEST_CASE("columns are added to records, to one record from several lanes, and i
 // Third: 3 + 1 + 1 + 1 + 1. Without an estimate, in the scalar packs: y errs by 2, powers by 2 n,
 // and by 1 for each product. Never exact: an error of 0 would say that nothing was tested.
 TEST_CASE("inverse powers err by a few roundings") {
-  for_each_target([] {
-    const bool scalar = current_target() == Target::scalar;
+  for_each_instruction_set([] {
+    const bool scalar = current_instruction_set() == InstructionSet::scalar;
     const std::array<double, 3> bound =
         scalar ? std::array{2.0, 5.0, 8.0} : std::array{2.5, 5.5, 7.0};
     const auto check = [&](const std::array<double, 3>& worst) {
@@ -129,7 +129,7 @@ TEST_CASE("inverse powers err by a few roundings") {
 
 // Differences overflow from end to end: the shorter way around 2³² units.
 TEST_CASE("fixed-point differences are exact before they are rounded, and wrap") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const std::size_t n = width<float>();
     constexpr std::int32_t end = 0x7fffffff;
     const std::array<std::int32_t, 8> numbers{0,        1,   -1,        1 << 30,
@@ -157,7 +157,7 @@ TEST_CASE("fixed-point differences are exact before they are rounded, and wrap")
 }
 
 TEST_CASE("doubles become the nearest floats and the nearest whole numbers, in their order") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const std::size_t n = width<float>();
     Column<double> x(n);
     Column<float> rounded(n);
@@ -172,10 +172,10 @@ TEST_CASE("doubles become the nearest floats and the nearest whole numbers, in t
 }
 
 TEST_CASE("numbers are gathered by their indices") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const std::size_t n = width<double>();
     Column<double> from(100), to(n);
-    std::array<std::uint32_t, widest> index{};
+    std::array<std::uint32_t, max_width> index{};
     for (std::size_t k = 0; k < 100; ++k) from[k] = double(k) + 0.5;
     for (std::size_t i = 0; i < n; ++i) index[i] = std::uint32_t((37 * i + 11) % 100);
     POLHODE_CURRENT_LOOPS(all_gathered)(from.data(), index.data(), to.data());
@@ -184,14 +184,14 @@ TEST_CASE("numbers are gathered by their indices") {
 }
 
 TEST_CASE("the lanes of a mask are counted and listed in their order") {
-  for_each_target([] {
+  for_each_instruction_set([] {
     const std::size_t n = width<float>();
     Column<float> x(n);
     std::mt19937_64 random(2);
     for (int k = 0; k < 200; ++k) {
       const std::uint64_t mask = k == 0 ? 0 : k == 1 ? ~std::uint64_t{0} : random();
       for (std::size_t i = 0; i < n; ++i) x[i] = mask >> i & 1 ? -1.0F : 1.0F;
-      std::array<std::uint32_t, 2 * widest> to;
+      std::array<std::uint32_t, 2 * max_width> to;
       to.fill(99);
       const std::size_t count =
           POLHODE_CURRENT_LOOPS(negative_lanes)(x.data(), 4000000000, to.data());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/rounding.hpp"
+#include "polhode/run/simulation/rounding.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,8 +14,8 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/run/guideline.hpp"
-#include "polhode/run/trajectory.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/study/guideline.hpp"
 #include "rms.hpp"
 
 using namespace polhode;
@@ -25,7 +25,7 @@ namespace {
 System water(Precision precision) {
   Config config = default_config();
   config.forces.precision = precision;
-  return assembled(config);
+  return build_system(config);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ TEST_CASE("a walk deviates from its own mean by a sixth of its variance at the e
 }
 
 TEST_CASE("in double precision there is no noise") {
-  const ForceNoise noise = force_noise(water(Precision::full));
+  const ForceNoise noise = force_noise(water(Precision::double_precision));
   CHECK(noise.power == 0);
   CHECK(noise.energy == 0);
 }
@@ -79,24 +79,25 @@ TEST_CASE("the total energy walks, and is read, as the noise says") {
   constexpr double step = 0.0005, length = 0.1;  // [ps]: 200 steps, before the trajectories part
   System mixed = water(Precision::mixed);
   const ForceNoise noise = force_noise(mixed);
-  System full = water(Precision::full);
+  System full = water(Precision::double_precision);
   const TrajectorySettings settings{scheme, step, length, step, 1};
   ForceField forces(full.topology, full.forces, full.state.box);
   std::vector<double> truth;  // total energies
-  trajectory(full, forces, settings, {.sample = [&](std::size_t, const State&, const Energies& e) {
-               truth.push_back(e.total());
-             }});
+  run_trajectory(full, forces, settings,
+                 {.sample = [&](std::size_t, const State&, const Energies& e) {
+                   truth.push_back(e.total());
+                 }});
 
   ForceField rounded(mixed.topology, mixed.forces, mixed.state.box);
   Load load(mixed.bodies.size());
   std::vector<double> walk, reading;  // differences from the run in double, by step
-  trajectory(mixed, rounded, settings,
-             {[&](std::size_t k, const State& state, const Energies& e) {
-                forces(state, load);
-                walk.push_back(e.kinetic() + load.potential() - truth.at(k));
-                reading.push_back(e.potential() - load.potential());
-              },
-              nullptr});
+  run_trajectory(mixed, rounded, settings,
+                 {[&](std::size_t k, const State& state, const Energies& e) {
+                    forces(state, load);
+                    walk.push_back(e.kinetic() + load.potential() - truth.at(k));
+                    reading.push_back(e.potential() - load.potential());
+                  },
+                  nullptr});
   REQUIRE(walk.size() == 201);
 
   // 201 readings and sixteen states say the deviation to 5 and 18 %: a factor 2 is four deviations.
@@ -156,5 +157,6 @@ TEST_CASE("a figure crosses out what is rounding") {
   };
   CHECK(script(true).find("title \"rounding\"") != std::string::npos);
   CHECK(script(false).find("title \"rounding\"") == std::string::npos);
-  for (const char* ending : {".gp", ".svg"}) std::filesystem::remove(prefix.string() + ending);
+  for (const char* extension : {".gp", ".svg"})
+    std::filesystem::remove(prefix.string() + extension);
 }

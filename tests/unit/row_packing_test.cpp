@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rows become whole packs by handing pairs to later rows.
-#include "polhode/forces/row_packing.hpp"
+#include "polhode/forces/pairs/row_packing.hpp"
 
 #include <doctest/doctest.h>
 

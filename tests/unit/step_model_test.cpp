@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/step_model.hpp"
+#include "polhode/run/adviser/step_model.hpp"
 
 #include <doctest/doctest.h>
 
@@ -44,7 +44,7 @@ TEST_CASE("a law without noise is found as it is") {
     CHECK(model.exponent(fs / 1000) == doctest::Approx(2 + 2 * c * fs * fs).epsilon(1e-8));
   }
   // Without scatter the bound is R itself: the step at R(4.4 fs) is 4.4 fs, to the search's 0.2 %.
-  const double step = model.longest_step(std::exp(log_law(4.4)), 0.975, 0.005);
+  const double step = model.max_step(std::exp(log_law(4.4)), 0.975, 0.005);
   CHECK(step <= 0.0044 * (1 + 1e-9));
   CHECK(step > 0.0044 * 0.997);
   // One step: the law of the order through it.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/step_search.hpp"
+#include "polhode/run/adviser/step_search.hpp"
 
 #include <doctest/doctest.h>
 
@@ -42,7 +42,7 @@ std::vector<AdviserPoint> searched(const KnownLaw& scheme, const StepSearch& sea
     double longest = 0;
     for (const AdviserPoint& p : points)
       if (p.usable) longest = std::max(longest, p.step);
-    if (longest > 0) CHECK(*step < most_growth * longest * (1 + 1e-12));
+    if (longest > 0) CHECK(*step < max_growth * longest * (1 + 1e-12));
     points.push_back(measured(scheme, search, *step, random));
     std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.step < b.step; });
     REQUIRE(points.size() <= 12);
@@ -107,19 +107,19 @@ TEST_CASE("the longest step to be expected is where R meets the bound by the ord
   for (const auto& [order, expected] : {std::pair(2, 0.002), {4, 0.001 * std::sqrt(2.0)}}) {
     CAPTURE(order);
     const StepSearch search{{Quality::ratio, 0.005}, order, 0.001};
-    CHECK(longest_expected(search, {}) == std::numeric_limits<double>::infinity());
+    CHECK(max_expected_step(search, {}) == std::numeric_limits<double>::infinity());
     CHECK(!decides(search, {}, 0.001));  // nothing is known of the first
     AdviserPoint one{0.001, 1, std::vector<Outcome>(6), 0, true};
     for (Outcome& run : one.runs) run.ratio = 0.00125;
-    CHECK(longest_expected(search, {one}) == doctest::Approx(expected).epsilon(1e-12));
+    CHECK(max_expected_step(search, {one}) == doctest::Approx(expected).epsilon(1e-12));
     CHECK(decides(search, {one}, 0.71 * expected));
     CHECK(!decides(search, {one}, 0.69 * expected));
     AdviserPoint end{1.1 * 0.001, 1, std::vector<Outcome>(6), 0, false};
-    CHECK(longest_expected(search, {one, end}) == end.step);
-    CHECK(longest_expected(search, {end}) == end.step);
+    CHECK(max_expected_step(search, {one, end}) == end.step);
+    CHECK(max_expected_step(search, {end}) == end.step);
   }
   const StepSearch search{{Quality::drift, 1e-8}, 2, 0.001};  // without a law every run decides
-  CHECK(longest_expected(search, {}) == std::numeric_limits<double>::infinity());
+  CHECK(max_expected_step(search, {}) == std::numeric_limits<double>::infinity());
   CHECK(decides(search, {}, 0.001));
 }
 

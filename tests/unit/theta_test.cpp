@@ -94,7 +94,7 @@ TEST_CASE("theta functions and Carlson's integral agree on regular tops over man
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> mass(0.1, 1), exponent(-2, 4);
   std::normal_distribution<double> normal;
-  double most_periods = 0;
+  double max_periods = 0;
   int ordinary = 0, complementary = 0;
   for (int k = 0; k < 20000; ++k) {
     const double a = mass(random), b = mass(random), c = mass(random);
@@ -108,13 +108,13 @@ TEST_CASE("theta functions and Carlson's integral agree on regular tops over man
 
     const PrecessionAngle phi(orbit);
     const Orbit::Elapsed v = orbit.elapsed(top.t);
-    most_periods = std::fmax(most_periods, std::abs(v.half_periods) / 2);
+    max_periods = std::fmax(max_periods, std::abs(v.half_periods) / 2);
     const double by_theta = phi.by_theta(top.t, v), by_carlson = phi.by_carlson(v);
     CAPTURE(speed * t);
     CAPTURE(orbit.modulus.k);
     CHECK(std::abs(by_theta - by_carlson) <= 16 * epsilon * (1 + std::abs(orbit.p * top.t)));
   }
-  CHECK(most_periods > 500);
+  CHECK(max_periods > 500);
   CHECK(ordinary > 1000);
   CHECK(complementary > 1000);
 }

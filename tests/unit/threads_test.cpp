@@ -63,25 +63,25 @@ TEST_CASE("threads wanted are the option's, else the environment's, else all") {
   CHECK(all >= 1);
   const std::string bound = fmt::format("1 to {}", all);
   unsetenv("POLHODE_THREADS");
-  CHECK(threads_wanted(std::nullopt) == all);
-  CHECK(threads_wanted(1) == 1);
+  CHECK(requested_threads(std::nullopt) == all);
+  CHECK(requested_threads(1) == 1);
   setenv("POLHODE_THREADS", "1", 1);
-  CHECK(threads_wanted(std::nullopt) == 1);
-  CHECK(threads_wanted(all) == all);
+  CHECK(requested_threads(std::nullopt) == 1);
+  CHECK(requested_threads(all) == all);
   for (const int n : {0, -3, all + 1})
-    check_error([&] { threads_wanted(n); },
+    check_error([&] { requested_threads(n); },
                 {fmt::format("'{}'", n).c_str(), bound.c_str(), "core", "--threads"});
   const std::string too_many = std::to_string(all + 1);
   for (const char* text : {"0", "-1", "two", "1.5", "1 2", "99999999999", too_many.c_str()}) {
     setenv("POLHODE_THREADS", text, 1);
     const std::string quoted = fmt::format("'{}'", text);
-    check_error([&] { threads_wanted(std::nullopt); },
+    check_error([&] { requested_threads(std::nullopt); },
                 {quoted.c_str(), bound.c_str(), "core", "POLHODE_THREADS"});
   }
-  check_error([] { threads_wanted("two"); }, {"'two'", bound.c_str(), "--threads"});
-  CHECK(threads_wanted("1") == 1);
+  check_error([] { requested_threads("two"); }, {"'two'", bound.c_str(), "--threads"});
+  CHECK(requested_threads("1") == 1);
   setenv("POLHODE_THREADS", "", 1);
-  CHECK(threads_wanted("") == all);
-  CHECK(threads_wanted(std::nullopt) == all);
+  CHECK(requested_threads("") == all);
+  CHECK(requested_threads(std::nullopt) == all);
   unsetenv("POLHODE_THREADS");
 }

@@ -21,6 +21,6 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
 std::string did_you_mean(std::string_view word, std::span<const std::string> names);
 
 /// "a, b, c".
-std::string listed(std::span<const std::string> names);
+std::string join_names(std::span<const std::string> names);
 
 }  // namespace polhode

@@ -21,9 +21,9 @@ std::optional<int> group_bandwidth(const std::string& membership,
 
 /// The option if given, else the environment variable POLHODE_THREADS, else all threads allowed.
 /// @throws Error  if the number is not an integer from 1 to allowed_threads()
-int threads_wanted(std::optional<int> option);
+int requested_threads(std::optional<int> option);
 
 /// The same for the option as it was typed; empty if not given.
-int threads_wanted(const std::string& option);
+int requested_threads(const std::string& option);
 
 }  // namespace polhode

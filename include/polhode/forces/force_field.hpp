@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <variant>
 
-#include "polhode/forces/pair_engine.hpp"
+#include "polhode/forces/pairs/pair_engine.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
 
@@ -14,7 +14,7 @@ namespace polhode {
 /// Energies that do not depend on the positions of the bodies [kJ/mol], and their virial.
 struct ConstantTerms {
   double dispersion = 0;                                ///< long-range dispersion correction
-  double self = 0, intramolecular = 0, background = 0;  ///< see OwnCharges, MeshConstant
+  double self = 0, intramolecular = 0, background = 0;  ///< see SelfInteraction, MeshConstant
   Mat3<double> virial{};
   double coulomb() const { return self + intramolecular + background; }
 };
@@ -55,7 +55,7 @@ class ForceField {
   ListMemory list_memory() const;
   /// Rebuilds the list from the positions in `memory`: from then on the forces agree to the last
   /// bit with those of the force field that the memory was taken from.
-  void take_over(const ListMemory& memory);
+  void resume_from(const ListMemory& memory);
 
   std::uint64_t evaluations() const { return evaluations_; }
   /// Rebuilds of the neighbour list, including those before it was restored.

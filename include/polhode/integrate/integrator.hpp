@@ -17,7 +17,7 @@ namespace polhode {
 /// Anything that computes the Load at a State. Optional members: forces_alone(state, load), which
 /// skips the energies when they are not needed; drift(state, t), a flow that replaces the drift, as
 /// for multiple time steps; and, if that flow keeps data between steps, forget(), memory() and
-/// take_over(memory) with the same meaning as in Integrator.
+/// resume_from(memory) with the same meaning as in Integrator.
 template <class F>
 concept ForceModel = requires(F& forces, const State& state, Load& load) {
   {forces(state, load)};
@@ -99,7 +99,7 @@ class Integrator {
           continue;  // was merged with the last stage of the previous step
         Stage stage = stages[k];
         if (mergeable && k + 1 == stages.size() && !last) stage.fraction *= 2;
-        play(stage, state, h, energies && last && k + 1 == stages.size());
+        apply(stage, state, h, energies && last && k + 1 == stages.size());
       }
     }
     state.time = start + static_cast<double>(steps) * h;
@@ -142,12 +142,13 @@ class Integrator {
     if constexpr (requires { forces_.memory(); }) memory.inner.push_back(forces_.memory());
     return memory;
   }
-  void take_over(const IntegratorMemory& memory) {
+  void resume_from(const IntegratorMemory& memory) {
     load_ = memory.load;
     current_ = memory.current, complete_ = memory.complete;
     evaluations_ = memory.evaluations, derivatives_ = memory.derivatives;
     measurements_ = memory.measurements;
-    if constexpr (requires { forces_.take_over(memory); }) forces_.take_over(memory.inner.at(0));
+    if constexpr (requires { forces_.resume_from(memory); })
+      forces_.resume_from(memory.inner.at(0));
   }
 
   const Scheme& scheme() const { return scheme_; }
@@ -169,7 +170,7 @@ class Integrator {
     current_ = true;
   }
 
-  void play(const Stage& stage, State& state, double h, bool energies) {
+  void apply(const Stage& stage, State& state, double h, bool energies) {
     if (stage.flow == Flow::drift) {
       if constexpr (has_own_drift)
         forces_.drift(state, stage.fraction * h);

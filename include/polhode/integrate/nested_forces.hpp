@@ -47,12 +47,12 @@ class NestedForces {
   }
 
   /// Sets the state that the drifts advance, in case its forces are needed before the first drift,
-  /// as after take_over().
-  void moves(const State& state) { moved_ = &state; }
+  /// as after resume_from().
+  void integrates(const State& state) { integrated_ = &state; }
 
   /// e^{(A + B_near)t}, approximated by the inner scheme.
   void drift(State& state, double t) {
-    moves(state);
+    integrates(state);
     inner_.advance(state, t / steps_, static_cast<std::size_t>(steps_), false);
   }
 
@@ -64,8 +64,8 @@ class NestedForces {
     memory.derivatives = near_derivatives();
     return memory;
   }
-  void take_over(const IntegratorMemory& memory) {
-    inner_.take_over(memory);
+  void resume_from(const IntegratorMemory& memory) {
+    inner_.resume_from(memory);
     elsewhere_ = outer_derivatives_ = 0;
   }
 
@@ -89,7 +89,7 @@ class NestedForces {
   /// inner scheme are reused. A finite difference also evaluates displaced positions, which must
   /// not enter the cache of the inner scheme.
   const Load& near_load(const State& state) {
-    if (&state == moved_) return inner_.forces(state);
+    if (&state == integrated_) return inner_.forces(state);
     polhode::forces_alone(near_, state, part_);
     ++elsewhere_;
     return part_;
@@ -100,7 +100,7 @@ class NestedForces {
   Near& near_;
   Integrator<Near> inner_;
   Load part_;  // of the near forces, when the inner scheme has none
-  const State* moved_ = nullptr;
+  const State* integrated_ = nullptr;
   std::uint64_t elsewhere_ = 0, outer_derivatives_ = 0;
 };
 

@@ -46,7 +46,7 @@ inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 /// consteval and rejects schemes whose drifts or kicks do not sum to one step.
 class Scheme {
  public:
-  static constexpr std::size_t most_stages = 64;
+  static constexpr std::size_t max_stages = 64;
 
   /// @param half    the stages up to and including the middle one; the rest is their mirror image.
   ///                One stage of each flow may have `rest` as its fraction
@@ -157,7 +157,7 @@ class Scheme {
 
   std::string_view name_, source_;
   int order_;
-  std::array<Stage, most_stages> stages_{};
+  std::array<Stage, max_stages> stages_{};
   std::size_t count_ = 0;
 };
 

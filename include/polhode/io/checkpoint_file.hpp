@@ -18,9 +18,9 @@
 namespace polhode {
 
 /// The program that wrote a file. Only the same program continues bitwise identically.
-struct Maker {
+struct ProgramVersion {
   std::string version;
-  std::string target;  ///< instruction set
+  std::string instruction_set;  ///< instruction set
 };
 
 /// A checkpoint that is missing, truncated or altered; an earlier one may be usable.
@@ -32,7 +32,7 @@ class DamagedCheckpoint : public Error {
 class CheckpointWriter {
  public:
   /// @param out  a seekable stream
-  CheckpointWriter(std::ostream& out, const Maker& maker);
+  CheckpointWriter(std::ostream& out, const ProgramVersion& program);
   void operator()(double x);
   void operator()(std::uint64_t n);
   void operator()(bool yes);
@@ -54,9 +54,9 @@ class CheckpointReader {
   /// Reads the whole file and verifies its checksum.
   /// @throws DamagedCheckpoint  if it is missing, not a checkpoint, truncated or altered
   /// @throws Error              if it was written by another program or instruction set
-  CheckpointReader(const std::string& path, const Maker& reader);
+  CheckpointReader(const std::string& path, const ProgramVersion& reader);
   /// The same for bytes that were read from `path`.
-  CheckpointReader(std::string bytes, const std::string& path, const Maker& reader);
+  CheckpointReader(std::string bytes, const std::string& path, const ProgramVersion& reader);
   void operator()(double& x);
   void operator()(std::uint64_t& n);
   void operator()(bool& yes);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
-#include "polhode/forces/settings.hpp"
+#include "polhode/forces/laws/settings.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/topology_file.hpp"
 
@@ -19,16 +19,16 @@ namespace polhode {
 struct SystemSettings {
   struct Component {
     std::string model;      ///< name of a model, or path of a molecule file
-    std::size_t count = 0;  ///< 0: as many as the start configuration contains
+    std::size_t count = 0;  ///< 0: as many as the initial configuration contains
   };
   std::vector<Component> molecules;
   TopologySettings topology;        ///< alternative to `molecules`
-  std::optional<double> density;    ///< [u/nm³], if there is no start configuration
-  std::optional<Vec3<double>> box;  ///< [nm], if there is no start configuration
+  std::optional<double> density;    ///< [u/nm³], if there is no initial configuration
+  std::optional<Vec3<double>> box;  ///< [nm], if there is no initial configuration
   double temperature = 297;         ///< [K]
   std::uint64_t seed = 1;
   /// Path of a coordinate file; "w512" is the built-in one; empty: lattice.
-  std::string start;
+  std::string initial_configuration;
 };
 
 struct IntegratorSettings {
@@ -67,7 +67,7 @@ struct OutputSettings {
   double checkpoint_every = 300;  ///< interval in wall-clock time [s]
 
   FrameChoice choice() const {
-    return {massless_sites ? MasslessSites::kept : MasslessSites::left_out, velocities};
+    return {massless_sites ? MasslessSites::keep : MasslessSites::omit, velocities};
   }
 };
 
@@ -97,7 +97,7 @@ struct Config {
 };
 
 /// The smallest lambda accepted in mixed precision.
-inline constexpr double least_lambda_in_mixed = 0.1;
+inline constexpr double min_lambda_in_mixed = 0.1;
 
 /// Sets the precision of a run, overriding that of the run file, and a suitable lambda if the run
 /// file has none.

@@ -45,12 +45,12 @@ struct Frame {
 /// none.
 void complete_elements(Frame& frame);
 
-enum class MasslessSites { kept, left_out };
+enum class MasslessSites { keep, omit };
 
 /// All sites of all bodies: r = q + x, v = p/m + ω × x. Molecules are whole, with their centres
 /// wrapped into the box.
 Frame frame_of(const State& state, const Topology& topology,
-               MasslessSites massless = MasslessSites::kept);
+               MasslessSites massless = MasslessSites::keep);
 
 /// The kinds of atoms in such a frame: the sites of the topology.
 std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massless);
@@ -58,7 +58,7 @@ std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massles
 /// Calls visit(atom) for each atom of such a frame, so that the frame need not be in memory.
 void each_atom(const State& state, const Topology& topology, MasslessSites massless,
                const std::function<void(const Atom&)>& visit);
-std::size_t atom_count(const Topology& topology, MasslessSites massless = MasslessSites::kept);
+std::size_t atom_count(const Topology& topology, MasslessSites massless = MasslessSites::keep);
 std::string title_of(const State& state);  ///< of such a frame: includes the time [ps]
 
 /// Rigid bodies fitted to a frame.
@@ -76,13 +76,13 @@ struct FittedState {
 /// |Δr|² (horn1987), and momenta are those of the atoms: p = Σ m v, ℓ = Σ m (r − q) × v.
 /// @throws Error  if atoms do not match sites, are too few or too many, or if those with mass are
 ///                farther than `fit_tolerance` from the model
-FittedState fitted_state(const Frame& frame, const Topology& topology);
+FittedState fit_state(const Frame& frame, const Topology& topology);
 
 /// Largest allowed distance of atoms from the sites of a rigid model [nm]: the geometries of water
 /// models differ by up to 0.01 nm, another isomer by more than twice that.
 inline constexpr double fit_tolerance = 0.02;
 
 /// The topology with its only count, if it is 0, set to the number of molecules in the frame.
-Topology completed(Topology topology, const Frame& frame);
+Topology complete_topology(Topology topology, const Frame& frame);
 
 }  // namespace polhode

@@ -77,7 +77,7 @@ class FrameWriter {
 
 /// Which data of a state to write.
 struct FrameChoice {
-  MasslessSites massless = MasslessSites::kept;
+  MasslessSites massless = MasslessSites::keep;
   bool velocities = true;  ///< if the format has them
 };
 
@@ -92,8 +92,8 @@ void check_frames(const std::string& path, const FileMark& mark);
 
 /// Resumes a file after the frames of a mark; what was written later is removed.
 /// @throws Error  if the file is shorter than the mark
-std::unique_ptr<FrameWriter> continue_frames(const std::string& path, const Topology& topology,
-                                             const FileMark& mark, const FrameChoice& choice = {});
+std::unique_ptr<FrameWriter> resume_frames(const std::string& path, const Topology& topology,
+                                           const FileMark& mark, const FrameChoice& choice = {});
 
 /// Checks, before a run starts, that its frames can be written to a file.
 /// @throws Error  if its format cannot hold that number of atoms, or the coordinates of that box

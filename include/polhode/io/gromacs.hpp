@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/forces/mixing.hpp"
+#include "polhode/forces/laws/mixing.hpp"
 #include "polhode/io/text_place.hpp"
 #include "polhode/io/type_pairs.hpp"
 #include "polhode/math/distances.hpp"
@@ -113,9 +113,9 @@ IncludeLoader file_loader(std::vector<std::string> folders);
 
 /// The distances between the real atoms of a molecule that its settles and constraints hold or,
 /// with `Held::by_bonds`, that bonds and angles have at their minimum as well.
-enum class Held { by_constraints, by_bonds };
-std::vector<Distance> held_distances(const GromacsTopology& topology,
-                                     const GromacsMolecule& molecule, Held held);
+enum class Rigidity { by_constraints, by_bonds };
+std::vector<Distance> constrained_distances(const GromacsTopology& topology,
+                                            const GromacsMolecule& molecule, Rigidity rigidity);
 
 /// The rigid molecule whose real atoms have that shape, with the virtual sites that are built on
 /// it.

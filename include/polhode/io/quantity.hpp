@@ -21,7 +21,7 @@ enum class Dimension {
   density,         ///< [u/nm³]
   dipole,          ///< [e nm]
   pressure,        ///< [kJ/mol/nm³]
-  heating,         ///< [kJ/mol/ps]; "K" means energy divided by Boltzmann's constant
+  power,           ///< [kJ/mol/ps]; "K" means energy divided by Boltzmann's constant
   viscosity,       ///< [u/(nm ps)]
   fraction,        ///< [1], written in %
   inverse_length,  ///< [1/nm]

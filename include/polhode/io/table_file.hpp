@@ -17,10 +17,10 @@ namespace polhode {
 
 /// How an output was made; the same lines begin every file.
 struct Provenance {
-  std::string version;  ///< of the program
-  std::string command;  ///< as typed
-  std::string config;   ///< text of the run file
-  std::string target;   ///< instruction set
+  std::string version;          ///< of the program
+  std::string command;          ///< as typed
+  std::string config;           ///< text of the run file
+  std::string instruction_set;  ///< instruction set
   std::uint64_t seed = 0;
 };
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/forces/mixing.hpp"
+#include "polhode/forces/laws/mixing.hpp"
 #include "polhode/io/frame.hpp"
 #include "polhode/io/gromacs.hpp"
 #include "polhode/model/topology.hpp"

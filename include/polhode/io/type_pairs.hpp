@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/forces/mixing.hpp"
+#include "polhode/forces/laws/mixing.hpp"
 #include "polhode/io/text_place.hpp"
 
 namespace polhode {

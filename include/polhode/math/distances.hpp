@@ -33,6 +33,6 @@ struct PlacedPoints {
 /// is tried as the first one.
 /// @throws Error  if the distances do not determine a point, or contradict each other or the
 ///                triangle inequality
-PlacedPoints placed_points(std::size_t count, std::span<const Distance> distances);
+PlacedPoints place_points(std::size_t count, std::span<const Distance> distances);
 
 }  // namespace polhode

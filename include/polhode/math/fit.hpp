@@ -33,6 +33,6 @@ Line weighted_line(std::span<const double> x, std::span<const Estimate> y);
 
 /// p-value: the probability that chance alone makes an estimate at least this far from zero, by a
 /// two-sided Student t test with the given degrees of freedom. 1 if value and error are 0.
-double chance(const Estimate& estimate, double degrees_of_freedom);
+double p_value(const Estimate& estimate, double degrees_of_freedom);
 
 }  // namespace polhode

@@ -17,7 +17,7 @@ namespace polhode {
 class RealTransform {
  public:
   /// @param least  minimum length; the actual length is the next product of small primes
-  explicit RealTransform(std::size_t least);
+  explicit RealTransform(std::size_t min_length);
   ~RealTransform();
   RealTransform(RealTransform&&) noexcept;
 

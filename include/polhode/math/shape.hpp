@@ -25,9 +25,9 @@ inline constexpr double line_rounding = 0.002;
 
 /// Puts points that are collinear to within `line_rounding` exactly on a line: a linear body would
 /// otherwise spin about its axis with nearly zero inertia.
-Shape straightened(Shape shape);
+Shape straighten(Shape shape);
 
 /// The mirror image of a shape.
-Shape mirrored(Shape shape);
+Shape mirror_image(Shape shape);
 
 }  // namespace polhode

@@ -24,7 +24,7 @@ class Conditions {
  private:
   Bodies bodies_;
   double mass_;
-  double freedoms_;
+  double degrees_of_freedom_;
   TimeBlocks blocks_;
 };
 

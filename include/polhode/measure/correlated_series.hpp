@@ -28,8 +28,8 @@ struct SeriesEstimate {
 
 /// The energy drift of one run, or of a series of runs.
 struct Drift {
-  Estimate rate;      ///< error 0 unless it is known
-  double chance = 1;  ///< probability of such a slope if there is no drift; 1 unless it is known
+  Estimate rate;       ///< error 0 unless it is known
+  double p_value = 1;  ///< probability of such a slope if there is no drift; 1 unless it is known
   Known known = Known::too_few_samples;
   bool significant() const;
 };

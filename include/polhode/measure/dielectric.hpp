@@ -34,7 +34,7 @@ class TotalDipole {
   /// permittivity ε': ε = 1 + g for tin foil; for a reaction field, ε' is that of the field
   /// [neumann1983]. ⟨M⟩² is about ⟨M²⟩ divided by the number of independent values of M: above a
   /// tenth of ⟨M²⟩ no error is given.
-  Result result(double temperature, double surrounding) const;
+  Result result(double temperature, double surroundings_permittivity) const;
 
  private:
   std::vector<Vec3<double>> dipole_;  // of each part, body frame

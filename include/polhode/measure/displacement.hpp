@@ -21,11 +21,11 @@ class Unwrapped {
   const Vec3Column& centres() const { return q_; }  ///< [nm]
   /// The largest displacement along one axis between two frames, relative to the box edge along
   /// that axis. A displacement of half an edge or more appears shorter than it is.
-  double longest_step() const { return longest_step_; }
+  double max_step() const { return max_step_; }
 
  private:
   Vec3Column q_, last_;
-  double longest_step_ = 0;
+  double max_step_ = 0;
 };
 
 /// Largest relative displacement between two frames for which periodic images can still be told
@@ -42,8 +42,8 @@ class Displacement {
   /// ⟨|q(t + lag) − q(t)|²⟩ [nm²] at each lag, of the bodies of one part of the topology; q is
   /// relative to the centre of mass of all bodies, so that a common velocity does not count as
   /// diffusion.
-  BlockMeans squared(std::size_t part, Workers& workers = Workers::serial());
-  double longest_step() const { return unwrapped_.longest_step(); }
+  BlockMeans mean_square(std::size_t part, Workers& workers = Workers::serial());
+  double max_step() const { return unwrapped_.max_step(); }
 
  private:
   Bodies bodies_;
@@ -66,6 +66,6 @@ SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval
 /// Yeh-Hummer finite-size correction: the amount by which the periodic images lower the diffusion
 /// coefficient in a cubic box [nm²/ps], ξ k_B T/(6 π η L) with ξ = 2.837297 (yeh2004, Eq. 12).
 /// @param viscosity  of the liquid [u/(nm ps)]
-double image_drag(double temperature, double viscosity, double edge);
+double yeh_hummer_correction(double temperature, double viscosity, double edge);
 
 }  // namespace polhode

@@ -40,7 +40,7 @@ Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Loa
 Vec3<double> total_angular_momentum(const State& state);
 
 /// 2 E/(n k_B) [K]; 0 without degrees of freedom.
-double temperature(double kinetic_energy, double freedoms);
+double temperature(double kinetic_energy, double degrees_of_freedom);
 
 /// Temperatures by kind of motion [K]; 0 without degrees of freedom.
 struct Temperatures {
@@ -50,6 +50,6 @@ struct Temperatures {
 };
 
 /// From means of the kinetic energies.
-Temperatures mean_temperatures(const Energies& mean, const Freedoms& freedoms);
+Temperatures mean_temperatures(const Energies& mean, const DegreesOfFreedom& degrees_of_freedom);
 
 }  // namespace polhode

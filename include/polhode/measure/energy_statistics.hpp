@@ -33,7 +33,7 @@ struct EnergyStatistics {
   /// R: rms fluctuation of the total energy over that of the potential energy (vanzon2008). Not a
   /// number if the potential energy is constant.
   double ratio() const;
-  Temperatures temperatures(const Freedoms& freedoms) const;  ///< means [K]
+  Temperatures temperatures(const DegreesOfFreedom& degrees_of_freedom) const;  ///< means [K]
 
   /// R with its standard error.
   SeriesEstimate ratio_with_error() const;

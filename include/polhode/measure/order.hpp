@@ -21,6 +21,6 @@ struct OrderMeasurement {
   double uncertainty = 0;  ///< change of the order upon the last halving
 };
 
-OrderMeasurement measured_order(const NestedScheme& scheme, double lambda = 1e-4);
+OrderMeasurement measure_order(const NestedScheme& scheme, double lambda = 1e-4);
 
 }  // namespace polhode

@@ -27,8 +27,8 @@ std::vector<SitePair> site_pairs(const Topology& topology);
 
 struct RadialSettings {
   std::vector<SitePair> pairs;
-  double reach = 1.0;  ///< cutoff [nm], at most half of the shortest edge
-  double bin = 0.002;  ///< [nm]
+  double cutoff = 1.0;  ///< cutoff [nm], at most half of the shortest edge
+  double bin = 0.002;   ///< [nm]
 };
 
 /// Histogram of site-site distances by minimum image, excluding pairs within a molecule, relative
@@ -77,7 +77,7 @@ class RadialDistribution {
   double neighbours_within(std::size_t pair, double bins, std::span<const double> mean) const;
 
   std::vector<SitePair> pairs_;
-  double reach_, width_;
+  double cutoff_, width_;
   std::size_t bins_;
   std::vector<std::vector<std::pair<Vec3<double>, std::size_t>>> sites_;  // of each part: r, kind
   std::vector<std::size_t> bodies_;                                       // of each part

@@ -63,7 +63,7 @@ struct ShadowSummary {
   /// How many times sooner a drift becomes significant than by the energy: its standard error
   /// falls with the length of a run as t^{−3/2}, so the times go as the errors to the power 2/3.
   /// Nothing if one of the errors is not known.
-  std::optional<double> sooner;
+  std::optional<double> time_gain;
 };
 
 /// Nothing if there are fewer than three samples.

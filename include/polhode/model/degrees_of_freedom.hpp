@@ -12,12 +12,12 @@ namespace polhode {
 /// the centre of mass of all bodies is at rest (model/centre_of_mass.hpp), and one rotational one
 /// for each principal axis with a nonzero moment of inertia. A single body has no translational
 /// ones, a single atom none at all.
-struct Freedoms {
+struct DegreesOfFreedom {
   double translation = 0;
   std::array<double, 3> rotation{};
   double all() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
 };
 
-Freedoms freedoms(const Topology& topology);
+DegreesOfFreedom degrees_of_freedom(const Topology& topology);
 
 }  // namespace polhode

@@ -36,7 +36,7 @@ struct Molecule {
 
   double charge() const;  ///< [e]
   double dipole() const;  ///< |Σ q r| about the centre of mass [e nm]
-  double reach() const;   ///< largest distance of an interacting site from the centre [nm]
+  double extent() const;  ///< largest distance of an interacting site from the centre [nm]
 };
 
 /// Builds the molecule from a set of sites given in any frame: mass, centre, principal moments and

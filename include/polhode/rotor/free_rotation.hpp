@@ -3,11 +3,11 @@
 // units.
 #pragma once
 
+#include "polhode/rotor/comparison/no_squish.hpp"
+#include "polhode/rotor/comparison/recursive.hpp"
+#include "polhode/rotor/comparison/symmetric_product.hpp"
 #include "polhode/rotor/free_rotor.hpp"
-#include "polhode/rotor/no_squish.hpp"
-#include "polhode/rotor/recursive.hpp"
 #include "polhode/rotor/series.hpp"
-#include "polhode/rotor/symmetric_product.hpp"
 
 namespace polhode {
 
@@ -36,7 +36,7 @@ inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<
       m.x <= (m.y + m.z) * slack && m.y <= (m.z + m.x) * slack && m.z <= (m.x + m.y) * slack;
   if (!physical || !(radius <= long_series.radius)) return closed_rotation(J, L, t);
   const Quaternion<double> r = normalized(unnormalised_rotation<long_series>(i, top.L, top.t));
-  return {r, top.in_units_of_caller(carried(r, top.L))};
+  return {r, top.in_units_of_caller(momentum_after(r, top.L))};
 }
 
 /// The rotation of a free rigid body: attitude(t) = attitude(0) * rotation, and its L(t).

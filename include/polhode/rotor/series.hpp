@@ -73,7 +73,7 @@ Real triangle(Real x, Real y, Real z) {
 
 /// Calls f(0), f(1), ... f(count - 1) with compile-time constants as arguments.
 template <std::size_t count, class Function>
-constexpr void unrolled(const Function& f) {
+constexpr void unroll(const Function& f) {
   [&]<std::size_t... k>(std::index_sequence<k...>) {
     (f(std::integral_constant<std::size_t, k>{}), ...);
   }
@@ -169,19 +169,19 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
   // 2n+3 is absorbed into their coefficients: the dependency chain per term is two operations long.
   std::array<Real, order.angle> d;
   Real angle(0);
-  series::unrolled<order.angle>([&](auto count) {
+  series::unroll<order.angle>([&](auto count) {
     constexpr std::size_t n = count;
     constexpr auto number = [](std::size_t k) { return constant<Real>(static_cast<double>(k)); };
     const Real divided = Real(1) / number(2 * n + 3);
     Real e(0);
     if constexpr (n < 3) e = K3[n];
     // K1 times the products d_a d_b, a + b = n - 2 - j, except those with d_(n-2)
-    series::unrolled<3>([&](auto power) {
+    series::unroll<3>([&](auto power) {
       constexpr std::size_t j = power, first = j == 0 ? 1 : 0;
       if constexpr (n >= 2 + j + 2 * first) {
         constexpr std::size_t k = n - 2 - j;
         Real pairs(0);
-        series::unrolled<(k + 1) / 2 - first>([&](auto a) {
+        series::unroll<(k + 1) / 2 - first>([&](auto a) {
           constexpr std::size_t b = a + first;
           pairs = pairs + d[b] * d[k - b];
         });
@@ -210,7 +210,7 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
 /// the matrix of r, this conserves |L| to a rounding of the small change: |r| has a rounding error
 /// that is the same in every step when the body rotates steadily, and would accumulate.
 template <class Real>
-Vec3<Real> carried(const Quaternion<Real>& r, const Vec3<Real>& L) {
+Vec3<Real> momentum_after(const Quaternion<Real>& r, const Vec3<Real>& L) {
   const Vec3<Real> n = r.vector(), c = cross(n, L);
   return L + Real(2) * (cross(n, c) - r.w * c);
 }
@@ -243,7 +243,7 @@ Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real
     const Quaternion<Real> step = normalized(r);
     turned = then(step);
     first = false;
-    L = carried(step, L);
+    L = momentum_after(step, L);
     t = t - part;
   }
   return then(unnormalised_rotation<short_series>(inverse_J, L, t));

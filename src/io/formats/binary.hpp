@@ -23,7 +23,7 @@ namespace polhode {
 
 /// A number whose bytes stand in a given order.
 template <class T>
-T decoded(const std::uint8_t* from, std::endian order) {
+T decode(const std::uint8_t* from, std::endian order) {
   std::array<std::uint8_t, sizeof(T)> bytes;
   std::copy_n(from, sizeof(T), bytes.begin());
   if (order != std::endian::native) std::ranges::reverse(bytes);
@@ -42,7 +42,7 @@ class BinaryInput {
 
   template <class T>
   T take(const char* what) {
-    return decoded<T>(block(sizeof(T), what).data(), order);
+    return decode<T>(block(sizeof(T), what).data(), order);
   }
   /// The next bytes, until the next call.
   std::span<const std::uint8_t> block(std::uint64_t bytes, const char* what) {

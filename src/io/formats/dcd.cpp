@@ -45,7 +45,7 @@ class DcdReader : public FrameReader {
       if (k == 0) frame.atoms.assign(count_, {});  // as many as there are
       for (std::size_t i = 0; i < count_; ++i) {
         const auto x =
-            static_cast<double>(decoded<float>(record.data() + sizeof(float) * i, in_.order));
+            static_cast<double>(decode<float>(record.data() + sizeof(float) * i, in_.order));
         if (!std::isfinite(x)) in_.refuse("a coordinate is not finite; it must be a number");
         frame.atoms[i].r[k] = angstrom_ * x;
       }
@@ -73,14 +73,14 @@ class DcdReader : public FrameReader {
     if (std::string_view(reinterpret_cast<const char*>(head.data()), 4) != "CORD")
       in_.refuse("the head does not say CORD; a DCD file of positions must");
     const auto word = [&](std::size_t k) {
-      return decoded<std::int32_t>(head.data() + 4 * (k + 1), in_.order);
+      return decode<std::int32_t>(head.data() + 4 * (k + 1), in_.order);
     };
     first_ = word(1);
     every_ = std::max(1, word(2));
     const std::int32_t fixed = word(8);
     const bool charmm = word(19) != 0;
-    interval_ = charmm ? static_cast<double>(decoded<float>(head.data() + 40, in_.order))
-                       : decoded<double>(head.data() + 40, in_.order);
+    interval_ = charmm ? static_cast<double>(decode<float>(head.data() + 40, in_.order))
+                       : decode<double>(head.data() + 40, in_.order);
     has_cell_ = charmm && word(10) != 0;
     has_fourth_ = charmm && word(11) != 0;
     end_record(head_length);
@@ -93,7 +93,7 @@ class DcdReader : public FrameReader {
                       fixed));
     end_record(take_record("the titles").size());
     const auto record = take_record("the number of atoms");
-    const auto count = record.size() == 4 ? decoded<std::int32_t>(record.data(), in_.order) : -1;
+    const auto count = record.size() == 4 ? decode<std::int32_t>(record.data(), in_.order) : -1;
     if (count < 0) in_.refuse("the number of atoms must be 0 or more, in a record of 4 bytes");
     count_ = static_cast<std::size_t>(count);
     end_record(4);
@@ -119,7 +119,7 @@ class DcdReader : public FrameReader {
       in_.refuse(fmt::format("the unit cell is {} bytes long; it must be 48", record.size()));
     std::array<double, 6> cell;
     for (std::size_t k = 0; k < 6; ++k)
-      cell[k] = decoded<double>(record.data() + sizeof(double) * k, in_.order);
+      cell[k] = decode<double>(record.data() + sizeof(double) * k, in_.order);
     end_record(record.size());
     for (const std::size_t k : {1, 3, 4})
       if (!(std::abs(cell[k] - 90) <= 1e-4 || std::abs(cell[k]) <= 1e-6))
@@ -164,7 +164,7 @@ void put_head(BinaryOutput& out, const FrameView& frame) {
 }
 
 // The head tells the number of frames, and with the second frame the interval.
-void mend_head(std::iostream& file, const FrameView& frame, std::uint64_t before) {
+void fix_head(std::iostream& file, const FrameView& frame, std::uint64_t before) {
   const auto end = file.tellp();
   BinaryOutput count(std::endian::little);
   count.put(static_cast<std::int32_t>(before + 1));
@@ -213,7 +213,7 @@ void append_dcd(std::iostream& file, const FrameView& frame, std::uint64_t befor
     out.put(length);
   }
   out.write(file);
-  mend_head(file, frame, before);
+  fix_head(file, frame, before);
 }
 
 }  // namespace polhode

@@ -15,7 +15,7 @@
 namespace polhode {
 
 struct Format {
-  std::string_view ending;
+  std::string_view extension;
   bool has_names;       ///< of atoms
   bool has_velocities;  ///< or can have them
 

@@ -28,13 +28,13 @@ FrameExtent extent_of(const Frame& frame) {
 }
 
 FrameExtent extent_of(const State& state, const Topology& topology, const FrameChoice& choice) {
-  double reach = 0;
+  double extent = 0;
   for (const auto& part : topology.parts)
-    for (const Site& site : part.molecule.sites) reach = std::max(reach, norm(site.r));
+    for (const Site& site : part.molecule.sites) extent = std::max(extent, norm(site.r));
   const double edge = longest_edge(state.box);
   return {.atoms = atom_count(topology, choice.massless),
-          .lowest = -reach,
-          .highest = edge + reach,
+          .lowest = -extent,
+          .highest = edge + extent,
           .edge = edge,
           .has_velocities = choice.velocities,
           .time = state.time,

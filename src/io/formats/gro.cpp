@@ -266,7 +266,7 @@ Frame parse_gro(std::string_view text, const std::string& file) {
 }
 
 Frame read_gro(const std::string& path) {
-  std::ifstream in = opened(path);
+  std::ifstream in = open_text_file(path);
   return first_frame(in, path);
 }
 

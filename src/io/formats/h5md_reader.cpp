@@ -214,10 +214,10 @@ class H5mdReader : public FrameReader {
     if (H5Tget_class(type) != H5T_STRING) return {};
     const auto count =
         static_cast<std::size_t>(std::max<hssize_t>(0, H5Sget_simple_extent_npoints(space)));
-    if (count == 0 || count > hdf5::most_texts) return {};
+    if (count == 0 || count > hdf5::max_texts) return {};
     if (H5Tis_variable_str(type) > 0) return hdf5::variable_texts(attribute, type, count);
     const std::size_t width = H5Tget_size(type);
-    if (width > hdf5::longest_text) return {};
+    if (width > hdf5::max_text_length) return {};
     std::string letters(width * count, '\0');
     if (H5Aread(attribute, type, letters.data()) < 0) return {};
     std::vector<std::string> texts;

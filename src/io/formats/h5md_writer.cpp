@@ -68,7 +68,7 @@ class H5mdWriter : public FrameWriter {
     finish_frame();
   }
   FileMark mark() override {
-    checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+    check(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     sync_file(path_);
     for (; summed_ < frames_; ++summed_) {
       const auto sum = h5md::frame_checksum(series_, summed_, checksum_);
@@ -84,7 +84,7 @@ class H5mdWriter : public FrameWriter {
     throw RunError(fmt::format("'{}' could not be written to the end; is the disk full?", path_));
   }
   template <class Result>
-  Result checked(Result result) const {
+  Result check(Result result) const {
     if (result < 0) refuse();
     return result;
   }
@@ -92,7 +92,7 @@ class H5mdWriter : public FrameWriter {
     for (auto& [name, series] : series_) series.values.abandon();
     file_.abandon();
   }
-  Handle made(hid_t id, herr_t (*close)(hid_t)) const { return {checked(id), close}; }
+  Handle make_handle(hid_t id, herr_t (*close)(hid_t)) const { return {check(id), close}; }
 
   void create() {
     const Handle access = access_properties();
@@ -104,15 +104,15 @@ class H5mdWriter : public FrameWriter {
 
   // Readers of a file that grows need its latest form.
   Handle access_properties() const {
-    Handle access = made(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-    checked(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
+    Handle access = make_handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+    check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
     return access;
   }
 
   // Properties of things that do not keep when they were made: equal runs write equal bytes.
   Handle timeless(hid_t kind) const {
-    Handle properties = made(H5Pcreate(kind), H5Pclose);
-    checked(H5Pset_obj_track_times(properties, false));
+    Handle properties = make_handle(H5Pcreate(kind), H5Pclose);
+    check(H5Pset_obj_track_times(properties, false));
     return properties;
   }
 
@@ -123,20 +123,20 @@ class H5mdWriter : public FrameWriter {
     Draft copy(path_, Draft::Name::unique);  // the library looks for what a name means
     const char* const part = copy.path().c_str();
     try {
-      opened();  // or an error that tells what is missing
+      open_to_resume();  // or an error that tells what is missing
       // The library (1.10) crashes where a file that it closes does not fit on the disk.
       const bool copied = done_in_own_process([&] {
-        Handle file =
-            made(H5Fcreate(part, H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access_properties()),
-                 H5Fclose);
-        copy_all(opened(), file);
-        checked(file.close());
+        Handle file = make_handle(
+            H5Fcreate(part, H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access_properties()),
+            H5Fclose);
+        copy_all(open_to_resume(), file);
+        check(file.close());
       });
       if (!copied) refuse();
-      file_ = made(H5Fopen(part, H5F_ACC_RDWR, access_properties()), H5Fclose);
+      file_ = make_handle(H5Fopen(part, H5F_ACC_RDWR, access_properties()), H5Fclose);
       take_all_series(frames);
       start();
-      checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+      check(H5Fflush(file_, H5F_SCOPE_GLOBAL));
       copy.finish();
     } catch (...) {
       if (broken_) abandon();  // a constructor that throws has no destructor
@@ -155,7 +155,7 @@ class H5mdWriter : public FrameWriter {
     frames_ = frames;
   }
 
-  Handle opened() const {
+  Handle open_to_resume() const {
     Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, hdf5::reading_access()),
                 H5Fclose);
     if (!file.is_open())
@@ -166,13 +166,13 @@ class H5mdWriter : public FrameWriter {
 
   // In one go, so that what has several names stays one thing.
   void copy_all(hid_t from, hid_t to) const {
-    checked(H5Ocopy(from, "/", to, "all", H5P_DEFAULT, H5P_DEFAULT));
+    check(H5Ocopy(from, "/", to, "all", H5P_DEFAULT, H5P_DEFAULT));
     {
       const Handle all = hdf5::group(to, "all");
       for (const std::string& name : links(all))
-        checked(H5Lmove(all, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+        check(H5Lmove(all, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
     }
-    checked(H5Ldelete(to, "all", H5P_DEFAULT));
+    check(H5Ldelete(to, "all", H5P_DEFAULT));
   }
 
   void cut(const std::string& name, const Series& series, std::uint64_t frames) const {
@@ -183,29 +183,31 @@ class H5mdWriter : public FrameWriter {
                       "must be the same file: bring it back or start anew",
                       path_, extents.empty() ? 0 : extents[0], name, frames));
     extents[0] = frames;
-    checked(H5Dset_extent(series.values, extents.data()));
+    check(H5Dset_extent(series.values, extents.data()));
   }
 
   void attribute(hid_t of, const char* name, const std::string& text) const {
-    const Handle type = made(H5Tcopy(H5T_C_S1), H5Tclose);
-    checked(H5Tset_size(type, H5T_VARIABLE));
-    checked(H5Tset_cset(type, H5T_CSET_UTF8));
-    const Handle space = made(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle a = made(H5Acreate2(of, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    const Handle type = make_handle(H5Tcopy(H5T_C_S1), H5Tclose);
+    check(H5Tset_size(type, H5T_VARIABLE));
+    check(H5Tset_cset(type, H5T_CSET_UTF8));
+    const Handle space = make_handle(H5Screate(H5S_SCALAR), H5Sclose);
+    const Handle a =
+        make_handle(H5Acreate2(of, name, type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const char* value = text.c_str();
-    checked(H5Awrite(a, type, &value));
+    check(H5Awrite(a, type, &value));
   }
   void attribute(hid_t of, const char* name, const std::vector<int>& numbers) const {
     const hsize_t size = numbers.size();
-    const Handle space = numbers.size() == 1 ? made(H5Screate(H5S_SCALAR), H5Sclose)
-                                             : made(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle space = numbers.size() == 1
+                             ? make_handle(H5Screate(H5S_SCALAR), H5Sclose)
+                             : make_handle(H5Screate_simple(1, &size, nullptr), H5Sclose);
     const Handle a =
-        made(H5Acreate2(of, name, H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    checked(H5Awrite(a, H5T_NATIVE_INT, numbers.data()));
+        make_handle(H5Acreate2(of, name, H5T_STD_I32LE, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    check(H5Awrite(a, H5T_NATIVE_INT, numbers.data()));
   }
   Handle new_group(const std::string& name) const {
     make_parents(name);
-    return made(
+    return make_handle(
         H5Gcreate2(file_, name.c_str(), H5P_DEFAULT, timeless(H5P_GROUP_CREATE), H5P_DEFAULT),
         H5Gclose);
   }
@@ -216,40 +218,40 @@ class H5mdWriter : public FrameWriter {
   }
   Handle new_constants(const std::string& name, hid_t type, hsize_t size) const {
     make_parents(name);
-    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
-    return made(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
-                           timeless(H5P_DATASET_CREATE), H5P_DEFAULT),
-                H5Dclose);
+    const Handle space = make_handle(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    return make_handle(H5Dcreate2(file_, name.c_str(), type, space, H5P_DEFAULT,
+                                  timeless(H5P_DATASET_CREATE), H5P_DEFAULT),
+                       H5Dclose);
   }
 
   void begin_series(const std::string& name, hid_t type, std::vector<hsize_t> row,
                     const std::string& unit) {
     hsize_t bytes = H5Tget_size(type);
     for (const hsize_t extent : row) bytes *= std::max<hsize_t>(extent, 1);
-    std::vector<hsize_t> extents{0}, most{H5S_UNLIMITED};
+    std::vector<hsize_t> extents{0}, max_extents{H5S_UNLIMITED};
     std::vector<hsize_t> chunk{
         bytes < small_row ? std::max<hsize_t>(1, small_row / std::max<hsize_t>(1, bytes)) : 1};
     for (const hsize_t extent : row) {
       extents.push_back(extent);
-      most.push_back(extent);
+      max_extents.push_back(extent);
       chunk.push_back(std::max<hsize_t>(extent, 1));
     }
-    const Handle space = made(
-        H5Screate_simple(static_cast<int>(extents.size()), extents.data(), most.data()), H5Sclose);
+    const Handle space = make_handle(
+        H5Screate_simple(static_cast<int>(extents.size()), extents.data(), max_extents.data()),
+        H5Sclose);
     const Handle properties = timeless(H5P_DATASET_CREATE);
-    checked(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()));
+    check(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()));
     const bool has_group = value_path(name) != name;
     if (has_group) {
       const Handle group = new_group(name);
       for (const char* shared : {step, time})
-        checked(
-            H5Lcreate_hard(file_, shared, group,
-                           std::string(shared).substr(std::string(shared).rfind('/') + 1).c_str(),
-                           H5P_DEFAULT, H5P_DEFAULT));
+        check(H5Lcreate_hard(file_, shared, group,
+                             std::string(shared).substr(std::string(shared).rfind('/') + 1).c_str(),
+                             H5P_DEFAULT, H5P_DEFAULT));
     }
-    Series series{made(H5Dcreate2(file_, value_path(name).c_str(), type, space, H5P_DEFAULT,
-                                  properties, H5P_DEFAULT),
-                       H5Dclose),
+    Series series{make_handle(H5Dcreate2(file_, value_path(name).c_str(), type, space, H5P_DEFAULT,
+                                         properties, H5P_DEFAULT),
+                              H5Dclose),
                   std::move(row)};
     if (!unit.empty()) attribute(series.values, "unit", unit);
     series_.emplace(name, std::move(series));
@@ -259,7 +261,7 @@ class H5mdWriter : public FrameWriter {
   void constants(const std::string& name, hid_t file_type, hid_t type, const std::vector<T>& values,
                  const char* unit = nullptr) {
     const Handle set = new_constants(name, file_type, values.size());
-    if (!values.empty()) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+    if (!values.empty()) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
     if (unit != nullptr) attribute(set, "unit", unit);
   }
   void constants(const std::string& name, const std::vector<std::string>& texts) {
@@ -268,11 +270,11 @@ class H5mdWriter : public FrameWriter {
     std::vector<char> letters(width * texts.size());
     for (std::size_t k = 0; k < texts.size(); ++k)
       std::ranges::copy(texts[k], letters.begin() + static_cast<std::ptrdiff_t>(k * width));
-    const Handle type = made(H5Tcopy(H5T_C_S1), H5Tclose);
-    checked(H5Tset_size(type, width));
-    checked(H5Tset_strpad(type, H5T_STR_NULLPAD));
+    const Handle type = make_handle(H5Tcopy(H5T_C_S1), H5Tclose);
+    check(H5Tset_size(type, width));
+    check(H5Tset_strpad(type, H5T_STR_NULLPAD));
     const Handle set = new_constants(name, type, texts.size());
-    if (!texts.empty()) checked(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()));
+    if (!texts.empty()) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()));
   }
 
   // What stays the same, and the places of what follows: none can be added while others read.
@@ -297,8 +299,8 @@ class H5mdWriter : public FrameWriter {
     if (state != nullptr) {
       describe_sites();
       new_group("particles/bodies");
-      checked(H5Lcreate_hard(file_, "particles/all/box", file_, "particles/bodies/box", H5P_DEFAULT,
-                             H5P_DEFAULT));
+      check(H5Lcreate_hard(file_, "particles/all/box", file_, "particles/bodies/box", H5P_DEFAULT,
+                           H5P_DEFAULT));
       const hsize_t n = state->size();
       begin_series("particles/bodies/position", H5T_IEEE_F64LE, {n, 3}, "nm");
       begin_series("particles/bodies/attitude", H5T_IEEE_F64LE, {n, 4}, "");
@@ -312,14 +314,14 @@ class H5mdWriter : public FrameWriter {
   }
 
   void periodic(hid_t box) const {
-    const Handle type = made(H5Tcopy(H5T_C_S1), H5Tclose);
-    checked(H5Tset_size(type, H5T_VARIABLE));
+    const Handle type = make_handle(H5Tcopy(H5T_C_S1), H5Tclose);
+    check(H5Tset_size(type, H5T_VARIABLE));
     const hsize_t size = 3;
-    const Handle space = made(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    const Handle space = make_handle(H5Screate_simple(1, &size, nullptr), H5Sclose);
     const Handle a =
-        made(H5Acreate2(box, "boundary", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+        make_handle(H5Acreate2(box, "boundary", type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
     const std::array<const char*, 3> text = {"periodic", "periodic", "periodic"};
-    checked(H5Awrite(a, type, text.data()));
+    check(H5Awrite(a, type, text.data()));
   }
 
   void name_sites(const FrameView& frame) {
@@ -346,7 +348,7 @@ class H5mdWriter : public FrameWriter {
     for (const auto& [molecule, count] : topology_.parts)
       for (std::size_t copy = 0; copy < count; ++copy)
         for (const Site& site : molecule.sites) {
-          if (site.mass == 0 && choice_.massless == MasslessSites::left_out) continue;
+          if (site.mass == 0 && choice_.massless == MasslessSites::omit) continue;
           mass.push_back(site.mass);
           charge.push_back(site.charge);
         }
@@ -355,7 +357,7 @@ class H5mdWriter : public FrameWriter {
   }
 
   void start() {
-    checked(H5Fstart_swmr_write(file_));
+    check(H5Fstart_swmr_write(file_));
     started_ = true;
   }
 
@@ -365,11 +367,11 @@ class H5mdWriter : public FrameWriter {
       extents.push_back(extent);
       count.push_back(extent);
     }
-    checked(H5Dset_extent(series.values, extents.data()));
+    check(H5Dset_extent(series.values, extents.data()));
     const Handle file_space = h5md::row_space(series, frames_);
-    const Handle space =
-        made(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
-    checked(H5Dwrite(series.values, type, space, file_space, H5P_DEFAULT, values));
+    const Handle space = make_handle(
+        H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose);
+    check(H5Dwrite(series.values, type, space, file_space, H5P_DEFAULT, values));
   }
 
   void put(const char* name, const std::vector<double>& values) {
@@ -418,7 +420,7 @@ class H5mdWriter : public FrameWriter {
   }
 
   void finish_frame() {
-    checked(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+    check(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     ++frames_;
   }
 

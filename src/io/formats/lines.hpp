@@ -13,8 +13,8 @@
 #include <string_view>
 #include <utility>
 
+#include "../split_words.hpp"
 #include "../text_file.hpp"
-#include "../words.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {

@@ -28,7 +28,7 @@ constexpr std::array<std::int32_t, 73> ranges = {
 constexpr std::int32_t first_range = 9;
 constexpr auto last_range = static_cast<std::int32_t>(ranges.size()) - 1;
 constexpr std::uint32_t largest_joint = 0xffffff;  // above it coordinates are packed one by one
-constexpr std::size_t longest_run = 8;             // atoms that follow as differences
+constexpr std::size_t max_run_length = 8;          // atoms that follow as differences
 
 std::int32_t range_of(std::int32_t index) { return ranges[static_cast<std::size_t>(index)]; }
 
@@ -38,10 +38,10 @@ struct Layout {
   std::array<unsigned, 3> single_bits{};
   unsigned joint_bits = 0;  // 0: one by one
 
-  Layout(const IntegerVector& least, const IntegerVector& most) {
+  Layout(const IntegerVector& lower, const IntegerVector& upper) {
     Wide all = 1;
     for (std::size_t k = 0; k < 3; ++k) {
-      sizes[k] = static_cast<std::uint32_t>(std::int64_t{most[k]} - least[k] + 1);
+      sizes[k] = static_cast<std::uint32_t>(std::int64_t{upper[k]} - lower[k] + 1);
       single_bits[k] = static_cast<unsigned>(std::bit_width(sizes[k]));
       all *= sizes[k];
     }
@@ -64,7 +64,7 @@ class BitOutput {
     for (; bits > 8; bits -= 8, joint >>= 8) put(static_cast<std::uint32_t>(joint & 0xff), 8);
     put(static_cast<std::uint32_t>(joint), bits);
   }
-  std::vector<std::uint8_t> finished() {
+  std::vector<std::uint8_t> finish() {
     if (waiting_ > 0) put(0, 8 - waiting_);
     return std::move(bytes_);
   }
@@ -134,35 +134,35 @@ std::int64_t distance2(const IntegerVector& a, const IntegerVector& b) {
 
 // The first range that holds the smallest step from an atom to the next.
 std::int32_t first_small_range(const std::vector<IntegerVector>& atoms) {
-  std::int64_t least = std::numeric_limits<std::int32_t>::max();
+  std::int64_t lower = std::numeric_limits<std::int32_t>::max();
   for (std::size_t i = 1; i < atoms.size(); ++i) {
     std::int64_t step = 0;
     for (std::size_t k = 0; k < 3; ++k)
       step += std::abs(std::int64_t{atoms[i][k]} - atoms[i - 1][k]);
-    least = std::min(least, step);
+    lower = std::min(lower, step);
   }
   std::int32_t index = first_range;
-  while (index < last_range && range_of(index) < least) ++index;
+  while (index < last_range && range_of(index) < lower) ++index;
   return index;
 }
 
 }  // namespace
 
-PackedIntegers packed(std::vector<IntegerVector> atoms) {
+PackedIntegers pack_integers(std::vector<IntegerVector> atoms) {
   PackedIntegers result;
   if (atoms.empty()) return result;
-  result.least = result.most = atoms.front();
+  result.lower = result.upper = atoms.front();
   for (const IntegerVector& atom : atoms)
     for (std::size_t k = 0; k < 3; ++k) {
-      result.least[k] = std::min(result.least[k], atom[k]);
-      result.most[k] = std::max(result.most[k], atom[k]);
+      result.lower[k] = std::min(result.lower[k], atom[k]);
+      result.upper[k] = std::max(result.upper[k], atom[k]);
     }
-  const Layout layout(result.least, result.most);
+  const Layout layout(result.lower, result.upper);
   std::int32_t small = result.small_range = first_small_range(atoms);
   const std::int32_t largest = std::min(last_range, small + 8);
   const std::int32_t smallest = std::max(first_range, largest - 8);
   BitOutput bits;
-  std::size_t last_run = longest_run + 1;  // none
+  std::size_t last_run = max_run_length + 1;  // none
   IntegerVector previous{};
   for (std::size_t i = 0; i < atoms.size();) {
     const std::int32_t half = range_of(small) / 2;
@@ -175,17 +175,17 @@ PackedIntegers packed(std::vector<IntegerVector> atoms) {
 
     std::array<std::uint32_t, 3> full;
     for (std::size_t k = 0; k < 3; ++k)
-      full[k] = static_cast<std::uint32_t>(std::int64_t{atoms[i][k]} - result.least[k]);
+      full[k] = static_cast<std::uint32_t>(std::int64_t{atoms[i][k]} - result.lower[k]);
     if (layout.joint_bits > 0)
       bits.put(full, layout.sizes, layout.joint_bits);
     else
       for (std::size_t k = 0; k < 3; ++k) bits.put(full[k], layout.single_bits[k]);
     previous = atoms[i++];
 
-    std::array<std::array<std::uint32_t, 3>, longest_run> differences;
+    std::array<std::array<std::uint32_t, 3>, max_run_length> differences;
     std::size_t run = 0;
     const std::int64_t smaller = small > first_range ? range_of(small - 1) / 2 : 0;
-    while (near && run < longest_run) {
+    while (near && run < max_run_length) {
       if (change < 0 && distance2(atoms[i], previous) >= smaller * smaller) change = 0;
       for (std::size_t k = 0; k < 3; ++k)
         differences[run][k] = static_cast<std::uint32_t>(atoms[i][k] - previous[k] + half);
@@ -205,37 +205,37 @@ PackedIntegers packed(std::vector<IntegerVector> atoms) {
       bits.put(differences[k], {size, size, size}, static_cast<unsigned>(small));
     small += change;
   }
-  result.bits = bits.finished();
+  result.bits = bits.finish();
   return result;
 }
 
-std::vector<IntegerVector> unpacked(const IntegerVector& least, const IntegerVector& most,
-                                    std::int32_t small_range, std::span<const std::uint8_t> bytes,
-                                    std::size_t count) {
-  constexpr std::int64_t widest = std::numeric_limits<std::int32_t>::max();
+std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const IntegerVector& upper,
+                                           std::int32_t small_range,
+                                           std::span<const std::uint8_t> bytes, std::size_t count) {
+  constexpr std::int64_t max_width = std::numeric_limits<std::int32_t>::max();
   for (std::size_t k = 0; k < 3; ++k)
-    if (most[k] < least[k] || std::int64_t{most[k]} - least[k] >= widest)
+    if (upper[k] < lower[k] || std::int64_t{upper[k]} - lower[k] >= max_width)
       throw Error(
           fmt::format("packed coordinates reach from {} to {}; the second must not be less, "
                       "nor {} above",
-                      least[k], most[k], widest));
+                      lower[k], upper[k], max_width));
   const auto check_range = [](std::int32_t index) {
     if (index < first_range || index > last_range)
       throw Error(fmt::format("the range of small differences has index {}; it must be {} to {}",
                               index, first_range, last_range));
   };
   check_range(small_range);
-  const Layout layout(least, most);
+  const Layout layout(lower, upper);
   BitInput bits(bytes);
   std::vector<IntegerVector> atoms;
   std::size_t run = 0;
   std::int32_t small = small_range;
-  const auto shifted = [widest](const IntegerVector& base, const std::array<std::uint32_t, 3>& by,
-                                std::int64_t less) {
+  const auto shifted = [max_width](const IntegerVector& base,
+                                   const std::array<std::uint32_t, 3>& by, std::int64_t less) {
     IntegerVector sum;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int64_t number = base[k] + std::int64_t{by[k]} - less;
-      sum[k] = static_cast<std::int32_t>(std::clamp<std::int64_t>(number, -widest, widest));
+      sum[k] = static_cast<std::int32_t>(std::clamp<std::int64_t>(number, -max_width, max_width));
     }
     return sum;
   };
@@ -245,12 +245,12 @@ std::vector<IntegerVector> unpacked(const IntegerVector& least, const IntegerVec
       full = bits.take(layout.sizes, layout.joint_bits);
     else
       for (std::size_t k = 0; k < 3; ++k) full[k] = bits.take(layout.single_bits[k]);
-    IntegerVector previous = shifted(least, full, 0);
+    IntegerVector previous = shifted(lower, full, 0);
     int change = 0;
     if (bits.take(1) == 1) {
-      const std::uint32_t told = bits.take(5);
-      run = told / 3;
-      change = static_cast<int>(told % 3) - 1;
+      const std::uint32_t code = bits.take(5);
+      run = code / 3;
+      change = static_cast<int>(code % 3) - 1;
     }
     if (run + 1 > count - atoms.size())
       throw Error("a run of packed coordinates goes beyond the last atom; the file is damaged");

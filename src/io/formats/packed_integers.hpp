@@ -15,19 +15,19 @@ namespace polhode {
 using IntegerVector = std::array<std::int32_t, 3>;
 
 struct PackedIntegers {
-  IntegerVector least{}, most{};   ///< of each coordinate
+  IntegerVector lower{}, upper{};  ///< of each coordinate
   std::int32_t small_range = 0;    ///< of the first differences: an index into the table of ranges
   std::vector<std::uint8_t> bits;  ///< most significant first
 };
 
 /// Packs the coordinates of atoms.
-PackedIntegers packed(std::vector<IntegerVector> atoms);
+PackedIntegers pack_integers(std::vector<IntegerVector> atoms);
 
 /// Unpacks `count` atoms. They are appended as they are found: memory is at most 48 bytes for a
 /// byte of `bits`.
 /// @throws Error  without a place, where the bits end early or tell what cannot be
-std::vector<IntegerVector> unpacked(const IntegerVector& least, const IntegerVector& most,
-                                    std::int32_t small_range, std::span<const std::uint8_t> bits,
-                                    std::size_t count);
+std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const IntegerVector& upper,
+                                           std::int32_t small_range,
+                                           std::span<const std::uint8_t> bits, std::size_t count);
 
 }  // namespace polhode

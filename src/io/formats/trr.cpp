@@ -98,7 +98,7 @@ class TrrReader : public FrameReader {
     for (; !block.empty(); block = block.subspan(3 * sizeof(Real))) {
       Vec3<double> v;
       for (std::size_t k = 0; k < 3; ++k)
-        v[k] = static_cast<double>(decoded<Real>(block.data() + k * sizeof(Real), xdr));
+        v[k] = static_cast<double>(decode<Real>(block.data() + k * sizeof(Real), xdr));
       visit(finite(v, in_));
     }
   }

@@ -10,10 +10,10 @@
 
 namespace polhode::hdf5 {
 
-inline constexpr std::size_t most_texts = 3;       // of an attribute: one for each direction
-inline constexpr std::size_t longest_text = 1024;  // bytes
+inline constexpr std::size_t max_texts = 3;           // of an attribute: one for each direction
+inline constexpr std::size_t max_text_length = 1024;  // bytes
 
-/// An attribute's strings, of which there are `count`, `most_texts` at most; none if they
+/// An attribute's strings, of which there are `count`, `max_texts` at most; none if they
 /// cannot be read. A process of its own reads them: the library (1.10) trusts the lengths that a
 /// file tells of such strings, and a damaged file has it write beyond its memory or loop forever.
 std::vector<std::string> variable_texts(hid_t attribute, hid_t type, std::size_t count);

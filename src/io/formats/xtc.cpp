@@ -10,10 +10,10 @@ namespace polhode {
 namespace {
 
 constexpr std::int32_t magic = 1995;
-constexpr std::int32_t magic_of_large = 2023;     // the length of packed coordinates has 64 bits
-constexpr std::size_t most_of_small = 298261617;  // atoms whose packed length fits in 32 bits
-constexpr std::size_t unpacked_count = 9;         // up to it coordinates are plain numbers
-constexpr float precision = 1000;                 // [1/nm]
+constexpr std::int32_t magic_of_large = 2023;    // the length of packed coordinates has 64 bits
+constexpr std::size_t max_of_small = 298261617;  // atoms whose packed length fits in 32 bits
+constexpr std::size_t unpacked_count = 9;        // up to it coordinates are plain numbers
+constexpr float precision = 1000;                // [1/nm]
 
 class XtcReader : public FrameReader {
  public:
@@ -56,7 +56,7 @@ class XtcReader : public FrameReader {
     const auto per_nm = static_cast<double>(in_.take<float>("the precision"));
     if (!(per_nm > 0) || !std::isfinite(per_nm))
       in_.refuse(fmt::format("the precision is {} per nm; it must be above 0", per_nm));
-    const IntegerVector least = take_vector(), most = take_vector();
+    const IntegerVector lower = take_vector(), upper = take_vector();
     const auto small_range = in_.take<std::int32_t>("the range of differences");
     const std::int64_t bytes = large ? in_.take<std::int64_t>("the length of the positions")
                                      : in_.take<std::int32_t>("the length of the positions");
@@ -66,8 +66,8 @@ class XtcReader : public FrameReader {
     const auto length = static_cast<std::uint64_t>(bytes);
     const auto block = in_.block((length + 3) / 4 * 4, "the packed positions");
     try {
-      for (const IntegerVector& r :
-           unpacked(least, most, small_range, block.first(static_cast<std::size_t>(length)), count))
+      for (const IntegerVector& r : unpack_integers(
+               lower, upper, small_range, block.first(static_cast<std::size_t>(length)), count))
         frame.atoms.push_back(
             {.r = Vec3<double>{static_cast<double>(r[0]), static_cast<double>(r[1]),
                                static_cast<double>(r[2])} /
@@ -86,7 +86,7 @@ class XtcReader : public FrameReader {
   BinaryInput in_;
 };
 
-std::int32_t rounded(double r) {  // within `xtc_limits`
+std::int32_t to_integer(double r) {  // within `xtc_limits`
   return static_cast<std::int32_t>(std::nearbyint(r * static_cast<double>(precision)));
 }
 
@@ -98,7 +98,7 @@ std::unique_ptr<FrameReader> xtc_reader(std::istream& in, const std::string& fil
 
 void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t before) {
   BinaryOutput out(xdr);
-  const bool large = frame.atoms > most_of_small;
+  const bool large = frame.atoms > max_of_small;
   const auto count = static_cast<std::int32_t>(frame.atoms);
   out.put(large ? magic_of_large : magic);
   out.put(count);
@@ -114,12 +114,12 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
     std::vector<IntegerVector> atoms;
     atoms.reserve(frame.atoms);
     frame.each_atom([&](const Atom& atom) {
-      atoms.push_back({rounded(atom.r.x), rounded(atom.r.y), rounded(atom.r.z)});
+      atoms.push_back({to_integer(atom.r.x), to_integer(atom.r.y), to_integer(atom.r.z)});
     });
-    PackedIntegers coordinates = packed(std::move(atoms));
+    PackedIntegers coordinates = pack_integers(std::move(atoms));
     out.put(precision);
-    for (const std::int32_t x : coordinates.least) out.put(x);
-    for (const std::int32_t x : coordinates.most) out.put(x);
+    for (const std::int32_t x : coordinates.lower) out.put(x);
+    for (const std::int32_t x : coordinates.upper) out.put(x);
     out.put(coordinates.small_range);
     const std::size_t length = coordinates.bits.size();
     if (large)

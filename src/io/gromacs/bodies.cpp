@@ -13,7 +13,7 @@ namespace polhode {
 namespace {
 
 // More atoms than a rigid molecule has: the pair loops take 64 interacting sites.
-constexpr std::size_t most_atoms = 256;
+constexpr std::size_t max_atoms = 256;
 
 // The molecules of one type in the start, as far as it has an atom for each of the topology.
 class Copies {
@@ -74,15 +74,15 @@ class Shapes {
                       "or take another model",
                       molecule.name, molecule.obstacle),
           text_of(molecule.obstacle_place));
-    if (atoms > most_atoms)
+    if (atoms > max_atoms)
       throw Error(
           fmt::format("molecule type '{}' has {} atoms; a rigid molecule may have {} at most",
-                      molecule.name, atoms, most_atoms),
+                      molecule.name, atoms, max_atoms),
           text_of(molecule.place));
     if (atoms == 1) return {{Vec3<double>{}}, "one atom"};
     try {
-      const auto held = declared ? Held::by_bonds : Held::by_constraints;
-      return {placed(index, held_distances(gromacs_, molecule, held), atoms),
+      const auto rigidity = declared ? Rigidity::by_bonds : Rigidity::by_constraints;
+      return {place_atoms(index, constrained_distances(gromacs_, molecule, rigidity), atoms),
               declared ? "declared rigid, shape of bonds and angles" : by_what(molecule)};
     } catch (const Error& e) {
       if (!e.where().empty()) throw;
@@ -92,12 +92,13 @@ class Shapes {
   }
 
  private:
-  Shape placed(std::size_t index, const std::vector<Distance>& distances, std::size_t atoms) const {
-    PlacedPoints found = placed_points(atoms, distances);
+  Shape place_atoms(std::size_t index, const std::vector<Distance>& distances,
+                    std::size_t atoms) const {
+    PlacedPoints found = place_points(atoms, distances);
     if (found.dimension < 3 || start_ == nullptr) return std::move(found.points);
     // Distances do not tell a shape from its mirror image; the first molecule in the start does.
     const Shape there = Copies(gromacs_, index, *start_)(0);
-    Shape mirror = mirrored(found.points);
+    Shape mirror = mirror_image(found.points);
     return difference(mirror, there) < difference(found.points, there) ? std::move(mirror)
                                                                        : std::move(found.points);
   }
@@ -112,7 +113,7 @@ class Shapes {
           text_of(molecule.place));
     const Copies copies(gromacs_, index, *start_);
     Shape shape = mean_shape(copies.size(), [&](std::size_t k) { return copies(k); });
-    return {straightened(std::move(shape)), "declared rigid, mean shape in the start"};
+    return {straighten(std::move(shape)), "declared rigid, mean shape in the start"};
   }
 
   static std::string by_what(const GromacsMolecule& molecule) {
@@ -150,7 +151,7 @@ void check_names(const GromacsTopology& gromacs, const std::vector<std::string>&
       throw Error(
           fmt::format("'{}' is declared rigid and no molecule of the topology has that name; "
                       "there are: {}",
-                      name, listed(names)),
+                      name, join_names(names)),
           gromacs.file);
 }
 

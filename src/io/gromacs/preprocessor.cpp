@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "../field_line.hpp"
-#include "../words.hpp"
+#include "../split_words.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode::gromacs {
@@ -16,8 +16,8 @@ namespace {
 // files and characters read in all, of macros within macros, of conditions within conditions, and
 // of a line, in characters and in words that are looked at. Macros can make a short file long: what
 // they put into its lines is bounded in all, in words.
-constexpr std::size_t deepest_include = 32, most_includes = 10'000, most_characters = 1 << 25;
-constexpr std::size_t deepest_macro = 16, deepest_condition = 256, longest_line = 1 << 16;
+constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;
+constexpr std::size_t max_macro_depth = 16, max_condition_depth = 256, max_line_length = 1 << 16;
 constexpr std::size_t most_replaced = 1 << 22;
 
 }  // namespace
@@ -45,7 +45,7 @@ std::optional<Line> Preprocessor::next() {
     if (text.front() == '#') {
       directive(text.substr(1));
     } else if (!skipped()) {
-      std::string whole = expanded(text);
+      std::string whole = expand_macros(text);
       if (!whole.empty()) return Line{std::move(whole), place()};
     }
   }
@@ -84,11 +84,11 @@ void Preprocessor::directive(std::string_view line) {
   if (is_condition) {
     const std::string_view name = take_word(line);
     if (name.empty()) refuse(fmt::format("#{} names no macro; write its name behind it", word));
-    if (conditions_.size() >= deepest_condition)
+    if (conditions_.size() >= max_condition_depth)
       refuse(
           fmt::format("conditions lie {} deep in each other, which must be the deepest; end some "
                       "with #endif",
-                      deepest_condition));
+                      max_condition_depth));
     const bool taken = (macros_.find(name) != macros_.end()) == (word == "ifdef");
     conditions_.push_back({taken, !skipped(), false, place()});
     return;
@@ -130,23 +130,23 @@ void Preprocessor::directive(std::string_view line) {
 }
 
 void Preprocessor::include(std::string_view name) {
-  const auto quoted = [&](char open, char close) {
+  const auto take_quoted = [&](char open, char close) {
     return name.size() > 2 && name.front() == open && name.back() == close;
   };
-  if (!quoted('"', '"') && !quoted('<', '>'))
+  if (!take_quoted('"', '"') && !take_quoted('<', '>'))
     refuse(
         fmt::format("#include is followed by '{}' where a file name in quotes must stand", name));
   const std::string wanted(name.substr(1, name.size() - 2));
-  if (sources_.size() >= deepest_include)
+  if (sources_.size() >= max_include_depth)
     refuse(
         fmt::format("files include each other {} deep, which must be the deepest; does one include "
                     "itself?",
-                    deepest_include));
-  if (++includes_ > most_includes || characters_ > most_characters)
+                    max_include_depth));
+  if (++includes_ > max_includes || characters_ > max_characters)
     refuse(
         fmt::format("{} files were included, {} characters; at most {} files and {} characters "
                     "are read",
-                    includes_, characters_, most_includes, most_characters));
+                    includes_, characters_, max_includes, max_characters));
   auto loaded = loader_(wanted, *sources_.back().file);
   if (!loaded)
     refuse(
@@ -166,7 +166,7 @@ void Preprocessor::define(std::string_view definition) {
   macros_[name] = trimmed(definition);
 }
 
-std::string Preprocessor::expanded(std::string_view text) {
+std::string Preprocessor::expand_macros(std::string_view text) {
   std::string out;
   Expansion e{{}, out, 0};
   expand(text, e);
@@ -179,11 +179,11 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
     const auto macro = macros_.find(word);
     const bool plain = macro == macros_.end() ||
                        std::find(e.within.begin(), e.within.end(), word) != e.within.end();
-    if (++e.words > longest_line || e.out.size() + (plain ? word.size() : 0) > longest_line)
+    if (++e.words > max_line_length || e.out.size() + (plain ? word.size() : 0) > max_line_length)
       refuse(
           fmt::format("the line is longer than {} characters when macros are replaced; write it "
                       "shorter",
-                      longest_line));
+                      max_line_length));
     if (!e.within.empty() && ++replaced_ > most_replaced)
       refuse(
           fmt::format("macros have put {} words into the lines of this topology, which must be the "
@@ -194,10 +194,10 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
       e.out += word;
       continue;
     }
-    if (e.within.size() >= deepest_macro)
+    if (e.within.size() >= max_macro_depth)
       refuse(
           fmt::format("macro '{}' lies {} macros deep, which must be the deepest; write its value",
-                      word, deepest_macro));
+                      word, max_macro_depth));
     e.within.push_back(macro->first);
     expand(macro->second, e);
     e.within.pop_back();

@@ -52,7 +52,7 @@ class Preprocessor {
   void directive(std::string_view line);
   void include(std::string_view name);
   void define(std::string_view definition);
-  std::string expanded(std::string_view text);
+  std::string expand_macros(std::string_view text);
   void expand(std::string_view text, Expansion& expansion);
   void end_source();
   [[noreturn]] void refuse(const std::string& what) const;

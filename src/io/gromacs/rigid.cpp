@@ -82,7 +82,7 @@ class Distances {
 
 // The place of a virtual site from those that it is built on (GROMACS reference manual, "Virtual
 // interaction sites").
-Place built(const GromacsRelation& r, std::span<const Place> places) {
+Place build_virtual_site(const GromacsRelation& r, std::span<const Place> places) {
   const Place ri = places[r.atoms[1]], ij = places[r.atoms[2]] - ri;
   const auto& [a, b, c] = r.numbers;
   if (r.kind == Kind::virtual2) {
@@ -119,8 +119,8 @@ std::vector<std::size_t> real_atoms(const GromacsMolecule& molecule) {
   return indices;
 }
 
-std::vector<Distance> held_distances(const GromacsTopology& topology,
-                                     const GromacsMolecule& molecule, Held held) {
+std::vector<Distance> constrained_distances(const GromacsTopology& topology,
+                                            const GromacsMolecule& molecule, Rigidity rigidity) {
   Distances distances(molecule);
   const auto& tables = topology.equilibrium;
   for (const GromacsRelation& r : molecule.relations) {
@@ -138,12 +138,12 @@ std::vector<Distance> held_distances(const GromacsTopology& topology,
                            r.atoms[0] + 1, r.atoms[1] + 1),
                r.place);
       distances.add(r.atoms[0], r.atoms[1], *length, r);
-    } else if (r.kind == Kind::bond && held == Held::by_bonds && has_minimum(r)) {
+    } else if (r.kind == Kind::bond && rigidity == Rigidity::by_bonds && has_minimum(r)) {
       if (const auto length = first_number(topology, molecule, r, tables.bonds))
         distances.add(r.atoms[0], r.atoms[1], *length, r);
     }
   }
-  if (held == Held::by_constraints) return std::move(distances.list);
+  if (rigidity == Rigidity::by_constraints) return std::move(distances.list);
   for (const GromacsRelation& r : molecule.relations) {  // a bond, the angle, a bond: a triangle
     if (r.kind != Kind::angle || !has_minimum(r)) continue;
     const auto angle = first_number(topology, molecule, r, tables.angles);
@@ -180,7 +180,7 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
                          "built on atoms",
                          site.name, site.mass),
              site.place);
-    const Place r0 = built(r, places);
+    const Place r0 = build_virtual_site(r, places);
     if (!std::isfinite(norm2(r0)))
       refuse(
           fmt::format("virtual site {} has no place: the atoms that it is built on lie on a line "

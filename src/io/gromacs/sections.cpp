@@ -10,7 +10,7 @@
 #include <limits>
 
 #include "../field_line.hpp"
-#include "../words.hpp"
+#include "../split_words.hpp"
 #include "bonded_key.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
@@ -23,7 +23,7 @@ using gromacs::Line;
 using Kind = GromacsRelation::Kind;
 
 // More than any rigid body needs: a file cannot ask for memory without bound.
-constexpr std::size_t most_relations = 1'000'000, most_blocks = 64;
+constexpr std::size_t max_relations = 1'000'000, max_blocks = 64;
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 
 class Parser {
@@ -56,7 +56,7 @@ class Parser {
   void system(const FieldLine&) {}
   void block(const FieldLine&);
   void inside(const FieldLine& line) { current(line); }  // constant within a rigid body
-  void ignored(const FieldLine&) {}                      // of no meaning for rigid bodies
+  void ignore(const FieldLine&) {}                       // of no meaning for rigid bodies
   void obstacle(const FieldLine&);
   void between(const FieldLine& line);
 
@@ -100,10 +100,10 @@ const std::map<std::string, Parser::Reader, std::less<>>& Parser::readers() {
       {"cmap", &Parser::inside},
       {"angle_restraints", &Parser::inside},
       {"dihedral_restraints", &Parser::inside},
-      {"pairtypes", &Parser::ignored},
-      {"dihedraltypes", &Parser::ignored},
-      {"cmaptypes", &Parser::ignored},
-      {"implicit_genborn_params", &Parser::ignored},
+      {"pairtypes", &Parser::ignore},
+      {"dihedraltypes", &Parser::ignore},
+      {"cmaptypes", &Parser::ignore},
+      {"implicit_genborn_params", &Parser::ignore},
       {"virtual_sites1", &Parser::obstacle},
       {"virtual_sites4", &Parser::obstacle},
       {"dummies4", &Parser::obstacle},
@@ -302,11 +302,11 @@ void Parser::atom(const FieldLine& line) {
 void Parser::relation(const FieldLine& line, Kind kind, std::size_t atoms, std::size_t numbers) {
   GromacsMolecule& molecule = current(line);
   line.require(atoms, fmt::format("{} atoms, a function and its parameters", atoms));
-  if (++relations_ > most_relations)
+  if (++relations_ > max_relations)
     line.refuse(
         fmt::format("there are more than {} bonds, constraints and the like, more than rigid "
                     "molecules need; delete molecule types that are not there",
-                    most_relations));
+                    max_relations));
   GromacsRelation relation{.kind = kind, .place = line.place()};
   for (std::size_t k = 0; k < atoms; ++k)
     relation.atoms[k] = static_cast<std::uint32_t>(
@@ -342,11 +342,11 @@ void Parser::block(const FieldLine& line) {
     blocks.back().count += count;
     return;
   }
-  if (blocks.size() == most_blocks)
+  if (blocks.size() == max_blocks)
     line.refuse(
         fmt::format("[ molecules ] has more than {} blocks of different molecules; sort the "
                     "molecules, here and in the coordinates",
-                    most_blocks));
+                    max_blocks));
   blocks.push_back({known->second, count});
 }
 

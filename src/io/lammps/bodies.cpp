@@ -6,7 +6,7 @@
 #include <array>
 #include <numeric>
 
-#include "../words.hpp"
+#include "../split_words.hpp"
 #include "kinds.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/model/elements.hpp"
@@ -35,7 +35,7 @@ void check_forces(const LammpsData& data) {
     throw Error(
         fmt::format("the pair style is '{}', whose site M stands in no data file; write for "
                     "example molecules = [{{ model = \"tip4p\", count = {} }}] beside this "
-                    "start",
+                    "initial_configuration",
                     style, data.kinds.front().count),
         data.file);
   if (!style.empty() && !is_lennard_jones(style))
@@ -113,7 +113,7 @@ RigidTopology rigid_topology(const LammpsData& data) {
   RigidTopology result;
   std::vector<TypedSite> typed;
   for (const LammpsData::Kind& kind : data.kinds) {
-    const Shape shape = straightened(
+    const Shape shape = straighten(
         mean_shape(kind.count, [&](std::size_t copy) { return shape_of(data, kind, copy); }));
     std::vector<Site> sites;
     for (std::size_t k = 0; k < kind.sites.size(); ++k) {

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "../field_line.hpp"
+#include "../split_words.hpp"
 #include "../text_file.hpp"
-#include "../words.hpp"
 #include "kinds.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
@@ -52,7 +52,7 @@ class Parser {
   void pair_ij(const FieldLine&);
   void atom(const FieldLine&);
   void velocity(const FieldLine&);
-  void ignored(const FieldLine&) {}  // constant within rigid bodies
+  void ignore(const FieldLine&) {}  // constant within rigid bodies
 
   int type(const FieldLine&, std::size_t k) const;
   std::pair<double, double> lennard_jones(const FieldLine&, std::size_t k) const;
@@ -78,16 +78,16 @@ const std::map<std::string, Parser::Reader, std::less<>>& Parser::readers() {
       {"Velocities", &Parser::velocity},
       {"Pair Coeffs", &Parser::pair_coefficients},
       {"PairIJ Coeffs", &Parser::pair_ij},
-      {"Bond Coeffs", &Parser::ignored},
-      {"Angle Coeffs", &Parser::ignored},
-      {"Dihedral Coeffs", &Parser::ignored},
-      {"Improper Coeffs", &Parser::ignored},
-      {"BondBond Coeffs", &Parser::ignored},
-      {"BondAngle Coeffs", &Parser::ignored},
-      {"Bonds", &Parser::ignored},
-      {"Angles", &Parser::ignored},
-      {"Dihedrals", &Parser::ignored},
-      {"Impropers", &Parser::ignored},
+      {"Bond Coeffs", &Parser::ignore},
+      {"Angle Coeffs", &Parser::ignore},
+      {"Dihedral Coeffs", &Parser::ignore},
+      {"Improper Coeffs", &Parser::ignore},
+      {"BondBond Coeffs", &Parser::ignore},
+      {"BondAngle Coeffs", &Parser::ignore},
+      {"Bonds", &Parser::ignore},
+      {"Angles", &Parser::ignore},
+      {"Dihedrals", &Parser::ignore},
+      {"Impropers", &Parser::ignore},
   };
   return all;
 }
@@ -111,7 +111,7 @@ void Parser::begin(std::string_view name, std::string_view comment) {
     for (const auto& [section, reader] : readers()) names.push_back(section);
     here.refuse(fmt::format("there is no section '{}' here{}; those that are read are: {}",
                             name.substr(0, 40), did_you_mean(name.substr(0, 40), names),
-                            listed(names)));
+                            join_names(names)));
   }
   if (name == "Atoms" && !comment.empty() && comment != "full")
     here.refuse(
@@ -271,8 +271,8 @@ LammpsData Parser::result() {
   if (const auto title = next()) data_.title = title->first.empty() ? title->second : title->first;
   constexpr std::string_view units = "units = ";
   if (const auto at = data_.title.find(units); at != data_.title.npos) {
-    std::string_view told = std::string_view(data_.title).substr(at + units.size());
-    const std::string_view name = take_word(told);
+    std::string_view rest = std::string_view(data_.title).substr(at + units.size());
+    const std::string_view name = take_word(rest);
     if (name != "real")
       throw Error(fmt::format("the units are '{}'; they must be 'real': Å, fs, kcal/mol",
                               name.substr(0, 40)),

@@ -15,7 +15,7 @@ namespace {
 using DataAtom = LammpsData::Atom;
 using Kind = LammpsData::Kind;
 
-constexpr std::size_t most_kinds = 64;
+constexpr std::size_t max_kinds = 64;
 
 struct Body {
   std::span<const DataAtom> atoms;
@@ -72,12 +72,12 @@ void sort_into_kinds(LammpsData& data) {
                                    [&](const auto& other) { return alike(body, other, data.box); });
     bodies.push_back({body, static_cast<std::size_t>(same - first.begin())});
     if (same != first.end()) continue;
-    if (first.size() == most_kinds)
+    if (first.size() == max_kinds)
       throw Error(
           fmt::format("there are more than {} kinds of molecules, of other types, charges or "
                       "shapes: molecule {} is one more; bodies must be rigid, and there must "
                       "be fewer kinds",
-                      most_kinds, body.front().molecule),
+                      max_kinds, body.front().molecule),
           data.file);
     first.push_back(body);
   }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/checkpoint.hpp"
+#include "polhode/run/simulation/checkpoint.hpp"
 
 #include <cstring>
 #include <sstream>
 
-#include "fuzz.hpp"
+#include "../fuzz.hpp"
 
 namespace {
 
-const polhode::Maker maker{"1", "scalar"};
+const polhode::ProgramVersion program{"1", "scalar"};
 
 // Bytes as what a checkpoint holds, below its seal: the checksum refuses nearly all other changes.
 std::string sealed(std::string_view bytes) {
   std::ostringstream out;
-  polhode::CheckpointWriter writer(out, maker);
+  polhode::CheckpointWriter writer(out, program);
   std::uint64_t word;
   for (; bytes.size() >= sizeof word; bytes.remove_prefix(sizeof word)) {
     std::memcpy(&word, bytes.data(), sizeof word);
@@ -27,7 +27,7 @@ std::string sealed(std::string_view bytes) {
 void parse(std::string bytes) {
   const std::string file = "fuzz.bin";
   try {
-    polhode::parse_checkpoint(std::move(bytes), file, maker);
+    polhode::parse_checkpoint(std::move(bytes), file, program);
   } catch (const polhode::Error& e) {
     if (std::string_view(e.what()).find(file) == std::string_view::npos) throw;
   }

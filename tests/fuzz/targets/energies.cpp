@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "fuzz.hpp"
+#include "../fuzz.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/table_file.hpp"
 

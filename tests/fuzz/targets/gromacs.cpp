@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fuzz.hpp"
+#include "../fuzz.hpp"
 #include "polhode/io/topology_file.hpp"
 
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study_record.hpp"
+#include "polhode/run/study/study_record.hpp"
 
 #include <sstream>
 
-#include "fuzz.hpp"
+#include "../fuzz.hpp"
 
 void polhode::fuzz::read(std::string_view text) {
   std::istringstream in{std::string(text)};

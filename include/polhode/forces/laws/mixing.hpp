@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Lennard-Jones parameters of two sites: mixed from their own by a rule, or given explicitly.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace polhode {
+
+struct Topology;
+
+enum class MixingRule {
+  lorentz_berthelot,  ///< σ arithmetic, ε geometric mean
+  geometric,          ///< σ and ε geometric means
+};
+
+/// Explicit parameters for two sites, in place of the result of the mixing rule.
+struct PairOverride {
+  std::string first, second;  ///< "tip4p.OW": molecule and site, meaning all sites of that name; in
+                              ///< either order
+  double sigma = 0;           ///< Lennard-Jones diameter [nm]
+  double epsilon = 0;         ///< Lennard-Jones well depth [kJ/mol]; 0 for no interaction
+};
+
+struct Mixing {
+  MixingRule rule = MixingRule::lorentz_berthelot;
+  std::vector<PairOverride> pairs;
+};
+
+/// @throws Error  if an override names an unknown site or one without Lennard-Jones parameters of
+///                its own, occurs twice, or has a number out of its domain
+void check(const Mixing& mixing, const Topology& topology);
+
+/// "geometric mixing; tip4p.OW with argon.Ar: sigma 0.33 nm, epsilon 0.8 kJ/mol"; empty for the
+/// default.
+std::string description(const Mixing& mixing);
+
+}  // namespace polhode

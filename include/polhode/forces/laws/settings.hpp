@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// Force field settings. All molecules interact by site-site Lennard-Jones and Coulomb forces in a
+// periodic box; the settings choose the cutoff treatment and the precision of the pairs.
+#pragma once
+
+#include <optional>
+
+#include "polhode/forces/laws/mixing.hpp"
+#include "polhode/forces/mesh/mesh_settings.hpp"
+
+namespace polhode {
+
+/// Cutoff treatment. The switches are smooth: fourth-order schemes need a bounded third derivative
+/// of the energy.
+enum class Truncation {
+  molecule_switch,  ///< w(R) times all site pairs of two molecules, R between centres of mass
+  site_switch,      ///< w(r) times each site pair, r between the sites
+  site_shift,       ///< each site pair with its energy and force shifted to 0 at the cutoff
+                    ///< [toxvaerd2011]
+};
+
+/// Electrostatics.
+enum class Electrostatics {
+  coulomb,               ///< plain Coulomb law
+  reaction_field,        ///< with a dielectric continuum beyond the cutoff
+  pme,                   ///< smooth particle mesh: pairs within the cutoff, the long-range rest on
+                         ///< a mesh
+  damped_shifted_force,  ///< damped Coulomb law, shifted to 0 at the cutoff
+};
+
+/// Precision of the pairs. Positions, attitudes, momenta and all sums of forces, torques and
+/// energies are double in either case.
+enum class Precision {
+  double_precision,  ///< pairs in double
+  mixed,             ///< pairs in float: sites relative to centres, centres in fixed point
+};
+
+struct ForceSettings {
+  Truncation truncation = Truncation::molecule_switch;
+  double cutoff = 1.0;        ///< [nm]
+  double switch_from = 0.85;  ///< start of the switching range [nm]
+  int smoothness = 2;         ///< differentiability of the switch: C¹, C², C³
+  Electrostatics electrostatics = Electrostatics::coulomb;
+  double dielectric = 78.5;  ///< relative permittivity beyond the cutoff, for the reaction field;
+                             ///< may be infinite
+  double skin = 0.05;        ///< of the neighbour list [nm]
+  Precision precision = Precision::double_precision;
+  Mixing mixing{};  ///< Lennard-Jones parameters of unlike sites
+  /// For PME: rms error of the electrostatic forces relative to their rms.
+  double pme_accuracy = 1e-4;
+  double damping = 2;  ///< of the damped shifted force: α [1/nm]
+  /// For PME: the mesh; if not set, the cheapest one of that accuracy.
+  std::optional<MeshSettings> mesh{};
+  /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
+  /// density of sites.
+  bool dispersion_correction = false;
+};
+
+}  // namespace polhode

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// A polynomial in the square of the distance that is subtracted from 1/r inside a cutoff so that
+// the rest goes smoothly to zero there. It costs a kernel a few multiplications and no special
+// function.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace polhode {
+
+/// The value of a radial function and −1/r times its derivative.
+struct RadialValue {
+  double u;  ///< [1/nm]
+  double s;  ///< −u'/r [1/nm³]
+};
+
+/// A polynomial in y = 1 − r²/a² for r < a, and 1/r beyond. Subtracted from 1/r, it leaves a
+/// short-range u(r) that vanishes for r ≥ a.
+class SmoothPolynomial {
+ public:
+  static constexpr int max_degree = 25;  ///< highest power of y
+
+  /// @param cutoff  a [nm]
+  /// @param terms   coefficients of 1, y, y², … of a times the smooth part, at least two
+  SmoothPolynomial(double cutoff, const std::vector<double>& terms)
+      : a_(cutoff), degree_(static_cast<int>(terms.size()) - 1) {
+    std::copy(terms.begin(), terms.end(), u_.begin());
+    for (int k = 0; k < degree_; ++k) s_[k] = 2 * (k + 1) * u_[k + 1];
+  }
+
+  double cutoff() const { return a_; }
+  int degree() const { return degree_; }
+  /// Coefficient of y^k of a times the smooth part, k ≤ degree.
+  double coefficient(int k) const { return u_[k]; }
+  /// Coefficient of y^k of a³ times −smooth'/r, k < degree.
+  double slope_coefficient(int k) const { return s_[k]; }
+
+  RadialValue smooth(double r) const {
+    if (r >= a_) return {1 / r, 1 / (r * r * r)};
+    const double y = 1 - r * r / (a_ * a_);
+    double u = 0, s = 0;
+    for (int k = degree_; k >= 0; --k) u = u * y + u_[k];
+    for (int k = degree_; k-- > 0;) s = s * y + s_[k];
+    return {u / a_, s / (a_ * a_ * a_)};
+  }
+  RadialValue pair(double r) const {
+    if (r >= a_) return {0, 0};
+    const RadialValue far = smooth(r);
+    return {1 / r - far.u, 1 / (r * r * r) - far.s};
+  }
+  double smooth_at_zero() const { return smooth(0).u; }
+
+ private:
+  double a_;
+  int degree_;
+  std::array<double, max_degree + 1> u_{};
+  std::array<double, max_degree> s_{};
+};
+
+/// The Taylor coefficients of a/r in powers of y, up to y^last: (1/2)_k/k!.
+inline std::vector<double> inverse_distance_terms(int last) {
+  std::vector<double> u(static_cast<std::size_t>(last) + 1, 1.0);
+  for (std::size_t k = 1; k < u.size(); ++k)
+    u[k] = u[k - 1] * (static_cast<double>(k) - 0.5) / static_cast<double>(k);
+  return u;
+}
+
+}  // namespace polhode

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// Particle mesh for the smooth part of the electrostatics, in a time nearly linear in the number of
+// charges [essmann1995]: charges are spread over the grid, the potential is a product in reciprocal
+// space, and the forces are its exact gradient, so that the mesh conserves energy as any other
+// force does.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/forces/laws/ewald_split.hpp"
+#include "polhode/forces/mesh/mesh_loops.hpp"
+#include "polhode/forces/mesh/mesh_settings.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// Total energy and virial of the mesh; 0 if energies are not requested.
+struct MeshLoad {
+  double energy = 0;      ///< of the smooth part, summed over wave vectors [kJ/mol]
+  Mat3<double> virial{};  ///< as in Load: −dE/dε for a strain that moves the centres of bodies
+                          ///< [kJ/mol]
+};
+
+/// Corrections of the smooth part that do not depend on the positions of bodies: self-energy of
+/// each charge, exclusion of charges within the same body, and the uniform background that
+/// neutralises a net charge [kJ/mol].
+struct MeshConstant {
+  double self = 0, intramolecular = 0, background = 0;
+  Mat3<double> virial{};  ///< of the background
+  double energy() const { return self + intramolecular + background; }
+
+  MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box);
+};
+
+/// @tparam T  precision of the grid: double or float
+template <class T>
+class ParticleMesh {
+ public:
+  /// @throws Error  if an edge has fewer grid points than a spline needs, or an order or an
+  ///                exponent is out of its domain
+  ParticleMesh(const Topology& topology, const MeshSettings& settings, const Box& box,
+               Workers& workers = Workers::serial());
+  ~ParticleMesh();
+
+  /// Adds forces and torques to `sums`, one record per slot as in ChunkSums; computes the energy
+  /// and the virial if requested. Bitwise identical for any number of threads. Does not allocate.
+  MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
+
+  // Its three steps, in this order:
+  /// Spreads the charges onto the grid.
+  void spread(const Slots& slots, const SiteRecords<T>& records);
+  /// Replaces the charges on the grid by their potential; returns its energy, and the virial of a
+  /// strain that moves charges with the box.
+  MeshLoad convolve(bool energies);
+  /// Adds forces and torques to `sums`; returns Σ arm ⊗ force over all sites if requested.
+  Mat3<double> gather(const Slots& slots, const SiteRecords<T>& records, T* sums, bool arms);
+
+  /// Adds the derivatives of forces and torques along a displacement to `sums`.
+  /// @param displacements  of centres and sites, laid out as the records
+  /// @param charges_moved  whether charges moved since their potential was computed, which is then
+  ///                       computed again
+  void derivative(const Slots& slots, const SiteRecords<T>& records,
+                  const SiteRecords<T>& displacements, T* sums, bool charges_moved);
+
+  const MeshSettings& settings() const { return settings_; }
+
+ private:
+  struct Field;  // grid with the charges, later with their potential; and its transform
+  struct Part {
+    std::vector<double> charges;
+    double extent;                       // largest distance of a charge from its centre [nm]
+    std::vector<std::uint64_t> touched;  // for each plane of the centre: groups of planes its
+                                         // charges can touch
+  };
+  struct Axis {
+    std::vector<double> k, odd;  // wave number; odd: the same, but 0 where k and −k are the same
+                                 // wave
+  };
+  void make_influence();
+  void find_extents(const Slots& slots, const SiteRecords<T>& records);
+  // With displacements, spreads the derivative of the charges.
+  void spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
+                 const SiteRecords<T>* displacements);
+  void spread_to(Field& field, std::size_t slab, const Slots& slots, const SiteRecords<T>& records,
+                 const SiteRecords<T>* displacements);
+  MeshLoad convolve_on(Field& field, bool energies);
+  void convolve_row(Field& field, std::size_t y, T* waves, const T** rows, WaveSums* sums);
+  template <class Gather>
+  void each_charged_block(const Slots& slots, const Gather& gather);
+
+  Workers& workers_;
+  MeshSettings settings_;
+  Box box_;
+  std::vector<Part> parts_;
+  std::unique_ptr<Field> field_;
+  std::unique_ptr<Field> derivative_;  // of the field; allocated when it is first requested
+  bool has_potential_ = false;
+  std::array<Axis, 3> axes_;
+  // Along a row of waves, as in ConvolveJob.
+  Column<T> weight_, kx_, kx_squared_;
+  // One row for each |k_y| and |k_z|.
+  Column<T> influence_, slope_;
+  // Planes touched by the slots of a block, one bit per group of planes.
+  std::vector<std::uint64_t> extents_;
+  struct Slab {
+    std::uint64_t groups;
+    std::vector<std::ptrdiff_t> plane_at;
+    std::size_t first, end;  // planes
+  };
+  std::vector<Slab> slabs_;
+  struct Space {  // scratch space of a task
+    Column<T> waves;
+    std::vector<const T*> rows;
+    std::vector<WaveSums> sums;
+  };
+  std::vector<Space> spaces_;
+  std::vector<MeshLoad> loads_;     // of each y
+  std::vector<Mat3<double>> arms_;  // of each task
+};
+
+}  // namespace polhode

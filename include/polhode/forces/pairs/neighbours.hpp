@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// The neighbour list: all pairs of bodies, each with its periodic image, whose centres are closer
+// than the range of their interaction plus a skin. The list is valid until a centre has moved by
+// half the skin since the last build: until then, no two centres have approached each other by more
+// than the skin. Rotation does not matter, since it leaves the centre where it is.
+//
+// The partners of a body form its row, which fills whole packs. Each pair is listed once, in the
+// row of the body from which the other is ahead in the cyclic order of slots. A row whose last pack
+// would be partly empty hands the surplus pairs to the rows of those partners, if they come later,
+// so that nearly all lanes are used. Partners that are certain to stay inside the switching
+// distance while the list is valid come first in a row: their pairs need no truncation.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "polhode/base/instruction_set.hpp"
+#include "polhode/base/workers.hpp"
+#include "polhode/forces/laws/settings.hpp"
+#include "polhode/forces/pairs/cells.hpp"
+
+namespace polhode {
+
+/// A partner in the list: its slot and its periodic image, packed into one word. The image is a
+/// shift by −1, 0 or 1 box edges in each direction, two bits each.
+class Neighbour {
+ public:
+  using Image = Vec3<int>;
+  static constexpr std::uint32_t slot_bits = 26;
+  static constexpr std::uint32_t slot_mask = (1u << slot_bits) - 1;
+
+  Neighbour(std::uint32_t slot, const Image& image) : word_(slot | bits(image)) {}
+  explicit Neighbour(std::uint32_t word) : word_(word) {}
+  std::uint32_t word() const { return word_; }
+  std::uint32_t slot() const { return word_ & slot_mask; }
+  Image image() const { return {edges(0), edges(1), edges(2)}; }
+
+  /// The image given to padding lanes, too far away to interact. Along x, two bodies in the box are
+  /// less than one edge plus the skin apart; shifted by two edges they are more than one edge minus
+  /// the skin apart, which exceeds every range. This also holds in fixed point, which wraps around
+  /// after four edges.
+  static constexpr Image nowhere{-2, 0, 0};
+
+  /// The bits of an image; those of direction d are the two highest bits of word << 2 d.
+  static constexpr std::uint32_t bits(const Image& image) {
+    const auto two = [](int edges) { return static_cast<std::uint32_t>(edges) & 3u; };
+    return two(image.x) << 30 | two(image.y) << 28 | two(image.z) << 26;
+  }
+  static constexpr std::uint32_t highest_bits = 3u << 30;
+
+ private:
+  int edges(std::size_t d) const { return static_cast<std::int32_t>(word_ << 2 * d) >> 30; }
+  std::uint32_t word_;
+};
+
+/// Consecutive slots of one molecule type, starting at `first` and wrapping around cyclically.
+struct SlotWindow {
+  std::uint32_t first = 0, count = 0;
+};
+
+/// Some slots of one molecule type with their rows: the unit of work.
+struct ListChunk {
+  struct Row {
+    std::uint32_t begin, truncated, end;  ///< indices of entries; from `ending` on, pairs may need
+                                          ///< truncation
+  };
+  std::uint32_t part = 0, first = 0, end = 0;  ///< slots first ≤ s < end
+  std::vector<Row> rows;                       ///< [slot − first, partner part − part]
+  std::vector<std::uint32_t> entries;          ///< words of Neighbour
+  std::uint32_t max_row = 0;                   ///< entries in the longest row
+  std::vector<SlotWindow> windows;             ///< per part: the slots that occur in this chunk
+  const Row& row(std::size_t slot, std::size_t partner_part, std::size_t parts) const {
+    return rows[(slot - first) * (parts - part) + (partner_part - part)];
+  }
+};
+
+/// Ranges of the squared distance between the centres of two molecule types [nm²].
+struct PairRange {
+  double listed2;  ///< pairs within it are listed
+  double inside2;  ///< pairs within it stay inside the switching distance while the list is valid
+};
+
+class NeighbourList {
+ public:
+  /// @param topology  its sites determine the extent of each molecule type about its centre
+  /// @throws Error    if the box is too small for the cutoff plus the extent of the molecules, or
+  ///                  has more bodies than the list can address
+  NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box);
+
+  /// Rebuilds the list from the positions, with rows in packs of `width` pairs.
+  /// @throws RunError  if a position is not finite
+  void build(const State& state, std::size_t width, Workers& workers = Workers::serial());
+
+  const Box& box() const { return box_; }
+  const Slots& slots() const { return slots_; }
+  const std::vector<ListChunk>& chunks() const { return chunks_; }
+
+  /// Squared displacement since the last build up to which the list is valid [nm²].
+  double allowed2() const { return allowed2_; }
+  /// The pack width it was built for; 0 before the first build.
+  std::size_t width() const { return width_; }
+
+  std::size_t rebuilds() const { return rebuilds_; }
+  std::size_t lanes() const;                   ///< in all packs, padding included
+  double seconds() const { return seconds_; }  ///< wall-clock time spent in build()
+
+ private:
+  Box box_;
+  std::vector<PairRange> ranges_;  // [part a, part b]
+  double range_ = 0;               // largest listed distance [nm]
+  double allowed2_ = 0;
+  CellGrid grid_;
+  Slots slots_;
+  std::vector<ListChunk> chunks_;
+  std::size_t width_ = 0;
+  std::size_t rebuilds_ = 0;
+  double seconds_ = 0;
+};
+
+/// Fixed-point units per box edge, chosen so that images on both sides fit into 32 bits.
+inline constexpr std::int64_t fixed_point_edge = 1 << 30;
+
+/// Input of the search for partners.
+struct ListJob {
+  const CellGrid& grid;
+  const Slots& slots;
+  const std::vector<PairRange>& ranges;    ///< [part a, part b]
+  const std::vector<std::int32_t>* fixed;  ///< x, y, z of each slot, in fixed point
+  std::size_t width;                       ///< pairs per pack
+};
+
+POLHODE_DECLARE_LOOPS(
+    /// Fills the rows of a chunk.
+    void find_partners(const ListJob& job, ListChunk& chunk);)
+
+}  // namespace polhode

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Which scheme and step meet the user's requirement at the minimum cost: short runs of the user's
+// system show which steps are candidates, the clock shows what they cost, and independent runs
+// confirm the answer.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/run/adviser/criterion.hpp"
+#include "polhode/run/adviser/step_model.hpp"
+
+namespace polhode {
+
+struct AdviserSettings {
+  Criterion criterion;
+  std::vector<std::string> schemes;  ///< candidates: names, or stages as text
+  double seconds = 60;               ///< of wall-clock time that the whole may take, about
+};
+
+/// What is known of a scheme.
+struct Candidate {
+  std::string name;  ///< or its text
+  Scheme scheme;
+  std::vector<AdviserPoint> points;  ///< by growing step
+  std::optional<StepModel> model;    ///< of R, if that is what is asked for
+  double step = 0;                   ///< expected to keep the bound [ps]; 0: there is none
+  double seconds = 0;                ///< of wall-clock time for a simulated ps with that step
+  std::string obstacle;              ///< why there is no step
+
+  double ns_per_day() const { return seconds > 0 ? 86.4 / seconds : 0; }
+};
+
+struct Advice {
+  std::vector<Candidate> candidates;
+  std::optional<std::size_t> best;       ///< a confirmed one
+  std::optional<std::size_t> runner_up;  ///< the cheapest of the others, as expected
+  AdviserPoint confirmation;             ///< independent runs of the best one
+  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm
+  /// Runs that met the requirement with such a margin that a longer step was tried instead.
+  std::vector<std::pair<std::size_t, AdviserPoint>> surpassed;
+  bool stopped = false;
+};
+
+struct AdviserWatch {
+  std::function<void(double done, const std::string& what)> report;  ///< fraction of the work
+  std::function<bool()> stop;
+};
+
+/// The frequency of the fastest degrees of freedom [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
+/// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, each molecule's mean of its own: Einstein's
+/// frequency of a liquid, from the forces at one moment.
+double einstein_frequency(const System& system, Workers& workers = Workers::serial());
+
+/// Advice for a run like that of the run file, from its start after its equilibration: of its
+/// length, where the time allows, else of as much as it does. As many runs at once as there are
+/// workers. What is computed depends on the clock: it determines how long runs may be, and what
+/// schemes cost.
+Advice advise(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch = {},
+              Workers& workers = Workers::serial());
+
+}  // namespace polhode

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// What a user asks of a run, as a number with a bound: the energy's fluctuation R, its drift, or
+// how far the temperatures of translation and rotation are apart.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
+
+namespace polhode {
+
+/// What one run shows about its scheme and step.
+struct Outcome {
+  std::string failure;        ///< why it blew up; empty if it did not
+  double ratio = 0;           ///< R
+  double drift = 0;           ///< of the total energy per molecule [kJ/mol/ps]
+  Temperatures temperatures;  ///< means over the run
+  /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
+  /// they were not asked for.
+  std::optional<ByMotion<double>> configurational{};
+  /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without such motion.
+  std::array<double, 4> bias{};
+  double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
+};
+
+Outcome outcome(const System& system, const Trajectory& trajectory);
+
+enum class Quality {
+  ratio,            ///< R of a run [1]
+  drift,            ///< of the total energy per molecule, its size [kJ/mol/ps]
+  temperature_bias  ///< the largest |T_k/T − 1| of translation and rotation about each axis [1]
+};
+
+struct Criterion {
+  Quality quality = Quality::ratio;
+  double bound = 0;
+};
+
+/// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
+/// meet it. With a chance of 0.975 for each, fewer than 95 of 100 do so once in 20 times.
+inline constexpr double guarantee_probability = 0.975;
+
+/// What the quality stays below with guarantee_probability. For R it is that of a fresh run; a
+/// drift or a bias is a property of scheme and step that a single run is too noisy to show, so it
+/// is that of the mean over all runs that there could be. The bias is the largest of several, and
+/// each has its share of the chance to be wrong. Infinite if a run blew up.
+double upper_bound(Quality quality, const std::vector<Outcome>& runs);
+
+/// The least upper_bound() of R that runs over a part of their length leave to hope for over the
+/// whole: R grows with the length, and its scatter falls no faster than that of independent
+/// stretches, as the root of the length.
+/// @param part  of the length, above 0 and at most 1
+double optimistic_bound(const std::vector<Outcome>& runs, double part);
+
+/// Whether runs over a part of their length leave hope that the whole of it keeps the bound. Of a
+/// drift and a bias parts of runs say too little.
+bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
+
+/// Whether a run blew up, or the energies drift: as in a study, by a chance below
+/// `significance_level`.
+bool drifts(const std::vector<Outcome>& runs, double significance_level = significance);
+bool blew_up(const std::vector<Outcome>& runs);
+
+/// Runs of one scheme with one step, one from each initial configuration.
+struct AdviserPoint {
+  double step = 0;    ///< [ps]
+  double length = 0;  ///< of each run [ps]
+  std::vector<Outcome> runs;
+  double bound = 0;     ///< upper_bound() of the runs
+  bool usable = false;  ///< none blew up, and the energies do not drift
+
+  Estimate ratio() const;  ///< R, mean over the runs
+  Estimate drift() const;  ///< per molecule, mean over the runs [kJ/mol/ps]
+};
+
+/// One number of each run.
+template <class Member>
+std::vector<double> each(const std::vector<Outcome>& runs, const Member& member) {
+  std::vector<double> values;
+  for (const Outcome& run : runs) values.push_back(member(run));
+  return values;
+}
+
+}  // namespace polhode

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Analysis of a trajectory: its frames are read once, in batches, and passed to the requested
+// observables.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/io/frame_file.hpp"
+#include "polhode/measure/conditions.hpp"
+#include "polhode/measure/dielectric.hpp"
+#include "polhode/measure/displacement.hpp"
+#include "polhode/measure/radial_distribution.hpp"
+#include "polhode/measure/reorientation.hpp"
+#include "polhode/measure/velocity_correlation.hpp"
+
+namespace polhode {
+
+enum class Observable { rdf, msd, rotation, velocity, dielectric, density };
+
+struct AnalysisSettings {
+  /// Empty: all that the frames allow. If observables are requested explicitly, those that the
+  /// frames do not allow are an error.
+  std::set<Observable> what;
+  double from = 0;                 ///< earlier frames are skipped [ps]
+  std::optional<double> interval;  ///< between frames, overrides their times [ps]
+  double window = 10;              ///< largest lag of correlation functions [ps]
+  std::vector<SitePair> pairs;     ///< empty: `site_pairs`
+  std::optional<double> cutoff;    ///< cutoff of g(r); default 1 nm, at most half of the shortest
+                                   ///< edge
+  double bin = 0.002;              ///< of g(r) [nm]
+};
+
+/// The observables of the frames that were read; those not requested are empty.
+struct Analysis {
+  Topology topology;
+  std::size_t frames = 0;
+  double first = 0, last = 0;  ///< times [ps]
+  double interval = 0;         ///< between frames; 0 if no observable needed it [ps]
+  Box box;                     ///< of the first frame
+  bool has_velocities = false;
+  double deviation = 0;            ///< largest distance of atoms from the sites of the rigid models
+                                   ///< [nm]
+  bool stopped = false;            ///< before the end of the file
+  std::vector<std::string> notes;  ///< observables that were skipped, and warnings
+
+  std::optional<Conditions> conditions;  ///< computed in every analysis
+  bool density = false;                  ///< whether they were requested themselves
+  std::vector<SitePair> pairs;
+  std::optional<RadialDistribution> radial;
+  std::optional<Displacement> displacement;
+  std::optional<Reorientation> reorientation;
+  std::optional<VelocityCorrelation> velocity;
+  std::optional<TotalDipole> dipole;
+};
+
+struct AnalysisWatch {
+  std::function<void(std::size_t frames, double time)> each_batch = [](std::size_t, double) {};
+  std::function<bool()> stop = [] { return false; };
+};
+
+/// Reads all frames. Memory holds one batch of frames, one per thread, and the windows of the
+/// correlation functions. Bodies are fitted to several frames in parallel; observables are computed
+/// in parallel over bodies.
+/// @throws Error  if frames do not fit the topology, or do not allow what was requested
+Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
+                 const AnalysisWatch& watch = {}, Workers& workers = Workers::serial());
+
+/// The names of observables, as used in options.
+const std::vector<std::string>& observable_names();
+
+/// The observable with a given name.
+/// @throws Error  if there is none
+Observable observable(const std::string& name);
+
+}  // namespace polhode

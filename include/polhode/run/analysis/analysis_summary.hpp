@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// The numbers of an analysis: coefficients, times and peaks derived from its curves.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/run/analysis/analysis.hpp"
+
+namespace polhode {
+
+/// What the frames do not contain.
+struct SummarySettings {
+  std::optional<FitWindow> fit;       ///< of the diffusion coefficient; default: from a fifth of
+                                      ///< the lags on
+  std::optional<double> temperature;  ///< [K]; default: that of the velocities
+  std::optional<double> viscosity;    ///< [u/(nm ps)]; default: the published one, if there is one
+  std::optional<double> surroundings_permittivity;  ///< permittivity of the surroundings:
+                                                    ///< `tin_foil`, or that of the reaction field
+  std::string no_surroundings;                      ///< why there is none
+};
+
+struct AxisRelaxation {
+  std::string axis;
+  std::array<std::optional<RelaxationTimes>, 2> rank;  ///< P1, P2; empty if C has not decayed
+};
+
+/// Dynamics of the bodies of one part of the topology.
+struct PartSummary {
+  std::string molecule;
+  std::size_t count = 0;
+  std::optional<SeriesEstimate> diffusion;   ///< from displacements, in this box [nm²/ps]
+  std::optional<SeriesEstimate> green_kubo;  ///< from velocities, integrated over all lags [nm²/ps]
+  std::vector<AxisRelaxation> axes;
+};
+
+struct AnalysisSummary {
+  std::optional<double> temperature;  ///< [K]
+  FitWindow fit;                      ///< of the diffusion coefficient [ps]
+  std::optional<double> viscosity;    ///< [u/(nm ps)]
+  std::string viscosity_source;       ///< "--viscosity", or the publication; else why there is none
+  std::optional<double> finite_size_correction;  ///< Yeh-Hummer finite-size correction, to be added
+                                                 ///< to diffusion [nm²/ps]
+  std::vector<PartSummary> parts;
+  std::vector<std::optional<RadialDistribution::Peak>> peaks;  ///< one per pair; none: no peak
+  std::optional<TotalDipole::Result> dielectric;
+  std::vector<std::string> notes;  ///< those of the analysis, and what could not be computed
+};
+
+AnalysisSummary summary(Analysis& analysis, const SummarySettings& settings,
+                        Workers& workers = Workers::serial());
+
+}  // namespace polhode

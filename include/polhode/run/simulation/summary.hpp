@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// What a run reports at its end.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "polhode/run/simulation/rounding.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
+
+namespace polhode {
+
+struct RunSummary {
+  std::size_t molecules = 0;
+  std::size_t steps = 0;
+  double length = 0;                 ///< simulated [ps]
+  double sample = 0;                 ///< between energies [ps]
+  std::uint64_t samples = 0;         ///< of the energies
+  SeriesEstimate ratio;              ///< R; not finite if the potential energy is constant
+  double total_fluctuation = 0;      ///< [kJ/mol]
+  double potential_fluctuation = 0;  ///< [kJ/mol]
+  double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
+  bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
+  Drift drift;             ///< [kJ/mol/ps]
+  std::optional<ShadowSummary> shadow;                      ///< if it was asked for
+  ByMotion<std::optional<SeriesEstimate>> configurational;  ///< temperatures [K], if asked for
+  double potential = 0;                                     ///< mean per molecule [kJ/mol]
+  double total = 0;                                         ///< mean per molecule [kJ/mol]
+  SeriesEstimate pressure;                                  ///< mean [kJ/mol/nm³]
+  double momentum = 0;                                      ///< |Σ p| at the end [u nm/ps]
+  Temperatures temperatures;                                ///< means over the run [K]
+  DegreesOfFreedom degrees_of_freedom;
+  std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
+  std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if there are
+  std::size_t list_rebuilds = 0;
+  Timings timings;
+  double ns_per_day = 0;
+};
+
+/// @param noise  of the forces at the start; none in double precision
+RunSummary summary(const System& system, const TrajectorySettings& settings,
+                   const Trajectory& trajectory, const ForceNoise& noise = {});
+
+}  // namespace polhode

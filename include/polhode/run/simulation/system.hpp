@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Builds the system that a run file describes, ready for simulation.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/forces/force_field.hpp"
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+struct System {
+  Topology topology;
+  Bodies bodies;
+  State state;
+  ForceSettings forces;
+  double temperature;             ///< target temperature [K]
+  double fit_deviation = 0;       ///< of the initial configuration from the rigid models [nm]
+  double massless_deviation = 0;  ///< of its massless sites, whose positions are recomputed [nm]
+  bool new_velocities = true;     ///< the initial configuration had none, or it is a lattice
+  /// Velocity of the centre of mass in an initial configuration with velocities [nm/ps], and
+  /// its contribution to the temperature [K]; it is removed.
+  double removed_velocity = 0, removed_temperature = 0;
+  /// For each part of the topology that comes from a topology file: how its shape was determined.
+  std::vector<std::string> origins{};
+};
+
+/// The molecules of a run file; a count that is to be taken from the initial configuration is 0.
+/// @throws Error  if there is no such model
+Topology build_topology(const SystemSettings& settings);
+
+/// Molecules, initial configuration and momenta of a run file.
+/// @throws Error  with its place if anything does not fit: counts, box, cutoff, overlapping
+///                molecules
+System build_system(const Config& config);
+
+/// Draws new momenta at the system's temperature, with zero total momentum.
+void draw_momenta(System& system, std::uint64_t seed);
+
+/// Rescales the momenta of translations and of rotations separately to a temperature [K].
+void rescale(State& state, const Topology& topology, const Bodies& bodies, double temperature);
+
+}  // namespace polhode

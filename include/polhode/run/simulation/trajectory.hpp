@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// A trajectory: steps of a scheme, energies at intervals, a watch on what goes wrong.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/nested_scheme.hpp"
+#include "polhode/measure/energy_statistics.hpp"
+#include "polhode/run/simulation/system.hpp"
+
+namespace polhode {
+
+struct TrajectorySettings {
+  Scheme scheme;
+  double step = 0;                     ///< [ps]
+  double length = 0;                   ///< [ps]
+  double sample = 0;                   ///< between energies [ps]; at least one step
+  double lambda = 1e-4;                ///< of finite-difference gradients
+  double shadow_sample = 0;            ///< between error brackets [ps], at some samples; 0: none
+  std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
+  double configurational_sample = 0;   ///< as shadow_sample, of configurational temperatures [ps]
+  std::uint64_t seed = 0;              ///< of the signs that these take
+  double stretch = 0;                  ///< R is also found over stretches so long [ps]; 0: none
+
+  std::size_t steps() const;
+  std::size_t steps_per_sample() const;
+  /// How many samples of the energies there are to one that is taken every `interval` [ps].
+  std::size_t samples_per(double interval) const;
+
+  /// Whether the scheme has a shadow energy of order h² that can be measured.
+  bool has_shadow() const;
+  /// @throws Error  if a shadow energy is wanted of a scheme that has none
+  void check_shadow() const;
+};
+
+/// Seconds of wall-clock time by part.
+struct Timings {
+  double forces = 0;       ///< without the list; all of them
+  double list = 0;         ///< neighbour lists: checks and rebuilds
+  double motion = 0;       ///< drifts and kicks
+  double measurement = 0;  ///< energies, output
+  double near = 0;         ///< near forces of an inner scheme, without their list
+  double all() const { return forces + near + list + motion + measurement; }
+};
+
+/// Where a run stands between two steps: all that its rest depends on, to the last bit.
+struct RunState {
+  State state;
+  std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has started
+  std::size_t steps = 0;
+  double start = 0;                 ///< time of the state at step 0 [ps]
+  IntegratorMemory integrator;      ///< empty while equilibrating
+  ListMemory list, near_list;       ///< the second that of an inner scheme's near forces
+  TrajectoryStatistics statistics;  ///< so far
+  Timings timings;
+};
+
+/// What may be done along the way; all of it is optional.
+struct Watch {
+  /// Called at every sample with the number of steps done.
+  std::function<void(std::size_t steps, const State&, const Energies&)> sample;
+  /// Asked after every step; true ends the trajectory there, with a last sample.
+  std::function<bool()> stop;
+  /// Asked after every step: whether `checkpoint` is to be called. It is called in any case at the
+  /// start, where the watch stops the trajectory, and at the end.
+  std::function<bool()> due;
+  std::function<void(RunState)> checkpoint;
+  /// Called at samples that have error brackets.
+  std::function<void(const BracketSample&)> brackets;
+};
+
+struct Trajectory {
+  TrajectoryStatistics statistics;
+  std::size_t steps = 0;
+  std::uint64_t force_evaluations = 0;  ///< by the scheme
+  std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
+  std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme
+  std::uint64_t near_derivatives = 0;
+  std::uint64_t measurements = 0;  ///< force evaluations for energies alone
+  bool stopped = false;            ///< by the watch
+  std::string failure;             ///< why it blew up; empty if it did not
+  std::size_t list_rebuilds = 0;   ///< of the neighbour list, with those before the start
+  Timings timings;
+};
+
+/// Moves the system's state along. Total energy is sampled at synchronised steps. A trajectory that
+/// blows up ends there and says so, with the step and what to try, in `failure`: an energy is not
+/// finite, or the total energy has changed by more than the kinetic energy at the start. The
+/// trajectory is the same for any number of threads. A last sample between two intervals, at the
+/// end or where it was stopped, is none of those that a longer trajectory has.
+/// @param from  resumes from there, bit for bit as if it had never been suspended
+Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
+                          const Watch& watch = {}, Workers& workers = Workers::serial(),
+                          const RunState* from = nullptr);
+
+/// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
+/// the total momentum removed. The step is at most 1 fs, so that rough starts relax.
+/// Checkpoints are taken between two rescalings.
+/// @return  false if the watch stopped it
+/// @throws RunError  if it blows up
+bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {},
+                 Workers& workers = Workers::serial(), const RunState* from = nullptr);
+
+}  // namespace polhode

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Results of a study: the cost of each scheme at a given accuracy, the R at which one scheme
+// overtakes another, and the largest R at which each is free of drift.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/run/study/study.hpp"
+
+namespace polhode {
+
+/// The smallest cost at which one scheme keeps R at or below a given value.
+struct CostAtRatio {
+  double cost = 0;            ///< force evaluations per ps
+  double error = 0;           ///< of the cost, from the errors of R at the neighbouring points
+  double step = 0;            ///< [ps]
+  double evaluations = 0;     ///< force evaluations per step
+  double exponent = 0;        ///< local d log R / d log h
+  bool extrapolated = false;  ///< below the smallest R measured, using the scheme's order
+  bool at_max_step = false;   ///< the largest step without drift, whose R is below the given one
+};
+
+struct Guideline {
+  double ratio = 0;                               ///< R
+  std::vector<std::optional<CostAtRatio>> costs;  ///< per scheme; empty: not reachable without
+                                                  ///< drift
+  std::optional<std::size_t> best;                ///< the cheapest
+};
+
+/// The curve of one scheme: its points ordered by step.
+struct Curve {
+  std::string scheme;
+  std::vector<EfficiencyPoint> points;
+  std::size_t usable = 0;  ///< number of points before the first that drifts or blows up
+};
+
+/// The curves of a study, in the order in which its points name the schemes.
+std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
+
+/// The curve up to where a run blew up, ignoring drift: for comparing costs only.
+Curve regardless_of_drift(Curve curve);
+
+/// The cost at R, by interpolating log h over log R between neighbouring usable points; if even the
+/// largest usable step has a smaller R, the cost of that step.
+std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio);
+
+std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
+                                  const std::vector<double>& ratios);
+
+/// The R below which `finer` is cheaper than `coarser`, with its standard error, if the two curves
+/// cross within the measured range of both.
+std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser);
+
+}  // namespace polhode

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The study of the paper: accuracy against cost for each scheme over a range of steps, from
+// independent runs (vanzon2008, Fig. 1).
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/integrate/nested_scheme.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/measure/configurational_temperature.hpp"
+#include "polhode/measure/correlated_series.hpp"
+#include "polhode/run/simulation/rounding.hpp"
+#include "polhode/run/simulation/system.hpp"
+
+namespace polhode {
+
+/// Largest interval between energies [ps]: several per 10 fs, as fast librations would alias
+/// otherwise.
+inline constexpr double max_sample_interval = 0.0025;
+
+/// One run: a scheme with a step from one of the initial configurations.
+struct StudyRun {
+  std::string scheme;
+  double step = 0;         ///< [ps]
+  int start = 0;           ///< index of the initial configuration; the same ones are used for every
+                           ///< scheme
+  bool stable = true;      ///< false: it blew up, and the numbers below are meaningless
+  double ratio = 0;        ///< R
+  double drift = 0;        ///< [kJ/mol/ps]
+  double total = 0;        ///< rms fluctuation of the total energy [kJ/mol]
+  double potential = 0;    ///< rms fluctuation of the potential energy [kJ/mol]
+  double temperature = 0;  ///< mean over the run [K]
+  double rounding = 0;     ///< R due to rounding alone, estimated; 0 in double precision
+  /// Means over the run for each kind of motion; empty in old records without them.
+  std::optional<Temperatures> parts;
+  double near_weight = 0;  ///< time of the near forces relative to all forces; 0 without an inner
+                           ///< scheme
+  /// Configurational temperatures over the run [K], 0 for motions without forces; empty if they
+  /// were not requested.
+  std::optional<ByMotion<double>> configurational{};
+};
+
+/// A point of the figure: all runs of a scheme with one step.
+struct EfficiencyPoint {
+  std::string scheme;
+  double step = 0;  ///< [ps]
+  /// Force evaluations per ps; with an inner scheme, evaluations of all forces plus those of the
+  /// near forces times their weight.
+  double cost = 0;
+  double near_weight = 0;  ///< as in StudyRun, mean
+  int runs = 0;
+  bool stable = true;      ///< no run blew up
+  Estimate ratio;          ///< R with its standard error over the runs
+  Drift drift;             ///< of the series of runs, as defined in the paper
+  double temperature = 0;  ///< [K]
+  double rounding = 0;     ///< R due to rounding alone, mean; 0 in double precision
+  /// T of rotation about each principal axis minus that of translation, over the runs that have
+  /// them [K]; empty without such degrees of freedom.
+  std::array<std::optional<Estimate>, 3> excess;
+  /// Configurational minus kinetic temperature of each kind of motion, likewise [K].
+  ByMotion<std::optional<Estimate>> configurational_excess;
+  /// No run blew up, and the drift is not significant.
+  bool usable() const { return stable && drift.p_value >= significance; }
+  /// R is dominated by rounding.
+  bool at_rounding() const { return stable && ratio.value < rounding_margin * rounding; }
+};
+
+/// The (scheme, step) pairs that a study measures.
+struct StudyPoint {
+  std::string name;  ///< of the scheme, or its text, as in the run file
+  NestedScheme scheme;
+  double step;  ///< [ps]
+  /// Force evaluations per ps.
+  /// @param near_weight  cost of a near-force evaluation relative to a full one
+  double cost(double near_weight) const;
+};
+std::vector<StudyPoint> study_points(const StudySettings& settings);
+
+struct StudyProgress {
+  std::function<void(double done, const std::string& what)> report;  ///< called with the fraction
+                                                                     ///< of the work done
+  std::function<bool()> stop;
+};
+
+/// Seed of the random numbers of one initial configuration in a series, and of the runs from it:
+/// the run file's seed + 1 + index.
+std::uint64_t start_seed(const Config& config, std::size_t index);
+
+/// One initial configuration of a series: the system with its own momenta, drawn with its
+/// start_seed() and equilibrated for `length` [ps]. Not usable if `stop` interrupted it.
+System prepare_start(const System& base, const Config& config, std::size_t index, double length,
+                     const std::function<bool()>& stop);
+
+/// Performs the runs that are not in `known` yet, as many in parallel as there are workers, and
+/// reports each run when it ends. Each run uses one thread.
+void run_study(const Config& config, const std::vector<StudyRun>& known,
+               const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
+               Workers& workers = Workers::serial());
+
+/// The runs from the first `starts` initial configurations. Drifts are compared between points, and
+/// more runs detect smaller drifts, so a report uses the same initial configurations at every
+/// point, even if its record contains more.
+std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts);
+
+/// Points from runs, in the order of schemes and steps.
+std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
+                                               const std::vector<StudyRun>& runs);
+
+}  // namespace polhode

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Grid positions of the charged sites of a pack of bodies.
+#pragma once
+
+#include <array>
+
+#include "polhode/base/pack_grid.hpp"
+#include "polhode/forces/mesh/mesh_loops.hpp"
+#include "polhode/math/b_spline.hpp"
+
+namespace polhode::POLHODE_LOOPS {
+namespace {
+
+// Records of consecutive slots, transposed into packs.
+template <class T>
+class GridPositions {
+ public:
+  using Real = Pack<T>;
+
+  GridPositions(const Box& box, const std::array<std::size_t, 3>& points, std::size_t sites)
+      : box_(box), points_(points), numbers_(3 + 3 * sites) {}
+
+  void load(const SiteRecords<T>& records, std::size_t slot) {
+    for (std::size_t k = 0; k < numbers_; k += Real::width)
+      transpose<T>([&](std::size_t lane) { return Real::load(records.of(slot + lane) + k); },
+                   column_.data() + k);
+  }
+  Vec3<Real> centre() const { return {column_[0], column_[1], column_[2]}; }
+  Vec3<Real> arm(std::size_t site) const {
+    return {column_[3 + 3 * site], column_[4 + 3 * site], column_[5 + 3 * site]};
+  }
+  // From the records of displacements: the displacement of a site in grid spacings.
+  Vec3<Real> in_spacings(std::size_t site) const {
+    Vec3<Real> move = centre() + arm(site);
+    for (std::size_t d = 0; d < 3; ++d)
+      move[d] *= Real(static_cast<T>(static_cast<double>(points_[d]) / box_.edge[d]));
+    return move;
+  }
+  // Index of the grid point below a site along one edge; returns the distance beyond it.
+  Real place(std::size_t site, std::size_t d, std::int32_t* index) const {
+    return grid_position(column_[d], column_[3 + 3 * site + d],
+                         static_cast<std::int32_t>(points_[d]), box_.edge[d], index);
+  }
+
+ private:
+  const Box& box_;
+  const std::array<std::size_t, 3>& points_;
+  std::size_t numbers_;
+  std::array<Real, 3 + 3 * max_sites + Real::width> column_;
+};
+
+// Calls f with the order of the splines as a compile-time constant.
+template <class Function>
+void with_order(int order, const Function& f) {
+  switch (order) {
+    case 4:
+      return f.template operator()<4>();
+    case 5:
+      return f.template operator()<5>();
+    case 6:
+      return f.template operator()<6>();
+    case 7:
+      return f.template operator()<7>();
+    default:
+      return f.template operator()<8>();
+  }
+}
+
+}  // namespace
+}  // namespace polhode::POLHODE_LOOPS

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "mesh_influence.hpp"
+
+#include <cmath>
+
+namespace polhode {
+
+Influence::Influence(const MeshSettings& settings, const Box& box)
+    : split_(settings.cutoff, settings.exponent), volume_(box.volume()) {
+  // Aliases n + l points fall off as l^(2 − 2 order): the sum of those left out is below 1e-9.
+  constexpr int aliases = 30;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto points = static_cast<double>(settings.points[d]);
+    for (std::size_t n = 0; n < settings.points[d]; ++n) {
+      const double signed_n = static_cast<double>(n) - (2 * n > settings.points[d] ? points : 0);
+      Wave wave{2 * units::pi * signed_n / box.edge[d], {}, 0, 0};
+      const int next = signed_n > 0 ? -1 : 1;
+      for (int l = -aliases; l <= aliases; ++l) {
+        const double waves = signed_n + l * points, angle = units::pi * waves / points;
+        const double k = 2 * units::pi * waves / box.edge[d];
+        const double share = waves == 0 ? 1 : std::pow(std::sin(angle) / angle, 2 * settings.order);
+        if (l == 0) wave.near[0] = {k, share};
+        if (l == next) wave.near[1] = {k, share};
+        wave.all += share;
+        wave.all_k2 += share * k * k;
+      }
+      axes_[d].push_back(wave);
+    }
+  }
+}
+
+InfluenceValue Influence::operator()(const std::array<std::size_t, 3>& n) const {
+  const Wave &x = axes_[0][n[0]], &y = axes_[1][n[1]], &z = axes_[2][n[2]];
+  const double k2 = x.k * x.k + y.k * y.k + z.k * z.k;
+  if (k2 == 0) return {0, 0};
+  const double all = x.all * y.all * z.all;
+  const double all_k2 =
+      x.all_k2 * y.all * z.all + x.all * y.all_k2 * z.all + x.all * y.all * z.all_k2;
+  // Σ U² ρ and its slope; aliases with small shares do not affect the error.
+  const double min_share = 1e-3 * x.near[0].share * y.near[0].share * z.near[0].share;
+  TransformValue density{0, 0};
+  for (const Alias& a : x.near)
+    for (const Alias& b : y.near)
+      for (const Alias& c : z.near) {
+        const double share = a.share * b.share * c.share;
+        if (share < min_share) continue;
+        const TransformValue there = split_.transform(std::sqrt(a.k * a.k + b.k * b.k + c.k * c.k));
+        density.value += share * there.value;
+        density.slope += share * there.slope;
+      }
+  const double strength = units::coulomb * 4 * units::pi / (volume_ * all * all_k2);
+  return {strength * density.value, strength * (density.slope - 2 * density.value) / k2};
+}
+
+}  // namespace polhode

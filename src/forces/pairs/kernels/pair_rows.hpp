@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: MIT
+// The pair loops: one molecule with as many partners at once as a pack has lanes. The records of
+// the partners are transposed into packs; the forces on them are transposed back and added one by
+// one.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "polhode/base/pack_integers.hpp"
+#include "polhode/forces/pairs/molecule_pair.hpp"
+#include "polhode/forces/pairs/pair_loops.hpp"
+#include "polhode/math/dual.hpp"
+
+namespace polhode::POLHODE_LOOPS {
+namespace {
+
+// The difference of one coordinate of two centres [nm], from their records.
+inline Pack<double> coordinate_difference(Pack<double> partner, double own, double) {
+  return partner - Pack<double>(own);
+}
+inline Pack<float> coordinate_difference(Pack<float> partner, float own, float unit) {
+  std::int32_t bits;
+  std::memcpy(&bits, &own, sizeof bits);
+  return fixed_point_difference(partner, bits) * Pack<float>(unit);
+}
+
+// Coordinate d of the partners' centres, shifted to the periodic images given by the list entries.
+inline Pack<double> in_image(Pack<double> c, PackIndex<double> words, std::size_t d, double edge) {
+  return c + as_doubles((words << 2 * d) >> 30) * Pack<double>(edge);
+}
+inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d, double) {
+  static_assert(fixed_point_edge == 1 << 30);  // the two highest bits count edges
+  return fixed_point_sum(c, (words << 2 * d) & Neighbour::highest_bits);
+}
+
+// Works through the rows of a chunk pack by pack, as a software pipeline: while the pairs of one
+// pack are computed, the processor also transposes the records of the next pack's partners, on
+// which nothing depends yet, and adds up the results of the previous pack, which are complete.
+// These two stages mostly shuffle and move data, whereas the pairs mostly multiply, so they overlap
+// well. Each stage is a separate function: inlined into the pair loop, it would be compiled again
+// for each law and kind of result, at a large cost in compile time and no lasting gain in speed.
+//
+// If Number is a dual number, the records of displacements are read as well, and the derivatives of
+// forces and torques are added up.
+template <class Number, class Shape>
+class PairRows {
+ public:
+  using Real = Constant<Number>;
+  using T = typename Real::value_type;
+  static constexpr bool slopes = is_dual<Number>;
+
+  explicit PairRows(const PairJob<T>& job)
+      : job_(job),
+        shape_(job.table),
+        strengths_(job.table.template strengths<T>()),
+        own_(window(job.chunk.part)),
+        partner_(window(job.partner_part)),
+        numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width),
+        edge_(job.list.box().edge),
+        far_apart_(job.list.slots().size() > 8192 && job.list.slots().parts.size() == 1) {
+    for (std::size_t d = 0; d < 3; ++d)
+      unit_[d] = static_cast<T>(edge_[d] / static_cast<double>(fixed_point_edge));
+  }
+
+  // Dual numbers make functions longer than the compiler would inline by itself.
+  template <CutoffTreatment treatment>
+  [[gnu::flatten]] void run_with_slopes() {
+    run<treatment, false>();
+  }
+
+  template <CutoffTreatment treatment, bool energies>
+  void run() {
+    std::uint32_t slot = with_partners(job_.chunk.first);
+    if (slot == job_.chunk.end) return;
+    const std::uint32_t* const entries = job_.chunk.entries.data();
+    std::size_t pack = 0;  // counted from the start of the chunk
+    fetch(entries + row(slot).begin, pack);
+    while (slot < job_.chunk.end) {
+      const ListChunk::Row here = row(slot);
+      const std::uint32_t following = with_partners(slot + 1);
+      const std::uint32_t* const end = entries + here.end;
+      const std::uint32_t* const after =  // after the last pack, any partners will do
+          entries + (following < job_.chunk.end ? row(following).begin : here.begin);
+      RowSums sums;
+      const auto each_pack = [&]<CutoffTreatment how>(std::uint32_t from, std::uint32_t to)
+          __attribute__((always_inline)) {
+        for (const std::uint32_t* entry = entries + from; entry != entries + to; ++pack) {
+          entry += Real::width;
+          fetch(entry == end ? after : entry, pack + 1);
+          compute<how, energies>(slot, pack, sums);
+          add_up(pack - 1);
+        }
+      };
+      each_pack.template operator()<without_truncation(treatment)>(here.begin, here.truncated);
+      each_pack.template operator()<treatment>(here.truncated, here.end);
+      add_row<energies>(slot, sums);
+      slot = following;
+    }
+    add_up(pack - 1);
+    if constexpr (energies) {
+      job_.sums.lennard_jones += sum(lennard_jones_);
+      job_.sums.coulomb += sum(coulomb_);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) job_.sums.virial[i][k] += sum(virial_[i][k]);
+    }
+  }
+
+ private:
+  ListChunk::Row row(std::uint32_t slot) const {
+    return job_.chunk.row(slot, job_.partner_part, job_.list.slots().parts.size());
+  }
+  // The first slot with partners, starting at `slot`, or the end of the chunk.
+  std::uint32_t with_partners(std::uint32_t slot) const {
+    while (slot < job_.chunk.end && row(slot).begin == row(slot).end) ++slot;
+    return slot;
+  }
+
+  // What the stages of the pipeline leave in memory for a pack; two packs are under way at a time.
+  struct Stage {
+    static constexpr std::size_t numbers = (3 + 3 * Shape::max_b + Real::width) * Real::width;
+    alignas(pack_bytes) T partners[numbers];
+    alignas(pack_bytes) T displacements[slopes ? numbers : 1];
+    alignas(pack_bytes) T loads[6 * Real::width] = {};  // forces and torques on the partners
+    std::int32_t places[Real::width] = {};              // of their sums in the window
+  };
+  Stage& stage(std::size_t pack) { return stages_[pack % 4]; }
+
+  // Sums over the partners in a row, for the body the row belongs to.
+  struct RowSums {
+    Vec3<Real> f, tau;
+    Real lennard_jones, coulomb;
+    Mat3<Real> virial;
+  };
+
+  // Location of the sums for the slots of one molecule type.
+  struct Window {
+    T* sums;
+    std::int32_t first;  // the window's first slot
+    std::int32_t count;  // slots of the type
+    T* at(std::int32_t place) const { return sums + place * std::ptrdiff_t{ChunkSums<T>::stride}; }
+    T* of(std::uint32_t slot) const {
+      const std::int32_t k = static_cast<std::int32_t>(slot) - first;
+      return at(k < 0 ? k + count : k);
+    }
+  };
+  Window window(std::size_t part) const {
+    return {&job_.sums.values[job_.sums.first[part] * ChunkSums<T>::stride],
+            static_cast<std::int32_t>(job_.chunk.windows[part].first),
+            static_cast<std::int32_t>(job_.list.slots().parts[part].count)};
+  }
+
+  // Prefetches what the packs to come will most likely need.
+  void prefetch(const std::uint32_t* entry) const {
+    constexpr std::size_t packs_ahead = 4;
+    const std::uint32_t* const later = entry + packs_ahead * Real::width;
+    if (later + Real::width > job_.chunk.entries.data() + job_.chunk.entries.size()) return;
+    for (std::size_t lane = 0; lane < Real::width; ++lane) {
+      const std::uint32_t slot = Neighbour(later[lane]).slot();
+      __builtin_prefetch(job_.records.of(slot));
+      __builtin_prefetch(partner_.of(slot), 1);
+    }
+  }
+
+  [[gnu::noinline]] void fetch(const std::uint32_t* entry, std::size_t pack) {
+    if (far_apart_) prefetch(entry);
+    Stage& to = stage(pack);
+    const auto words = PackIndex<T>::load(entry);
+    ((words & Neighbour::slot_mask) - partner_.first).wrap(partner_.count).store(to.places);
+    turn(job_.records, entry, to.partners, [&](Real number, std::size_t k) {
+      return k < 3 ? in_image(number, words, k, edge_[k]) : number;
+    });
+    if constexpr (slopes)
+      turn(*job_.displacements, entry, to.displacements, [](Real number, auto) { return number; });
+  }
+
+  // Transposes the records of partners into packs, one for each of their numbers k, and
+  // stores as(pack, k).
+  template <class As>
+  [[gnu::always_inline]] void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
+                                   const As& as) const {
+    const T* record[Real::width];
+    for (std::size_t lane = 0; lane < Real::width; ++lane)
+      record[lane] = records.of(Neighbour(entry[lane]).slot());
+    for (std::size_t k = 0; k < numbers_; k += Real::width) {
+      Real column[Real::width];
+      transpose<T>(
+          [&](std::size_t lane)
+              __attribute__((always_inline)) { return Real::load(record[lane] + k); },
+          column);
+      for (std::size_t i = 0; i < Real::width; ++i)
+        as(column[i], k + i).store(to + (k + i) * Real::width);
+    }
+  }
+
+  template <CutoffTreatment treatment, bool energies>
+  [[gnu::always_inline]] void compute(std::uint32_t slot, std::size_t pack, RowSums& sums) {
+    Stage& at = stage(pack);
+    const T* const own_record = job_.records.of(slot);
+    [[maybe_unused]] const T* const own_displacement =
+        slopes ? job_.displacements->of(slot) : nullptr;
+    // Number k of the body's record, and of its partners' records.
+    const auto own = [&](std::size_t k) -> Number {
+      if constexpr (slopes)
+        return {Real(own_record[k]), Real(own_displacement[k])};
+      else
+        return Real(own_record[k]);
+    };
+    const auto partner = [&](std::size_t k) -> Number {
+      const Real number = Real::load(at.partners + k * Real::width);
+      if constexpr (slopes)
+        return {number, Real::load(at.displacements + k * Real::width)};
+      else
+        return number;
+    };
+    Vec3<Number> R;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const Real partners = Real::load(at.partners + d * Real::width);
+      const Real difference = coordinate_difference(partners, own_record[d], unit_[d]);
+      if constexpr (slopes)
+        R[d] = {difference, (partner(d) - own(d)).slope};
+      else
+        R[d] = difference;
+    }
+    const auto site_of = [](const auto& number, std::size_t k) {
+      return Vec3<Number>{number(3 + 3 * k), number(4 + 3 * k), number(5 + 3 * k)};
+    };
+    const PairLoad<Number> pair = molecule_pair<treatment, energies>(
+        shape_, strengths_, job_.laws, R, [&](std::size_t a) { return site_of(own, a); },
+        [&](std::size_t b) { return site_of(partner, b); });
+    sums.f -= value_or_slope(pair.f);
+    sums.tau += value_or_slope(pair.tau_a(R));
+    if constexpr (energies) {
+      sums.lennard_jones += pair.lennard_jones;
+      sums.coulomb += pair.coulomb;
+      for (std::size_t d = 0; d < 3; ++d) sums.virial[d] += R[d] * pair.f;
+    }
+    store(value_or_slope(pair.f), at.loads);
+    store(value_or_slope(pair.tau_b), at.loads + 3 * Real::width);
+  }
+  static Vec3<Real> value_or_slope(const Vec3<Real>& v) { return v; }
+  static Vec3<Real> value_or_slope(const Vec3<Dual<Real>>& v) { return slope(v); }
+
+  // Adds the forces and torques on the partners of a pack to their sums. Before the first pack
+  // these are zero, and it does not matter to which partner they are added.
+  [[gnu::noinline]] void add_up(std::size_t pack) {
+    const Stage& from = stage(pack);
+    std::array<Real, 6> load;
+    for (std::size_t k = 0; k < 6; ++k) load[k] = Real::load(from.loads + k * Real::width);
+    add_to_records(load, [&](std::size_t lane) { return partner_.at(from.places[lane]); });
+  }
+
+  template <bool energies>
+  [[gnu::always_inline]] void add_row(std::uint32_t slot, const RowSums& row) {
+    add_sums_to_record(std::array{row.f.x, row.f.y, row.f.z, row.tau.x, row.tau.y, row.tau.z},
+                       own_.of(slot));
+    if constexpr (energies) {
+      const auto add = [](Pack<double>& total, Real what) {
+        for (const Pack<double>& part : promote(what)) total += part;
+      };
+      add(lennard_jones_, row.lennard_jones);
+      add(coulomb_, row.coulomb);
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) add(virial_[i][k], row.virial[i][k]);
+    }
+  }
+
+  static void store(const Vec3<Real>& v, T* to) {
+    v.x.store(to), v.y.store(to + Real::width), v.z.store(to + 2 * Real::width);
+  }
+  const PairJob<T>& job_;
+  const Shape shape_;
+  const PairStrengths<T>& strengths_;
+  const Window own_, partner_;
+  const std::size_t numbers_;  // numbers of a partner's record, rounded up to whole packs
+  const Vec3<double> edge_;    // of the box [nm]
+  const bool far_apart_;       // records and sums exceed the second-level cache
+  Vec3<T> unit_;
+  Stage stages_[4];
+  Pack<double> lennard_jones_, coulomb_;
+  Mat3<Pack<double>> virial_;
+};
+
+template <class Number, class Shape, class T>
+void run(const PairJob<T>& job) {
+  PairRows<Number, Shape> rows(job);
+  const auto with = [&]<CutoffTreatment treatment>() {
+    if constexpr (is_dual<Number>)
+      rows.template run_with_slopes<treatment>();
+    else if (job.energies)
+      rows.template run<treatment, true>();
+    else
+      rows.template run<treatment, false>();
+  };
+  switch (job.treatment) {
+    case CutoffTreatment::molecule_switch:
+      return with.template operator()<CutoffTreatment::molecule_switch>();
+    case CutoffTreatment::site_switch:
+      return with.template operator()<CutoffTreatment::site_switch>();
+    case CutoffTreatment::site_shift:
+      return with.template operator()<CutoffTreatment::site_shift>();
+    default:
+      return with.template operator()<CutoffTreatment::smooth>();
+  }
+}
+
+// Runs the first shape that fits, otherwise the general one.
+template <class Number, class... Shapes, class T>
+void run_fitting(const PairJob<T>& job) {
+  if (!((Shapes::fits(job.table) && (run<Number, Shapes>(job), true)) || ...))
+    run<Number, AnyShape>(job);
+}
+
+using FourSiteWater = FixedShape<4, 3, 1>;  // sites, charged, dispersive
+using ThreeSiteWater = FixedShape<3, 3, 1>;
+using FiveSiteWater = FixedShape<5, 4, 1>;
+
+template <class T>
+void pair_forces_of(const PairJob<T>& job) {
+  run_fitting<Pack<T>, FourSiteWater, ThreeSiteWater, FiveSiteWater,
+              FixedShape<1, 0, 1>,           // noble gases
+              FixedShape<1, 1, 1>,           // ions
+              FixedShape<2, 2, 2>,           // linear, two sites
+              FixedShape<3, 3, 3>,           // linear, three sites
+              FixedShape<3, 3, 2>,           // and with a charge between them
+              FixedShape<4, 3, 1, 1, 1, 1>,  // ions in water
+              FixedShape<1, 1, 1, 4, 3, 1>>(job);
+}
+
+// Derivatives are needed less often, and for fewer kinds of molecules.
+template <class T>
+void pair_derivative_of(const PairJob<T>& job) {
+  run_fitting<Dual<Pack<T>>, FourSiteWater, ThreeSiteWater, FiveSiteWater>(job);
+}
+
+}  // namespace
+}  // namespace polhode::POLHODE_LOOPS

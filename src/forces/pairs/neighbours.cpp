@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/forces/pairs/neighbours.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+#include "polhode/base/blocks.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/forces/system_size.hpp"
+#include "polhode/model/cell_width.hpp"
+
+namespace polhode {
+namespace {
+
+void check_box(const Topology& topology, const ForceSettings& settings, const Box& box) {
+  const double shortest = box.shortest_edge();
+  const auto round_down = [](double x) { return std::floor(x * 1000) / 1000; };
+  if (settings.cutoff > shortest / 2)
+    throw Error(
+        fmt::format("cutoff {:.3f} nm is longer than half of the shortest box edge ({:.3f} nm): a "
+                    "molecule would "
+                    "meet two images of one partner; the longest cutoff for this box is {:.3f} nm",
+                    settings.cutoff, shortest, round_down(shortest / 2)));
+  double extent = 0;
+  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
+  if (settings.truncation != Truncation::molecule_switch && settings.cutoff + 2 * extent > shortest)
+    throw Error(
+        fmt::format("cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a "
+                    "site) do not fit "
+                    "the shortest box edge ({:.3f} nm): a molecule would meet its own image; take "
+                    "a larger box or "
+                    "a cutoff of at most {:.3f} nm",
+                    settings.cutoff, extent, shortest, round_down(shortest - 2 * extent)));
+}
+
+// A dense liquid has about five bodies per cell; the table of cells for each part of the topology
+// must not outgrow the bodies, however large the box is.
+double most_cells(const Topology& topology) {
+  const auto parts = std::max<std::size_t>(1, topology.parts.size());
+  return std::max(64.0, 8 * static_cast<double>(topology.size() / parts));
+}
+
+constexpr std::size_t slots_at_once = 1024;  // per task that converts to fixed point
+
+// The work is divided by the number of bodies alone, so that sums do not depend on the number of
+// threads. Chunks are large enough that their own rows outnumber those of neighbouring chunks they
+// add to.
+std::vector<ListChunk> chunks_of(const Slots& slots) {
+  std::vector<ListChunk> chunks;
+  const std::size_t all = slots.size();
+  const std::size_t wanted = all < 1000 ? 8 : all < 400000 ? 16 : 32;
+  const std::size_t blocks = std::max<std::size_t>(1, all / slot_block / wanted);
+  for (std::uint32_t part = 0; part < slots.parts.size(); ++part) {
+    const Slots::Part& p = slots.parts[part];
+    for (std::uint32_t s = p.first; s < p.end();) {
+      const auto end =
+          std::min<std::uint32_t>(s + static_cast<std::uint32_t>(blocks * slot_block), p.end());
+      ListChunk chunk;
+      chunk.part = part, chunk.first = s, chunk.end = end;
+      chunks.push_back(std::move(chunk));
+      s = end;
+    }
+  }
+  return chunks;
+}
+
+}  // namespace
+
+void check_count(const Topology& topology) {
+  double molecules = 0, slots = 0;
+  for (const auto& part : topology.parts) {
+    const auto count = static_cast<double>(part.count);
+    molecules += count;
+    slots += std::ceil(count / slot_block) * slot_block;
+  }
+  if (slots > Neighbour::slot_mask)
+    throw Error(
+        fmt::format("{:.0f} molecules are more than the neighbour list can number ({}); take fewer",
+                    molecules, Neighbour::slot_mask));
+}
+
+void check_edges(const Box& box) {
+  // Fixed-point positions have errors of up to 2⁻³⁰ of an edge; the search for partners allows for
+  // rounding of 1e-5 nm.
+  constexpr double max_range = 8192;  // [nm]
+  for (std::size_t d = 0; d < 3; ++d)
+    if (!(box.edge[d] <= max_range))
+      throw Error(
+          fmt::format("an edge of the box is {:g} nm long; it must be at most {:g} nm, as places "
+                      "are told apart to 2^-30 of it; take a smaller box",
+                      box.edge[d], max_range));
+}
+
+NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& settings,
+                             const Box& box)
+    : box_(box), slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
+  check_edges(box);
+  check_box(topology, settings, box);
+  // Two sites within the cutoff mean centres at most cutoff + reach_a + reach_b apart; centres
+  // closer than switch_from − reach_a − reach_b mean that all sites are inside the switching
+  // distance.
+  const bool by_site = settings.truncation != Truncation::molecule_switch;
+  const double from = settings.truncation == Truncation::site_shift ? 0.0 : settings.switch_from;
+  double max_range = 0;
+  const auto extent = [&](const auto& a, const auto& b) {
+    return by_site ? a.molecule.extent() + b.molecule.extent() : 0.0;
+  };
+  for (const auto& a : topology.parts)
+    for (const auto& b : topology.parts)
+      max_range = std::max(max_range, settings.cutoff + extent(a, b));
+  // One image in each direction is enough as long as the range does not exceed the shortest edge.
+  const double skin = std::min(settings.skin, box.shortest_edge() - max_range);
+  if (skin <= 0)
+    throw Error(
+        fmt::format("cutoff {:.3f} nm and the size of the molecules fill the shortest box "
+                    "edge ({:.3f} nm); take a larger box or a shorter cutoff",
+                    settings.cutoff, box.shortest_edge()));
+  for (const auto& a : topology.parts)
+    for (const auto& b : topology.parts) {
+      const double listed = settings.cutoff + extent(a, b) + skin;
+      const double inside = std::max(0.0, from - extent(a, b) - skin);
+      ranges_.push_back({listed * listed, inside * inside});
+    }
+  range_ = max_range + skin;
+  for (ListChunk& chunk : chunks_) {  // room for a uniform density, so that lists need not grow
+    double row = 0;
+    for (std::size_t b = chunk.part; b < slots_.parts.size(); ++b) {
+      const double listed = std::sqrt(ranges_[chunk.part * slots_.parts.size() + b].listed2);
+      const double sphere = 4 * std::numbers::pi / 3 * listed * listed * listed;
+      row += slots_.parts[b].count * sphere / box.volume() * (b == chunk.part ? 0.5 : 1.0);
+    }
+    chunk.entries.reserve(static_cast<std::size_t>(1.05 * row * (chunk.end - chunk.first)));
+  }
+  allowed2_ = skin * skin / 4;
+  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, most_cells(topology)));
+}
+
+std::size_t NeighbourList::lanes() const {
+  std::size_t n = 0;
+  for (const ListChunk& chunk : chunks_) n += chunk.entries.size();
+  return n;
+}
+
+void NeighbourList::build(const State& state, std::size_t width, Workers& workers) {
+  const auto begin = std::chrono::steady_clock::now();
+  slots_.sort(state, grid_, workers);
+  std::array<std::vector<std::int32_t>, 3> fixed;
+  for (auto& f : fixed) f.resize(slots_.size() + slot_block);  // packs read past the last slot
+  const auto fix = [&](const Column<double>& place, std::size_t d, std::size_t s) {
+    fixed[d][s] = static_cast<std::int32_t>(place[s] *
+                                            (static_cast<double>(fixed_point_edge) / box_.edge[d]));
+  };
+  each_block(slots_.size(), slots_at_once, workers, [&](std::size_t first, std::size_t end) {
+    for (std::size_t s = first; s < end; ++s)
+      fix(slots_.place.x, 0, s), fix(slots_.place.y, 1, s), fix(slots_.place.z, 2, s);
+  });
+  const ListJob job{grid_, slots_, ranges_, fixed.data(), width};
+  const auto find = POLHODE_CURRENT_LOOPS(find_partners);
+  workers.each(chunks_.size(), [&](std::size_t c) { find(job, chunks_[c]); });
+  width_ = width;
+  ++rebuilds_;
+  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+}  // namespace polhode

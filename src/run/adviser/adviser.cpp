@@ -1,0 +1,486 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/adviser/adviser.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <utility>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/run/adviser/step_search.hpp"
+#include "polhode/run/simulation/resumable_run.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/study/study.hpp"
+
+namespace polhode {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// Starts of the runs that choose, and of each set of runs that confirm.
+constexpr std::size_t choosing = 6, confirming = 8;
+/// Sets of runs that may refuse a step before the adviser gives up.
+constexpr std::size_t max_refusals = 10;
+constexpr double preparation = 2;  // of a start, at most [ps], in steps of 1 fs
+/// Energies at least so often: rare ones would know R less well than the run could [ps].
+constexpr double max_sample_interval = 0.004;
+/// Steps in place of ones that kept the bound with room to spare.
+constexpr int most_lengthenings = 4;
+/// Parts of the length of the runs that confirm, after which it is asked whether they still may.
+constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
+/// The first of them after which it is asked whether they leave room for a longer step.
+constexpr double telling = 1.0 / 3;
+/// Shares of the time: of runs that choose, of clocks, and of those that confirm at least.
+constexpr double choosing_share = 0.35, clock_share = 0.1, min_confirming_share = 0.3;
+/// Of the length of runs whose step decides: that of runs that only show the way to it.
+constexpr double way = 0.5;
+/// Of the step that the choosing runs propose, what is tried first: short runs flatter, and all the
+/// more where R grows as a high power of the step, for there the energy begins to wander.
+double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
+/// A scheme waits while it is expected to cost so much more than the second cheapest, in force
+/// evaluations: what a clock may make good.
+constexpr double hopeless = 1.25;
+/// Of the force evaluations of a run: what its configurational temperatures may cost, and what one
+/// of their samples does.
+constexpr double temperature_share = 0.03, sample_cost = 2;
+/// A drift of the choosing runs ends the range of steps; a smaller chance than that of a verdict,
+/// for there are a dozen questions.
+constexpr double significance_level = 0.001;
+
+/// One run to be done.
+struct Job {
+  std::size_t candidate;
+  double step;
+  double length;
+};
+
+class Adviser {
+ public:
+  Adviser(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch,
+          Workers& workers)
+      : config_(config),
+        settings_(settings),
+        watch_(watch),
+        workers_(workers),
+        base_(build_system(config)) {
+    for (const std::string& text : settings.schemes)
+      advice_.candidates.push_back({one_line(text), single_scheme_of(text), {}, {}, 0, 0, {}});
+    settled_.resize(advice_.candidates.size());
+  }
+
+  Advice advice() {
+    if (!prepare_base()) return stopped_advice();
+    const Clock::time_point before = Clock::now();
+    starts_ = fresh_starts(choosing);
+    if (stop()) return stopped_advice();
+    const double rounds = std::ceil(static_cast<double>(choosing) / workers_.threads());
+    evaluation_ = since(before) / (rounds * std::max(1.0, 1000 * preparation_length()));
+
+    confirm();
+    if (stop()) return stopped_advice();
+    for (std::size_t c = 0; c < settled_.size(); ++c)
+      if (!settled_[c]) advice_.candidates[c].obstacle = waiting(c);
+    return advice_;
+  }
+
+ private:
+  bool stop() const { return watch_.stop && watch_.stop(); }
+
+  Advice stopped_advice() {
+    advice_.stopped = true;
+    advice_.best.reset();
+    return advice_;
+  }
+
+  void report(const std::string& what) const {
+    const std::lock_guard lock(reporting_);
+    if (watch_.report) watch_.report(std::min(0.99, since(begin_) / settings_.seconds), what);
+  }
+
+  /// The state that the run begins with.
+  bool prepare_base() {
+    report("equilibrating");
+    if (config_.run.equilibrate > 0) {
+      ForceField forces(base_.topology, base_.forces, base_.state.box, workers_);
+      if (!equilibrate(base_, forces, config_.run.equilibrate, {nullptr, watch_.stop}, workers_))
+        return false;
+    }
+    noise_ = force_noise(base_, workers_);
+    frequency_ = einstein_frequency(base_, workers_);
+    for (const Candidate& candidate : advice_.candidates)
+      if (const double first = search_of(candidate).first; config_.run.length < 10 * first)
+        throw Error(fmt::format(
+            "runs of {:g} fs are too short for advice: it begins with steps of {:.3g} fs of {}, of "
+            "which a run must hold ten; ask for longer runs",
+            1000 * config_.run.length, 1000 * first, candidate.name));
+    begin_ = Clock::now();
+    return !stop();
+  }
+
+  double preparation_length() const { return std::min(preparation, config_.study.decorrelate); }
+
+  /// Starts with momenta that none before had.
+  std::vector<ResumableRun> fresh_starts(std::size_t count) {
+    report("preparing starts");
+    std::vector<ResumableRun> starts;
+    for (std::size_t k = 0; k < count; ++k)
+      starts.push_back({base_, start_seed(config_, drawn_ + k)});
+    workers_.each(count, [&](std::size_t k) {
+      if (!stop())
+        starts[k].system =
+            prepare_start(base_, config_, drawn_ + k, preparation_length(), watch_.stop);
+    });
+    drawn_ += count;
+    return starts;
+  }
+
+  /// Moves a run on until the job's length.
+  Outcome advance(ResumableRun& resumable, const Job& job) const {
+    const Scheme& scheme = advice_.candidates[job.candidate].scheme;
+    return advance_run(
+        resumable,
+        {.scheme = scheme,
+         .step = job.step,
+         .length = job.length,
+         .sample = std::min(config_.run.sample, max_sample_interval),
+         .lambda = config_.integrator.lambda,
+         .configurational_sample = sample_cost / temperature_share * job.step / scheme.cost()},
+        noise_, watch_.stop);
+  }
+
+  /// Runs of every job from every start, as many at once as there are workers.
+  std::vector<AdviserPoint> measure(const std::vector<Job>& jobs) const {
+    std::vector<AdviserPoint> points;
+    for (const Job& job : jobs)
+      points.push_back({job.step, job.length, std::vector<Outcome>(starts_.size()), 0, false});
+    workers_.each(jobs.size() * starts_.size(), [&](std::size_t k) {
+      if (stop()) return;
+      const std::size_t j = k / starts_.size(), r = k % starts_.size();
+      ResumableRun resumable = starts_[r];
+      points[j].runs[r] = advance(resumable, jobs[j]);
+      report(advice_.candidates[jobs[j].candidate].name);
+    });
+    for (AdviserPoint& point : points) judge(point);
+    return points;
+  }
+
+  void judge(AdviserPoint& point) const {
+    point.bound = upper_bound(settings_.criterion.quality, point.runs);
+    point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
+  }
+
+  /// Whether nothing but the bound is in the way of an answer.
+  bool calm(const AdviserPoint& point) const {
+    return !blew_up(point.runs) &&
+           (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
+  }
+
+  /// Whether a run of the whole length leaves no hope for a set of them: of eight values none lies
+  /// further than 7/√8 = 2.47 standard deviations above their mean, and the bound lies 2.51.
+  bool breaks(const Outcome& run) const {
+    return settings_.criterion.quality == Quality::ratio &&
+           (!run.failure.empty() || run.ratio > settings_.criterion.bound);
+  }
+
+  /// Runs that are to confirm: over the whole length, or the part after which they no longer may.
+  AdviserPoint confirming_runs(std::vector<ResumableRun> resumable_runs, const Job& whole) const {
+    AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size()), 0,
+                       false};
+    for (const double part : parts) {
+      if (part < 1 && part * whole.length < min_length()) continue;
+      const Job job{whole.candidate, whole.step, part * whole.length};
+      std::atomic<bool> broken = false;
+      std::vector<char> done(resumable_runs.size(), 0);
+      workers_.each(resumable_runs.size(), [&](std::size_t r) {
+        // Two are the least of which a scatter is known.
+        if (stop() || (broken && r >= 2)) return;
+        point.runs[r] = advance(resumable_runs[r], job);
+        done[r] = 1;
+        if (part == 1 && breaks(point.runs[r])) broken = true;
+        report(advice_.candidates[job.candidate].name);
+      });
+      if (stop()) return point;
+      point.length = job.length;
+      if (broken) {
+        std::vector<Outcome> ended;
+        for (std::size_t r = 0; r < done.size(); ++r)
+          if (done[r]) ended.push_back(point.runs[r]);
+        point.runs = std::move(ended);
+      }
+      judge(point);
+      if (!calm(point) || !may_meet(settings_.criterion, point.runs, part)) break;
+      if (part >= telling && longer_step(whole.candidate, point)) break;
+    }
+    return point;
+  }
+
+  /// A longer step, if runs keep the bound with so much room that one is worth further runs. Over
+  /// a part of the length R scatters more, so its bound tells of less room than there is.
+  std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
+    const Candidate& candidate = advice_.candidates[c];
+    if (settings_.criterion.quality != Quality::ratio || !candidate.model || !calm(point) ||
+        advice_.surpassed.size() >= most_lengthenings ||
+        since(begin_) + last_set_ > settings_.seconds)
+      return std::nullopt;
+    double too_long = std::numeric_limits<double>::infinity();
+    for (const AdviserPoint& p : candidate.points)
+      if (!p.usable) too_long = std::min(too_long, p.step);
+    for (const auto& [of, p] : advice_.refused)
+      if (of == c) too_long = std::min(too_long, p.step);
+    return lengthened(point.step, point.bound / settings_.criterion.bound,
+                      candidate.model->exponent(point.step), too_long);
+  }
+
+  /// Of runs that say anything [ps].
+  double min_length() const { return std::min(config_.run.length, 60 / frequency_); }
+
+  /// Seconds that all runs together may take, in those of one thread.
+  double budget(double share) const { return share * settings_.seconds * workers_.threads(); }
+
+  /// The length of `runs` runs that fit into a time with so many force evaluations per ps.
+  double affordable(double seconds, double runs, double cost) const {
+    return seconds / (runs * cost * evaluation_);
+  }
+
+  StepSearch search_of(const Candidate& candidate) const {
+    // A harmonic freedom of frequency ω is stable up to ω h = 2 for each force evaluation of a good
+    // scheme, and the fastest bodies of a liquid move twice as fast as their mean.
+    const double first = 0.12 * std::min(3.0, candidate.scheme.cost()) / frequency_;
+    return {settings_.criterion, candidate.scheme.order(), three_digits(first)};
+  }
+
+  /// Force evaluations per ps that a scheme is expected to need, so far; 0 if nothing is known.
+  double expected_cost(std::size_t c) const {
+    const Candidate& candidate = advice_.candidates[c];
+    if (settled_[c] && candidate.step == 0) return std::numeric_limits<double>::infinity();
+    return candidate.scheme.cost() /
+           (settled_[c] ? candidate.step
+                        : max_expected_step(search_of(candidate), candidate.points));
+  }
+
+  /// What a scheme costs at most to be worth further runs: there are to be an answer and a
+  /// runner-up.
+  double worthwhile() const {
+    std::vector<double> costs;
+    for (std::size_t c = 0; c < settled_.size(); ++c) costs.push_back(expected_cost(c));
+    std::sort(costs.begin(), costs.end());
+    return hopeless * costs[std::min<std::size_t>(1, costs.size() - 1)];
+  }
+
+  std::string waiting(std::size_t c) const {
+    return fmt::format(
+        "it is expected to need at least {:.0f} force evaluations per ps, too many to be followed",
+        expected_cost(c));
+  }
+
+  /// Runs every candidate that is worth it with the steps that are still to be known.
+  void search_steps() {
+    // About five steps of each scheme, with 3.3 ω force evaluations per ps where R is half a
+    // percent.
+    const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
+    const double max_length = std::min(config_.run.length, 600 / frequency_);
+    const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),
+                                     min_length(), max_length);
+    for (std::size_t settled = 0; settled < settled_.size() && !stop();) {
+      std::vector<Job> jobs;
+      const double costliest = worthwhile();
+      settled = 0;
+      for (std::size_t c = 0; c < settled_.size(); ++c) {
+        Candidate& candidate = advice_.candidates[c];
+        if (settled_[c] || expected_cost(c) > costliest) {
+          ++settled;
+          continue;
+        }
+        const StepSearch search = search_of(candidate);
+        const auto step = next_step(search, candidate.points);
+        // Ten steps at least, or there is nothing to see.
+        if (step && length >= 10 * *step)
+          jobs.push_back({c, *step,
+                          decides(search, candidate.points, *step)
+                              ? length
+                              : std::max({way * length, min_length(), 10 * *step})});
+        else
+          settle(c);
+      }
+      const std::vector<AdviserPoint> found = measure(jobs);
+      for (std::size_t j = 0; j < jobs.size(); ++j) {
+        auto& points = advice_.candidates[jobs[j].candidate].points;
+        const auto place = std::find_if(points.begin(), points.end(), [&](const AdviserPoint& p) {
+          return p.step > found[j].step;
+        });
+        points.insert(place, found[j]);
+      }
+    }
+  }
+
+  void settle(std::size_t c) {
+    Candidate& candidate = advice_.candidates[c];
+    const FoundStep found = found_step(search_of(candidate), candidate.points);
+    settled_[c] = true;
+    candidate.model = found.model;
+    if (found.step > 0)
+      candidate.step =
+          three_digits((found.model ? reserve(found.model->exponent(found.step)) : 1) * found.step);
+    else
+      candidate.obstacle = "no step that was tried keeps the bound";
+  }
+
+  /// The wall-clock time of a simulated ps, as the run will have it: all threads on one system, in
+  /// turns, so that a change of the clock rate or of other work meets all schemes alike.
+  void time_candidates() {
+    constexpr int turns = 3;
+    const double seconds =
+        clock_share * settings_.seconds / (turns * static_cast<double>(advice_.candidates.size()));
+    std::vector<std::vector<double>> times(advice_.candidates.size());
+    for (int turn = 0; turn < turns; ++turn)
+      for (std::size_t c = 0; c < advice_.candidates.size() && !stop(); ++c) {
+        const Candidate& candidate = advice_.candidates[c];
+        if (candidate.step == 0 || candidate.seconds > 0) continue;
+        report("clocking " + candidate.name);
+        times[c].push_back(time_of(candidate, std::clamp(seconds, 0.02, 0.3)));
+      }
+    for (std::size_t c = 0; c < times.size(); ++c)
+      if (!times[c].empty()) {
+        std::sort(times[c].begin(), times[c].end());
+        advice_.candidates[c].seconds = times[c][times[c].size() / 2];
+      }
+  }
+
+  double time_of(const Candidate& candidate, double seconds) const {
+    System system = starts_.front().system;
+    ForceField forces(system.topology, system.forces, system.state.box, workers_);
+    const Clock::time_point start = Clock::now();
+    const auto over = [&] { return stop() || since(start) > seconds; };
+    // From twenty to a thousand steps at a time, a few rebuilds of the list among them.
+    const double min_duration = 20 * candidate.step;
+    const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,
+                               config_.run.sample, config_.integrator.lambda};
+    double length = 0, spent = 0;
+    do {
+      const Trajectory t = run_trajectory(system, forces, s, {nullptr, over}, workers_);
+      length += static_cast<double>(t.steps) * s.step;
+      spent += t.timings.all();
+    } while (length < min_duration && !stop());
+    return spent / length;
+  }
+
+  /// The cheapest of those that may be, by the time of a simulated ps.
+  std::optional<std::size_t> cheapest(std::optional<std::size_t> besides = {}) const {
+    std::optional<std::size_t> best;
+    for (std::size_t c = 0; c < advice_.candidates.size(); ++c) {
+      const Candidate& candidate = advice_.candidates[c];
+      if (candidate.step == 0 || besides == c) continue;
+      if (!best || candidate.seconds < advice_.candidates[*best].seconds) best = c;
+    }
+    return best;
+  }
+
+  /// Runs from the same starts with one step after another, until one is confirmed that leaves
+  /// little room for a longer one.
+  void confirm() {
+    std::vector<ResumableRun> starts;
+    while (advice_.refused.size() < max_refusals) {
+      search_steps();  // those too that became worth it when another was refused
+      if (stop()) return;
+      time_candidates();
+      if (stop()) return;
+      const auto c = advice_.best ? advice_.best : cheapest();
+      if (!c) return;
+      // The same ones after a refusal: fresh ones until some confirm would choose the lucky ones.
+      if (starts.empty()) starts = fresh_starts(confirming);
+      if (stop()) return;
+      Candidate& candidate = advice_.candidates[*c];
+      const double cost = candidate.scheme.cost() / candidate.step;
+      const double left = std::max(min_confirming_share, 1 - since(begin_) / settings_.seconds);
+      const double length = advice_.best ? advice_.confirmation.length
+                                         : std::clamp(affordable(budget(left), confirming, cost),
+                                                      min_length(), config_.run.length);
+      const Clock::time_point before = Clock::now();
+      const AdviserPoint point = confirming_runs(starts, {*c, candidate.step, length});
+      if (stop()) return;
+      if (point.length == length) last_set_ = since(before);
+      const auto longer = longer_step(*c, point);
+      if (calm(point) && point.length == length && point.bound <= settings_.criterion.bound) {
+        if (advice_.best) advice_.surpassed.emplace_back(*c, advice_.confirmation);
+        advice_.best = c;
+        advice_.runner_up = cheapest(c);
+        advice_.confirmation = point;
+        if (!longer) return;
+      } else if (longer) {
+        advice_.surpassed.emplace_back(*c, point);
+      } else {
+        advice_.refused.emplace_back(*c, point);
+        if (advice_.best) {  // the longer step does not do, the shorter one did: one between them?
+          const auto between = longer_step(*c, advice_.confirmation);
+          set_step(candidate, between.value_or(advice_.confirmation.step));
+          if (!between) return;
+          continue;
+        }
+        shorten(candidate, point, point.length / length);
+        continue;
+      }
+      set_step(candidate, *longer);
+    }
+  }
+
+  /// Another step of a candidate, at the same time for a step.
+  static void set_step(Candidate& candidate, double step) {
+    candidate.seconds *= candidate.step / step;
+    candidate.step = step;
+  }
+
+  /// After runs that did not confirm a step: as much shorter as they say.
+  /// @param part  of the whole length, over which they went
+  void shorten(Candidate& candidate, const AdviserPoint& point, double part) const {
+    double factor = 0.85;
+    if (calm(point) && candidate.model) {
+      double excess = optimistic_bound(point.runs, part) / settings_.criterion.bound;
+      if (point.runs.size() < confirming) {
+        // A set that was cut short knows its scatter badly; eight have their bound about twice as
+        // far beyond what was asked as the first that is beyond it.
+        const auto ratios = each(point.runs, [](const Outcome& run) { return run.ratio; });
+        excess = std::pow(
+            *std::max_element(ratios.begin(), ratios.end()) / settings_.criterion.bound, 2);
+      }
+      factor =
+          std::clamp(std::pow(excess, -1 / candidate.model->exponent(candidate.step)), 0.6, 0.97);
+    }
+    set_step(candidate, three_digits(factor * candidate.step));
+  }
+
+  const Config& config_;
+  const AdviserSettings& settings_;
+  const AdviserWatch& watch_;
+  Workers& workers_;
+  System base_;
+  ForceNoise noise_;
+  double frequency_ = 0;   // [1/ps]
+  double evaluation_ = 0;  // seconds of one thread
+  std::vector<ResumableRun> starts_;
+  double last_set_ = 0;        // seconds that the runs of the last set took, all of their length
+  std::vector<bool> settled_;  // candidates whose steps are known as well as wanted
+  std::size_t drawn_ = 0;      // starts so far
+  Clock::time_point begin_ = Clock::now();
+  mutable std::mutex reporting_;
+  Advice advice_;
+};
+
+}  // namespace
+
+Advice advise(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch,
+              Workers& workers) {
+  return Adviser(config, settings, watch, workers).advice();
+}
+
+}  // namespace polhode

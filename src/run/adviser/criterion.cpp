@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/adviser/criterion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/math/prediction.hpp"
+
+namespace polhode {
+
+Outcome outcome(const System& system, const Trajectory& trajectory) {
+  Outcome run;
+  run.failure = trajectory.failure;
+  if (!run.failure.empty()) return run;
+  const EnergyStatistics& energies = trajectory.statistics.energies;
+  run.ratio = energies.ratio();
+  run.drift = energies.drift().rate.value / static_cast<double>(system.topology.size());
+  run.temperatures = energies.temperatures(degrees_of_freedom(system.topology));
+  const Temperatures& T = run.temperatures;
+  const ByMotion<double> kinds{T.translation, T.rotation[0], T.rotation[1], T.rotation[2]};
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    if (kinds[k] > 0) run.bias[k] = kinds[k] / T.all - 1;
+  run.configurational = trajectory.statistics.configurational.values();
+  return run;
+}
+
+bool blew_up(const std::vector<Outcome>& runs) {
+  return std::any_of(runs.begin(), runs.end(), [](auto& run) { return !run.failure.empty(); });
+}
+
+bool drifts(const std::vector<Outcome>& runs, double significance_level) {
+  const auto rates = each(runs, [](const Outcome& run) { return run.drift; });
+  return drift_of_series(rates).p_value < significance_level;
+}
+
+double optimistic_bound(const std::vector<Outcome>& runs, double part) {
+  if (blew_up(runs)) return std::numeric_limits<double>::infinity();
+  std::vector<double> logs = each(runs, [](const Outcome& run) { return std::log(run.ratio); });
+  const double middle = mean(logs).value;
+  for (double& log : logs) log = middle + std::sqrt(part) * (log - middle);
+  return std::exp(prediction_bound(logs, guarantee_probability));
+}
+
+bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part) {
+  if (blew_up(runs)) return false;
+  return criterion.quality != Quality::ratio || optimistic_bound(runs, part) <= criterion.bound;
+}
+
+double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
+  if (blew_up(runs)) return std::numeric_limits<double>::infinity();
+  switch (quality) {
+    case Quality::ratio:
+      return optimistic_bound(runs, 1);
+    case Quality::drift:
+      return size_bound(each(runs, [](const Outcome& run) { return run.drift; }),
+                        guarantee_probability);
+    case Quality::temperature_bias: {
+      const auto biases = [&](std::size_t k) {
+        return each(runs, [k](const Outcome& run) { return run.bias[k]; });
+      };
+      const auto alive = [&](std::size_t k) { return biases(k)[0] != 0; };
+      const std::array<std::size_t, 4> kinds{0, 1, 2, 3};
+      const auto share = static_cast<double>(std::count_if(kinds.begin(), kinds.end(), alive));
+      double largest = 0;
+      for (const std::size_t k : kinds)
+        if (alive(k))
+          largest =
+              std::max(largest, size_bound(biases(k), 1 - (1 - guarantee_probability) / share));
+      return largest;
+    }
+  }
+  return 0;
+}
+
+Estimate AdviserPoint::ratio() const {
+  return mean(each(runs, [](const Outcome& run) { return run.ratio; }));
+}
+
+Estimate AdviserPoint::drift() const {
+  return mean(each(runs, [](const Outcome& run) { return run.drift; }));
+}
+
+}  // namespace polhode

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/analysis/analysis_summary.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+struct PublishedViscosity {
+  std::string_view model;
+  std::string_view value;
+};
+
+// At 298 K and 1 bar, gonzalez2010.
+constexpr PublishedViscosity published[] = {
+    {"tip3p", "0.321 mPa s"}, {"tip4p", "0.494 mPa s"},      {"tip5p", "0.699 mPa s"},
+    {"spce", "0.729 mPa s"},  {"tip4p-2005", "0.855 mPa s"},
+};
+constexpr double published_temperature = 298;  // [K]
+constexpr double near = 5;                     // [K]: the viscosity of water changes by 2 % in 1 K
+
+void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
+  if (settings.viscosity) {
+    s.viscosity = settings.viscosity;
+    s.viscosity_source = "--viscosity";
+    return;
+  }
+  s.viscosity_source = "no published one for these molecules; give --viscosity";
+  if (a.topology.parts.size() != 1) return;
+  for (const PublishedViscosity& known : published) {
+    if (a.topology.parts.front().molecule.name != known.model) continue;
+    if (!s.temperature || std::abs(*s.temperature - published_temperature) > near) {
+      s.viscosity_source =
+          fmt::format("the published one is of {:g} K; give --viscosity", published_temperature);
+      return;
+    }
+    s.viscosity = quantity(known.value, Dimension::viscosity, "viscosity");
+    s.viscosity_source =
+        fmt::format("of {} at {:g} K and 1 bar, gonzalez2010", known.model, published_temperature);
+  }
+}
+
+bool cubic(const Box& box) {
+  const Vec3<double> e = box.edge;
+  return std::max({e.x, e.y, e.z}) <= box.shortest_edge() * (1 + 1e-4);
+}
+
+}  // namespace
+
+AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& workers) {
+  AnalysisSummary s;
+  s.notes = a.notes;
+  const double kinetic = a.conditions->temperature().value;
+  if (settings.temperature)
+    s.temperature = settings.temperature;
+  else if (kinetic > 0)
+    s.temperature = kinetic;
+
+  if (a.radial)
+    for (std::size_t k = 0; k < a.pairs.size(); ++k) s.peaks.push_back(a.radial->first_peak(k));
+
+  for (std::size_t part = 0; part < a.topology.parts.size(); ++part) {
+    const auto& [molecule, count] = a.topology.parts[part];
+    PartSummary p{molecule.name, count, {}, {}, {}};
+    if (a.displacement && count > 0) {
+      const BlockMeans squared = a.displacement->mean_square(part, workers);
+      const double max_lag = static_cast<double>(squared.mean().size() - 1) * a.interval;
+      s.fit = settings.fit.value_or(FitWindow{max_lag / 5, max_lag});
+      const SeriesEstimate D = diffusion(squared, a.interval, s.fit);
+      if (!std::isnan(D.value))
+        p.diffusion = D;
+      else if (part == 0)
+        s.notes.push_back(
+            fmt::format("no diffusion: fewer than two lags between {:g} and {:g} ps; "
+                        "the longest is {:g} ps",
+                        s.fit.from, s.fit.to, max_lag));
+    }
+    if (a.velocity && count > 0 && a.topology.size() > 1) {
+      const BlockMeans integral = running_integral(a.velocity->linear(part, workers), a.interval);
+      p.green_kubo = series_estimates(integral).back();
+    }
+    if (a.reorientation && count > 0)
+      for (std::size_t axis = 0; axis < a.reorientation->axes(part).size(); ++axis) {
+        AxisRelaxation r{a.reorientation->axes(part)[axis].name, {}};
+        for (const int rank : {1, 2})
+          r.rank[static_cast<std::size_t>(rank - 1)] =
+              relaxation_times(a.reorientation->legendre(part, axis, rank, workers), a.interval);
+        p.axes.push_back(std::move(r));
+      }
+    s.parts.push_back(std::move(p));
+  }
+
+  if (a.displacement) {
+    find_viscosity(s, a, settings);
+    if (!cubic(a.box))
+      s.viscosity_source = "the correction for images is of a cubic box";
+    else if (!s.temperature)
+      s.viscosity_source = "no temperature: the frames have no velocities; give --temperature";
+    else if (s.viscosity)
+      s.finite_size_correction = yeh_hummer_correction(*s.temperature, *s.viscosity,
+                                                       std::cbrt(a.conditions->volume().value));
+  }
+
+  if (a.dipole && !settings.surroundings_permittivity)
+    s.notes.push_back("no dielectric: " + settings.no_surroundings);
+  else if (a.dipole && !s.temperature)
+    s.notes.push_back("no dielectric: the frames have no velocities; give --temperature");
+  else if (a.dipole)
+    s.dielectric = a.dipole->result(*s.temperature, *settings.surroundings_permittivity);
+  return s;
+}
+
+}  // namespace polhode

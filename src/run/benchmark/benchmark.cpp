@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/benchmark/benchmark.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "polhode/base/error.hpp"
+#include "polhode/forces/system_size.hpp"
+#include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t tile = 512;               // molecules of the built-in configuration
+constexpr std::array switches = {0.765, 0.85};  // [nm]
+struct Motion {
+  const char* scheme;
+  double step;  // [ps]
+};
+constexpr std::array motions = {Motion{"hoa2", 0.004}, Motion{"velocity-verlet", 0.002},
+                                Motion{"gier4-fd", 0.005}};
+
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Duration and number of repeats of each measurement; large systems are measured less often.
+struct Effort {
+  double limit, evaluations, steps;  // [s] per repeat
+  std::size_t repeats, min_repeats;
+  double max_seconds;  // [s] for one size, after the smallest number of repeats
+};
+constexpr Effort normal{0.5, 0.02, 0.05, 9, 2, 12}, quick{0.2, 0.01, 0.02, 5, 2, 3};
+
+std::size_t tiles_along_edge(std::size_t molecules) {
+  const auto n = static_cast<std::size_t>(
+      std::llround(std::cbrt(static_cast<double>(molecules) / static_cast<double>(tile))));
+  return n * n * n * tile == molecules ? n : 0;
+}
+
+System side_by_side(System water, std::size_t n) {
+  const State one = water.state;
+  const Box box{static_cast<double>(n) * one.box.edge};
+  water.topology.parts[0].count = n * n * n * one.size();
+  check_count(water.topology);
+  water.bodies = Bodies(water.topology);
+  water.state = State(n * n * n * one.size(), box);
+  std::size_t to = 0;
+  for (std::size_t x = 0; x < n; ++x)
+    for (std::size_t y = 0; y < n; ++y)
+      for (std::size_t z = 0; z < n; ++z)
+        for (std::size_t i = 0; i < one.size(); ++i, ++to) {
+          const Vec3<double> tiles{static_cast<double>(x), static_cast<double>(y),
+                                   static_cast<double>(z)};
+          water.state.q.set(to, one.q[i] + scaled(tiles, one.box.edge));
+          water.state.attitude.set(to, one.attitude[i]);
+        }
+  draw_momenta(water, 1);
+  return water;
+}
+
+System liquid_water(std::size_t molecules, Workers& workers) {
+  Config config = default_config();
+  config.forces = benchmark_forces(Precision::mixed, switches[0]);
+  const std::size_t n = tiles_along_edge(molecules);
+  if (n == 1) return build_system(config);
+  if (n > 1) return side_by_side(build_system(config), n);
+  const System one = build_system(config);
+  config.system.initial_configuration.clear();
+  config.system.molecules[0].count = molecules;
+  config.system.density = one.topology.mass() / one.state.box.volume();
+  config.source = config.cutoff_place = fmt::format("a box of {} waters", molecules);
+  System water = build_system(config);
+  ForceField forces(water.topology, water.forces, water.state.box, workers);
+  equilibrate(water, forces, 0.1, {}, workers);
+  return water;
+}
+
+// Repeats of the measurements of one kind of evaluation.
+struct EvaluationRepeats {
+  std::vector<double> forces, energies, list;
+  double lanes = 0;
+};
+
+void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings& settings,
+            Workers& workers, double seconds) {
+  // Use other addresses each time, since the speed of memory depends on them.
+  const std::vector<std::byte> elsewhere(1 + 1088 * repeats.list.size());
+  ForceField forces(water.topology, settings, water.state.box, workers);
+  Load load;
+  forces(water.state, load);
+  repeats.list.push_back(forces.neighbours().seconds());
+  repeats.lanes = static_cast<double>(forces.neighbours().lanes());
+  constexpr std::size_t min_repeats = 3;
+  const Clock clock;
+  for (std::size_t n = 0; n < min_repeats || clock.seconds() < seconds; ++n) {
+    const Clock first;
+    forces.forces_alone(water.state, load);
+    repeats.forces.push_back(first.seconds());
+    const Clock second;
+    forces(water.state, load);
+    repeats.energies.push_back(second.seconds());
+  }
+}
+
+// The forces with a stopwatch; the list has its own.
+struct TimedForces {
+  ForceField& forces;
+  double seconds = 0;
+  void operator()(const State& state, Load& load) {
+    const Clock clock;
+    forces(state, load);
+    seconds += clock.seconds();
+  }
+  void forces_alone(const State& state, Load& load) {
+    const Clock clock;
+    forces.forces_alone(state, load);
+    seconds += clock.seconds();
+  }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& slope) {
+    const Clock clock;
+    forces.directional_derivative(state, dq, dtheta, slope);
+    seconds += clock.seconds();
+  }
+};
+
+struct StepRepeats {
+  std::vector<double> forces, other, drift, kick;
+  double list = 0, steps = 0, rebuilds = 0;
+};
+
+void repeat(StepRepeats& repeats, const Motion& motion, System& water,
+            const ForceSettings& settings, Workers& workers, double seconds) {
+  constexpr std::size_t min_repeats = 10;
+  Config config = default_config();
+  set_precision(config, settings.precision);
+  const Scheme scheme = scheme_of(motion.scheme);
+  ForceField forces(water.topology, settings, water.state.box, workers);
+  TimedForces timed{forces};
+  Integrator integrator(scheme, water.bodies, timed, config.integrator.lambda, workers);
+  integrator.advance(water.state, motion.step, 1, false);
+
+  const NeighbourList& list = forces.neighbours();
+  const double list_before = list.seconds();
+  const auto rebuilds_before = static_cast<double>(list.rebuilds());
+  std::size_t steps = 0;
+  for (const Clock clock; steps < min_repeats || clock.seconds() < seconds; ++steps) {
+    timed.seconds = 0;
+    const double in_list = list.seconds();
+    const Clock step;
+    integrator.advance(water.state, motion.step, 1, false);
+    const double all = step.seconds();
+    repeats.forces.push_back(timed.seconds - (list.seconds() - in_list));
+    repeats.other.push_back(all - timed.seconds);
+  }
+  repeats.list += list.seconds() - list_before;
+  repeats.rebuilds += static_cast<double>(list.rebuilds()) - rebuilds_before;
+  repeats.steps += static_cast<double>(steps);
+
+  // Time drifts and kicks separately, on a state that is discarded.
+  State state = water.state;
+  for (std::size_t n = 0; n < min_repeats; ++n) {
+    const Clock first;
+    drift(state, water.bodies, motion.step / 2, workers);
+    repeats.drift.push_back(first.seconds());
+    const Clock second;
+    kick(state, water.bodies, integrator.last_load(), motion.step / 2, workers);
+    repeats.kick.push_back(second.seconds());
+  }
+}
+
+StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
+  StepTiming s;
+  s.scheme = motion.scheme;
+  s.step = motion.step;
+  const Timing forces = timing(repeats.forces), other = timing(repeats.other);
+  const Scheme scheme = scheme_of(motion.scheme);
+  const auto stages = [&](Flow flow) {
+    double n = 0;
+    for (const Stage& stage : scheme.stages())
+      n += stage.flow == flow ? (stage.xi != 0 ? 3 : 1) : 0;  // a gradient kick counts as three
+    return n;
+  };
+  s.forces = forces.best;
+  s.list = repeats.list / repeats.steps;
+  s.rebuilds = repeats.rebuilds / repeats.steps;
+  s.drift = std::min(other.best, stages(Flow::drift) * timing(repeats.drift).best);
+  s.kick = std::min(other.best - s.drift, stages(Flow::kick) * timing(repeats.kick).best);
+  s.rest = other.best - s.drift - s.kick;
+  s.all = {forces.best + s.list + other.best, forces.median + s.list + other.median};
+  return s;
+}
+
+// All kinds of evaluations and steps for one size, in turn.
+class Measurement {
+ public:
+  Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,
+              const std::vector<Limit>& limits, std::vector<std::unique_ptr<Workers>>& workers)
+      : effort_(effort), water_(liquid_water(molecules, *workers.back())) {
+    for (std::size_t p = 0; p < settings.precisions.size(); ++p)
+      for (const auto& w : workers) kinds_.push_back({limits[p], *w, water_, {}, {}});
+  }
+
+  void run(const std::function<void(double)>& report) {
+    const Clock clock;
+    for (std::size_t n = 0; n < effort_.repeats; ++n) {
+      if (n >= effort_.min_repeats && clock.seconds() > effort_.max_seconds) break;
+      for (Kind& kind : kinds_)
+        for (std::size_t k = 0; k < switches.size(); ++k)
+          repeat(kind.evaluations[k], water_, forces(kind, k), kind.workers, effort_.evaluations);
+      for (std::size_t k = 0; k < motions.size(); ++k)
+        for (Kind& kind : kinds_)
+          repeat(kind.steps[k], motions[k], kind.moving, forces(kind, 0), kind.workers,
+                 effort_.steps);
+      report(std::max(static_cast<double>(n + 1) / static_cast<double>(effort_.repeats),
+                      std::min(1.0, clock.seconds() / effort_.max_seconds)));
+    }
+  }
+
+  std::vector<SystemTiming> result() const {
+    const std::size_t pairs = pairs_within(water_.state, forces(kinds_[0], 0).cutoff);
+    std::vector<SystemTiming> result;
+    for (const Kind& kind : kinds_) {
+      SystemTiming s{water_.state.size(), kind.limit.precision, kind.workers.threads(), {}, {}};
+      for (std::size_t k = 0; k < switches.size(); ++k) {
+        const std::size_t whole = pairs_within(water_.state, switches[k]);
+        const EvaluationRepeats& r = kind.evaluations[k];
+        s.evaluations.push_back({switches[k], timing(r.forces), timing(r.energies),
+                                 kind.limit.seconds(whole, pairs - whole, false),
+                                 kind.limit.seconds(whole, pairs - whole, true), pairs,
+                                 static_cast<double>(pairs) / r.lanes, timing(r.list)});
+      }
+      for (std::size_t k = 0; k < motions.size(); ++k)
+        s.steps.push_back(summary_of(kind.steps[k], motions[k]));
+      result.push_back(s);
+    }
+    return result;
+  }
+
+ private:
+  struct Kind {
+    const Limit& limit;
+    Workers& workers;
+    System moving;  // is advanced from one repeat to the next
+    std::array<EvaluationRepeats, switches.size()> evaluations;
+    std::array<StepRepeats, motions.size()> steps;
+  };
+  static ForceSettings forces(const Kind& kind, std::size_t k) {
+    return benchmark_forces(kind.limit.precision, switches[k]);
+  }
+
+  Effort effort_;
+  System water_;
+  std::vector<Kind> kinds_;
+};
+
+}  // namespace
+
+const Limit& Benchmark::limit(Precision precision) const {
+  return *std::find_if(limits.begin(), limits.end(),
+                       [&](const Limit& l) { return l.precision == precision; });
+}
+
+double Benchmark::spread() const {
+  double max_spread = 0;
+  for (const SystemTiming& s : systems) {
+    for (const EvaluationTiming& e : s.evaluations)
+      max_spread = std::max({max_spread, e.forces.spread(), e.energies.spread()});
+    for (const StepTiming& t : s.steps) max_spread = std::max(max_spread, t.all.spread());
+  }
+  return max_spread;
+}
+
+std::size_t pairs_within(const State& state, double distance) {
+  const Box& box = state.box;
+  std::size_t n[3], cells = 1, pairs = 0;
+  for (std::size_t d = 0; d < 3; ++d) {
+    n[d] = static_cast<std::size_t>(box.edge[d] / distance);
+    if (n[d] < 3) n[d] = 1;  // otherwise the neighbours on both sides are the same cell
+    cells *= n[d];
+  }
+  std::vector<std::vector<Vec3<double>>> bodies(cells);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    std::size_t cell = 0;
+    for (std::size_t d = 0; d < 3; ++d) {
+      const double x = state.q[i][d] / box.edge[d];
+      const auto k = static_cast<std::size_t>((x - std::floor(x)) * static_cast<double>(n[d]));
+      cell = cell * n[d] + std::min(k, n[d] - 1);
+    }
+    bodies[cell].push_back(state.q[i]);
+  }
+  const auto from = [](std::size_t edge) { return edge == 1 ? 0 : edge - 1; };
+  const auto to = [](std::size_t edge) { return edge == 1 ? 0 : edge + 1; };
+  for (std::size_t x = 0; x < n[0]; ++x)
+    for (std::size_t y = 0; y < n[1]; ++y)
+      for (std::size_t z = 0; z < n[2]; ++z)
+        for (std::size_t i = x + from(n[0]); i <= x + to(n[0]); ++i)
+          for (std::size_t j = y + from(n[1]); j <= y + to(n[1]); ++j)
+            for (std::size_t k = z + from(n[2]); k <= z + to(n[2]); ++k)
+              for (const Vec3<double>& a : bodies[(x * n[1] + y) * n[2] + z])
+                for (const Vec3<double>& b : bodies[(i % n[0] * n[1] + j % n[1]) * n[2] + k % n[2]])
+                  pairs += norm2(box.minimum_image(a - b)) < distance * distance;
+  return (pairs - state.size()) / 2;  // every pair was counted twice, and every body paired with
+                                      // itself
+}
+
+Benchmark run_benchmark(const BenchmarkSettings& settings,
+                        const std::function<void(double, const std::string&)>& report) {
+  const Effort& effort = settings.quick ? quick : normal;
+  std::vector<std::unique_ptr<Workers>> workers;
+  for (const int threads : settings.threads) workers.push_back(std::make_unique<Workers>(threads));
+  Benchmark result;
+  for (const Precision precision : settings.precisions)
+    result.limits.push_back(measure_limit(precision, effort.limit));
+  const auto sizes = static_cast<double>(settings.sizes.size());
+  for (std::size_t k = 0; k < settings.sizes.size(); ++k) {
+    const std::size_t molecules = settings.sizes[k];
+    const auto tell = [&](double done) {
+      if (report)
+        report((static_cast<double>(k) + done) / sizes, fmt::format("{} waters", molecules));
+    };
+    tell(0);
+    Measurement measurement(molecules, settings, effort, result.limits, workers);
+    measurement.run(tell);
+    for (SystemTiming& s : measurement.result()) result.systems.push_back(std::move(s));
+  }
+  return result;
+}
+
+}  // namespace polhode

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/checkpoint.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <type_traits>
+#include <utility>
+
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/run/simulation/identity.hpp"
+
+namespace polhode {
+namespace {
+
+// The fields of a checkpoint in their order, for a writer as for a reader.
+
+template <class Archive, class Columns>
+void vectors(Archive& archive, Columns& v) {
+  archive(v.x), archive(v.y), archive(v.z);
+}
+
+template <class Archive, class Counter>
+void counter(Archive& archive, Counter& n) {
+  std::uint64_t value = n;
+  archive(value);
+  if constexpr (!std::is_const_v<Counter>) n = static_cast<Counter>(value);
+}
+
+template <class Archive, class Optional, class Fields>
+void optional(Archive& archive, Optional& value, const Fields& fields) {
+  bool there = value.has_value();
+  archive(there);
+  if constexpr (!std::is_const_v<Optional>) {
+    value.reset();
+    if (there) value.emplace();
+  }
+  if (there) fields(*value);
+}
+
+template <class Archive, class List, class Fields>
+void list(Archive& archive, List& values, const Fields& fields) {
+  std::size_t count = values.size();
+  counter(archive, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // no more than are there
+    fields(values[k]);
+  }
+}
+
+template <class Archive, class Of>
+void state(Archive& archive, Of& s) {
+  vectors(archive, s.q);
+  vectors(archive, s.p);
+  archive(s.attitude.w), vectors(archive, s.attitude);
+  if constexpr (!std::is_const_v<Of>) {  // what pads the columns is an attitude, too
+    Column<double> w(s.attitude.w.size(), 1.0);
+    for (std::size_t i = 0; i < w.size(); ++i) w[i] = s.attitude.w[i];
+    s.attitude.w = std::move(w);
+  }
+  vectors(archive, s.ell);
+  archive(s.box.edge);
+  archive(s.time);
+}
+
+template <class Archive, class Of>
+void memory(Archive& archive, Of& m) {
+  vectors(archive, m.load.f);
+  vectors(archive, m.load.tau);
+  archive(m.load.lennard_jones), archive(m.load.coulomb), archive(m.load.mesh);
+  for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
+  archive(m.current), archive(m.complete);
+  archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
+}
+
+template <class Archive, class Of>
+void blocks(Archive& archive, Of& of) {
+  archive(of.samples_per_block);
+  list(archive, of.blocks, [&](auto& block) {
+    archive(block.weight);
+    list(archive, block.sum, [&](auto& x) { archive(x); });
+  });
+}
+
+template <class Archive, class Of>
+void statistics(Archive& archive, Of& s) {
+  auto& first = s.energies.first;
+  counter(archive, s.energies.samples);
+  for (auto* x : {&first.time, &first.lennard_jones, &first.coulomb, &first.translation,
+                  &first.rotation[0], &first.rotation[1], &first.rotation[2], &first.pressure})
+    archive(*x);
+  blocks(archive, s.energies.blocks);
+  counter(archive, s.shadow.samples);
+  archive(s.shadow.first), archive(s.shadow.start);
+  blocks(archive, s.shadow.blocks);
+  blocks(archive, s.configurational.blocks);
+  counter(archive, s.stretches.samples), counter(archive, s.stretches.stretches);
+  for (auto& x : s.stretches.sums) archive(x);
+  archive(s.stretches.mean), archive(s.stretches.squares);
+}
+
+template <class Archive, class Of>
+void run_state(Archive& archive, Of& at) {
+  state(archive, at.state);
+  optional(archive, at.equilibrated, [&](auto& time) { archive(time); });
+  counter(archive, at.steps);
+  archive(at.start);
+  memory(archive, at.integrator);
+  list(archive, at.integrator.inner, [&](auto& within) { memory(archive, within); });
+  for (auto* neighbours : {&at.list, &at.near_list}) {
+    vectors(archive, neighbours->built_at);
+    counter(archive, neighbours->rebuilds);
+  }
+  statistics(archive, at.statistics);
+  for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
+                     &at.timings.measurement, &at.timings.near})
+    archive(*part);
+}
+
+template <class Archive, class Of>
+void mark(Archive& archive, Of& m) {
+  archive(m.frames), archive(m.bytes), archive(m.checksum);
+}
+
+template <class Archive, class Of>
+void output_marks(Archive& archive, Of& marks) {
+  mark(archive, marks.energies);
+  list(archive, marks.frames, [&](auto& file) { mark(archive, file); });
+  counter(archive, marks.next_frame);
+}
+
+template <class Archive, class Of>
+void fields(Archive& archive, Of& c) {
+  archive(c.identity);
+  archive(c.command);
+  run_state(archive, c.at);
+  archive(c.noise.power), archive(c.noise.energy);
+  optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
+}
+
+/// What a start file tells beside positions: attitudes, and velocities if it has them. What is
+/// drawn follows from the seed. Nine digits are more than any text format has, and fewer than
+/// differ from processor to processor.
+std::string motion_of_start(const Config& config, const System& system) {
+  std::string text;
+  if (config.system.initial_configuration.empty()) return text;
+  const auto add = [&](const Vec3<double>& v) {
+    text += fmt::format(" {:.9e} {:.9e} {:.9e}", v.x, v.y, v.z);
+  };
+  const State& s = system.state;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const Quaternion<double> a = s.attitude[i];
+    text += fmt::format(" {:.9f}", a.w);
+    add({a.x, a.y, a.z});
+    if (!system.new_velocities) add(s.p[i]), add(s.ell[i]);
+  }
+  return text;
+}
+
+/// What stands in trajectories: which files, of which sites by which names, velocities or none.
+std::string outputs_of(const OutputSettings& output, const Topology& topology) {
+  std::string text;
+  if (output.trajectory_every == 0) return text;
+  for (const std::string& format : output.formats) text += ' ' + format;
+  if (!output.massless_sites) text += " without massless sites";
+  if (!output.velocities) text += " without velocities";
+  for (const auto& part : topology.parts)
+    for (const Site& site : part.molecule.sites) text += ' ' + site.name + ' ' + site.element;
+  return text;
+}
+
+/// Whether all blocks hold as many sums as those of a fresh one.
+bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
+  const std::size_t sums = fresh.blocks.front().sum.size();
+  return blocks.samples_per_block >= 1 &&
+         std::all_of(blocks.blocks.begin(), blocks.blocks.end(), [&](const auto& block) {
+           return block.weight > 0 && block.sum.size() == sums;
+         });
+}
+
+bool fit(const TrajectoryStatistics& read) {
+  TrajectoryStatistics fresh;
+  fresh.energies.add({});
+  fresh.shadow.add(0, 0);
+  fresh.configurational.add({});
+  return fit(read.energies.blocks, fresh.energies.blocks) &&
+         fit(read.shadow.blocks, fresh.shadow.blocks) &&
+         fit(read.configurational.blocks, fresh.configurational.blocks);
+}
+
+Checkpoint read_checkpoint_from(CheckpointReader in, const std::string& path) {
+  Checkpoint checkpoint;
+  fields(in, checkpoint);
+  in.end();
+  if (!fit(checkpoint.at.statistics))
+    throw DamagedCheckpoint(
+        fmt::format("the checkpoint '{}' holds sums over samples that do not fit together", path));
+  return checkpoint;
+}
+
+Checkpoint of_this_run(const std::string& path, const std::string& identity,
+                       const ProgramVersion& reader) {
+  Checkpoint checkpoint = read_checkpoint(path, reader);
+  if (checkpoint.identity != identity)
+    throw Error(fmt::format(
+        "the checkpoint '{}' belongs to another run, which began with '{}': molecules, start or "
+        "its "
+        "velocities, forces, scheme, step, equilibration, samples or what trajectories hold "
+        "differ; give that run file "
+        "with the same options, another --output, or begin anew with --force",
+        path, checkpoint.command));
+  return checkpoint;
+}
+
+}  // namespace
+
+std::string run_identity(const Config& config, const System& system) {
+  std::string all =
+      identity(config, system,
+               {config.integrator.step, config.run.equilibrate, config.run.sample,
+                config.run.shadow_sample.value_or(-1), config.run.configurational_sample,
+                config.output.trajectory_every, config.forces.skin});
+  all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
+  all += motion_of_start(config, system) + outputs_of(config.output, system.topology);
+  return text_hash(all);
+}
+
+void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
+                      const ProgramVersion& program) {
+  write_file(
+      files.newest,
+      [&](std::ostream& out) {
+        CheckpointWriter writer(out, program);
+        fields(writer, checkpoint);
+        writer.end();
+      },
+      files.previous);
+}
+
+Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader) {
+  return read_checkpoint_from(CheckpointReader(path, reader), path);
+}
+
+Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
+                            const ProgramVersion& reader) {
+  return read_checkpoint_from(CheckpointReader(std::move(bytes), path, reader), path);
+}
+
+std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
+                                               const std::string& identity,
+                                               const ProgramVersion& reader) {
+  if (!std::filesystem::exists(files.newest) && !std::filesystem::exists(files.previous))
+    return std::nullopt;
+  std::string damage;
+  try {
+    return FoundCheckpoint{of_this_run(files.newest, identity, reader), {}};
+  } catch (const DamagedCheckpoint& e) {
+    damage = e.what();
+  }
+  try {
+    return FoundCheckpoint{of_this_run(files.previous, identity, reader),
+                           fmt::format("{}; the one before it, '{}', is intact and is gone on "
+                                       "from, with the same results",
+                                       damage, files.previous)};
+  } catch (const DamagedCheckpoint& e) {
+    throw Error(
+        fmt::format("{}; {}; begin the run anew with --force, or start another from its "
+                    "last frame",
+                    damage, e.what()));
+  }
+}
+
+}  // namespace polhode

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "polhode/base/units.hpp"
+#include "polhode/run/adviser/adviser.hpp"
+
+namespace polhode {
+
+double einstein_frequency(const System& system, Workers& workers) {
+  ForceField forces(system.topology, system.forces, system.state.box, workers);
+  Load load(system.bodies.size());
+  forces(system.state, load);
+  double highest = 0;
+  std::size_t body = 0;
+  for (const auto& part : system.topology.parts) {
+    std::array<double, 4> squares{};  // of p/√m and L_k/√J_k, their changes per time
+    for (std::size_t end = body + part.count; body < end; ++body) {
+      const Bodies& b = system.bodies;
+      squares[0] += dot(load.f[body], load.f[body]) * b.inverse_m[body] / 3;
+      const Vec3<double> tau = to_body(system.state.attitude[body], load.tau[body]);
+      for (std::size_t k = 0; k < 3; ++k) squares[k + 1] += tau[k] * tau[k] * b.inverse_J[body][k];
+    }
+    for (const double sum : squares)
+      highest = std::max(highest, sum / static_cast<double>(part.count));
+  }
+  return std::sqrt(highest / (units::boltzmann * system.temperature));
+}
+
+}  // namespace polhode

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/run_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "polhode/io/checksum.hpp"
+
+namespace polhode {
+namespace {
+
+/// What observers of a run see of its energies beside the atoms.
+std::vector<FrameNumber> observables(const Energies& e) {
+  return {{"potential_energy", "kJ mol-1", e.potential()},
+          {"kinetic_energy", "kJ mol-1", e.kinetic()},
+          {"total_energy", "kJ mol-1", e.total()}};
+}
+
+}  // namespace
+
+RunFileNames::RunFileNames(const OutputSettings& output)
+    : energies(output.prefix + "-energies.csv"),
+      final_state(output.prefix + "-final.gro"),
+      checkpoints{output.prefix + "-checkpoint.bin", output.prefix + "-checkpoint-previous.bin"} {
+  if (output.plot != "none") {
+    script = output.prefix + "-energies.gp";
+    plot = output.prefix + "-energies." + output.plot;
+  }
+  if (output.trajectory_every > 0)
+    for (const std::string& format : output.formats)
+      trajectories.push_back(output.prefix + "-trajectory." + format);
+}
+
+std::vector<std::string> RunFileNames::all() const {
+  std::vector<std::string> files = trajectories;
+  files.push_back(energies);
+  files.push_back(final_state);
+  if (!plot.empty()) files.insert(files.end(), {script, plot});
+  files.insert(files.end(), {checkpoints.newest, checkpoints.previous});
+  return files;
+}
+
+RunFiles::RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
+                   const Provenance& provenance, const std::string& identity,
+                   const FoundCheckpoint* from)
+    : names_(names),
+      topology_(topology),
+      choice_(config.output.choice()),
+      provenance_(provenance),
+      interval_(config.output.checkpoint_every),
+      steps_per_frame_(static_cast<std::size_t>(
+          std::max(1.0, config.output.trajectory_every / config.integrator.step + 1e-9))),
+      others_(from == nullptr),
+      checkpoint_{.identity = identity, .command = provenance.command} {
+  if (from) resume(*from);
+}
+
+void RunFiles::resume(const FoundCheckpoint& from) {
+  const Checkpoint& then = from.checkpoint;
+  checkpoint_.noise = then.noise;
+  checkpoint_.command = provenance_.command = then.command;
+  last_checkpoint_step_ = then.at.steps;
+  if (then.outputs) {
+    const OutputMarks& marks = *then.outputs;
+    check_crc64(names_.energies, 0, marks.energies.bytes, marks.energies.checksum);
+    for (std::size_t k = 0; k < marks.frames.size(); ++k)
+      check_frames(names_.trajectories[k], marks.frames[k]);
+    check_energies(names_.energies, marks.energies);
+    reopen(marks);
+  }
+  // The intact one is the newest from here on: the damaged one must not become its previous one.
+  if (!from.note.empty())
+    std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);
+}
+
+void RunFiles::reopen(const OutputMarks& marks) try {
+  energies_.emplace(names_.energies, topology_, marks.energies);
+  for (std::size_t k = 0; k < marks.frames.size(); ++k)
+    trajectories_.push_back(
+        resume_frames(names_.trajectories[k], topology_, marks.frames[k], choice_));
+  next_frame_ = marks.next_frame;
+} catch (const Error& e) {  // files were cut: not as if nothing had happened
+  throw RunError(e.what());
+}
+
+void RunFiles::begin() try {
+  energies_.emplace(names_.energies, topology_, provenance_);
+  for (const std::string& path : names_.trajectories)
+    trajectories_.push_back(create_frames(path, topology_, choice_));
+} catch (const Error& e) {  // there is a checkpoint: the run may resume once there is room
+  throw RunError(e.what());
+}
+
+void RunFiles::sample(std::size_t step, const State& state, const Energies& energies) {
+  if (!energies_) begin();
+  energies_->add(energies);
+  if (trajectories_.empty() || step < next_frame_) return;
+  for (const auto& trajectory : trajectories_) trajectory->write(state, observables(energies));
+  next_frame_ = step + steps_per_frame_;
+}
+
+bool RunFiles::due() const {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count() >=
+         interval_;
+}
+
+OutputMarks RunFiles::marks() {
+  OutputMarks marks{.energies = energies_->mark(), .next_frame = next_frame_};
+  for (const auto& trajectory : trajectories_) marks.frames.push_back(trajectory->mark());
+  return marks;
+}
+
+void RunFiles::checkpoint(RunState at) {
+  if (std::exchange(others_, false))
+    for (const std::string& file : {names_.checkpoints.newest, names_.checkpoints.previous})
+      std::filesystem::remove(file);
+  checkpoint_.at = std::move(at);
+  if (energies_) checkpoint_.outputs = marks();
+  write_checkpoint(names_.checkpoints, checkpoint_,
+                   {provenance_.version, provenance_.instruction_set});
+  last_checkpoint_step_ = checkpoint_.at.steps;
+  checkpoint_.at = {};
+  last_ = std::chrono::steady_clock::now();
+}
+
+void RunFiles::flush() {
+  if (energies_) marks();
+}
+
+}  // namespace polhode

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/system.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/memory.hpp"
+#include "polhode/forces/pairs/overlap.hpp"
+#include "polhode/forces/system_size.hpp"
+#include "polhode/io/frame_file.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/model/centre_of_mass.hpp"
+#include "polhode/model/initial_state.hpp"
+
+namespace polhode {
+namespace {
+
+// Takes molecules and mixing from a topology file; pairs of the run file are appended to its own.
+void take_topology_file(const Config& config, const Frame& start, System& system) {
+  RigidTopology read = read_topology(config.system.topology, &start);
+  system.topology = std::move(read.topology);
+  system.origins = std::move(read.origins);
+  if (read.rule_matters && !config.mixing_given)
+    throw Error(
+        "the file leaves pairs of unlike sites to a rule that it does not tell; write for example "
+        "mixing = \"geometric\" in [forces], which is LAMMPS's default",
+        config.system.topology.file);
+  if (read.rule_is_open) read.mixing.rule = config.forces.mixing.rule;
+  std::vector<PairOverride>& pairs = read.mixing.pairs;
+  pairs.insert(pairs.end(), config.forces.mixing.pairs.begin(), config.forces.mixing.pairs.end());
+  system.forces.mixing = std::move(read.mixing);
+  try {
+    check(system.forces.mixing, system.topology);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+}
+
+// To be called before anything is allocated per molecule.
+void check_size(const Topology& topology) {
+  check_count(topology);
+  // Numbers stored by state, bodies, forces and list (without partners): per body, and per site.
+  constexpr double each_body = 500, each_site = 24;  // [bytes]
+  double bytes = 0, molecules = 0;
+  for (const auto& [molecule, count] : topology.parts) {
+    const auto n = static_cast<double>(count);
+    molecules += n;
+    bytes += n * (each_body + each_site * static_cast<double>(molecule.sites.size()));
+  }
+  require_memory(bytes, fmt::format("{:.0f} molecules", molecules), "take fewer of them");
+}
+
+State lattice_start(const Config& config, const Topology& topology) {
+  const SystemSettings& s = config.system;
+  Box box;
+  try {
+    check_size(topology);
+    box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
+    check_edges(box);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  return lattice(topology, box, s.seed);
+}
+
+// The centre of mass comes to rest.
+void bring_to_rest(System& system) {
+  const Vec3<double> velocity = remove_total_momentum(system.state, system.bodies);
+  system.removed_velocity = norm(velocity);
+  system.removed_temperature = temperature(total_mass(system.bodies) * norm2(velocity) / 2,
+                                           degrees_of_freedom(system.topology).all());
+}
+
+void scale(Vec3Column& v, double factor) {
+  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
+}
+
+}  // namespace
+
+Topology build_topology(const SystemSettings& settings) {
+  if (!settings.topology.file.empty()) {
+    const Frame start = read_start(settings.initial_configuration);
+    return read_topology(settings.topology, &start).topology;
+  }
+  Topology topology;
+  for (const auto& component : settings.molecules)
+    topology.parts.push_back({read_molecule(component.model), component.count});
+  return topology;
+}
+
+System build_system(const Config& config) {
+  const bool from_file = !config.system.topology.file.empty();
+  System system{from_file ? Topology{} : build_topology(config.system),
+                Bodies({}),
+                {},
+                config.forces,
+                config.system.temperature};
+  if (config.system.initial_configuration.empty()) {
+    system.state = lattice_start(config, system.topology);
+  } else {
+    const Frame frame = read_start(config.system.initial_configuration);
+    if (from_file)
+      take_topology_file(config, frame, system);
+    else
+      system.topology = complete_topology(std::move(system.topology), frame);
+    FittedState fitted = fit_state(frame, system.topology);
+    system.state = std::move(fitted.state);
+    system.fit_deviation = fitted.deviation;
+    system.massless_deviation = fitted.massless_deviation;
+    system.new_velocities = !fitted.has_velocities;
+  }
+  system.bodies = Bodies(system.topology);
+  try {
+    check_edges(system.state.box);
+    check_overlap(system.topology, system.state);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  try {
+    system.forces = ForceField(system.topology, system.forces, system.state.box).settings();
+  } catch (const Error& e) {
+    throw e.at(config.cutoff_place);
+  }
+  if (system.new_velocities)
+    draw_momenta(system, config.system.seed);
+  else
+    bring_to_rest(system);
+  return system;
+}
+
+void draw_momenta(System& system, std::uint64_t seed) {
+  draw_momenta(system.state, system.topology, system.temperature, seed);
+}
+
+void rescale(State& state, const Topology& topology, const Bodies& bodies, double wanted) {
+  remove_total_momentum(state, bodies);
+  const Energies e = energies(state, bodies, Load{});
+  const DegreesOfFreedom n = degrees_of_freedom(topology);
+  const double now = temperature(e.translation, n.translation);
+  const double turning = temperature(e.kinetic() - e.translation, n.all() - n.translation);
+  if (now > 0) scale(state.p, std::sqrt(wanted / now));
+  if (turning > 0) scale(state.ell, std::sqrt(wanted / turning));
+}
+
+}  // namespace polhode

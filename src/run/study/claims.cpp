@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/study/claims.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace polhode {
+namespace {
+
+/// Of a normal law, within which 95 % lie: an interval of two standard errors on either side.
+constexpr double two_sided = 1.96;
+
+Estimate operator*(double factor, const Estimate& x) {
+  return {factor * x.value, factor * x.error};
+}
+
+const Curve* find(const std::vector<Curve>& curves, const std::string& scheme) {
+  const auto it = std::find_if(curves.begin(), curves.end(),
+                               [&](const Curve& c) { return c.scheme == scheme; });
+  return it == curves.end() ? nullptr : &*it;
+}
+
+Verdict worst(Verdict a, Verdict b) {
+  if (a == Verdict::not_reproduced || b == Verdict::not_reproduced) return Verdict::not_reproduced;
+  return a == Verdict::undecided || b == Verdict::undecided ? Verdict::undecided
+                                                            : Verdict::reproduced;
+}
+
+/// Whether R, with its error, lies above a limit: reproduced if it does, not if it lies below.
+Verdict above(const Estimate& R, double limit) {
+  if (R.value - two_sided * R.error > limit) return Verdict::reproduced;
+  return R.value + two_sided * R.error < limit ? Verdict::not_reproduced : Verdict::undecided;
+}
+
+Verdict opposite(Verdict v) {
+  if (v == Verdict::undecided) return v;
+  return v == Verdict::reproduced ? Verdict::not_reproduced : Verdict::reproduced;
+}
+
+/// The R of the longest step without a significant drift; 0 if every step drifts.
+Estimate last_without(const Curve& c) {
+  return c.usable == 0 ? Estimate{} : c.points[c.usable - 1].ratio;
+}
+
+/// Whether a curve has steps without a drift above R = `limit`. It has none where the first step
+/// that drifts lies below it; between the last step without and the first with a drift nothing is
+/// known.
+Verdict runs_above(const Curve& c, double limit) {
+  if (c.usable > 0 && above(last_without(c), limit) == Verdict::reproduced)
+    return Verdict::reproduced;
+  if (c.usable == c.points.size() || !c.points[c.usable].stable) return Verdict::undecided;
+  return above(c.points[c.usable].ratio, limit) == Verdict::not_reproduced ? Verdict::not_reproduced
+                                                                           : Verdict::undecided;
+}
+
+/// More runs see smaller drifts, so curves are compared only where the points about their ends have
+/// the same number of them.
+bool equal_runs(const std::vector<const Curve*>& curves) {
+  std::set<int> runs;
+  for (const Curve* c : curves)
+    for (const std::size_t i : {c->usable - 1, c->usable})
+      if (i < c->points.size()) runs.insert(c->points[i].runs);
+  return runs.size() <= 1;
+}
+
+}  // namespace
+
+Verdict rounds_to(const Estimate& x, double number, double half_digit) {
+  const double off = std::abs(x.value - number), doubt = two_sided * x.error;
+  if (off + doubt <= half_digit) return Verdict::reproduced;
+  return off - doubt > half_digit ? Verdict::not_reproduced : Verdict::undecided;
+}
+
+const char* in_words(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::reproduced:
+      return "reproduced";
+    case Verdict::not_reproduced:
+      return "not reproduced";
+    case Verdict::undecided:
+      break;
+  }
+  return "not decided by these data";
+}
+
+std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
+  const Curve* const verlet = find(curves, "velocity-verlet");
+  const Curve* const hoa2 = find(curves, "hoa2");
+  const Curve* const gier4 = find(curves, "gier4-fd");
+  if (!verlet || !hoa2 || !gier4) return {};
+  std::vector<Claim> claims;
+
+  // Costs are compared along the whole curves; where they end by drift is a claim of its own.
+  const Curve v_curve = regardless_of_drift(*verlet), h_curve = regardless_of_drift(*hoa2);
+  for (const double R : {0.01, 0.007, 0.004}) {
+    const auto v = cost_at(v_curve, R), h = cost_at(h_curve, R);
+    Claim claim{
+        fmt::format("HOA2 is roughly 1.5 times cheaper than Verlet (here at R = {:g} %)", 100 * R),
+        std::nullopt, Verdict::undecided};
+    if (v && h && !v->at_max_step && !h->at_max_step) {
+      const double ratio = v->cost / h->cost;
+      claim.value = {ratio, ratio * std::hypot(v->error / v->cost, h->error / h->cost)};
+      claim.verdict = rounds_to(*claim.value, 1.5, 0.05);
+    }
+    claims.push_back(claim);
+  }
+
+  Claim crossing{"GIER4 is the cheapest below R = 0.4 % (here: the R of the crossing, in %)",
+                 crossover(regardless_of_drift(*gier4), h_curve), Verdict::undecided};
+  if (crossing.value) {
+    crossing.value = 100 * *crossing.value;
+    crossing.verdict = rounds_to(*crossing.value, 0.4, 0.05);
+  }
+  claims.push_back(crossing);
+
+  constexpr double limit = 0.015;
+  Claim end{
+      fmt::format("above R = 1.5 % only Verlet runs without significant drift (here the largest "
+                  "such R: Verlet {:.2f} %, HOA2 {:.2f} %, GIER4 {:.2f} %)",
+                  100 * last_without(*verlet).value, 100 * last_without(*hoa2).value,
+                  100 * last_without(*gier4).value),
+      std::nullopt, Verdict::undecided};
+  if (equal_runs({verlet, hoa2, gier4}))
+    end.verdict = worst(runs_above(*verlet, limit), worst(opposite(runs_above(*hoa2, limit)),
+                                                          opposite(runs_above(*gier4, limit))));
+  claims.push_back(end);
+  return claims;
+}
+
+}  // namespace polhode

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/study/guideline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/io/nested_scheme_text.hpp"
+
+namespace polhode {
+namespace {
+
+double relative_error(const EfficiencyPoint& p) { return p.ratio.error / p.ratio.value; }
+
+}  // namespace
+
+std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
+  std::vector<Curve> all;
+  for (const EfficiencyPoint& p : points) {
+    auto curve =
+        std::find_if(all.begin(), all.end(), [&](const Curve& c) { return c.scheme == p.scheme; });
+    if (curve == all.end()) curve = all.insert(all.end(), {p.scheme, {}, 0});
+    curve->points.push_back(p);
+  }
+  for (Curve& curve : all) {
+    std::sort(curve.points.begin(), curve.points.end(),
+              [](const auto& a, const auto& b) { return a.step < b.step; });
+    while (curve.usable < curve.points.size() && curve.points[curve.usable].usable())
+      ++curve.usable;
+  }
+  return all;
+}
+
+Curve regardless_of_drift(Curve curve) {
+  curve.usable = 0;
+  while (curve.usable < curve.points.size() && curve.points[curve.usable].stable) ++curve.usable;
+  return curve;
+}
+
+std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
+  if (curve.usable == 0) return std::nullopt;
+  const auto& points = curve.points;
+  CostAtRatio at;
+  at.evaluations = points[0].cost * points[0].step;
+  double log_error = 0;  // of the step, relative
+  if (ratio < points[0].ratio.value) {
+    const int order = nested_scheme_of(curve.scheme).order();
+    if (order == 0 || points[0].at_rounding()) return std::nullopt;
+    at.exponent = order;
+    at.step = points[0].step * std::pow(ratio / points[0].ratio.value, 1.0 / order);
+    at.extrapolated = true;
+    log_error = relative_error(points[0]) / order;
+  }
+  for (std::size_t i = 0; i + 1 < curve.usable && at.step == 0; ++i) {
+    const double low = points[i].ratio.value, high = points[i + 1].ratio.value;
+    if (ratio < low || ratio > high) continue;
+    const double x = std::log(ratio / low) / std::log(high / low);
+    at.step = points[i].step * std::pow(points[i + 1].step / points[i].step, x);
+    at.exponent = std::log(high / low) / std::log(points[i + 1].step / points[i].step);
+    log_error = std::hypot((1 - x) * relative_error(points[i]), x * relative_error(points[i + 1])) /
+                at.exponent;
+  }
+  const EfficiencyPoint& last = points[curve.usable - 1];
+  if (ratio > last.ratio.value) {
+    at.step = last.step;
+    at.at_max_step = true;
+  }
+  if (at.step == 0) return std::nullopt;
+  at.cost = at.evaluations / at.step;
+  at.error = at.cost * log_error;
+  return at;
+}
+
+std::vector<Guideline> guidelines(const std::vector<Curve>& all,
+                                  const std::vector<double>& ratios) {
+  std::vector<Guideline> table;
+  for (const double R : ratios) {
+    Guideline line{R, {}, std::nullopt};
+    for (const Curve& curve : all) {
+      line.costs.push_back(cost_at(curve, R));
+      const auto& cost = line.costs.back();
+      if (cost && (!line.best || cost->cost < line.costs[*line.best]->cost))
+        line.best = line.costs.size() - 1;
+    }
+    table.push_back(line);
+  }
+  return table;
+}
+
+std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser) {
+  // log(cost ratio) on a fine grid of R; the crossover is the largest R at which it changes sign.
+  const auto advantage = [&](double R) -> std::optional<double> {
+    const auto a = cost_at(finer, R), b = cost_at(coarser, R);
+    for (const auto& cost : {a, b})
+      if (!cost || cost->extrapolated || cost->at_max_step) return std::nullopt;
+    return std::log(b->cost / a->cost);
+  };
+  constexpr double factor = 1.002, largest = 0.2, smallest = 1e-7;
+  std::optional<double> above;
+  for (double R = largest; R > smallest; R /= factor) {
+    const auto here = advantage(R);
+    if (here && above && *above <= 0 && *here > 0) {
+      const auto a = cost_at(finer, R), b = cost_at(coarser, R);
+      // log cost decreases as −log R/exponent, so its error shifts the crossing by this amount.
+      const double slopes = std::abs(1 / b->exponent - 1 / a->exponent);
+      const double error = std::hypot(a->error / a->cost, b->error / b->cost);
+      return Estimate{R, slopes > 0 ? R * error / slopes : 0.0};
+    }
+    above = here;
+  }
+  return std::nullopt;
+}
+
+}  // namespace polhode
