@@ -54,7 +54,7 @@ function(polhode_compile_kernels library)
   foreach(name IN LISTS compiled_sets)
     set(objects ${library}_${name})
     add_library(${objects} OBJECT ${ARGN})
-    target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags hwy::hwy)
+    target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags polhode_fft hwy::hwy)
     target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast
                            -fno-tree-vectorize)  # vectorization is explicit in packs
     target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES)
