@@ -128,7 +128,7 @@ struct Spectrum {
 std::vector<Spectrum> correlated_noise() {
   constexpr std::array times{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4};
   constexpr std::array amplitudes{1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0};
-  constexpr double white_noise = 0.3;
+  constexpr double white_noise = 0.4;
   std::vector<Spectrum> all{{white_noise}};
   for (const double time : times)
     for (const double amplitude : amplitudes)

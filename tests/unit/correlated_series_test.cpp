@@ -106,12 +106,12 @@ Calibration calibrated(const Settings& s) {
 }  // namespace
 
 // Over 2000 series a fraction of 0.01 is known to 0.0022. At most twice the nominal fractions, from
-// twelve correlation times on (docs/statistics.md). The test is cautious where the noise is white,
+// sixteen correlation times on (docs/statistics.md). The test is cautious where the noise is white,
 // because it allows for noise that is not; the lower side is "a drift is seen".
 TEST_CASE("without a drift the test for it fires as often as it says, whatever the correlation") {
   for (const Settings& s :
        {Settings{.rho = 0}, Settings{.rho = std::exp(-1.0 / 8)},
-        Settings{.rho = std::exp(-1.0 / 25)}, Settings{.rho = std::exp(-1.0 / 80)},
+        Settings{.rho = std::exp(-1.0 / 25)}, Settings{.rho = std::exp(-1.0 / 62)},
         Settings{.rho = std::exp(-1.0 / 8), .omega = 0.3},
         Settings{.rho = std::exp(-1.0 / 25), .omega = 0.3},
         Settings{.rho = std::exp(-1.0 / 8), .length = 100}}) {
