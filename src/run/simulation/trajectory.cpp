@@ -197,8 +197,8 @@ Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& who
     result.steps = from->steps;
     statistics = from->statistics;
     integrator.resume_from(from->integrator);
-    whole.forces.resume_from(from->list);
-    if (near) near->forces.resume_from(from->near_list);
+    whole.forces.resume_from(from->list, system.state.box);
+    if (near) near->forces.resume_from(from->near_list, system.state.box);
   }
   Clocks clocks(whole, near, from ? from->timings : Timings{});
 
@@ -206,8 +206,9 @@ Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& who
     if (!watch.checkpoint) return;
     clocks.add_motion();
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
-                      whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
-                      statistics, clocks.timings()});
+                      whole.forces.list_memory(system.state.box),
+                      near ? near->forces.list_memory(system.state.box) : ListMemory{}, statistics,
+                      clocks.timings()});
     clocks.skip();
   };
   Load complete;
@@ -307,12 +308,14 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
   if (from) {
     system.state = from->state;
     done = from->equilibrated.value();
-    forces.resume_from(from->list);
+    forces.resume_from(from->list, system.state.box);
   }
   while (done < length) {
     RunState here;  // a piece that is not finished is done again
     if (watch.checkpoint)
-      here = {.state = system.state, .equilibrated = done, .list = forces.list_memory()};
+      here = {.state = system.state,
+              .equilibrated = done,
+              .list = forces.list_memory(system.state.box)};
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
     const Trajectory part = run_trajectory(
