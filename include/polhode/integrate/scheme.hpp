@@ -97,7 +97,6 @@ class Scheme {
             // next step
     return n;
   }
-  constexpr bool has_gradient() const { return gradient_kicks() > 0; }
 
   constexpr bool palindromic() const {
     for (std::size_t i = 0; i < count_; ++i)
