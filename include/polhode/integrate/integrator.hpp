@@ -74,7 +74,7 @@ class Integrator {
     if (scheme.has(Gradient::exact)) {
       if (!OffersDerivative<Forces>)
         throw Error(
-            "the scheme has exact gradient kicks and these forces offer no derivative; give them a "
+            "the scheme has exact gradient kicks and these forces have no derivative; give them a "
             "directional_derivative, or take finite differences as in \"gier4-fd\"");
       dq_ = dtheta_ = Vec3Column(bodies.size());
     }

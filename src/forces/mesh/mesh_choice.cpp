@@ -196,9 +196,9 @@ std::string remedy(double relative_error, double cutoff, const Box& box, const T
                    double most) {
   for (double longer = 1.25 * cutoff; longer < 0.45 * box.shortest_edge(); longer *= 1.25)
     if (points_of(cheapest_mesh(relative_error, longer, box, topology)) <= most)
-      return fmt::format("take a cutoff of {:.2g} nm, up to which there are few pairs",
+      return fmt::format("take a cutoff of {:.2g} nm, within which there are still few pairs",
                          1.05 * longer);
-  return "take a smaller box, or ask for less accuracy";
+  return "take a smaller box, or a larger pme_accuracy";
 }
 
 }  // namespace
@@ -206,19 +206,20 @@ std::string remedy(double relative_error, double cutoff, const Box& box, const T
 MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
                       const Topology& topology) {
   if (!(relative_error >= 1e-7 && relative_error <= 0.1))
-    throw Error(
-        fmt::format("a relative error of the mesh's forces of {} is asked for; it must be "
-                    "from 1e-7 to 0.1",
-                    relative_error));
+    throw Error(fmt::format(
+        "a relative force error of {} is requested of the mesh; it must be from 1e-7 to 0.1",
+        relative_error));
   const double charges = ChargeDistribution(topology, box).charges();
   if (charges == 0)
-    throw Error("no molecule has a charge, so there is nothing for a mesh; take none");
+    throw Error(
+        "no molecule has a charge, so PME has nothing to compute; take electrostatics = "
+        "\"coulomb\"");
   const MeshSettings best = cheapest_mesh(relative_error, cutoff, box, topology);
   const double most = max_points(charges);
   if (points_of(best) > most)
     throw Error(fmt::format(
         "a cutoff of {:g} nm and an accuracy of {:g} need a mesh of {} x {} x {} points in this "
-        "box, for {:.0f} charges; it must have at most {:.2g}, as the box holds so little: {}",
+        "box, for {:.0f} charges; the limit for so few bodies is {:.2g}: {}",
         cutoff, relative_error, best.points[0], best.points[1], best.points[2], charges, most,
         remedy(relative_error, cutoff, box, topology, most)));
   return best;
