@@ -78,7 +78,7 @@ Action schemes_verb(CLI::App& app) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("NAME", o->name, "a scheme's name, or its stages as text; without it: all");
+  app.add_option("NAME", o->name, "name of a scheme, or its stages as text; default: all");
   app.add_flag("--json", o->json, "print JSON");
   return [o] {
     if (!o->name.empty()) {

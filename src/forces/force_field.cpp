@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/force_field.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "polhode/base/error.hpp"
+#include "polhode/forces/laws/check_settings.hpp"
 #include "polhode/forces/laws/tail.hpp"
 #include "polhode/forces/mesh/self_interaction.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
@@ -15,44 +10,6 @@
 
 namespace polhode {
 namespace {
-
-constexpr double min_error_in_mixed = 1e-5;
-
-const ForceSettings& validate(const ForceSettings& s) {
-  if (!(s.cutoff > 0) || !std::isfinite(s.cutoff))
-    throw Error(
-        fmt::format("cutoff {} nm must be a positive length; 0.9 to 1.2 nm is usual", s.cutoff));
-  if (!(s.switch_from > 0) || s.switch_from >= s.cutoff)
-    throw Error(
-        fmt::format("switch {} nm must lie between 0 and the cutoff ({} nm), where it ends; "
-                    "without a switch the "
-                    "energy has a kink and no scheme keeps its order",
-                    s.switch_from, s.cutoff));
-  if (s.smoothness < 1 || s.smoothness > 3)
-    throw Error(
-        fmt::format("smoothness {} must be 1, 2 or 3: the class of the switch", s.smoothness));
-  if (!(s.dielectric >= 1))
-    throw Error(fmt::format("dielectric {} must be 1 or more, or infinite", s.dielectric));
-  if (!(s.skin > 0) || !std::isfinite(s.skin))
-    throw Error(fmt::format("skin {} nm must be a positive length; 0.1 nm is usual", s.skin));
-  if (s.electrostatics == Electrostatics::pme && s.precision == Precision::mixed &&
-      s.pme_accuracy < min_error_in_mixed)
-    throw Error(fmt::format(
-        "accuracy {:g} is below {:g}, about what rounding to float leaves of forces on a "
-        "mesh; take precision \"double\", or ask for {:g}",
-        s.pme_accuracy, min_error_in_mixed, min_error_in_mixed));
-  if (vanishes_at_cutoff(s.electrostatics) && s.truncation != Truncation::site_switch)
-    throw Error(
-        "electrostatics \"pme\" and \"damped-shifted-force\" go with truncation \"site-switch\", "
-        "which then ends Lennard-Jones alone: charges have an ending of their own");
-  if (s.electrostatics == Electrostatics::damped_shifted_force &&
-      !(s.damping >= 0 && s.damping * s.cutoff <= max_damping))
-    throw Error(fmt::format(
-        "damping {:g} 1/nm must be 0 or more, and at most {:g} over the cutoff, {:.4g} 1/nm, where "
-        "next to nothing is left of charges at the cutoff; 2 1/nm is usual",
-        s.damping, max_damping, max_damping / s.cutoff));
-  return s;
-}
 
 /// The settings with a mesh for the box, unless a mesh was given.
 ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box,
@@ -99,7 +56,7 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
     : workers_(workers),
       topology_(topology),
       bodies_(topology),
-      settings_(with_mesh(validate(settings), topology, box, mesh_choice_)),
+      settings_(with_mesh(checked(settings), topology, box, mesh_choice_)),
       box_(box),
       constant_(constant_terms_of(topology, settings_, box)),
       engine_(engine(topology, settings_, box, workers)) {}

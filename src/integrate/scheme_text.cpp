@@ -115,10 +115,9 @@ class Reader {
   [[noreturn]] void refuse(const std::string& expected) const {
     const std::string found =
         at_ < text_.size() ? fmt::format("'{}'", text_.substr(at_, 10)) : "the end";
-    throw Error(
-        fmt::format("scheme text has {} at character {} where {} must stand; a scheme reads "
-                    "like \"{}\"",
-                    found, at_ + 1, expected, example));
+    throw Error(fmt::format(
+        "scheme text has {} at character {} where {} is expected; a scheme is written like \"{}\"",
+        found, at_ + 1, expected, example));
   }
 
   std::string_view text_;
@@ -134,15 +133,15 @@ Scheme scheme_of(std::string_view name_or_text) {
     std::vector<std::string> names;
     for (const Scheme& scheme : schemes) names.emplace_back(scheme.name());
     throw Error(
-        fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them, and a text "
-                    "like \"{}\" spells one)",
+        fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them; or write the "
+                    "stages, like \"{}\")",
                     name_or_text, did_you_mean(name_or_text, names), example));
   }
   const Scheme scheme(Reader(name_or_text).stages(), 0);
   if (!scheme.consistent())
     throw Error(fmt::format(
         "the drifts A of the scheme sum to {:.17g} and the kicks B to {:.17g}{}; each must sum to "
-        "1, or a step is not a step; adjust the coefficients",
+        "1, so that a step advances time by h; adjust the coefficients",
         scheme.total(Flow::drift), scheme.total(Flow::kick),
         scheme.has(Flow::bath) ? fmt::format(", the baths O to {:.17g}", scheme.total(Flow::bath))
                                : ""));

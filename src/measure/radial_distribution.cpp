@@ -259,10 +259,10 @@ void RadialDistribution::add(const State& state, Workers& workers) {
   const Vec3<double> edge = state.box.edge, half = edge / 2.0;
   // Half an edge, as rounded by text files, still counts as half.
   if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
-    throw Error(fmt::format(
-        "the reach of {:g} nm is more than half of the shortest box edge ({:.4f} nm) at {:g} ps: "
-        "beyond, not all images of a site count; ask for a shorter one",
-        cutoff_, state.box.shortest_edge(), state.time));
+    throw Error(
+        fmt::format("the maximum distance of {:g} nm is more than half of the shortest box edge "
+                    "({:.4f} nm) at {:g} ps, beyond which g(r) is not defined; give a shorter one",
+                    cutoff_, state.box.shortest_edge(), state.time));
   std::vector<WrappedSite> placed;
   std::size_t i = 0;
   for (std::size_t part = 0; part < sites_.size(); ++part)

@@ -32,7 +32,7 @@ const char* const texts[] = {
     "gier4-fd / gier4-fd x 2 within 0.2 to 0.35 nm",
 };
 
-// Their differences of forces bring rounding by 1/λ.
+// Their differences of forces amplify rounding by 1/λ.
 bool by_difference(const NestedScheme& scheme) { return scheme.has(Gradient::finite_difference); }
 
 double largest_difference(const Vec3Column& a, const Vec3Column& b) {
@@ -54,10 +54,10 @@ struct Split {
 }  // namespace
 
 // The harmonic part of the field is near, the rest slow. Halving h halves both steps, so the energy
-// error falls with the order of the coarser level; bounds as for single schemes. GIER4 around a
-// near flow that is exact to fourth order needs the gradient of the slow forces alone: with the
-// near ones in it, or at the wrong positions, the order is 2.
-TEST_CASE("a nested scheme's energy error falls with the order of its coarser level") {
+// error has the lower of the two orders; bounds as for single schemes. GIER4 around a near flow
+// that is exact to fourth order needs the gradient of the slow forces alone: with the near ones in
+// it, or at the wrong positions, the order is 2.
+TEST_CASE("the energy error of a nested scheme has the lower of its two orders") {
   for (const char* text : texts) {
     CAPTURE(std::string(text));
     const NestedScheme scheme = nested_scheme_of(text);
@@ -81,7 +81,7 @@ TEST_CASE("nested schemes are reversible") {
     Split split(scene, scenes::no_truncation(), scheme);
     const State start = scene.state;
     split.integrator.advance(scene.state, 0.002, 100);
-    CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // it did move
+    CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // the bodies did move
     CHECK(scene.state.time == doctest::Approx(0.2).epsilon(1e-14));
     split.integrator.advance(scene.state, -0.002, 100);
     CHECK(largest_difference(scene.state.q, start.q) < (by_difference(scheme) ? 2e-9 : 1.2e-11));
@@ -91,7 +91,7 @@ TEST_CASE("nested schemes are reversible") {
 }
 
 // Bounds as for single schemes, for as many more kicks.
-TEST_CASE("nested schemes keep the total momentum") {
+TEST_CASE("nested schemes conserve the total momentum") {
   for (const char* text : texts) {
     CAPTURE(std::string(text));
     const NestedScheme scheme = nested_scheme_of(text);
@@ -104,7 +104,7 @@ TEST_CASE("nested schemes keep the total momentum") {
 }
 
 // At the first force point there is no inner step yet whose forces would be known: one more.
-TEST_CASE("a nested scheme costs as many evaluations of both kinds as it says") {
+TEST_CASE("a nested scheme needs the stated number of evaluations of both kinds") {
   for (const char* text : texts) {
     CAPTURE(std::string(text));
     const NestedScheme scheme = nested_scheme_of(text);
@@ -124,11 +124,10 @@ TEST_CASE("a nested scheme costs as many evaluations of both kinds as it says") 
   }
 }
 
-// Slow forces are what the whole law has beyond the near one, to the rounding of one subtraction of
-// forces up to 10⁴ kJ/mol/nm, whatever the law; energies are the whole ones. Two molecules closer
-// than where the near part begins to fade feel no slow force at all, two beyond its end no near
-// one.
-TEST_CASE("near and slow forces are all forces") {
+// Slow forces are all forces minus the near ones, up to the rounding of one subtraction of forces
+// up to 10⁴ kJ/mol/nm, whatever the law; energies are the total ones. Two molecules closer than the
+// switching distance of the near forces have no slow force, two beyond their cutoff no near one.
+TEST_CASE("near and slow forces add up to all forces") {
   const NestedScheme scheme = nested_scheme_of("hoa2 / hoa2 x 2 within 0.35 to 0.5 nm");
   scenes::Scene scene = scenes::lattice({{"tip4p", 60}, {"co2", 4}}, 0.33, 2.1, 5);
   ForceSettings pme{.truncation = Truncation::site_switch,
@@ -153,7 +152,7 @@ TEST_CASE("near and slow forces are all forces") {
       CHECK(norm(slow.f[i] + near.f[i] - whole.f[i]) < 1e-11);
       CHECK(norm(slow.tau[i] + near.tau[i] - whole.tau[i]) < 1e-11);
     }
-    CHECK(most > 1);  // there is something slow
+    CHECK(most > 1);  // there are slow forces
   }
   for (const double apart : {0.3, 0.6}) {
     scenes::Scene pair = scenes::lattice({{"tip4p", 2}}, 0.3, 2.1, 5);
@@ -184,9 +183,9 @@ State moved(const NestedScheme& scheme, double h, std::size_t steps) {
 
 // More inner steps change nothing but the error of the inner flow, which falls as n⁻ᵏ with the
 // inner order k: the distance to the limit falls by 2ᵏ from n to 2 n, two-sided to the next term,
-// n⁻² times that, some 0.1 at n = 4 steps of 0.5 fs. The limit is the outer scheme with the exact
-// inner flow, so any inner scheme leads to the same: here HOA2 and Forest-Ruth, as near as HOA2
-// comes with n = 64.
+// n⁻² times that, about 0.1 at n = 4 steps of 0.5 fs. The limit is the outer scheme with the exact
+// inner flow, so any inner scheme gives the same limit: here HOA2 and Forest-Ruth, within the error
+// of HOA2 with n = 64.
 TEST_CASE("with many inner steps the inner flow is exact") {
   const double h = 0.004;
   const auto with = [&](const std::string& inner, int n) {
@@ -212,10 +211,11 @@ TEST_CASE("with many inner steps the inner flow is exact") {
             exact.q) > 100 * limit);
 }
 
-// Where near forces are all forces, slow ones are 0 to the bit, and what is left is the inner
-// scheme with its own step; where there are none, the outer one. Either way flows are cut otherwise
-// than alone, and differ by rounding, 2⁻⁵³ of momenta of order 10 per kick, grown over 0.04 ps.
-TEST_CASE("near forces that are all or nothing leave a single scheme") {
+// If near forces are all forces, slow ones are exactly 0, and the inner scheme with its step
+// remains; if there are none, the outer one. In both cases flows are split differently than in a
+// single scheme, so results differ by rounding, 2⁻⁵³ of momenta of order 10 per kick, grown over
+// 0.04 ps.
+TEST_CASE("near forces equal to all forces, or to none, reduce a nested scheme to a single one") {
   const auto difference = [](const State& a, const State& b) {
     return std::max(largest_difference(a.p, b.p), largest_difference(a.ell, b.ell));
   };

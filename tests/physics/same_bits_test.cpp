@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forces are the same to the last bit for any number of threads, and whenever they are asked for.
+// Forces are the same to the last bit for any number of threads, and independent of earlier
+// evaluations.
 #include <doctest/doctest.h>
 
 #include "physics/force_laws.hpp"
@@ -11,7 +12,7 @@ using namespace polhode;
 
 namespace {
 
-// Bodies move a little and then far, so that the list is used again and made anew.
+// Bodies move a little and then far, so that the list is first reused and then rebuilt.
 std::vector<std::vector<std::uint64_t>> history(const scenes::Scene& scene,
                                                 const ForceSettings& settings, int threads) {
   Workers workers(threads);
@@ -43,8 +44,8 @@ std::vector<std::vector<std::uint64_t>> history(const scenes::Scene& scene,
 
 }  // namespace
 
-// Work is cut by the number of bodies alone, and sums are added in the order of the cuts.
-TEST_CASE("any number of threads gives the same bits of forces, torques, energies and virial") {
+// Work is divided by the number of bodies only, and sums are added in the order of the parts.
+TEST_CASE("forces, torques, energies and virial have the same bits for any number of threads") {
   const std::vector<std::vector<std::pair<std::string, std::size_t>>> systems = {
       {{"tip4p", 512}}, {{"tip4p", 3000}}, {{"co2", 150}, {"argon", 90}, {"tip4p", 300}}};
   for (const auto& parts : systems) {

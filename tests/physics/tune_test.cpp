@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tuned schemes: systems whose best parameters are known, and one where they are looked for.
+// Tuned schemes: systems whose best parameters are known, and one where they are searched for.
 #include "polhode/run/study/tune.hpp"
 
 #include <doctest/doctest.h>
@@ -39,9 +39,9 @@ ErrorCovariance oscillators(double in_V, double in_W, double beside) {
 
 }  // namespace
 
-// Harmonic motion keeps V̈ + W, so only α − β counts: it vanishes at η = (3 − √5)/4. The variance is
-// zero there, and a search by values alone finds a minimum of c x² to the root of rounding of c,
-// 1e-8.
+// Harmonic motion conserves V̈ + W, so only α − β matters: it vanishes at η = (3 − √5)/4. The
+// variance is zero there, and a search by values alone finds a minimum of c x² to the root of
+// rounding of c, 1e-8.
 TEST_CASE("the best scheme of the plain family for harmonic motion is known") {
   const double best = (3 - std::sqrt(5.0)) / 4;
   CHECK(std::abs(best_plain_at_short_steps(oscillators(0, 0, 0)).eta - best) < 1e-7);
@@ -52,9 +52,10 @@ TEST_CASE("the best scheme of the plain family for harmonic motion is known") {
   CHECK(std::abs(best_plain(c, hoa2).eta - best) < 1e-7);
 }
 
-// What the energy has of one bracket is found back, and what goes along with none is left: its
-// correlation with the brackets over 270 periods or more is below 1/270.
-TEST_CASE("the best scheme of the gradient family takes out what goes along with the brackets") {
+// The contributions of the brackets to the energy are recovered, and an uncorrelated part is left:
+// its correlation with the brackets over 270 periods or more is below 1/270.
+TEST_CASE(
+    "the best scheme of the gradient family removes the correlated part of the error brackets") {
   const Scheme gier4 = scheme_of("gier4");
   const ErrorCovariance c = oscillators(0.002, 0, 1e-5);
   const FamilyMember found = best_gradient(c, gier4);
@@ -65,11 +66,11 @@ TEST_CASE("the best scheme of the gradient family takes out what goes along with
   CHECK(c.variance({}) > 2 * c.variance(terms));
 }
 
-// Liquid argon: R² of members of the family, predicted from one run with hoa2, against their own
-// runs from the same start. The prediction leaves out how the term of order h⁴ changes with η,
-// (ω h)² ≈ (10/ps × 0.01 ps)² = 1 % relative, and the covariances come from every second energy;
-// trajectories stay together over the 2 ps. Both sides of the minimum are there.
-TEST_CASE("fluctuations of a liquid are those that were predicted from one run") {
+// Liquid argon: R² of members of the family, predicted from one run with hoa2, compared with their
+// own runs from the same initial configuration. The prediction neglects how the term of order h⁴
+// changes with η, (ω h)² ≈ (10/ps × 0.01 ps)² = 1 % relative, and the covariances come from every
+// second energy; trajectories stay close over the 2 ps. Both sides of the minimum are covered.
+TEST_CASE("fluctuations of a liquid equal those predicted from one run") {
   const Config config = parse_config(R"(
 [system]
 molecules = [{ model = "argon", count = 64 }]

@@ -37,15 +37,15 @@ double worst_oscillator(double b) {
 }  // namespace
 
 // The numbers of the table in closed form; a double holds them to 2⁻⁵³ relative, and the closed
-// form loses two units more.
+// form loses two more units.
 TEST_CASE("coefficients equal their closed forms") {
   const double c = std::cbrt(2 * std::sqrt(326.0) + 36);
   CHECK(std::abs(eta - (0.5 - c / 12 + 1 / (6 * c))) < 2e-16);
   CHECK(std::abs(theta - 1 / (2 - std::cbrt(2.0))) < 5e-16);
   CHECK(std::abs(suzuki - 1 / (4 - std::cbrt(4.0))) < 2e-16);
   CHECK(std::abs(inverse_root_3 - 1 / std::sqrt(3.0)) < 2e-16);
-  // A hump of the error and its value at the end of the range are equal where their larger one is
-  // least; a change of 1e-6 in the kick moves them by 1e-5 of themselves.
+  // The maximum of the error is minimal where its inner maximum equals its value at the end of the
+  // range; a change of 1e-6 in the kick changes both by a relative 1e-5.
   CHECK(worst_oscillator(oscillator_kick) < worst_oscillator(oscillator_kick - 1e-5));
   CHECK(worst_oscillator(oscillator_kick) < worst_oscillator(oscillator_kick + 1e-5));
   // HOA2's η minimises α² + β² (omelyan2003): the derivative 48 η³ − 72 η² + 38 η − 5 vanishes, to
@@ -53,7 +53,7 @@ TEST_CASE("coefficients equal their closed forms") {
   CHECK(std::abs(((48 * eta - 72) * eta + 38) * eta - 5) < 5e-15);
 }
 
-TEST_CASE("every scheme of the table is a palindrome that makes one step") {
+TEST_CASE("every scheme of the table is a palindrome whose coefficients sum to one") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
     CHECK(scheme.palindromic());
@@ -131,14 +131,14 @@ TEST_CASE("baths change neither the cost of a scheme nor the errors of its drift
   CHECK(scheme_of("B(1/2, 1/48) A(1) B(1/2, 1/24)").derivatives() == 2);
 }
 
-TEST_CASE("a stage may have what the others of its flow leave") {
+TEST_CASE("a stage may take the remainder of the others of its flow") {
   constexpr Scheme scheme("x", 2, {B(0.1), A(0.25), B(rest), A(rest)}, "");
   CHECK(scheme.stages().size() == 7);
   CHECK(scheme.stages()[2] == B(0.4));
   CHECK(scheme.stages()[3] == A(0.5));
 }
 
-TEST_CASE("a scheme as text reads back to the same bits") {
+TEST_CASE("a scheme written as text is read back bit for bit") {
   for (const Scheme& scheme : schemes) {
     const Scheme again = scheme_of(text_of(scheme));
     REQUIRE(again.stages().size() == scheme.stages().size());
@@ -157,7 +157,7 @@ TEST_CASE("a scheme as text reads back to the same bits") {
   CHECK(by_difference.force_evaluations() == 3);
 }
 
-TEST_CASE("scheme texts that cannot be read say where and what is expected") {
+TEST_CASE("incorrect scheme texts are refused with the place and what is expected") {
   check_error([] { scheme_of("giere4"); }, {"no scheme 'giere4'", "did you mean 'gier4'"});
   check_error([] { scheme_of("C(1)"); },
               {"'C(1)' at character 1", "A(...) for a drift", "O(...) for a bath"});

@@ -34,7 +34,7 @@ struct Drift {
   bool significant() const;
 };
 
-/// A drift with a smaller chance counts as significant.
+/// A drift with a smaller p-value is significant.
 inline constexpr double significance = 0.01;
 
 /// Minimum number of blocks for an error; runs with few samples have one block per sample.

@@ -166,11 +166,13 @@ MeshChoice::MeshChoice(const Topology& topology, double relative_error, double c
     : topology_(topology), relative_error_(relative_error), cutoff_(cutoff) {
   if (!(relative_error >= 1e-7 && relative_error <= 0.1))
     throw Error(
-        fmt::format("a relative error of the mesh's forces of {} is asked for; it must be "
-                    "from 1e-7 to 0.1",
+        fmt::format("a relative force error of {} is requested of the mesh; it must be from 1e-7 "
+                    "to 0.1",
                     relative_error));
   if (ChargeDistribution(topology).charges() == 0)
-    throw Error("no molecule has a charge, so there is nothing for a mesh; take none");
+    throw Error(
+        "no molecule has a charge, so PME has nothing to compute; take electrostatics = "
+        "\"coulomb\"");
 }
 
 double MeshChoice::error(double spacing, int order, int exponent) {
@@ -216,9 +218,9 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
 std::string MeshChoice::remedy(const Box& box, double max_points) const {
   for (double longer = 1.25 * cutoff_; longer < 0.45 * box.shortest_edge(); longer *= 1.25)
     if (points_of(MeshChoice(topology_, relative_error_, longer).cheapest(box)) <= max_points)
-      return fmt::format("take a cutoff of {:.2g} nm, up to which there are few pairs",
+      return fmt::format("take a cutoff of {:.2g} nm, within which there are still few pairs",
                          1.05 * longer);
-  return "take a smaller box, or ask for less accuracy";
+  return "take a smaller box, or a larger pme_accuracy";
 }
 
 MeshSettings MeshChoice::operator()(const Box& box) {
@@ -228,7 +230,7 @@ MeshSettings MeshChoice::operator()(const Box& box) {
   if (points_of(best) > max_points)
     throw Error(fmt::format(
         "a cutoff of {:g} nm and an accuracy of {:g} need a mesh of {} x {} x {} points in this "
-        "box, for {:.0f} charges; it must have at most {:.2g}, as the box holds so little: {}",
+        "box, for {:.0f} charges; the limit for so few bodies is {:.2g}: {}",
         cutoff_, relative_error_, best.points[0], best.points[1], best.points[2], charges,
         max_points, remedy(box, max_points)));
   return best;

@@ -24,25 +24,25 @@ constexpr std::size_t slots_at_once = 4 * slot_block;  // gathered per task
 template <class T>
 void check(const MeshSettings& settings) {
   if (settings.order < MeshSettings::lowest_order || settings.order > MeshSettings::highest_order)
-    throw Error(fmt::format("the order of the mesh's splines is {}; it must be from {} to {}",
+    throw Error(fmt::format("the spline order of the mesh is {}; it must be from {} to {}",
                             settings.order, MeshSettings::lowest_order,
                             MeshSettings::highest_order));
   if (settings.exponent < 1 || settings.exponent > CompactSplit::max_exponent)
-    throw Error(fmt::format("the exponent of the split is {}; it must be from 1 to {}",
+    throw Error(fmt::format("the splitting exponent is {}; it must be from 1 to {}",
                             settings.exponent, CompactSplit::max_exponent));
   for (const std::size_t points : settings.points)
     if (points < MeshGrid<double>::overhang + 1)
       throw Error(
-          fmt::format("the mesh has {} points along an edge; it must have at least {}, so "
-                      "that a spline does not meet itself",
+          fmt::format("the mesh has {} points along an edge; it must have at least {}, so that a "
+                      "spline does not overlap with itself",
                       points, MeshGrid<double>::overhang + 1));
   const auto [nx, ny, nz] = settings.points;
   // Per grid point: the charges or their potential, and a quarter of a number each for the
   // influence function and its slope.
   const double bytes =
       1.5 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
-  require_memory(bytes, fmt::format("{} x {} x {} points of a mesh", nx, ny, nz),
-                 "ask for less accuracy, or take a longer cutoff or a smaller box");
+  require_memory(bytes, fmt::format("{} x {} x {} mesh points", nx, ny, nz),
+                 "take a larger pme_accuracy, a longer cutoff or a smaller box");
 }
 
 /// Padding of a row that stands for its periodic continuation.
