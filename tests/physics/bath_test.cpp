@@ -301,7 +301,7 @@ TEST_CASE("a bath with random numbers resumes with the same bits at any step") {
       for (int n = 0; n < first; ++n) before.advance(state, 0.001);
       auto after = with_bath(scheme_of(text), scene.bodies, again, Shaking{});
       after.resume_from(before.memory());
-      if (first > 0) again.resume_from(its.list_memory());
+      if (first > 0) again.resume_from(its.list_memory(state.box), state.box);
       for (int n = first; n < 6; ++n) after.advance(state, 0.001);
       state.time = whole.time;
       CHECK(equal(state, whole));
