@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/adviser/advice_curves.hpp"
@@ -55,7 +56,7 @@ double worst_rounding(const AdviserPoint& point) {
 }
 
 nlohmann::json as_json(const Candidate& candidate, const AdviserPoint& point) {
-  nlohmann::json json{{"step_fs", point.step * 1000},
+  nlohmann::json json{{"step_fs", point.step * units::fs_per_ps},
                       {"runs", point.runs.size()},
                       {"length_ps", point.length},
                       {"blew_up", blew_up(point.runs)},
@@ -79,7 +80,7 @@ nlohmann::json as_json(const Candidate& candidate, const AdviserPoint& point) {
 nlohmann::json as_json(const Candidate& candidate) {
   nlohmann::json json{{"scheme", candidate.name},
                       {"text", text_of(candidate.scheme)},
-                      {"step_fs", candidate.step * 1000},
+                      {"step_fs", candidate.step * units::fs_per_ps},
                       {"ns_per_day", candidate.ns_per_day()},
                       {"points", nlohmann::json::array()}};
   if (candidate.step > 0)
@@ -107,7 +108,7 @@ Table point_table(const Advice& advice) {
   const auto add = [&](const Candidate& candidate, const AdviserPoint& p, bool confirms) {
     const bool there = !blew_up(p.runs);
     const Estimate R = there ? p.ratio() : Estimate{}, d = there ? p.drift() : Estimate{};
-    table.rows.push_back({candidate.name, p.step * 1000, p.length,
+    table.rows.push_back({candidate.name, p.step * units::fs_per_ps, p.length,
                           static_cast<double>(p.runs.size()), p.usable ? 1.0 : 0.0, R.value,
                           R.error, in_kJ_per_ns(d.value), in_kJ_per_ns(d.error),
                           there ? p.bound : 0.0, confirms ? 1.0 : 0.0});
@@ -168,30 +169,30 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
   for (const Candidate& candidate : advice.candidates)
     for (const AdviserPoint& point : candidate.points) consider(candidate, point);
   for (const auto& [c, point] : advice.refused) consider(advice.candidates[c], point);
-  std::string text = fmt::format("no scheme was found that keeps {} here", description(criterion));
+  std::string text =
+      fmt::format("no scheme was found that meets {} for this system", description(criterion));
   if (!reached)
     return text +
-           "; every step that was tried blew up or drifted: equilibrate longer, or look at "
-           "the start";
-  text +=
-      fmt::format("; the least bound reached is {}, with {} at {:.3g} fs",
-                  bound_text(criterion.quality, reached->bound), best->name, reached->step * 1000);
+           "; every step that was tried blew up or drifted: equilibrate longer, or check the "
+           "initial configuration";
+  text += fmt::format("; the smallest bound reached is {}, with {} at {:.3g} fs",
+                      bound_text(criterion.quality, reached->bound), best->name,
+                      reached->step * units::fs_per_ps);
   if (worst_rounding(*reached) > 0.5 * reached->ratio().value)
     text += fmt::format(
-        "; rounding alone makes R = {:.2g} % in mixed precision, which precision = \"double\" "
-        "takes away",
+        "; rounding alone makes R = {:.2g} % in mixed precision; take precision = \"double\" to "
+        "avoid it",
         100 * worst_rounding(*reached));
   if (criterion.quality != Quality::ratio)
-    text +=
-        "; the bound counts the error of the mean, which a longer --time or --length makes less";
+    text += "; the bound includes the error of the mean, which a longer --time or --length reduces";
   return text;
 }
 
 std::string answer(const Advice& advice) {
   const AdviserPoint& p = advice.confirmation;
   return fmt::format("{} at {:.3g} fs, R = {} in {} independent runs of {:.3g} ps",
-                     advice.candidates[*advice.best].name, p.step * 1000, percent(p.ratio()),
-                     p.runs.size(), p.length);
+                     advice.candidates[*advice.best].name, p.step * units::fs_per_ps,
+                     percent(p.ratio()), p.runs.size(), p.length);
 }
 
 void write_advice(const AdviceFiles& files, const Advice& advice, const Criterion& criterion,
@@ -255,37 +256,40 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
   for (const Candidate& candidate : advice.candidates) {
     std::string tried;
     for (const AdviserPoint& p : candidate.points)
-      tried += p.usable ? fmt::format(" {:.3g} fs: {:.3g}", p.step * 1000, 100 * p.ratio().value)
-                        : fmt::format(" {:.3g} fs: {}", p.step * 1000,
+      tried += p.usable ? fmt::format(" {:.3g} fs: {:.3g}", p.step * units::fs_per_ps,
+                                      100 * p.ratio().value)
+                        : fmt::format(" {:.3g} fs: {}", p.step * units::fs_per_ps,
                                       blew_up(p.runs) ? "blew up" : "drifts");
     fmt::print(
         "{:<18} {:>8} {:>12} {:>10}  {}\n", candidate.name,
-        candidate.step > 0 ? fmt::format("{:.3g}", candidate.step * 1000) : "-",
+        candidate.step > 0 ? fmt::format("{:.3g}", candidate.step * units::fs_per_ps) : "-",
         candidate.step > 0 ? fmt::format("{:.0f}", candidate.scheme.cost() / candidate.step) : "-",
         candidate.seconds > 0 ? fmt::format("{:.3g}", candidate.ns_per_day()) : "-", tried);
   }
   for (const Candidate& candidate : advice.candidates)
     if (!candidate.obstacle.empty()) fmt::print("{}: {}\n", candidate.name, candidate.obstacle);
   for (const auto& [c, point] : advice.refused)
-    fmt::print("not confirmed: {} at {:.3g} fs, {}\n", advice.candidates[c].name, point.step * 1000,
+    fmt::print("not confirmed: {} at {:.3g} fs, {}\n", advice.candidates[c].name,
+               point.step * units::fs_per_ps,
                blew_up(point.runs) ? "a run blew up"
                                    : fmt::format("R = {}, bound {}", percent(point.ratio()),
                                                  bound_text(criterion.quality, point.bound)));
   for (const auto& [c, point] : advice.surpassed)
-    fmt::print("longer steps were tried: {} at {:.3g} fs has a bound of {}\n",
-               advice.candidates[c].name, point.step * 1000,
+    fmt::print("longer steps were tried: with {} at {:.3g} fs the bound is {}\n",
+               advice.candidates[c].name, point.step * units::fs_per_ps,
                bound_text(criterion.quality, point.bound));
   if (!advice.best) return;
   const Candidate& best = advice.candidates[*advice.best];
   const AdviserPoint& p = advice.confirmation;
-  fmt::print("\nfor {} use {} at {:.3g} fs\n", description(criterion), best.name, p.step * 1000);
+  fmt::print("\nfor {} use {} at {:.3g} fs\n", description(criterion), best.name,
+             p.step * units::fs_per_ps);
   fmt::print("  R                   {}, mean of {} independent runs of {:.3g} ps\n",
              percent(p.ratio()), p.runs.size(), p.length);
   fmt::print("  {}{}\n",
              criterion.quality == Quality::ratio   ? "a fresh run         has R below "
              : criterion.quality == Quality::drift ? "drift               is smaller than "
                                                    : "temperature bias    is smaller than ",
-             fmt::format("{} with a probability of {:g} %, {:.2g} of what was asked",
+             fmt::format("{} with a probability of {:g} %, {:.2g} of what was requested",
                          bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
                          p.bound / criterion.bound));
   fmt::print("  drift per molecule  {:.3g} ± {:.2g} kJ/mol/ns\n", in_kJ_per_ns(p.drift().value),
@@ -303,7 +307,7 @@ void print_advice(const Advice& advice, const Criterion& criterion, int threads)
   if (advice.runner_up) {
     const Candidate& second = advice.candidates[*advice.runner_up];
     fmt::print("  runner-up           {} at {:.3g} fs, {:.3g} ns/day, not confirmed\n", second.name,
-               second.step * 1000, second.ns_per_day());
+               second.step * units::fs_per_ps, second.ns_per_day());
   }
   std::vector<Curve> shown = {curves(advice)[*advice.best]};
   if (advice.runner_up) shown.push_back(curves(advice)[*advice.runner_up]);

@@ -20,6 +20,7 @@
 #include "polhode/io/config.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/molecule_file.hpp"
+#include "polhode/io/plot.hpp"
 #include "polhode/run/simulation/system.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -67,8 +68,8 @@ Topology molecules_option(const std::string& text) {
     for (const auto& [molecule, count] : topology.parts)
       if (count == 0)
         throw Error(
-            fmt::format("--molecules \"{}\": '{}' has no count; only a single model takes "
-                        "its count from the file",
+            fmt::format("--molecules \"{}\": '{}' has no count; the count can be left out only if "
+                        "there is one model",
                         text, molecule.name));
   return topology;
 }
@@ -85,28 +86,20 @@ void set_surroundings(SummarySettings& settings, const ForceSettings& forces) {
     case Electrostatics::coulomb:
     case Electrostatics::damped_shifted_force:
       settings.no_surroundings =
-          "fluctuations of a dipole whose charges were cut off or switched off tell no dielectric "
-          "constant; pme or a reaction field is needed";
+          "dipole fluctuations give no dielectric constant if electrostatics is truncated or "
+          "switched; pme or a reaction field is needed";
   }
 }
 
 void set_surroundings(SummarySettings& settings, const std::string& electrostatics) {
-  const std::vector<std::string> names = {"pme", "reaction-field", "coulomb"};
   ForceSettings forces;
-  if (electrostatics == "pme")
-    forces.electrostatics = Electrostatics::pme;
-  else if (electrostatics == "reaction-field")
-    forces.electrostatics = Electrostatics::reaction_field;
-  else if (electrostatics != "coulomb")
-    throw Error(fmt::format("--electrostatics {} must be pme, reaction-field or coulomb{}",
-                            electrostatics, did_you_mean(electrostatics, names)));
+  forces.electrostatics = named_option<Electrostatics>(electrostatics, "--electrostatics");
   set_surroundings(settings, forces);
 }
 
 double positive(const std::string& text, Dimension dimension, const std::string& option) {
   const double value = quantity(text, dimension, option);
-  if (!(value > 0))
-    throw Error(fmt::format("{} = \"{}\" must be more than 0; give another", option, text));
+  if (!(value > 0)) throw Error(fmt::format("{} = \"{}\" must be above 0", option, text));
   return value;
 }
 
@@ -122,10 +115,8 @@ AnalysisSettings analysis_settings(const Options& o) {
   for (const std::string& word : words(o.pairs)) {
     const auto dash = word.find('-');
     if (dash == word.npos || dash == 0 || dash + 1 == word.size())
-      throw Error(
-          fmt::format("--pairs: '{}' must be two names of sites; write for example "
-                      "\"OW-OW, OW-HW\"",
-                      word));
+      throw Error(fmt::format(
+          "--pairs: '{}' must be two site names; write for example \"OW-OW, OW-HW\"", word));
     s.pairs.push_back({word.substr(0, dash), word.substr(dash + 1)});
   }
   if (s.cutoff && *s.cutoff < s.bin)
@@ -154,8 +145,8 @@ SummarySettings summary_settings(const Options& o, const std::optional<Config>& 
                       quantity(ends[1], Dimension::time, "--fit")};
     if (!(0 <= s.fit->from && s.fit->from < s.fit->to))
       throw Error(
-          fmt::format("--fit \"{}\" must begin at 0 or later and end after it; write for "
-                      "example \"2 ps, 10 ps\"",
+          fmt::format("--fit \"{}\" must begin at 0 or later and end after its beginning; write "
+                      "for example \"2 ps, 10 ps\"",
                       o.fit));
   }
   return s;
@@ -195,10 +186,10 @@ std::string command_line(const Options& o) {
 int run_analyze(const Options& o) {
   if (o.run.empty() == o.molecules.empty())
     throw Error(
-        "the molecules of a trajectory come from its run file or from their names; give "
-        "one of --run water.toml and --molecules \"tip4p 512\"");
-  if (o.plot != "svg" && o.plot != "png" && o.plot != "none")
-    throw Error(fmt::format("--plot {} must be svg, png or none", o.plot));
+        "the molecules of the trajectory are not known; give one of --run water.toml and "
+        "--molecules \"tip4p 512\"");
+  if (std::find(plot_formats.begin(), plot_formats.end(), o.plot) == plot_formats.end())
+    throw Error(fmt::format("--plot = \"{}\" {}", o.plot, must_be_one_of(plot_formats, o.plot)));
   std::optional<Config> config;
   if (!o.run.empty()) config = read_config(o.run);
   const Topology topology = config ? build_topology(config->system) : molecules_option(o.molecules);
@@ -209,7 +200,7 @@ int run_analyze(const Options& o) {
   if (!o.names.empty()) {
     names.emplace();
     if (!open_frames(o.names)->next(*names))
-      throw Error(fmt::format("'{}' holds no frame; name a file with one", o.names));
+      throw Error(fmt::format("'{}' contains no frame; give a file with at least one", o.names));
   }
   const auto reader = open_frames(o.trajectory, names ? &*names : nullptr);
   for (const std::string& file : outputs(o, settings)) refuse_existing(file, o.force);
@@ -224,10 +215,10 @@ int run_analyze(const Options& o) {
                               interrupted};
     result = analyze(*reader, topology, settings, watch, workers);
   }
-  if (result.stopped) log("interrupted after {} frames; what they tell follows\n", result.frames);
+  if (result.stopped) log("interrupted after {} frames; their results follow\n", result.frames);
   const AnalysisSummary s = summary(result, numbers, workers);
   if (result.deviation > 1e-4)
-    log("note: atoms lay up to {:.4f} nm from the rigid models\n", result.deviation);
+    log("note: atoms deviate by up to {:.4f} nm from the rigid models\n", result.deviation);
   for (const std::string& note : s.notes) log("note: {}\n", note);
 
   const Provenance provenance{POLHODE_VERSION, command_line(o), config ? config->text : o.molecules,
@@ -259,36 +250,40 @@ int run_analyze(const Options& o) {
 
 Action analyze_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("TRAJECTORY", o->trajectory, "file of frames; its ending tells the format")
+  app.add_option("TRAJECTORY", o->trajectory,
+                 "trajectory or coordinate file; the format follows from its extension")
       ->required();
-  app.add_option("--run", o->run, "run file that made it: its molecules and electrostatics");
+  app.add_option("--run", o->run,
+                 "run file of the trajectory, for its molecules and electrostatics");
   app.add_option("--molecules", o->molecules,
-                 "in place of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file");
+                 "instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file");
   app.add_option("--names", o->names, "coordinate file with the names of the atoms");
   app.add_option("--what", o->what,
-                 "of rdf, msd, rotation, velocity, dielectric, density; without it all that the "
+                 "any of rdf, msd, rotation, velocity, dielectric, density; default: all that the "
                  "frames allow");
-  app.add_option("--output", o->output, "prefix of the output files; without it polhode-analysis");
-  app.add_option("--from", o->from, "leaves out frames before: \"10 ps\"");
-  app.add_option("--interval", o->interval, "between frames, in place of their times: \"0.1 ps\"");
-  app.add_option("--window", o->window, "longest lag of correlations; without it \"10 ps\"");
+  app.add_option("--output", o->output, "prefix of the output files; default: polhode-analysis");
+  app.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
+  app.add_option("--interval", o->interval,
+                 "time between frames, instead of the times in the file: \"0.1 ps\"");
+  app.add_option("--window", o->window, "maximum lag of correlations; default: \"10 ps\"");
   app.add_option("--fit", o->fit,
-                 "lags of the line that gives D: \"2 ps, 10 ps\"; without it from a fifth of the "
-                 "longest lag to that");
+                 "range of lags of the line fitted for D: \"2 ps, 10 ps\"; default: from a fifth "
+                 "of the maximum lag to the maximum lag");
   app.add_option("--pairs", o->pairs,
-                 "of sites for g(r): \"OW-OW, OW-HW\"; HW names HW1 and HW2; without it all pairs");
+                 "site pairs of g(r): \"OW-OW, OW-HW\"; HW means HW1 and HW2; default: all pairs");
   app.add_option("--cutoff", o->cutoff,
-                 "of g(r); without it \"1 nm\", or half of the shortest edge");
-  app.add_option("--bin", o->bin, "of g(r); without it \"0.002 nm\"");
+                 "maximum distance of g(r); default: \"1 nm\", or half of the shortest edge");
+  app.add_option("--bin", o->bin, "bin width of g(r); default: \"0.002 nm\"");
   app.add_option("--viscosity", o->viscosity,
-                 "of the liquid, \"0.855 mPa s\", for what images take from D; without it the "
-                 "published one of the model");
-  app.add_option("--temperature", o->temperature, "\"298 K\"; without it that of the velocities");
+                 "viscosity of the liquid, \"0.855 mPa s\", for the Yeh-Hummer finite-size "
+                 "correction of D; default: the published value of the model");
+  app.add_option("--temperature", o->temperature,
+                 "\"298 K\"; default: the temperature of the velocities");
   app.add_option("--electrostatics", o->electrostatics,
-                 "in place of a run file's: pme, reaction-field (of 78.5) or coulomb");
-  app.add_option("--plot", o->plot, "svg, png or none; without it svg");
+                 "instead of the run file's: pme, reaction-field (of 78.5) or coulomb");
+  app.add_option("--plot", o->plot, "svg, png or none; default: svg");
   app.add_option("--threads", o->threads,
-                 "that share the work; without it: one for each core allowed");
+                 "number of threads; default: one for each available core");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return run_analyze(*o); };

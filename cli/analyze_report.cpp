@@ -174,7 +174,7 @@ nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
   return {{"value", e.value * scale}, {"error", known_error(e) * scale}};
 }
 
-/// Numbers that there are none of without a peak are null.
+/// Null for numbers that do not exist without a peak.
 nlohmann::json peak_json(const SitePair& sites,
                          const std::optional<RadialDistribution::Peak>& peak) {
   if (!peak)
@@ -184,13 +184,13 @@ nlohmann::json peak_json(const SitePair& sites,
             {"minimum_nm", nullptr},
             {"coordination", nullptr}};
   return {{"pair", sites},
-          {"peak_nm", pair(peak->place)},
+          {"peak_nm", pair(peak->position)},
           {"peak_height", pair(peak->height)},
-          {"minimum_nm", peak->minimum.value},
-          {"coordination", pair(peak->coordination)}};
+          {"minimum_nm", peak->shell ? nlohmann::json(peak->shell->end.value) : nlohmann::json()},
+          {"coordination", peak->shell ? pair(peak->shell->coordination) : nlohmann::json()}};
 }
 
-/// "2.30 ± 0.03", or what can be said without an error.
+/// "2.30 ± 0.03", or the value and why it has no error.
 std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
   if (e.known == Known::yes)
     return fmt::format("{:.{}f} ± {:.{}f}", e.value * scale, digits, e.error * scale, digits);
@@ -200,11 +200,16 @@ std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
 
 void print_peak(const std::string& name, const std::optional<RadialDistribution::Peak>& peak) {
   fmt::print("{:<22}", name);
-  if (peak)
-    fmt::print("first peak {} at {} nm; {} neighbours up to {:.3f} nm\n", text(peak->height, 3),
-               text(peak->place, 4), text(peak->coordination, 2), peak->minimum.value);
-  else
+  if (!peak) {
     fmt::print("no peak within its range\n");
+    return;
+  }
+  fmt::print("first peak {} at {} nm; ", text(peak->height, 3), text(peak->position, 4));
+  if (peak->shell)
+    fmt::print("{} neighbours up to {:.3f} nm\n", text(peak->shell->coordination, 2),
+               peak->shell->end.value);
+  else
+    fmt::print("no minimum within its range\n");
 }
 
 }  // namespace
@@ -247,11 +252,11 @@ void print_summary(const Analysis& a, const AnalysisSummary& s) {
       fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
                  text(*part.diffusion, 3, in_si(1)), s.fit.from, s.fit.to);
       if (s.finite_size_correction)
-        fmt::print("{:<22}{} 1e-9 m2/s without images (viscosity {})\n", "",
+        fmt::print("{:<22}{} 1e-9 m2/s corrected for finite size (viscosity {})\n", "",
                    text(without_images(*part.diffusion, *s.finite_size_correction), 3, in_si(1)),
                    s.viscosity_source);
       else
-        fmt::print("{:<22}not corrected for images: {}\n", "", s.viscosity_source);
+        fmt::print("{:<22}not corrected for finite size: {}\n", "", s.viscosity_source);
     }
     if (part.green_kubo)
       fmt::print("{:<22}{} 1e-9 m2/s in this box, from velocities\n",

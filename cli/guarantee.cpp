@@ -39,8 +39,8 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
             {json.at("R_expected"), json.at("R_expected_error")}};
   } catch (const nlohmann::json::exception& e) {
     throw Error(
-        fmt::format("'{}' does not hold the promise of the run that is to go on ({}); begin "
-                    "it anew with --force",
+        fmt::format("'{}' does not contain the accuracy guarantee of the run to be resumed ({}); "
+                    "start over with --force",
                     file, e.what()));
   }
 }
@@ -67,7 +67,7 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, StartMode start_
         workers);
   }
   if (advice.stopped) {
-    log("interrupted while choosing the step; nothing was written\n");
+    log("interrupted while choosing the step; no file was written\n");
     return std::nullopt;
   }
   if (!advice.best) throw RunError(unreachable(advice, settings.criterion));
@@ -88,12 +88,12 @@ GuaranteeCheck check_guarantee(const Guarantee& guarantee, const TrajectoryStati
 
 void print_guarantee(const GuaranteeCheck& k) {
   const std::string what = fmt::format(
-      "R = {:.3g} ± {:.2g} % over {:.3g} ps, at most {:.3g} % was guaranteed", 100 * k.ratio.value,
-      100 * k.ratio.error, k.guarantee.length, 100 * k.guarantee.accuracy);
+      "R = {:.3g} ± {:.2g} % over {:.3g} ps; the accuracy guarantee is {:.3g} %",
+      100 * k.ratio.value, 100 * k.ratio.error, k.guarantee.length, 100 * k.guarantee.accuracy);
   fmt::print("accuracy guarantee    {}: {}\n", k.met() ? "met" : "NOT MET", what);
   if (!k.met())
-    log("warning: the promise of [integrator] accuracy was not kept: {}; give a smaller "
-        "accuracy, or a step of your own\n",
+    log("warning: the accuracy guarantee of [integrator] accuracy was not met: {}; give a smaller "
+        "accuracy, or set the step yourself\n",
         what);
 }
 

@@ -21,9 +21,9 @@ struct StartMode {
   bool resume = false, force = false;
 };
 
-/// If the run file asks for an accuracy, chooses the step, and the scheme unless the run file has
-/// one, and reports them on standard error. Empty otherwise, and after an interrupt. The choice is
-/// saved in PREFIX-guarantee.json, from which a resumed run takes it: it must continue with the
+/// If the run file has an accuracy guarantee, chooses the step, and the scheme unless the run file
+/// has one, and reports them on standard error. Empty otherwise, and after an interrupt. The choice
+/// is saved in PREFIX-guarantee.json, from which a resumed run takes it: it must continue with the
 /// same scheme and step.
 /// @throws RunError  if no scheme meets the bound
 std::optional<Guarantee> choose_guaranteed_step(Config& config, StartMode start_mode,
@@ -31,8 +31,8 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, StartMode start_
 
 struct GuaranteeCheck {
   Guarantee guarantee;
-  /// R over stretches of the guaranteed length, the mean; of the whole of a run that is not two
-  /// stretches long. Error 0 where it is not known.
+  /// Mean R over stretches of the guaranteed length; over the whole run if it is shorter than two
+  /// stretches. The error is 0 if it is not known.
   Estimate ratio;
   bool met() const { return ratio.value <= guarantee.accuracy; }
 };

@@ -10,7 +10,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
-#include "polhode/forces/laws/settings.hpp"
+#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/quantity.hpp"
 
@@ -48,14 +48,16 @@ inline NestedScheme scheme_option(const std::string& text, const std::string& op
   }
 }
 
-/// "double" or "mixed".
-/// @throws Error  for any other word
+/// The value of a named enumeration.
+/// @throws Error  for any word that is not a name
+template <NamedEnum Enum>
+Enum named_option(const std::string& text, const std::string& option) {
+  if (const auto value = value_of<Enum>(text)) return *value;
+  throw Error(fmt::format("{} = \"{}\" {}", option, text, must_be_one_of(enum_names<Enum>, text)));
+}
+
 inline Precision precision_option(const std::string& text) {
-  if (text == "double") return Precision::double_precision;
-  if (text == "mixed") return Precision::mixed;
-  const std::string names[] = {"double", "mixed"};
-  throw Error(
-      fmt::format("--precision {} must be double or mixed{}", text, did_you_mean(text, names)));
+  return named_option<Precision>(text, "--precision");
 }
 
 }  // namespace polhode::cli

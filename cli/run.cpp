@@ -64,7 +64,7 @@ std::string command_line(const Options& o) {
                                        {"--precision", o.precision}});
 }
 
-/// @param stretch  over which R is found as well [ps]; 0: none
+/// @param stretch  length of the stretches for which R is computed as well [ps]; 0: none
 TrajectorySettings trajectory_settings(const Config& config, double stretch) {
   const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
   TrajectorySettings settings{.scheme = scheme.outer,
@@ -78,8 +78,9 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) {
                               .stretch = stretch};
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(
-        fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
-                    settings.length * 1000, settings.step * 1000),
+        fmt::format(
+            "length {:g} fs is shorter than the step of {:g} fs; it must be at least one step",
+            settings.length * 1000, settings.step * 1000),
         config.source);
   try {
     settings.steps();
@@ -103,11 +104,11 @@ std::optional<FoundCheckpoint> find_resumable_checkpoint(const Options& o,
   std::optional<FoundCheckpoint> found;
   if (o.resume) found = last_checkpoint(names.checkpoints, identity, program);
   if (!found) {
-    if (o.resume) log("note: there is no checkpoint yet; the run begins\n");
+    if (o.resume) log("note: there is no checkpoint; the run starts from the beginning\n");
     if (!o.force && std::filesystem::exists(names.checkpoints.newest))
       throw Error(
-          fmt::format("'{}' is there already: the run was begun before; go on with "
-                      "--continue, name another output, or give --force to begin anew",
+          fmt::format("'{}' exists: the run was started before; resume it with --continue, give "
+                      "another --output, or start over with --force",
                       names.checkpoints.newest));
     for (const std::string& file : names.all()) refuse_existing(file, o.force);
     return found;
@@ -115,14 +116,13 @@ std::optional<FoundCheckpoint> find_resumable_checkpoint(const Options& o,
   if (!found->note.empty()) log("note: {}\n", found->note);
   const RunState& at = found->checkpoint.at;
   if (at.steps > settings.steps())
-    throw Error(
-        fmt::format("length {:g} ps is shorter than the {:g} ps that are done already; ask "
-                    "for as much or more",
-                    settings.length, static_cast<double>(at.steps) * settings.step));
+    throw Error(fmt::format(
+        "length {:g} ps is shorter than the {:g} ps that the run already has; give a longer one",
+        settings.length, static_cast<double>(at.steps) * settings.step));
   if (at.equilibrated)
-    log("going on after {:g} ps of the equilibration\n", *at.equilibrated);
+    log("resuming after {:g} ps of the equilibration\n", *at.equilibrated);
   else
-    log("going on after {} steps, {:g} ps\n", at.steps,
+    log("resuming after {} steps, {:g} ps\n", at.steps,
         static_cast<double>(at.steps) * settings.step);
   return found;
 }
@@ -130,8 +130,8 @@ std::optional<FoundCheckpoint> find_resumable_checkpoint(const Options& o,
 int run(const Options& o) {
   if (o.resume && o.force)
     throw Error(
-        "--continue and --force contradict each other: one goes on with what is there, the other "
-        "begins anew; give one of them");
+        "--continue and --force contradict each other: one resumes the existing run, the other "
+        "starts over; give one of them");
   Config config = make_config(o);
   const FileLock lock(config.output.prefix + "-run.lock");
   note_lock(lock);
@@ -155,9 +155,10 @@ int run(const Options& o) {
   RunFiles files(names, system.topology, config, provenance, identity, found ? &*found : nullptr);
 
   const ExecutionSettings execution{workers.threads(), provenance.instruction_set};
-  log("polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}\n", POLHODE_VERSION,
-      system.topology.size(), config.source, name_of({settings.scheme, settings.inner}),
-      settings.step * 1000, execution.instruction_set, execution.threads);
+  log("polhode {}: {} molecules, {}, {} in {:g} fs steps, instruction set {}, threads {}\n",
+      POLHODE_VERSION, system.topology.size(), config.source,
+      name_of({settings.scheme, settings.inner}), settings.step * 1000, execution.instruction_set,
+      execution.threads);
   note_molecules(system);
   note_forces(system);
 
@@ -174,7 +175,7 @@ int run(const Options& o) {
                       },
                       interrupted, due, checkpoint};
     if (!equilibrate(system, forces, config.run.equilibrate, watch, workers, from)) {
-      log("interrupted while equilibrating; '{}' holds where it was, and --continue goes on\n",
+      log("interrupted during the equilibration; '{}' is its checkpoint, and --continue resumes\n",
           names.checkpoints.newest);
       return 130;
     }
@@ -195,17 +196,17 @@ int run(const Options& o) {
     files.flush();
   } catch (const RunError&) {
     if (files.last_checkpoint_step())
-      log("'{}' holds the run until step {}, and --continue goes on from there\n",
+      log("'{}' is the checkpoint of step {}, from which --continue resumes\n",
           names.checkpoints.newest, *files.last_checkpoint_step());
     throw;
   }
   if (t.statistics.energies.samples == 0) throw RunError(t.failure);
   if (!t.failure.empty()) {
-    log("the energies until then are in {}\n", names.energies);
+    log("the energies up to that step are in {}\n", names.energies);
     throw RunError(t.failure);
   }
   if (t.stopped)
-    log("interrupted after {} steps; what was computed follows, and --continue goes on\n", t.steps);
+    log("interrupted after {} steps; the results so far follow, and --continue resumes\n", t.steps);
 
   const RunSummary s = summary(system, settings, t, noise);
   write_file(names.final_state,
@@ -234,16 +235,16 @@ int run(const Options& o) {
 
 Action run_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
-  app.add_option("--scheme", o->scheme, "instead of the run file's: a name, or stages as text");
-  app.add_option("--step", o->step, "instead of the run file's: \"2 fs\"");
-  app.add_option("--length", o->length, "instead of the run file's: \"15 ps\"");
-  app.add_option("--output", o->output, "prefix of the output files, instead of the run file's");
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  app.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
+  app.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");
+  app.add_option("--length", o->length, "length of the run: \"15 ps\"; default: the run file's");
+  app.add_option("--output", o->output, "prefix of the output files; default: the run file's");
   app.add_option("--precision", o->precision,
-                 "of the pairs, instead of the run file's: double or mixed");
+                 "precision of pair interactions, double or mixed; default: the run file's");
   app.add_option("--threads", o->threads,
-                 "that share the work of a run; without it: one for each core allowed");
-  app.add_flag("--continue", o->resume, "go on from the last checkpoint; begin if there is none");
+                 "number of threads; default: one for each available core");
+  app.add_flag("--continue", o->resume, "resume from the last checkpoint; start if there is none");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return run(*o); };

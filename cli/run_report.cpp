@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode::cli {
@@ -15,7 +16,7 @@ namespace {
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
-/// Fewer samples tell of no fluctuation and no slope at all.
+/// With fewer samples there is neither a fluctuation nor a slope.
 constexpr std::uint64_t fewest_samples = 3;
 
 std::string not_known(std::uint64_t samples) {
@@ -30,7 +31,7 @@ std::string missing_error(Known known, std::uint64_t samples) {
     case Known::too_few_samples:
       return fmt::format(", its error is {}", not_known(samples));
     case Known::too_short:
-      return ", the run is too short to tell its error";
+      return ", the run is too short to estimate its error";
   }
   return "";
 }
@@ -50,7 +51,7 @@ std::string verdict(const Drift& drift) {
     case Known::too_few_samples:
       return "too few samples";
     case Known::too_short:
-      return "too short to tell";
+      return "run too short";
   }
   return "";
 }
@@ -59,7 +60,7 @@ std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < fewest_samples) return not_known(samples);
   const std::string rate = with_error(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
   if (drift.known != Known::yes) return rate;
-  return fmt::format("{}, {} (chance {:.2g})", rate, verdict(drift), drift.p_value);
+  return fmt::format("{}, {} (p-value {:.2g})", rate, verdict(drift), drift.p_value);
 }
 
 void print_ratio(const RunSummary& s) {
@@ -74,10 +75,11 @@ void print_ratio(const RunSummary& s) {
         with_error({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
         s.total_fluctuation, s.potential_fluctuation);
     if (s.rounding > 0)
-      fmt::print("R of rounding         {:.2g} %, estimated{}\n", 100 * s.rounding,
-                 s.ratio.value < rounding_margin * s.rounding
-                     ? "; R is dominated by rounding: precision = \"double\" shows the scheme's"
-                     : "");
+      fmt::print(
+          "R of rounding         {:.2g} %, estimated{}\n", 100 * s.rounding,
+          s.ratio.value < rounding_margin * s.rounding
+              ? "; R is dominated by rounding: precision = \"double\" shows the R of the scheme"
+              : "");
   }
 }
 
@@ -86,8 +88,8 @@ nlohmann::json number_if(bool known, double value) {
   return known && std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
 }
 
-/// Keys of a drift; the error, the chance and whether it is significant are null where they are not
-/// known, and the verdict says why.
+/// Keys of a drift; error, p-value and significance are null if they are not known, and the verdict
+/// gives the reason.
 nlohmann::json drift_json(const Drift& drift, std::uint64_t samples) {
   const bool known = drift.known == Known::yes;
   return {{"drift_kJ_per_mol_ps", number_if(samples >= fewest_samples, drift.rate.value)},
@@ -103,16 +105,16 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t,
                    const ExecutionSettings& execution) {
   const auto percent = [](double x) { return 100 * x; };
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
-             s.molecules, s.steps, t.step * 1000, name_of({t.scheme, t.inner}), s.length,
-             s.sample * 1000);
+             s.molecules, s.steps, t.step * units::fs_per_ps, name_of({t.scheme, t.inner}),
+             s.length, s.sample * units::fs_per_ps);
   print_ratio(s);
   fmt::print("drift                 {}{}\n", drift_text(s.drift, s.samples),
-             s.walk_known ? "" : "; the random walk of rounding in mixed precision is part of it");
+             s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision");
   if (s.shadow)
-    fmt::print("drift of the shadow   {}{}; its rms is {:.3g} kJ/mol\n",
+    fmt::print("shadow energy drift   {}{}; rms fluctuation {:.3g} kJ/mol\n",
                drift_text(s.shadow->drift, s.shadow->samples),
                s.shadow->time_gain
-                   ? fmt::format(", which shows {:.2g} times sooner", *s.shadow->time_gain)
+                   ? fmt::format(", detected {:.2g} times sooner", *s.shadow->time_gain)
                    : "",
                s.shadow->fluctuation);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
@@ -138,7 +140,7 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t,
                text(2), text(3));
   }
   const DegreesOfFreedom& n = s.degrees_of_freedom;
-  fmt::print("\nfreedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
+  fmt::print("\ndegrees of freedom    {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}",
              n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
   fmt::print(
       "\npressure              {:.0f}{} bar{}", in_bar(s.pressure.value),
@@ -149,11 +151,11 @@ void print_summary(const RunSummary& s, const TrajectorySettings& t,
              static_cast<double>(s.force_evaluations) / s.length);
   if (s.derivatives > 0) fmt::print(", and {} of their derivative", s.derivatives);
   if (t.inner) {
-    fmt::print(", of near forces {} ({:.4g} per ps)", s.near_evaluations,
+    fmt::print(", near forces {} ({:.4g} per ps)", s.near_evaluations,
                static_cast<double>(s.near_evaluations) / s.length);
     if (s.near_derivatives > 0) fmt::print(", and {} of their derivative", s.near_derivatives);
   }
-  if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
+  if (s.measurements > 1) fmt::print(", and {} for energies only", s.measurements);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
   const double all = s.timings.all();
   fmt::print(
@@ -175,10 +177,10 @@ void print_json(const RunSummary& s, const TrajectorySettings& t,
   nlohmann::json report = {
       {"molecules", s.molecules},
       {"scheme", text_of({t.scheme, t.inner})},
-      {"step_fs", t.step * 1000},
+      {"step_fs", t.step * units::fs_per_ps},
       {"steps", s.steps},
       {"length_ps", s.length},
-      {"sample_fs", s.sample * 1000},
+      {"sample_fs", s.sample * units::fs_per_ps},
       {"interrupted", stopped},
       {"samples", s.samples},
       {"R", number_if(s.samples >= fewest_samples, s.ratio.value)},

@@ -14,6 +14,7 @@
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/io/file_lock.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
@@ -71,9 +72,10 @@ void report(const Options& o, Config config, const System& system,
             const StudyFiles& files, const Provenance& provenance) {
   const std::vector<StudyRun> counted = runs_of_starts(runs, config.study.runs);
   if (counted.size() < runs.size())
-    log("the tables are of the first {} starts; {} runs from later ones are left out\n",
+    log("the tables use the first {} initial configurations; {} runs from later ones are left "
+        "out\n",
         config.study.runs, runs.size() - counted.size());
-  config.forces.mixing = system.forces.mixing;  // a topology file tells it
+  config.forces.mixing = system.forces.mixing;  // known after the topology file is read
   const StudyReport report(config, efficiency_points(points, counted));
   write_study(files, report, provenance);
   if (o.json)
@@ -106,9 +108,9 @@ int study(const Options& o) {
   for (const StudyPoint& point : points)
     if (config.study.length < 10 * point.step)
       throw Error(
-          fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs; R needs "
-                      "more, so ask for longer runs, or leave out long steps",
-                      config.study.length * 1000, point.step * 1000),
+          fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs, "
+                      "too few for R; take longer runs, or leave out long steps",
+                      config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
           config.source);
   Workers workers(requested_threads(o.threads));
   const System system = build_system(config);
@@ -117,7 +119,7 @@ int study(const Options& o) {
   const StudyFiles files(o.output);
   const FileLock lock(files.prefix + "-study.lock");
   note_lock(lock);
-  // Results of a study that goes on are written again; those of another one are not touched.
+  // Results of a resumed study are overwritten; those of another one are not.
   if (!std::filesystem::exists(files.runs))
     for (const std::string& file : files.all()) refuse_existing(file, o.force);
   const Provenance provenance{POLHODE_VERSION, typed_command("polhode study", {{"", o.file}}),
@@ -125,13 +127,13 @@ int study(const Options& o) {
                               config.system.seed};
   StudyRecord record(files.runs, provenance, o.force);
   std::vector<StudyRun> runs = record.known();
-  log("polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}, "
+  log("polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, instruction set {}, "
       "threads {}\n",
       POLHODE_VERSION, system.topology.size(), points.size(), config.study.runs,
       config.study.length, provenance.instruction_set, workers.threads());
   note_molecules(system);
   note_forces(system);
-  if (!runs.empty()) log("{} runs are known from {}\n", runs.size(), files.runs);
+  if (!runs.empty()) log("{} runs are read from {}\n", runs.size(), files.runs);
 
   catch_interrupts();
   {
@@ -148,7 +150,7 @@ int study(const Options& o) {
 
   report(o, config, system, points, runs, files, provenance);
   if (interrupted()) {
-    log("interrupted; the same command goes on from {}\n", files.runs);
+    log("interrupted; the same command resumes from {}\n", files.runs);
     return 130;
   }
   return 0;
@@ -158,23 +160,25 @@ int study(const Options& o) {
 
 Action study_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
   app.add_flag("--quick", o->quick, "a small version: about three minutes on two cores");
   app.add_option("--schemes", o->schemes, "names, or stages as text");
   app.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
   app.add_option("--runs", o->runs, "independent runs at each point")->check(CLI::Range(2, 1000));
   app.add_option("--length", o->length, "of each run: \"15 ps\"");
-  app.add_option("--decorrelate", o->decorrelate, "preparation of each start: \"10 ps\"");
-  app.add_option("--configurational-sample", o->configurational,
-                 "between configurational temperatures: \"20 fs\"; without it: none");
+  app.add_option("--decorrelate", o->decorrelate,
+                 "equilibration of each initial configuration: \"10 ps\"");
+  app.add_option(
+      "--configurational-sample", o->configurational,
+      "time between samples of the configurational temperature: \"20 fs\"; default: none");
   app.add_option("--from-record", o->from_record,
-                 "tables and figure of this record, by whichever version, without a run");
+                 "make tables and figure from this record, of any version, without runs");
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_option("--precision", o->precision,
-                 "of the pairs, instead of the run file's: double or mixed");
+                 "precision of pair interactions, double or mixed; default: the run file's");
   app.add_option("--threads", o->threads,
-                 "so many runs at once; without it: one for each core allowed");
-  app.add_flag("--force", o->force, "start anew where results of another study exist");
+                 "number of simultaneous runs; default: one for each available core");
+  app.add_flag("--force", o->force, "start over if results of another study exist");
   app.add_flag("--json", o->json, "print the results as JSON");
   return [o] { return study(*o); };
 }

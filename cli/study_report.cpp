@@ -9,6 +9,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "temperature_tables.hpp"
 
@@ -39,10 +40,11 @@ Table point_table(const StudyReport& report) {
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      table.rows.push_back({p.scheme, p.step * 1000, p.cost, static_cast<double>(p.runs),
-                            p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
-                            p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.p_value,
-                            p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
+      table.rows.push_back({p.scheme, p.step * units::fs_per_ps, p.cost,
+                            static_cast<double>(p.runs), p.stable ? 1.0 : 0.0,
+                            i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
+                            p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.temperature,
+                            p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
       add_excesses(table.rows.back(), p);
     }
   return table;
@@ -52,11 +54,10 @@ std::string conditions(const Config& config) {
   const ForceSettings& f = config.forces;
   const std::string mixing = description(f.mixing);
   return fmt::format(
-      "{}, switched from {:g} to {:g} nm (class C{}){}, start {}; at most {} "
-      "runs of {:g} ps from starts prepared for {:g} ps at {:g} K, the same for every scheme; "
-      "energies at least every 2.5 fs or every "
-      "step; "
-      "drift significant below a chance of {:g}",
+      "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
+      "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
+      "every scheme; energies at least every 2.5 fs or every step; drift significant below a "
+      "p-value of {:g}",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,
@@ -64,7 +65,7 @@ std::string conditions(const Config& config) {
       significance);
 }
 
-/// A mean over runs with its error, where there are enough of them.
+/// A mean over runs, with its error if there are enough of them.
 std::string with_error(const Estimate& e, int digits, int runs) {
   if (!std::isfinite(e.value)) return "-";
   const std::string value = fmt::format("{:.{}g}", e.value, digits);
@@ -85,11 +86,11 @@ StudyReport::StudyReport(const Config& config_used,
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
   if (!line.best)
-    return fmt::format("no scheme reaches R = {:g} % here without drift", 100 * ratio);
+    return fmt::format("no scheme reaches R = {:g} % for this system without drift", 100 * ratio);
   const CostAtRatio& best = *line.costs[*line.best];
-  std::string text =
-      fmt::format("for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps",
-                  100 * ratio, report.curves[*line.best].scheme, best.step * 1000, best.cost);
+  std::string text = fmt::format(
+      "for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps", 100 * ratio,
+      report.curves[*line.best].scheme, best.step * units::fs_per_ps, best.cost);
   for (std::size_t c = 0; c < report.curves.size(); ++c)
     if (report.curves[c].scheme == "velocity-verlet" && line.costs[c] && c != *line.best)
       text +=
@@ -103,12 +104,12 @@ std::string study_json(const StudyReport& report) {
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      const auto error_of = [&](const Estimate& e) {  // one run tells none
+      const auto error_of = [&](const Estimate& e) {  // not known from one run
         return p.runs > 1 && std::isfinite(e.error) ? nlohmann::json(e.error) : nlohmann::json();
       };
       json["points"].push_back(
           {{"scheme", p.scheme},
-           {"step_fs", p.step * 1000},
+           {"step_fs", p.step * units::fs_per_ps},
            {"force_evaluations_per_ps", p.cost},
            {"runs", p.runs},
            {"stable", p.stable},
@@ -132,7 +133,7 @@ std::string study_json(const StudyReport& report) {
         row["costs"][report.curves[c].scheme] = {
             {"force_evaluations_per_ps", line.costs[c]->cost},
             {"error", line.costs[c]->error},
-            {"step_fs", line.costs[c]->step * 1000},
+            {"step_fs", line.costs[c]->step * units::fs_per_ps},
             {"extrapolated", line.costs[c]->extrapolated},
             {"max_step_without_drift", line.costs[c]->at_max_step}};
     if (line.best) row["best"] = report.curves[*line.best].scheme;
@@ -173,19 +174,20 @@ void print_study(const StudyReport& report, const std::vector<std::string>& writ
       const EfficiencyPoint& p = curve.points[i];
       const std::string note = !p.stable               ? "blew up"
                                : p.drift.significant() ? "drift significant"
-                               : i >= curve.usable     ? "beyond the end of stability"
+                               : i >= curve.usable     ? "unstable"
                                : p.at_rounding()
-                                   ? fmt::format("rounding alone makes {:.2g} %", 100 * p.rounding)
+                                   ? fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding)
                                    : "";
-      fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme, p.step * 1000,
-                 p.cost, p.runs, with_error({100 * p.ratio.value, 100 * p.ratio.error}, 4, p.runs),
+      fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme,
+                 p.step * units::fs_per_ps, p.cost, p.runs,
+                 with_error({100 * p.ratio.value, 100 * p.ratio.error}, 4, p.runs),
                  with_error(p.drift.rate, 3, p.runs), note);
     }
 
   fmt::print(
-      "\nleast cost for an R at or below the one given, in force evaluations per ps (ratio to "
-      "velocity "
-      "Verlet);\n* extrapolated by the scheme's order, + the longest step without drift\n{:>8}",
+      "\nminimum cost for an R at or below the given one, in force evaluations per ps (ratio to "
+      "velocity Verlet);\n* extrapolated by the scheme's order, + the maximum step without "
+      "drift\n{:>8}",
       "R %");
   for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
   fmt::print("  best\n");
@@ -214,7 +216,7 @@ void print_study(const StudyReport& report, const std::vector<std::string>& writ
       molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;
   if (!report.claims.empty())
     fmt::print("\nthe paper's claims (vanzon2008){}\n",
-               of_the_paper ? "" : "; they are of 512 TIP4P waters, not of this system");
+               of_the_paper ? "" : "; they refer to 512 TIP4P waters, not to this system");
   for (const Claim& claim : report.claims)
     fmt::print(
         "  {}{}: {}\n", claim.text,

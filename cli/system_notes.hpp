@@ -26,25 +26,27 @@ inline void note_molecules(const System& system) {
         printable(system.origins[k]));
   }
   if (system.fit_deviation > 1e-4)
-    log("note: atoms of the start lay up to {:.4f} nm from the rigid models\n",
+    log("note: atoms of the initial configuration deviate by up to {:.4f} nm from the rigid "
+        "models\n",
         system.fit_deviation);
   if (system.massless_deviation > std::max(1e-3, 2 * system.fit_deviation))
-    log("note: massless sites of the start lay up to {:.4f} nm from where the models have "
-        "them, and are placed there\n",
+    log("note: massless sites of the initial configuration deviate by up to {:.4f} nm from the "
+        "models and are placed according to them\n",
         system.massless_deviation);
   if (system.removed_temperature > 1e-4)
-    log("note: the start moved as a whole at {:.4g} nm/ps, which counted as {:.4g} K; its "
-        "total momentum is removed\n",
+    log("note: the centre of mass of the initial configuration moves at {:.4g} nm/ps, which "
+        "amounts to {:.4g} K; the total momentum is removed\n",
         system.removed_velocity, system.removed_temperature);
   if (degrees_of_freedom(system.topology).all() == 0)
-    log("note: a single atom rests in its own frame and has no degrees of freedom, so it "
-        "has no temperature\n");
+    log("note: a single atom without total momentum has no degrees of freedom, so it has no "
+        "temperature\n");
 }
 
-/// On standard error: that nothing keeps a second process from the same files, where that is so.
+/// Warns on standard error if the file system has no locks.
 inline void note_lock(const FileLock& lock) {
   if (!lock.is_held())
-    log("note: the file system has no locks; do not start a second process on this output\n");
+    log("note: the file system does not support locks; do not start a second process with the same "
+        "output\n");
 }
 
 /// On standard error: the mixing rule and explicit pairs, unless all pairs follow the default rule;

@@ -14,6 +14,7 @@
 #include "polhode/base/threads.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/run/study/tune.hpp"
 #include "progress.hpp"
 #include "streams.hpp"
@@ -43,10 +44,10 @@ TuneSettings make_settings(const Options& o, const Config& config) {
   if (!o.sample.empty()) settings.sample = positive_time(o.sample, "--sample");
   constexpr double min_repeats = 20;  // for covariances of three quantities
   if (settings.length < min_repeats * settings.sample)
-    throw Error(
-        fmt::format("length {:g} fs holds fewer than {:g} samples of the brackets, {:g} fs "
-                    "apart; ask for longer runs, or for a shorter --sample",
-                    settings.length * 1000, min_repeats, settings.sample * 1000));
+    throw Error(fmt::format(
+        "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs "
+        "apart; take longer runs, or a shorter --sample",
+        settings.length * units::fs_per_ps, min_repeats, settings.sample * units::fs_per_ps));
   return settings;
 }
 
@@ -88,10 +89,10 @@ int tune_scheme(const Options& o) {
   const TuneSettings settings = make_settings(o, config);
   Workers workers(requested_threads(o.threads));
   const System system = build_system(config);
-  log("polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and "
-      "{} that confirm, target {}, threads {}\n",
-      POLHODE_VERSION, system.topology.size(), settings.step * 1000, settings.runs, settings.length,
-      settings.runs, name(current_instruction_set()), workers.threads());
+  log("polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and {} that "
+      "confirm, instruction set {}, threads {}\n",
+      POLHODE_VERSION, system.topology.size(), settings.step * units::fs_per_ps, settings.runs,
+      settings.length, settings.runs, name(current_instruction_set()), workers.threads());
   note_molecules(system);
   note_forces(system);
 
@@ -104,7 +105,7 @@ int tune_scheme(const Options& o) {
         workers);
   }();
   if (interrupted()) {
-    log("interrupted; nothing was found\n");
+    log("interrupted before a result was found\n");
     return 130;
   }
 
@@ -112,7 +113,7 @@ int tune_scheme(const Options& o) {
   const auto rms = [&](double squares) { return std::sqrt(squares / settings.runs); };
   if (o.json) {
     fmt::print("{}\n", nlohmann::json{{"molecules", system.topology.size()},
-                                      {"step_fs", settings.step * 1000},
+                                      {"step_fs", settings.step * units::fs_per_ps},
                                       {"runs", settings.runs},
                                       {"length_ps", settings.length},
                                       {"rms_first_bracket_kJ_per_mol", rms(c.aa)},
@@ -136,17 +137,19 @@ int tune_scheme(const Options& o) {
 
 Action tune_scheme_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
-  app.add_option("--step", o->step, "to tune for, instead of the run file's: \"5 fs\"");
-  app.add_option("--runs", o->runs, "that measure, and as many that confirm")
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  app.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
+  app.add_option("--runs", o->runs,
+                 "number of runs for the measurement, and again for the confirmation")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  app.add_option("--length", o->length, "of each run; without it: \"2 ps\"");
+  app.add_option("--length", o->length, "length of each run; default: \"2 ps\"");
   app.add_option("--decorrelate", o->decorrelate,
-                 "preparation of each start; without it: \"2 ps\"");
-  app.add_option("--sample", o->sample, "between error brackets; without it: \"20 fs\"");
+                 "equilibration of each initial configuration; default: \"2 ps\"");
+  app.add_option("--sample", o->sample,
+                 "time between samples of the error brackets; default: \"20 fs\"");
   app.add_option("--threads", o->threads,
-                 "so many runs at once; without it: one for each core allowed");
+                 "number of simultaneous runs; default: one for each available core");
   app.add_flag("--json", o->json, "print the results as JSON");
   return [o] { return tune_scheme(*o); };
 }

@@ -30,13 +30,13 @@ void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings
     s.viscosity_source = "--viscosity";
     return;
   }
-  s.viscosity_source = "no published one for these molecules; give --viscosity";
+  s.viscosity_source = "there is no published viscosity for these molecules; give --viscosity";
   if (a.topology.parts.size() != 1) return;
   for (const PublishedViscosity& known : published) {
     if (a.topology.parts.front().molecule.name != known.model) continue;
     if (!s.temperature || std::abs(*s.temperature - published_temperature) > near) {
-      s.viscosity_source =
-          fmt::format("the published one is of {:g} K; give --viscosity", published_temperature);
+      s.viscosity_source = fmt::format("the published viscosity is for {:g} K; give --viscosity",
+                                       published_temperature);
       return;
     }
     s.viscosity = quantity(known.value, Dimension::viscosity, "viscosity");
@@ -76,8 +76,8 @@ AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& w
         p.diffusion = D;
       else if (part == 0)
         s.notes.push_back(
-            fmt::format("no diffusion: fewer than two lags between {:g} and {:g} ps; "
-                        "the longest is {:g} ps",
+            fmt::format("no diffusion coefficient: fewer than two lags between {:g} and {:g} ps; "
+                        "the maximum is {:g} ps",
                         s.fit.from, s.fit.to, max_lag));
     }
     if (a.velocity && count > 0 && a.topology.size() > 1) {
@@ -98,7 +98,7 @@ AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& w
   if (a.displacement) {
     find_viscosity(s, a, settings);
     if (!cubic(a.box))
-      s.viscosity_source = "the correction for images is of a cubic box";
+      s.viscosity_source = "the finite-size correction is for cubic boxes only";
     else if (!s.temperature)
       s.viscosity_source = "no temperature: the frames have no velocities; give --temperature";
     else if (s.viscosity)
@@ -109,7 +109,7 @@ AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& w
   if (a.dipole && !settings.surroundings_permittivity)
     s.notes.push_back("no dielectric: " + settings.no_surroundings);
   else if (a.dipole && !s.temperature)
-    s.notes.push_back("no dielectric: the frames have no velocities; give --temperature");
+    s.notes.push_back("no dielectric constant: the frames have no velocities; give --temperature");
   else if (a.dipole)
     s.dielectric = a.dipole->result(*s.temperature, *settings.surroundings_permittivity);
   return s;

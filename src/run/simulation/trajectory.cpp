@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "polhode/base/error.hpp"
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
@@ -30,7 +30,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Forces, with a clock.
+/// Forces with a stopwatch.
 struct TimedForces {
   ForceField& forces;
   double seconds = 0;  // with the list
@@ -52,24 +52,23 @@ struct TimedForces {
   }
 };
 
-constexpr double max_steps = 0x1p53;  // that a double counts
+constexpr double max_steps = 0x1p53;  // whose steps a double can count
 
-/// It ends the trajectory, which keeps what was computed.
+/// Ends the trajectory but keeps its results.
 struct BlowUp : RunError {
   using RunError::RunError;
 };
 
 [[noreturn]] void throw_blow_up(const TrajectorySettings& s, std::size_t step,
                                 const std::string& what) {
-  throw BlowUp(
-      fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
-                  "{}, or the start "
-                  "is too rough: try {:g} fs, or equilibrate first",
-                  step, static_cast<double>(step) * s.step, what, s.step * 1000,
-                  name_of({s.scheme, s.inner}), s.step * 500));
+  throw BlowUp(fmt::format(
+      "the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for {}, or the "
+      "initial configuration is too far from equilibrium: try {:g} fs, or equilibrate first",
+      step, static_cast<double>(step) * s.step, what, s.step * 1000, name_of({s.scheme, s.inner}),
+      s.step * 500));
 }
 
-/// Where the time goes, added to what an earlier part of the run took.
+/// Computing time by part, added to that of an earlier part of the run.
 class Clocks {
  public:
   /// @param near  of an inner scheme, if there is one
@@ -80,7 +79,7 @@ class Clocks {
         list_before_(in_list(&whole)),
         near_list_before_(in_list(near)) {}
   double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
-  /// What has passed since the last call of this or skip() was drifts, kicks and forces.
+  /// The time since the last call of this or skip() was spent in drifts, kicks and forces.
   void add_motion() { motion_ += part_.lap(); }
   void skip() { part_.lap(); }
   void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
@@ -109,10 +108,10 @@ class Clocks {
   Stopwatch run_, part_;
 };
 
-/// The trajectory of an integrator.
-/// @param whole, near  what it evaluates; near is null without an inner scheme
-template <class Model>
-Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces& whole,
+/// The trajectory of an Integrator or a NestedIntegrator.
+/// @param whole, near  its forces; near is null without an inner scheme
+template <class AnyIntegrator>
+Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& whole,
                      TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
                      Workers& workers, const RunState* from);
 
@@ -121,8 +120,8 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
 std::size_t TrajectorySettings::steps() const {
   if (!(length / step <= max_steps))
     throw Error(
-        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; there may be {:.3g} at most, as "
-                    "the time of later ones could not be told apart: ask for a shorter length",
+        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
+                    "which the times of steps could not be distinguished; take a shorter length",
                     length, step * 1000, length / step, max_steps));
   return static_cast<std::size_t>(std::llround(length / step));
 }
@@ -140,23 +139,26 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
 bool TrajectorySettings::has_shadow() const {
   constexpr double rounding = 1e-12;  // of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
-  return !inner && scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding;
+  return !inner && !scheme.has(Flow::bath) && scheme.palindromic() &&
+         std::hypot(terms.alpha, terms.beta) > rounding;
 }
 
 void TrajectorySettings::check_shadow() const {
   if (shadow_sample == 0 || has_shadow()) return;
   if (inner)
     throw Error(fmt::format(
-        "shadow_sample is {:g} fs, but the shadow energy of {} has brackets of near and slow "
-        "forces, which are not measured; leave it out, or take a single scheme, as hoa2",
+        "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
+        "forces, which are not measured; leave it out, or take a single scheme, such as hoa2",
         shadow_sample * 1000, name_of({scheme, inner})));
-  throw Error(fmt::format(
-      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, as "
-      "hoa2",
-      shadow_sample * 1000, scheme.name(),
-      scheme.palindromic()
+  const char* const reason =
+      scheme.has(Flow::bath) ? "a bath, which changes the energy"
+      : scheme.palindromic()
           ? "no error of order h², so its shadow energy is the energy itself to that order"
-          : "an error of order h, since its stages are no palindrome"));
+          : "an error of order h, since its stages are not a palindrome";
+  throw Error(fmt::format(
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, "
+      "such as hoa2",
+      shadow_sample * 1000, scheme.name(), reason));
 }
 
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
@@ -169,20 +171,18 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
   ForceField near_forces(system.topology, near_settings(forces.settings(), *settings.inner),
                          system.state.box, workers);
   TimedForces near{near_forces};
-  NestedForces nested(settings.inner->scheme, settings.inner->steps, system.bodies, whole, near,
-                      settings.lambda, workers);
-  nested.integrates(system.state);
-  Integrator integrator(settings.scheme, system.bodies, nested, settings.lambda, workers);
+  NestedIntegrator integrator({settings.scheme, settings.inner}, system.bodies, whole, near,
+                              settings.lambda, workers);
   Trajectory result = integrate(system, integrator, whole, &near, settings, watch, workers, from);
-  result.near_evaluations = nested.near_evaluations();
-  result.near_derivatives = nested.near_derivatives();
+  result.near_evaluations = integrator.near_evaluations();
+  result.near_derivatives = integrator.near_derivatives();
   return result;
 }
 
 namespace {
 
-template <class Model>
-Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces& whole,
+template <class AnyIntegrator>
+Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& whole,
                      TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
                      Workers& workers, const RunState* from) {
   Trajectory result;
@@ -196,8 +196,8 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
     result.steps = from->steps;
     statistics = from->statistics;
     integrator.resume_from(from->integrator);
-    whole.forces.resume_from(from->list);
-    if (near) near->forces.resume_from(from->near_list);
+    whole.forces.resume_from(from->list, system.state.box);
+    if (near) near->forces.resume_from(from->near_list, system.state.box);
   }
   Clocks clocks(whole, near, from ? from->timings : Timings{});
 
@@ -205,19 +205,21 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
     if (!watch.checkpoint) return;
     clocks.add_motion();
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
-                      whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
-                      statistics, clocks.timings()});
+                      whole.forces.list_memory(system.state.box),
+                      near ? near->forces.list_memory(system.state.box) : ListMemory{}, statistics,
+                      clocks.timings()});
     clocks.skip();
   };
   Load complete;
   const auto all_forces =
-      [&]() -> const Load& {  // an inner scheme leaves an outer one the slow ones
+      [&]() -> const Load& {  // with an inner scheme, the outer one has the slow forces
     if (!near) return integrator.last_load();
     whole.forces.forces_alone(system.state, complete);
     return complete;
   };
   const auto signs_at = [&](std::size_t done) {
-    constexpr std::uint64_t streams = std::uint64_t{1} << 32;  // those of starts are below it
+    constexpr std::uint64_t streams = std::uint64_t{1}
+                                      << 32;  // initial configurations use those below it
     return Random(settings.seed, streams + done);
   };
   const auto sample = [&] {
@@ -250,11 +252,10 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
     if (settings.stretch > 0)
       statistics.stretches.add(now, first, settings.samples_per(settings.stretch));
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
-      throw_blow_up(
-          settings, result.steps,
-          fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the kinetic "
-                      "energy at the start",
-                      first.total(), now.total()));
+      throw_blow_up(settings, result.steps,
+                    fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the "
+                                "initial kinetic energy",
+                                first.total(), now.total()));
     clocks.skip();
   };
   const auto step = [&](bool energies) {
@@ -274,7 +275,8 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
       checkpoint();
       sample();
     }
-    while (result.steps < steps && !result.stopped) {  // one by one: a step that fails is known
+    while (result.steps < steps &&
+           !result.stopped) {  // one by one, so that a failed step is identified
       const bool sampled = (result.steps + 1) % interval == 0;
       step(sampled);
       if (sampled) sample();
@@ -306,12 +308,14 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
   if (from) {
     system.state = from->state;
     done = from->equilibrated.value();
-    forces.resume_from(from->list);
+    forces.resume_from(from->list, system.state.box);
   }
   while (done < length) {
-    RunState here;  // a piece that is not finished is done again
+    RunState here;  // an unfinished piece is repeated
     if (watch.checkpoint)
-      here = {.state = system.state, .equilibrated = done, .list = forces.list_memory()};
+      here = {.state = system.state,
+              .equilibrated = done,
+              .list = forces.list_memory(system.state.box)};
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
     const Trajectory part = run_trajectory(

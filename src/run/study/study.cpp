@@ -80,14 +80,13 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
   return run;
 }
 
-// A record knows runs by scheme and step: each once.
+// Records identify runs by scheme and step, so each must be unique.
 void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   for (const StudyPoint& other : points)
     if (other.name == point.name && same(other.step, point.step))
-      throw Error(
-          fmt::format("the study has {} with a step of {:g} fs twice; name each scheme and each "
-                      "step once",
-                      point.name, 1000 * point.step));
+      throw Error(fmt::format(
+          "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
+          point.name, 1000 * point.step));
   points.push_back(point);
 }
 
@@ -146,7 +145,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
       work += jobs.back().work() * config.study.length;
     }
   if (jobs.empty()) return;
-  // The most expensive first, so that the last ones to end are short.
+  // The most expensive first, so that the last ones are short.
   std::stable_sort(jobs.begin(), jobs.end(),
                    [](const Job& a, const Job& b) { return a.work() > b.work(); });
 
@@ -183,7 +182,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
     const auto start = static_cast<std::size_t>(job.start);
     const StudyRun run =
         one_run(starts[start], start, job.point, config, near_weights.at(job.point.name), progress);
-    if (stopped()) return;  // the run may have been cut short
+    if (stopped()) return;  // the run may be incomplete
     {
       const std::lock_guard lock(guard);
       finished(run);
