@@ -184,10 +184,10 @@ nlohmann::json peak_json(const SitePair& sites,
             {"minimum_nm", nullptr},
             {"coordination", nullptr}};
   return {{"pair", sites},
-          {"peak_nm", pair(peak->place)},
+          {"peak_nm", pair(peak->position)},
           {"peak_height", pair(peak->height)},
-          {"minimum_nm", peak->minimum.value},
-          {"coordination", pair(peak->coordination)}};
+          {"minimum_nm", peak->shell ? nlohmann::json(peak->shell->end.value) : nlohmann::json()},
+          {"coordination", peak->shell ? pair(peak->shell->coordination) : nlohmann::json()}};
 }
 
 /// "2.30 ± 0.03", or the value and why it has no error.
@@ -200,11 +200,16 @@ std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
 
 void print_peak(const std::string& name, const std::optional<RadialDistribution::Peak>& peak) {
   fmt::print("{:<22}", name);
-  if (peak)
-    fmt::print("first peak {} at {} nm; {} neighbours up to {:.3f} nm\n", text(peak->height, 3),
-               text(peak->place, 4), text(peak->coordination, 2), peak->minimum.value);
-  else
+  if (!peak) {
     fmt::print("no peak within its range\n");
+    return;
+  }
+  fmt::print("first peak {} at {} nm; ", text(peak->height, 3), text(peak->position, 4));
+  if (peak->shell)
+    fmt::print("{} neighbours up to {:.3f} nm\n", text(peak->shell->coordination, 2),
+               peak->shell->end.value);
+  else
+    fmt::print("no minimum within its range\n");
 }
 
 }  // namespace

@@ -3,17 +3,23 @@
 
 #include "polhode/forces/laws/check_settings.hpp"
 #include "polhode/forces/laws/tail.hpp"
-#include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/forces/mesh/self_interaction.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
+#include "polhode/forces/system_size.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
 namespace {
 
-ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box) {
-  if (s.electrostatics == Electrostatics::pme && !s.mesh)
-    s.mesh = mesh_for(s.pme_accuracy, s.cutoff, box, topology);
+/// The settings with a mesh for the box, unless a mesh was given.
+ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box,
+                        std::optional<MeshChoice>& choice) {
+  const bool has_mesh = s.mesh && (!s.mesh_chosen_for || *s.mesh_chosen_for == box);
+  if (s.electrostatics != Electrostatics::pme || has_mesh) return s;
+  check_edges(box);
+  if (!choice) choice.emplace(topology, s.pme_accuracy, s.cutoff);
+  s.mesh = (*choice)(box);
+  s.mesh_chosen_for = box;
   return s;
 }
 
@@ -50,11 +56,23 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
     : workers_(workers),
       topology_(topology),
       bodies_(topology),
-      settings_(with_mesh(checked(settings), topology, box)),
+      settings_(with_mesh(checked(settings), topology, box, mesh_choice_)),
+      box_(box),
       constant_(constant_terms_of(topology, settings_, box)),
       engine_(engine(topology, settings_, box, workers)) {}
 
+/// Makes what depends on the box again if the box is another one.
+void ForceField::set_box(const Box& box) {
+  if (box_ == box) return;
+  box_.reset();
+  settings_ = with_mesh(settings_, topology_, box, mesh_choice_);
+  std::visit([&](auto& engine) { engine.set_box(topology_, settings_, box); }, engine_);
+  constant_ = constant_terms_of(topology_, settings_, box);
+  box_ = box;
+}
+
 void ForceField::evaluate(const State& state, Load& load, bool energies) {
+  set_box(state.box);
   ++evaluations_;
   std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
   if (settings_.mesh) remove_net_force(load, bodies_, workers_);
@@ -66,13 +84,14 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
 
 void ForceField::directional_derivative(const State& state, const Vec3Column& dq,
                                         const Vec3Column& dtheta, Load& slope) {
+  set_box(state.box);
   std::visit([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); }, engine_);
   if (settings_.mesh) remove_net_force(slope, bodies_, workers_);
 }
 
-ListMemory ForceField::list_memory() const {
+ListMemory ForceField::list_memory(const Box& box) const {
   ListMemory memory{{}, list_rebuilds()};
-  if (neighbours().width() == 0) return memory;
+  if (neighbours().width() == 0 || neighbours().box() != box) return memory;
   const Slots& slots = neighbours().slots();
   memory.built_at = Vec3Column(topology_.size());
   for (const Slots::Part& part : slots.parts)
@@ -81,11 +100,13 @@ ListMemory ForceField::list_memory() const {
   return memory;
 }
 
-void ForceField::resume_from(const ListMemory& memory) {
-  if (memory.built_at.size() == 0) return;
-  State state(memory.built_at.size(), neighbours().box());
-  state.q = memory.built_at;
-  std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
+void ForceField::resume_from(const ListMemory& memory, const Box& box) {
+  set_box(box);
+  if (memory.built_at.size() > 0) {
+    State state(memory.built_at.size(), box);
+    state.q = memory.built_at;
+    std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
+  }
   earlier_rebuilds_ = memory.rebuilds - neighbours().rebuilds();
 }
 

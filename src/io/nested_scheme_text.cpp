@@ -76,8 +76,16 @@ std::string joined(const std::string& outer, const std::string& inner, int steps
 
 NestedScheme nested_scheme_of(std::string_view text) {
   const std::size_t at = slash(text);
-  if (at == std::string_view::npos) return scheme_of(text);
-  return {scheme_of(trimmed(text.substr(0, at))), inner_scheme_of(trimmed(text.substr(at + 1)))};
+  const NestedScheme scheme = at == std::string_view::npos
+                                  ? NestedScheme(scheme_of(text))
+                                  : NestedScheme(scheme_of(trimmed(text.substr(0, at))),
+                                                 inner_scheme_of(trimmed(text.substr(at + 1))));
+  if (scheme.has(Flow::bath))
+    throw Error(fmt::format(
+        "scheme '{}' has a bath, and a bath needs a temperature and a friction, which are not "
+        "available in runs yet; leave the stages O(...) out",
+        text));
+  return scheme;
 }
 
 Scheme single_scheme_of(std::string_view text) {

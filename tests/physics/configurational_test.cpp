@@ -12,6 +12,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
 #include "scenes.hpp"

@@ -10,6 +10,7 @@
 #include "physics/force_laws.hpp"
 #include "physics/mesh_scene.hpp"
 #include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 using namespace polhode;

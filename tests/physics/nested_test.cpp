@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
@@ -46,11 +46,9 @@ struct Split {
   Split(const scenes::Scene& scene, const ForceSettings& settings, const NestedScheme& scheme)
       : whole(scene.topology, settings, scene.state.box),
         near(scene.topology, near_settings(settings, *scheme.inner), scene.state.box),
-        nested(scheme.inner->scheme, scheme.inner->steps, scene.bodies, whole, near),
-        integrator(scheme.outer, scene.bodies, nested) {}
+        integrator(scheme, scene.bodies, whole, near) {}
   ForceField whole, near;
-  NestedForces<ForceField, ForceField> nested;
-  Integrator<NestedForces<ForceField, ForceField>> integrator;
+  NestedIntegrator<ForceField, ForceField> integrator;
 };
 
 }  // namespace
@@ -115,13 +113,13 @@ TEST_CASE("a nested scheme needs the stated number of evaluations of both kinds"
     split.integrator.advance(scene.state, 0.001, 5);
     const std::uint64_t whole = split.whole.evaluations(), near = split.near.evaluations();
     const std::uint64_t slopes = split.integrator.derivatives();
-    const std::uint64_t near_slopes = split.nested.near_derivatives();
-    CHECK(near == split.nested.near_evaluations());
+    const std::uint64_t near_slopes = split.integrator.near_derivatives();
+    CHECK(near == split.integrator.near_evaluations());
     for (int k = 0; k < 5; ++k) split.integrator.advance(scene.state, 0.001);
     CHECK(split.whole.evaluations() - whole == 5u * unsigned(scheme.outer.force_evaluations()));
     CHECK(split.near.evaluations() - near == 5u * unsigned(scheme.near_evaluations()));
     CHECK(split.integrator.derivatives() - slopes == 5u * unsigned(scheme.outer.derivatives()));
-    CHECK(split.nested.near_derivatives() - near_slopes ==
+    CHECK(split.integrator.near_derivatives() - near_slopes ==
           5u * unsigned(scheme.near_derivatives()));
   }
 }
@@ -144,7 +142,7 @@ TEST_CASE("near and slow forces add up to all forces") {
     CAPTURE(int(settings.electrostatics));
     Split split(scene, settings, scheme);
     Load slow(scene.state.size()), near = slow, whole = slow;
-    split.nested(scene.state, slow);
+    split.integrator.slow_forces()(scene.state, slow);
     split.near(scene.state, near);
     split.whole(scene.state, whole);
     CHECK(slow.potential() == whole.potential());
@@ -162,7 +160,7 @@ TEST_CASE("near and slow forces add up to all forces") {
     pair.state.q.set(1, {0.5, 0.5, 0.5 + apart});
     Split split(pair, plain, scheme);
     Load slow(2), near(2);
-    split.nested(pair.state, slow);
+    split.integrator.slow_forces()(pair.state, slow);
     split.near(pair.state, near);
     const Load& nothing = apart < 0.35 ? slow : near;
     const Load& something = apart < 0.35 ? near : slow;
@@ -222,19 +220,19 @@ TEST_CASE("near forces equal to all forces, or to none, reduce a nested scheme t
     return std::max(largest_difference(a.p, b.p), largest_difference(a.ell, b.ell));
   };
   const Scheme outer = scheme_of("hoa2"), inner = scheme_of("velocity-verlet");
+  const NestedScheme scheme{outer, InnerScheme{inner, 2}};
   scenes::Scene start = scenes::water_cluster();
-  const auto alone = [&](const Scheme& scheme, double h, std::size_t steps) {
+  const auto alone = [&](const Scheme& single, double h, std::size_t steps) {
     scenes::Scene scene = start;
     ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
-    Integrator(scheme, scene.bodies, forces).advance(scene.state, h, steps);
+    Integrator(single, scene.bodies, forces).advance(scene.state, h, steps);
     return scene.state;
   };
   {
     scenes::Scene scene = start;
     ForceField whole(scene.topology, scenes::no_truncation(), scene.state.box);
     ForceField near(scene.topology, scenes::no_truncation(), scene.state.box);
-    NestedForces nested(inner, 2, scene.bodies, whole, near);
-    Integrator(outer, scene.bodies, nested).advance(scene.state, 0.004, 10);
+    NestedIntegrator(scheme, scene.bodies, whole, near).advance(scene.state, 0.004, 10);
     CHECK(difference(scene.state, alone(inner, 0.001, 40)) < 1e-11);
     CHECK(difference(scene.state, alone(outer, 0.004, 10)) > 1e-5);
   }
@@ -242,8 +240,7 @@ TEST_CASE("near forces equal to all forces, or to none, reduce a nested scheme t
     scenes::Scene scene = start;
     ForceField whole(scene.topology, scenes::no_truncation(), scene.state.box);
     auto nothing = [](const State&, Load&) {};
-    NestedForces nested(inner, 2, scene.bodies, whole, nothing);
-    Integrator(outer, scene.bodies, nested).advance(scene.state, 0.004, 10);
+    NestedIntegrator(scheme, scene.bodies, whole, nothing).advance(scene.state, 0.004, 10);
     CHECK(difference(scene.state, alone(outer, 0.004, 10)) < 1e-11);
   }
 }

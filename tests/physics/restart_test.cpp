@@ -203,7 +203,7 @@ TEST_CASE("a suspended equilibration is resumed bit for bit") {
   const auto prepared = [](System& system, const RunState* from, const Watch& watch) {
     ForceField forces(system.topology, system.forces, system.state.box);
     const bool done = equilibrate(system, forces, 0.11, watch, Workers::serial(), from);
-    const ListMemory list = forces.list_memory();
+    const ListMemory list = forces.list_memory(system.state.box);
     Bits all{done, list.rebuilds};
     add(all, system.state.q), add(all, system.state.p), add(all, system.state.ell);
     add(all, list.built_at);

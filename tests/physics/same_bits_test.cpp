@@ -3,30 +3,14 @@
 // evaluations.
 #include <doctest/doctest.h>
 
-#include <bit>
-#include <cstdint>
-
 #include "physics/force_laws.hpp"
+#include "physics/load_bits.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/flows.hpp"
 
 using namespace polhode;
 
 namespace {
-
-// All bits of a Load as whole numbers, so that a difference of signs of zero counts as well.
-std::vector<std::uint64_t> bits(const Load& load) {
-  std::vector<std::uint64_t> all;
-  const auto add = [&](double x) { all.push_back(std::bit_cast<std::uint64_t>(x)); };
-  for (const Vec3Column* column : {&load.f, &load.tau})
-    for (std::size_t i = 0; i < column->size(); ++i)
-      for (std::size_t d = 0; d < 3; ++d) add((*column)[i][d]);
-  add(load.lennard_jones);
-  add(load.coulomb);
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) add(load.virial[i][k]);
-  return all;
-}
 
 // Bodies move a little and then far, so that the list is first reused and then rebuilt.
 std::vector<std::vector<std::uint64_t>> history(const scenes::Scene& scene,

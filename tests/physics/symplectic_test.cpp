@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "polhode/forces/force_field.hpp"
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
@@ -88,9 +89,7 @@ double largest_violation(const NestedScheme& scheme, double h, double lambda) {
                  scene.state.box);
   const auto step = [&](State state) {
     if (near) {
-      NestedForces nested(scheme.inner->scheme, scheme.inner->steps, scene.bodies, forces, *near,
-                          lambda);
-      Integrator(scheme.outer, scene.bodies, nested, lambda).advance(state, h);
+      NestedIntegrator(scheme, scene.bodies, forces, *near, lambda).advance(state, h);
     } else {
       Integrator(scheme.outer, scene.bodies, forces, lambda).advance(state, h);
     }

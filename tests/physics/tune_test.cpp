@@ -14,7 +14,7 @@ using namespace polhode;
 
 namespace {
 
-constexpr double step = 0.01;
+constexpr double h = 0.01;  // [ps]
 
 // Two oscillators of unit mass with incommensurate frequencies: V = ω²q²/2, V̈ = ω²p², W = ω⁴q²,
 // with E − ⟨E⟩ given as a combination of h² V̈ and h² W and a third frequency.
@@ -30,11 +30,11 @@ ErrorCovariance oscillators(double in_V, double in_W, double beside) {
       sample.brackets.W += std::pow(omega, 4) * q * q;
     }
     sample.energies.translation =
-        step * step * (in_V * sample.brackets.second_derivative + in_W * sample.brackets.W) +
+        h * h * (in_V * sample.brackets.second_derivative + in_W * sample.brackets.W) +
         beside * std::cos(11.3 * t) - sample.energies.lennard_jones;
     samples.push_back(sample);
   }
-  return error_covariance(samples, step);
+  return error_covariance(samples, h);
 }
 
 }  // namespace
@@ -88,10 +88,10 @@ cutoff = "0.75 nm"
     System system = start;
     ForceField forces(system.topology, system.forces, system.state.box);
     const Watch watch{.brackets = [&](const BracketSample& sample) { brackets.push_back(sample); }};
-    return run_trajectory(system, forces, {scheme, step, 2, step, 1e-4, shadow_sample}, watch);
+    return run_trajectory(system, forces, {scheme, h, 2, h, 1e-4, shadow_sample}, watch);
   };
-  run(hoa2, 2 * step);
-  const ErrorCovariance c = error_covariance(brackets, step);
+  run(hoa2, 2 * h);
+  const ErrorCovariance c = error_covariance(brackets, h);
   double least = INFINITY, at = 0;
   for (const double eta : {0.15, 0.17, 0.18, 0.185, 0.19, 0.195, 0.2, 0.21, 0.23}) {
     CAPTURE(eta);

@@ -9,6 +9,7 @@
 
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/measure/energy.hpp"
 #include "scenes.hpp"
 

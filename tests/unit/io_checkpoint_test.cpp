@@ -63,7 +63,7 @@ Checkpoint example(std::size_t bodies = 2) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) c.at.integrator.load.virial[i][k] = double(3 * i + k);
   c.at.integrator.current = true;
-  c.at.integrator.evaluations = 5, c.at.integrator.measurements = 6;
+  c.at.integrator.steps = 11, c.at.integrator.evaluations = 5, c.at.integrator.measurements = 6;
   c.at.list.built_at = Vec3Column(bodies);
   fill(c.at.list.built_at, random);
   c.at.list.rebuilds = 8;
@@ -150,6 +150,7 @@ TEST_CASE("a checkpoint restores every number written to it") {
     for (std::size_t k = 0; k < 3; ++k) CHECK(m.load.virial[k] == n.load.virial[k]);
     CHECK(m.current);
     CHECK(!m.complete);
+    CHECK(m.steps == 11);
     CHECK(m.evaluations == 5);
     CHECK(m.measurements == 6);
     same(back.at.list.built_at, c.at.list.built_at);

@@ -150,3 +150,31 @@ TEST_CASE("unknown site names, and a maximum distance above half of the box, are
                        doctest::Contains("more than half of the shortest box edge (1.1000 nm)"),
                        Error);
 }
+
+// A cubic lattice of edge a in motion, rms a/20: the first shell, of 6 sites, ends between a and
+// the next one at a√2. Within 1.05 a, g still falls.
+TEST_CASE("a shell ends at a minimum of g, and not at the end of its range") {
+  const std::size_t n = 6;
+  const double a = 0.311, edge = a * n;
+  const Topology topology{{{read_molecule("argon"), n * n * n}}};
+  for (const double cutoff : {1.05 * a, 1.45 * a}) {
+    RadialDistribution radial(topology, {site_pairs(topology), cutoff, 0.005});
+    Random random(3);
+    State state(n * n * n, Box{{edge, edge, edge}});
+    for (int frame = 0; frame < 20; ++frame) {
+      for (std::size_t i = 0; i < state.size(); ++i)
+        state.q.set(i, a * Vec3<double>{static_cast<double>(i % n) + random.normal() / 20,
+                                        static_cast<double>(i / n % n) + random.normal() / 20,
+                                        static_cast<double>(i / n / n) + random.normal() / 20});
+      radial.add(state);
+    }
+    const auto peak = radial.first_peak(0);
+    REQUIRE(peak);
+    CHECK(peak->position.value == doctest::Approx(a).epsilon(0.03));
+    REQUIRE(peak->shell.has_value() == (cutoff > 1.4 * a));
+    if (!peak->shell) continue;
+    CHECK(peak->shell->end.value > 1.1 * a);
+    CHECK(peak->shell->end.value < 1.35 * a);
+    CHECK(peak->shell->coordination.value == doctest::Approx(6).epsilon(0.02));
+  }
+}

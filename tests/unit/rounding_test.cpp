@@ -37,6 +37,7 @@ TEST_CASE("weights of kicks: shared evaluations add, finite differences divide b
   CHECK(kick_weights(scheme_of("A(1/2) B(1) A(1/2)"), 1e-4) == close(1));
   CHECK(kick_weights(scheme_of("hoa2"), 1) == close(4 * eta * eta + (1 - 2 * eta) * (1 - 2 * eta)));
   CHECK(kick_weights(scheme_of("gier4"), 1) == close(5.0 / 9));
+  CHECK(kick_weights(scheme_of("O(1/2) B(1/2) A(1) B(1/4) O(1/2) B(1/4)"), 1e-4) == close(1));
   // 1/9 and 4/9 [(1 − 1/λ)² + 1/λ²] with λ = 1/10
   CHECK(kick_weights(scheme_of("gier4-fd"), 0.1) == close((1 + 4 * 181) / 9.0));
 }

@@ -96,7 +96,12 @@ void check_edges(const Box& box) {
 
 NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& settings,
                              const Box& box)
-    : box_(box), slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
+    : slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
+  set_box(topology, settings, box);
+}
+
+void NeighbourList::set_box(const Topology& topology, const ForceSettings& settings,
+                            const Box& box) {
   check_edges(box);
   check_box(topology, settings, box);
   // Two sites within the cutoff mean centres at most cutoff + reach_a + reach_b apart; centres
@@ -118,6 +123,7 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
         fmt::format("the cutoff of {:.3f} nm and the size of the molecules fill the shortest box "
                     "edge ({:.3f} nm); take a larger box or a shorter cutoff",
                     settings.cutoff, box.shortest_edge()));
+  ranges_.clear();
   for (const auto& a : topology.parts)
     for (const auto& b : topology.parts) {
       const double listed = settings.cutoff + extent(a, b) + skin;
@@ -125,17 +131,24 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
       ranges_.push_back({listed * listed, inside * inside});
     }
   range_ = max_range + skin;
-  for (ListChunk& chunk : chunks_) {  // room for a uniform density, so that lists need not grow
+  allowed2_ = skin * skin / 4;
+  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, most_cells(topology)));
+  box_ = box;
+  width_ = 0;
+  reserve_rows();
+}
+
+/// Makes room for the rows of a uniform density, so that they need not grow.
+void NeighbourList::reserve_rows() {
+  for (ListChunk& chunk : chunks_) {
     double row = 0;
     for (std::size_t b = chunk.part; b < slots_.parts.size(); ++b) {
       const double listed = std::sqrt(ranges_[chunk.part * slots_.parts.size() + b].listed2);
       const double sphere = 4 * std::numbers::pi / 3 * listed * listed * listed;
-      row += slots_.parts[b].count * sphere / box.volume() * (b == chunk.part ? 0.5 : 1.0);
+      row += slots_.parts[b].count * sphere / box_.volume() * (b == chunk.part ? 0.5 : 1.0);
     }
     chunk.entries.reserve(static_cast<std::size_t>(1.05 * row * (chunk.end - chunk.first)));
   }
-  allowed2_ = skin * skin / 4;
-  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, most_cells(topology)));
 }
 
 std::size_t NeighbourList::lanes() const {

@@ -5,6 +5,7 @@
 
 #include "polhode/base/pack.hpp"
 #include "polhode/base/pack_column.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/rotor/free_rotor.hpp"
 #include "polhode/rotor/small_angle.hpp"
 

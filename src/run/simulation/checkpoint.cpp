@@ -72,7 +72,7 @@ void memory(Archive& archive, Of& m) {
   archive(m.load.lennard_jones), archive(m.load.coulomb), archive(m.load.mesh);
   for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
   archive(m.current), archive(m.complete);
-  archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
+  archive(m.steps), archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
 }
 
 template <class Archive, class Of>

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "polhode/base/error.hpp"
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
@@ -108,10 +108,10 @@ class Clocks {
   Stopwatch run_, part_;
 };
 
-/// The trajectory of an integrator.
+/// The trajectory of an Integrator or a NestedIntegrator.
 /// @param whole, near  its forces; near is null without an inner scheme
-template <class Model>
-Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces& whole,
+template <class AnyIntegrator>
+Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& whole,
                      TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
                      Workers& workers, const RunState* from);
 
@@ -139,7 +139,8 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
 bool TrajectorySettings::has_shadow() const {
   constexpr double rounding = 1e-12;  // of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
-  return !inner && scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding;
+  return !inner && !scheme.has(Flow::bath) && scheme.palindromic() &&
+         std::hypot(terms.alpha, terms.beta) > rounding;
 }
 
 void TrajectorySettings::check_shadow() const {
@@ -149,13 +150,15 @@ void TrajectorySettings::check_shadow() const {
         "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
         "forces, which are not measured; leave it out, or take a single scheme, such as hoa2",
         shadow_sample * 1000, name_of({scheme, inner})));
+  const char* const reason =
+      scheme.has(Flow::bath) ? "a bath, which changes the energy"
+      : scheme.palindromic()
+          ? "no error of order h², so its shadow energy is the energy itself to that order"
+          : "an error of order h, since its stages are not a palindrome";
   throw Error(fmt::format(
       "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, "
       "such as hoa2",
-      shadow_sample * 1000, scheme.name(),
-      scheme.palindromic()
-          ? "no error of order h², so its shadow energy is the energy itself to that order"
-          : "an error of order h, since its stages are not a palindrome"));
+      shadow_sample * 1000, scheme.name(), reason));
 }
 
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
@@ -168,20 +171,18 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
   ForceField near_forces(system.topology, near_settings(forces.settings(), *settings.inner),
                          system.state.box, workers);
   TimedForces near{near_forces};
-  NestedForces nested(settings.inner->scheme, settings.inner->steps, system.bodies, whole, near,
-                      settings.lambda, workers);
-  nested.integrates(system.state);
-  Integrator integrator(settings.scheme, system.bodies, nested, settings.lambda, workers);
+  NestedIntegrator integrator({settings.scheme, settings.inner}, system.bodies, whole, near,
+                              settings.lambda, workers);
   Trajectory result = integrate(system, integrator, whole, &near, settings, watch, workers, from);
-  result.near_evaluations = nested.near_evaluations();
-  result.near_derivatives = nested.near_derivatives();
+  result.near_evaluations = integrator.near_evaluations();
+  result.near_derivatives = integrator.near_derivatives();
   return result;
 }
 
 namespace {
 
-template <class Model>
-Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces& whole,
+template <class AnyIntegrator>
+Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& whole,
                      TimedForces* near, const TrajectorySettings& settings, const Watch& watch,
                      Workers& workers, const RunState* from) {
   Trajectory result;
@@ -195,8 +196,8 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
     result.steps = from->steps;
     statistics = from->statistics;
     integrator.resume_from(from->integrator);
-    whole.forces.resume_from(from->list);
-    if (near) near->forces.resume_from(from->near_list);
+    whole.forces.resume_from(from->list, system.state.box);
+    if (near) near->forces.resume_from(from->near_list, system.state.box);
   }
   Clocks clocks(whole, near, from ? from->timings : Timings{});
 
@@ -204,8 +205,9 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
     if (!watch.checkpoint) return;
     clocks.add_motion();
     watch.checkpoint({system.state, std::nullopt, result.steps, start, integrator.memory(),
-                      whole.forces.list_memory(), near ? near->forces.list_memory() : ListMemory{},
-                      statistics, clocks.timings()});
+                      whole.forces.list_memory(system.state.box),
+                      near ? near->forces.list_memory(system.state.box) : ListMemory{}, statistics,
+                      clocks.timings()});
     clocks.skip();
   };
   Load complete;
@@ -306,12 +308,14 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
   if (from) {
     system.state = from->state;
     done = from->equilibrated.value();
-    forces.resume_from(from->list);
+    forces.resume_from(from->list, system.state.box);
   }
   while (done < length) {
     RunState here;  // an unfinished piece is repeated
     if (watch.checkpoint)
-      here = {.state = system.state, .equilibrated = done, .list = forces.list_memory()};
+      here = {.state = system.state,
+              .equilibrated = done,
+              .list = forces.list_memory(system.state.box)};
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
     const Trajectory part = run_trajectory(
