@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The Dzhanibekov effect, using only the headers of the rotor.
-//
-// A wing nut spinning about its axis of middle moment of inertia flips over again and again:
-// rotation about the middle axis is unstable, and a small tilt grows as exp(λ t) with
-// λ² = (J₃ − J₂)(J₂ − J₁)/(J₁ J₃) ω². The angular momentum in the laboratory frame is constant; it
-// is the body that turns around it. Here a nut is followed over a thousand turns in steps, once
-// with the exact free rotation and once with NO_SQUISH, the second-order splitting used by most
-// molecular dynamics programs. Both conserve angular momentum; only the exact one conserves the
-// energy.
+//  A wing nut spinning about its axis of middle moment of inertia flips over repeatedly: rotation
+// about the middle axis is unstable, and a small tilt grows as exp(λ t) with λ² = (J₃ − J₂)(J₂ −
+// J₁)/(J₁ J₃) ω². The angular momentum in the laboratory frame is constant; it is the body that
+// turns around it. Here a nut is followed over a thousand turns in steps, once with the exact free
+// rotation and once with NO_SQUISH, the second-order splitting used by most molecular dynamics
+// programs. Both conserve angular momentum; only the exact one conserves the energy.
 //
 //     c++ -std=c++20 -O2 -I include examples/header_only_rotor/main.cpp -o nut && ./nut
 #include <cmath>

@@ -141,7 +141,7 @@ void check_size(const Molecule& molecule, const Frame& frame) {
 
 FittedState fit_state(const Frame& frame, const Topology& topology) {
   if (topology.size() > frame.atoms.size())
-    throw Error(fmt::format("there are {} atoms, too few for {} molecules; give the number of "
+    throw Error(fmt::format("there are {} atoms, too few for {} molecules; give the count of "
                             "molecules in the file",
                             frame.atoms.size(), topology.size()),
                 frame.source);
@@ -154,7 +154,7 @@ FittedState fit_state(const Frame& frame, const Topology& topology) {
     check_size(molecule, frame);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       if (atoms.empty())
-        throw Error(fmt::format("the {} atoms are only {} of {} molecules; give the number of "
+        throw Error(fmt::format("the {} atoms are only {} of {} molecules; give the count of "
                                 "molecules in the file",
                                 frame.atoms.size(), i, topology.size()),
                     frame.source);
@@ -162,7 +162,7 @@ FittedState fit_state(const Frame& frame, const Topology& topology) {
     }
   }
   if (!atoms.empty())
-    throw Error(fmt::format("there are {} atoms, but the {} molecules have {}; give the number of "
+    throw Error(fmt::format("there are {} atoms, but the {} molecules have {}; give the count of "
                             "molecules in the file",
                             frame.atoms.size(), topology.size(), frame.atoms.size() - atoms.size()),
                 frame.source);

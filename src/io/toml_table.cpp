@@ -102,6 +102,8 @@ void TomlTable::refuse(std::string_view key, const std::string& complaint) const
   std::ostringstream written;
   if (const auto text = node->value<std::string>(); text && node->is_string())
     written << '"' << *text << '"';
+  else if (node->is_floating_point())
+    written << fmt::format("{}", *node->value<double>());
   else
     node->visit([&](const auto& n) { written << n; });
   throw Error(fmt::format("{} = {} {}", key, written.str(), complaint), where(key));

@@ -64,7 +64,7 @@ class Topologies(Sandbox):
 
     def test_run_files_that_do_not_fit(self):
         self.refused(edited(GROMACS, ('initial_configuration = "conf.gro"\n', "")), "needs an initial configuration", "run.toml:2")
-        self.refused(edited(GROMACS, ("topol.top", "gone.top")), "is no file", "system.topology")
+        self.refused(edited(GROMACS, ("topol.top", "gone.top")), "is not a file", "system.topology")
         self.refused(edited(GROMACS, ("[system]\n", '[system]\nmolecules = [{ model = "tip4p" }]\n')), "cannot be combined with molecules")
         self.refused(edited(GROMACS, ("[forces]\n", '[forces]\nmixing = "geometric"\n')), "cannot be combined with a GROMACS topology")
         self.refused(edited(GROMACS, ("[forces]\n", 'rigid = ["BEN"]\n[forces]\n')), "'BEN' is declared rigid", "topol.top")

@@ -125,7 +125,8 @@ TEST_CASE("forces with a coarse mesh are minus the gradient of the energy with t
 }
 
 // The virial is the change of the energy when centres move with the box at constant attitudes. Its
-// trace is that of the energy with this very mesh; single terms are as accurate as the mesh.
+// trace equals the derivative of the energy with the same mesh; single components are as accurate
+// as the mesh.
 TEST_CASE("the virial is the change of the energy when the box is strained") {
   const scenes::Scene scene = charged_mixture();
   ForceSettings settings = ewald(0.7, {{32, 32, 32}, 7, 6});

@@ -120,7 +120,7 @@ TEST_CASE(
   Laws early;
   early.verlet.drifts_from = 2;  // R = 1 % there
   CHECK(early.ends() == Verdict::not_reproduced);
-  early.verlet.drifts_from = 2.5;  // 1 % without, 1.56 % with a drift: the end lies between
+  early.verlet.drifts_from = 2.5;  // 1 % without, 1.56 % with a drift: the limit is between
   CHECK(early.ends() == Verdict::undecided);
 }
 
@@ -130,7 +130,7 @@ TEST_CASE(
   Laws open;
   open.gier4.steps = {3, 4, 5, 6};
   CHECK(open.ends() == Verdict::undecided);
-  open.gier4.steps.push_back(9);  // 2.5 % with a drift, 0.5 % without: the end lies between
+  open.gier4.steps.push_back(9);  // 2.5 % with a drift, 0.5 % without: the limit is between
   CHECK(open.ends() == Verdict::undecided);
 
   for (const bool of_verlet : {true, false}) {

@@ -109,8 +109,9 @@ TEST_CASE("the drift of several runs is the mean of their slopes with its standa
   CHECK(drift_of_series(std::vector<double>{1.0, -1.1, 0.9, -1.0, 0.2}).p_value > 0.5);
 }
 
-// By hand: 9 bodies move in 27 ways less the 3 of the total momentum; atoms do not rotate, linear
-// bodies about two axes (J1 = 0), water about three. A single body is its own centre of mass.
+// By hand: 9 bodies have 27 translations minus the 3 of the total momentum; atoms do not rotate,
+// linear bodies about two axes (J1 = 0), water about three. A single body is its own centre of
+// mass.
 TEST_CASE("degrees of freedom of a mixture") {
   const Topology mixture{
       {{read_molecule("argon"), 3}, {read_molecule("n2"), 2}, {read_molecule("tip4p"), 4}}};

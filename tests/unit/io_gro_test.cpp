@@ -117,7 +117,7 @@ TEST_CASE("atoms that do not match the model are refused") {
   };
   check_fit(replaced(water, " OW ", "  N "), 1,
             {"atom 1 (1 SOL) is 'N' where site 'OW' of molecule 'tip4p' must be", "a.gro"});
-  check_fit(water, 2, {"the 3 atoms are only 1 of 2 molecules", "give the number of molecules"});
+  check_fit(water, 2, {"the 3 atoms are only 1 of 2 molecules", "give the count of molecules"});
   check_fit(water, 0, {"there are 3 atoms, but the 0 molecules have 0"});
   check_fit(replaced(water, "0.067   0.294", "0.001   0.200"), 1,
             {"nm from its site in the rigid model 'tip4p'", "within 0.02 nm", "molecule 1"});
@@ -153,8 +153,8 @@ TEST_CASE("W512 is rigid TIP4P at about 297 K") {
   const Topology topology = complete_topology({{{read_molecule("tip4p"), 0}}}, frame);
   REQUIRE(topology.size() == 512);
   const FittedState fitted = fit_state(frame, topology);
-  // Positions have 10 decimals: an atom has an error of at most sqrt(3)/2 units of the last, and
-  // the body it is compared with, a mean of such atoms, the same again.
+  // Positions have 10 decimals: an atom has an error of at most sqrt(3)/2 units of the last, and so
+  // has the body it is compared with, a mean of such atoms.
   CHECK(fitted.deviation < std::sqrt(3.0) * 1e-10);
   CHECK(fitted.has_velocities);
   // Kinetic temperature: 6 N - 3 degrees of freedom, so T fluctuates by T sqrt(2 / 3069) = 7.6 K;

@@ -119,9 +119,9 @@ TEST_CASE("theta functions and Carlson's integral agree on regular tops over man
   CHECK(complementary > 1000);
 }
 
-// The bound is that of regular tops. Starts near the middle axis have a complement as small as
-// their components across it; half periods are then K = ln(4/k') to 690, and t covers up to
-// hundreds.
+// The bound is that of regular tops. Initial L near the middle axis have a complementary modulus as
+// small as their components perpendicular to it; quarter periods K = ln(4/k') reach 690, and t
+// covers up to hundreds of periods.
 TEST_CASE("theta functions and Carlson's integral agree however near the separatrix") {
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> mass(0.1, 1), exponent(-300, -8), time(-2, 5);

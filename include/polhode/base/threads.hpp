@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many threads a process may use, and how many the user asked for.
+// How many threads a process may use, and the number that the user requested.
 #pragma once
 
 #include <filesystem>

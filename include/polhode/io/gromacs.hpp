@@ -37,7 +37,7 @@ using IncludeLoader =
 struct GromacsAtomType {
   std::string name;
   std::string bonded;      ///< its name in [ bondtypes ] and the like
-  int atomic_number = 0;   ///< 0: not told
+  int atomic_number = 0;   ///< 0: not given
   double mass = 0;         ///< [u]
   double charge = 0;       ///< [e]
   double sigma = 0;        ///< [nm]

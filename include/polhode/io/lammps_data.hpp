@@ -39,7 +39,7 @@ struct LammpsData {
   std::string title, file;
   std::map<int, AtomType> types;
   std::vector<TypePair> pairs;  ///< of `PairIJ Coeffs`
-  std::string pair_style;       ///< behind `Pair Coeffs #`; empty: not told
+  std::string pair_style;       ///< behind `Pair Coeffs #`; empty: not given
   std::vector<Atom> atoms;
   std::vector<Kind> kinds;
   bool has_velocities = false;

@@ -28,8 +28,8 @@ class Unwrapped {
   double max_step_ = 0;
 };
 
-/// Largest relative displacement between two frames for which periodic images can still be told
-/// apart reliably: displacements are random, and those above half an edge are misassigned.
+/// Largest relative displacement between two frames for which periodic images can still be
+/// distinguished reliably: displacements are random, and those above half an edge are misassigned.
 inline constexpr double safe_step = 0.25;
 
 /// Displacements relative to the centre of mass of all bodies, because a common motion is not

@@ -20,7 +20,7 @@ struct FormatLimits {
   double edge = std::numeric_limits<double>::infinity();     ///< longest edge of the box [nm]
   bool same_atoms = false;       ///< all frames have as many atoms as the first
   bool same_velocities = false;  ///< all frames have velocities, or none
-  bool even_times = false;       ///< one interval of time lies between all frames
+  bool even_times = false;       ///< the interval between frames is constant
 };
 
 /// The properties of a frame that a format limits.

@@ -29,7 +29,7 @@ struct Candidate {
   std::string name;  ///< or its text
   Scheme scheme;
   std::vector<AdviserPoint> points;  ///< by growing step
-  std::optional<StepModel> model;    ///< of R, if that is what is asked for
+  std::optional<StepModel> model;    ///< of R, if R is required
   double step = 0;                   ///< expected to keep the bound [ps]; 0: there is none
   double seconds = 0;                ///< of wall-clock time for a simulated ps with that step
   std::string obstacle;              ///< why there is no step

@@ -20,7 +20,7 @@ struct Outcome {
   double drift = 0;           ///< of the total energy per molecule [kJ/mol/ps]
   Temperatures temperatures;  ///< means over the run
   /// Configurational temperatures over the run [K], 0 for motions without forces; nothing where
-  /// they were not asked for.
+  /// they were not requested.
   std::optional<ByMotion<double>> configurational{};
   /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without such motion.
   std::array<double, 4> bias{};

@@ -16,7 +16,7 @@ namespace polhode {
 /// Names of the files of a run, by their use.
 struct RunFileNames {
   std::string energies, final_state;
-  std::string script, plot;  ///< empty if no figure is wanted
+  std::string script, plot;  ///< empty if no figure is requested
   std::vector<std::string> trajectories;
   CheckpointFiles checkpoints;
 
@@ -29,7 +29,7 @@ struct RunFileNames {
 class RunFiles {
  public:
   /// @param from  resumes the files at their lengths then; what was written later is removed
-  /// @throws Error  if one of them is not as it was; then none is changed
+  /// @throws Error  if one of them was changed; then none is modified
   RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
            const Provenance& provenance, const std::string& identity,
            const FoundCheckpoint* from = nullptr);

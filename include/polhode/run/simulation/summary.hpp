@@ -22,8 +22,8 @@ struct RunSummary {
   double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
   Drift drift;             ///< [kJ/mol/ps]
-  std::optional<ShadowSummary> shadow;                      ///< if it was asked for
-  ByMotion<std::optional<SeriesEstimate>> configurational;  ///< temperatures [K], if asked for
+  std::optional<ShadowSummary> shadow;                      ///< if requested
+  ByMotion<std::optional<SeriesEstimate>> configurational;  ///< temperatures [K], if requested
   double potential = 0;                                     ///< mean per molecule [kJ/mol]
   double total = 0;                                         ///< mean per molecule [kJ/mol]
   SeriesEstimate pressure;                                  ///< mean [kJ/mol/nm³]

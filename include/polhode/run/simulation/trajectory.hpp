@@ -34,7 +34,7 @@ struct TrajectorySettings {
 
   /// Whether the scheme has a shadow energy of order h² that can be measured.
   bool has_shadow() const;
-  /// @throws Error  if a shadow energy is wanted of a scheme that has none
+  /// @throws Error  if a shadow energy is requested for a scheme that has none
   void check_shadow() const;
 };
 
