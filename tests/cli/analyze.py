@@ -62,7 +62,7 @@ class Analyze(Sandbox):
     def test_wrong_input(self):
         before = self.contents()
         for options, said in (((), "--run water.toml"),
-                              (("--molecules", "tip4p 28"), "after 27 of 28 molecules"),
+                              (("--molecules", "tip4p 28"), "only 27 of 28 molecules"),
                               (("--molecules", "tip4p, na-tip4p-ew 2"), "has no count"),
                               (("--molecules", "tip4p many"), "a model and its count"),
                               (("--molecules", "tip4p 27", "--what", "rdf,msf"), "did you mean 'msd'"),

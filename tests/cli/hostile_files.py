@@ -227,7 +227,7 @@ class HostileFiles(Sandbox):
         types = "[ atomtypes ]\nOW  8  15.9994  0  A  0.3  0.6\n"
         for title, topology, words in [
             ("late atom types", SPCE.replace("[ system ]", types + "[ system ]"), ["topol.top:16", "after [ moleculetype ] 'SOL'"]),
-            ("late pairs", SPCE.replace("[ system ]", "[ nonbond_params ]\nOW OW 1 0.3 0.6\n[ system ]"), ["topol.top:16", "behind"]),
+            ("late pairs", SPCE.replace("[ system ]", "[ nonbond_params ]\nOW OW 1 0.3 0.6\n[ system ]"), ["topol.top:16", "after [ moleculetype ]"]),
             ("atom types given twice", SPCE.replace("[ moleculetype ]", types + "[ moleculetype ]", 1),
              ["topol.top:7", "topol.top:4", "other parameters"]),
         ]:

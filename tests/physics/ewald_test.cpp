@@ -9,9 +9,9 @@
 #include <random>
 #include <string>
 
+#include "ewald.hpp"
 #include "physics/force_laws.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/mesh/ewald.hpp"
 #include "skip.hpp"
 
 using namespace polhode;

@@ -4,8 +4,8 @@
 
 #include <vector>
 
+#include "ewald.hpp"
 #include "physics/force_laws.hpp"
-#include "polhode/forces/mesh/ewald.hpp"
 #include "polhode/forces/mesh/particle_mesh.hpp"
 
 namespace polhode {

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <string>
 
+#include "ewald.hpp"
 #include "instruction_sets.hpp"
 #include "polhode/forces/force_field.hpp"
-#include "polhode/forces/mesh/ewald.hpp"
 #include "polhode/forces/mesh/mesh_choice.hpp"
 #include "reference/peers_scene.hpp"
 

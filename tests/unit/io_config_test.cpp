@@ -207,7 +207,7 @@ TEST_CASE("the default of electrostatics depends on the truncation") {
   CHECK(electrostatics("truncation = \"site-shift\"\nelectrostatics = \"coulomb\"") == coulomb);
   CHECK(electrostatics("electrostatics = \"reaction-field\"\ndielectric = 80") == reaction_field);
   check_text("[forces]\nelectrostatics = \"reaction field\"",
-             {"must be one of: coulomb, reaction-field, damped-shifted-force, pme; did you mean "
+             {"must be one of: coulomb, reaction-field, pme, damped-shifted-force; did you mean "
               "'reaction-field'?"});
   check_text(
       "[forces]\nelectrostatics = \"coulomb\"\ntruncation = \"site-switch\"\ndielectric = 80",
@@ -237,13 +237,13 @@ TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
   CHECK(parse_config(system_table + "[forces]\ndispersion_correction = true", "x")
             .forces.dispersion_correction);
   const std::string with_pme = "[forces]\nelectrostatics = \"pme\"\n";
-  check_text(with_pme + "pme_accuracy = 1e-8", {"pme_accuracy = 1e-08 must be from 1e-7 to 0.1"});
+  check_text(with_pme + "pme_accuracy = 1e-8", {"pme_accuracy = 1e-08 must be from 1e-07 to 0.1"});
   check_text(with_pme + "pme_accuracy = \"high\"", {"forces.pme_accuracy", "number"});
   check_text("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
   check_text(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
-  check_text(
-      with_pme + "truncation = \"molecule-switch\"",
-      {"cannot be combined with electrostatics = \"pme\"", "leave it out", "forces.truncation"});
+  check_text(with_pme + "truncation = \"molecule-switch\"",
+             {"cannot be combined with electrostatics = \"pme\"", "take \"site-switch\"",
+              "forces.truncation"});
   check_text("[forces]\ndispersion_correction = 1", {"must be true or false"});
   check_text("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",
              {"differs from Lennard-Jones at all distances"});

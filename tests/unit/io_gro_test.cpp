@@ -90,7 +90,7 @@ TEST_CASE("errors in GRO files give the line, what was found and what was expect
   check_text("w\n3\n" + atoms + " 2 2\n", {"found '2 2' where the box must be", "three edges"});
   check_text("w\n3\n" + atoms + " 2 2 0\n", {"box edge is 0 nm", "longer than 0 nm"});
   check_text("w\n3\n" + atoms + " 2 2 inf\n", {"the box edge is inf", "finite"});
-  check_text("w\n3\n" + atoms + " 2 2 2 0 0 1 0 0 0\n", {"triclinic", "cuboid"});
+  check_text("w\n3\n" + atoms + " 2 2 2 0 0 1 0 0 0\n", {"triclinic", "orthorhombic"});
   check_error([] { read_start("w51"); }, {"no readable file 'w51'"});
 }
 

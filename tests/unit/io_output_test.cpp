@@ -153,7 +153,7 @@ TEST_CASE("a table has all digits and begins with the command that made it") {
   std::string line;
   for (const char* expected :
        {"# polhode 1.2.3", "# command: polhode run\\x0ax", "# config hash: 85944171f73967e8",
-        "# target: avx2", "# seed: 7", "time [ps],R [%]"}) {
+        "# instruction set: avx2", "# seed: 7", "time [ps],R [%]"}) {
     std::getline(in, line);
     CHECK(line == expected);
   }

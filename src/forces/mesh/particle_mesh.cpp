@@ -80,7 +80,7 @@ MeshGrid<T>::MeshGrid(const std::array<std::size_t, 3>& grid_points)
 }
 
 MeshConstant::MeshConstant(const Topology& topology, const CompactSplit& split, const Box& box) {
-  const SelfInteraction own(topology, split);
+  const SelfInteraction own(topology, split.polynomial());
   self = own.self;
   intramolecular = own.intramolecular;
   background = -units::coulomb / 2 * own.net * own.net * split.integral() / box.volume();

@@ -44,16 +44,21 @@ struct GaussianSplit {
 /// A density C (1 − r²/a²)^m that is zero beyond a, and so is u(r): the smooth part is the Taylor
 /// polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. u is of class C^(m+1)
 /// at a, and nothing is cut off.
-class CompactSplit : public SmoothPolynomial {
+class CompactSplit {
  public:
   static constexpr int max_exponent = SmoothPolynomial::max_degree - 1;  ///< the largest m
 
   /// @param cutoff    a [nm]
-  /// @param exponent  m, from 0 to `most`
+  /// @param exponent  m, from 0 to `max_exponent`
   CompactSplit(double cutoff, int exponent)
-      : SmoothPolynomial(cutoff, inverse_distance_terms(exponent + 1)) {}
+      : polynomial_(cutoff, inverse_distance_terms(exponent + 1)) {}
 
   int exponent() const { return degree() - 1; }
+  double cutoff() const { return polynomial_.cutoff(); }
+  const SmoothPolynomial& polynomial() const { return polynomial_; }
+  RadialValue smooth(double r) const { return polynomial_.smooth(r); }
+  RadialValue pair(double r) const { return polynomial_.pair(r); }
+  double smooth_at_zero() const { return polynomial_.smooth_at_zero(); }
 
   /// (2n+1)!! j_n(x)/xⁿ with n = m + 1, x = k a, and j_n a spherical Bessel function; its
   /// derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
@@ -66,6 +71,8 @@ class CompactSplit : public SmoothPolynomial {
   double integral() const { return 2 * units::pi * cutoff() * cutoff() / (2 * degree() + 3); }
 
  private:
+  int degree() const { return polynomial_.degree(); }
+
   // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, otherwise by upward
   // recurrence in n.
   static double reduced_bessel(int n, double x) {
@@ -82,6 +89,8 @@ class CompactSplit : public SmoothPolynomial {
     }
     return now;
   }
+
+  SmoothPolynomial polynomial_;
 };
 
 }  // namespace polhode

@@ -145,7 +145,7 @@ struct SmoothPart {
 inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& settings) {
   if (settings.electrostatics == Electrostatics::damped_shifted_force)
     return damped_shifted_force(settings.cutoff, settings.damping, settings.smoothness);
-  if (settings.mesh) return CompactSplit(settings.cutoff, settings.mesh->exponent);
+  if (settings.mesh) return CompactSplit(settings.cutoff, settings.mesh->exponent).polynomial();
   return std::nullopt;
 }
 

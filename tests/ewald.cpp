@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/mesh/ewald.hpp"
+#include "ewald.hpp"
 
 #include <array>
 #include <complex>
