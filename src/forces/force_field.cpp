@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "polhode/forces/laws/law_range.hpp"
 #include "polhode/forces/laws/tail.hpp"
 #include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/forces/mesh/self_interaction.hpp"
@@ -55,6 +56,7 @@ const ForceSettings& validate(const ForceSettings& s) {
 }
 
 ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box) {
+  check_tables(topology, s);
   if (s.electrostatics == Electrostatics::pme && !s.mesh)
     s.mesh = mesh_for(s.pme_accuracy, s.cutoff, box, topology);
   return s;

@@ -15,6 +15,7 @@
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/model/topology.hpp"
+#include "short_range_keys.hpp"
 #include "text_file.hpp"
 #include "toml_table.hpp"
 
@@ -279,44 +280,33 @@ void read_forces(TomlTable table, ForceSettings& forces) {
   take(forces.dispersion_correction, table.boolean("dispersion_correction"));
   table.require(!forces.dispersion_correction || truncation != "site-shift",
                 "dispersion_correction",
-                "does not go with truncation = \"site-shift\", which differs from Lennard-Jones at "
-                "all distances; leave it out, or take \"site-switch\"");
+                "does not go with truncation = \"site-shift\", which changes the law at all "
+                "distances; leave it out, or take \"site-switch\"");
   take(forces.skin, table.quantity("skin", Dimension::length, "0.1 nm"));
   table.require(forces.skin > 0, "skin",
                 "must be longer than 0 nm, so that a list of neighbours lasts; 0.1 nm is usual");
   table.refuse_unknown();
 }
 
-double pair_quantity(TomlTable& table, std::string_view key, Dimension dimension,
-                     std::string_view example) {
-  const auto value = table.quantity(key, dimension, example);
-  if (!value)
-    table.refuse(key,
-                 fmt::format("a pair has no {0}; write for example {0} = \"{1}\"", key, example));
-  table.require(*value >= 0, key, "must be 0 or more; epsilon 0 means no Lennard-Jones term");
-  return *value;
-}
-
-PairOverride read_pair(TomlTable& table) {
+PairOverride read_pair(TomlTable& table, const std::string& file) {
   const auto sites = table.texts("sites");
   if (!sites)
     table.refuse("sites",
                  "a pair has no sites; write for example sites = [\"tip4p.OW\", \"argon.Ar\"]");
   table.require(sites->size() == 2, "sites",
                 "must be two, each a molecule and a site: [\"tip4p.OW\", \"argon.Ar\"]");
-  const double sigma = pair_quantity(table, "sigma", Dimension::length, "0.33 nm");
-  const double epsilon = pair_quantity(table, "epsilon", Dimension::energy, "0.8 kJ/mol");
+  const ShortRangeKeys keys = read_short_range(table, LawOwner::pair, file);
   table.refuse_unknown();
-  return {(*sites)[0], (*sites)[1], sigma, epsilon};
+  return {(*sites)[0], (*sites)[1], keys.sigma, keys.epsilon, keys.law};
 }
 
 void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,
-                Mixing& mixing) {
+                const std::string& file, Mixing& mixing) {
   Topology topology;
   for (const auto& component : system.molecules)
     topology.parts.push_back({read_molecule(component.model), component.count});
   for (TomlTable table : tables) {
-    mixing.pairs.push_back(read_pair(table));
+    mixing.pairs.push_back(read_pair(table, file));
     if (!system.topology.file.empty()) continue;  // checked when the topology is read
     try {
       check(mixing, topology);
@@ -465,7 +455,7 @@ Config parse_config(std::string_view text, const std::string& file) {
     read_forces(*forces, config.forces);
     config.cutoff_place = forces->where("cutoff");
   }
-  if (pairs) read_pairs(*pairs, config.system, config.forces.mixing);
+  if (pairs) read_pairs(*pairs, config.system, file, config.forces.mixing);
   if (integrator) read_integrator(*integrator, config.integrator);
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);
