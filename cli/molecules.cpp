@@ -32,7 +32,9 @@ nlohmann::json as_json(const Molecule& m) {
                      {"mass", s.mass},
                      {"charge", s.charge},
                      {"sigma", s.sigma},
-                     {"epsilon", s.epsilon}});
+                     {"epsilon", s.epsilon},
+                     {"law", name(s.law)},
+                     {"parameters", parameters(s.sigma, s.epsilon, s.law)}});
   return {{"name", m.name},
           {"description", m.description},
           {"source", m.source},
@@ -58,6 +60,10 @@ void print_one(const Molecule& m) {
   for (const Site& s : m.sites)
     fmt::print("    {:<6}{:11.6f}{:11.6f}{:11.6f}{:10.4f}{:11.6f}{:11.6f}{:17.6f}\n", s.name, s.r.x,
                s.r.y, s.r.z, s.mass, s.charge, s.sigma, s.epsilon);
+  for (const Site& s : m.sites)
+    if (!std::holds_alternative<LennardJonesLaw>(s.law))
+      fmt::print("    {:<6} {}: {}\n", s.name, name(s.law),
+                 printable(parameters(s.sigma, s.epsilon, s.law)));
 }
 
 // The molecules that a name refers to: a model, or those of a topology file, each once.

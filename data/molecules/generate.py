@@ -6,11 +6,12 @@
 
 Every number is given once, in the unit of its paper; positions get 17 significant digits.
 """
-from math import cos, radians, sin, sqrt
+from math import cos, exp, factorial, radians, sin, sqrt
 from pathlib import Path
 
 KCAL = 4.184  # kJ, thermochemical
 R = 1.380649e-26 * 6.02214076e23  # kJ/mol/K, CODATA 2018
+N_A = 6.02214076e23
 O, H, C, N, CL = ("O", 15.9994), ("H", 1.008), ("C", 12.011), ("N", 14.0067), ("Cl", 35.453)
 NE, AR, KR, XE = ("Ne", 20.1797), ("Ar", 39.948), ("Kr", 83.798), ("Xe", 131.293)
 NA, K = ("Na", 22.98977), ("K", 39.0983)
@@ -23,8 +24,9 @@ def digits(x):
     return short if float(short) == x else f"{x:.17g}"
 
 
-def site(name, atom, r, charge=0.0, sigma=0.0, epsilon=0.0, note=""):
-    """One [[site]]: r and sigma in nm, charge in e, epsilon in kJ/mol; note says where epsilon is from."""
+def site(name, atom, r, charge=0.0, sigma=0.0, epsilon=0.0, note="", law=()):
+    """One [[site]]: r and sigma in nm, charge in e, epsilon in kJ/mol; note says where epsilon is from; law is
+    lines of TOML with another law than Lennard-Jones."""
     element, mass = atom
     lines = ["[[site]]", f'name = "{name}"']
     if element:
@@ -33,6 +35,7 @@ def site(name, atom, r, charge=0.0, sigma=0.0, epsilon=0.0, note=""):
     for key, value, unit in [("mass", mass, "u"), ("charge", charge, "e"), ("sigma", sigma, "nm")]:
         if value:
             lines.append(f'{key} = "{value:.12g} {unit}"')
+    lines += law
     if epsilon:
         lines.append(f'epsilon = "{epsilon:.12g} kJ/mol"' + (f"  # {note}" if note else ""))
     return "\n".join(lines)
@@ -238,3 +241,48 @@ for water_model, called, ions in [
                  f"{long.capitalize()} ion for {called} water: half the distance of the minimum is {half:.4f} nm.",
                  f"{long} ion in {called} water", "joung2008",
                  [site(atom[0], atom, (0, 0, 0), q, 2**(5 / 6) * half, epsilon * KCAL, f"{epsilon:.7f} kcal/mol")])
+
+
+def mie(n, m):
+    return ['law = "mie"', f"repulsive_exponent = {digits(n)}", f"attractive_exponent = {digits(m)}"]
+
+
+molecule("argon-mie", "Mie argon, exponents 13 and 6: one site at the origin.", "Mie argon, fitted to vapour and liquid",
+         "mick2015", [site("Ar", AR, (0, 0, 0), 0.0, 0.3405, **kelvin(122.10), law=mie(13, 6))])
+molecule("cf4-mie", "SAFT-VR Mie tetrafluoromethane, exponents 42.553 and 5.1906: one site at the origin, with the mass\n"
+         "# of the molecule.", "Mie tetrafluoromethane, fitted to an equation of state", "lafitte2013",
+         [site("CF4", ("C", 88.0043), (0, 0, 0), 0.0, 0.43372, **kelvin(232.62), law=mie(42.553, 5.1906))])
+
+# A = 1.69e-8 erg, 1/B = 0.273 Å, C = 102e-12 erg Å⁶.
+erg = 1e-10 * N_A  # kJ/mol
+molecule("argon-buckingham", "Buckingham's own argon: one site at the origin.", "Buckingham argon", "buckingham1938",
+         [site("Ar", AR, (0, 0, 0), law=[
+             'law = "buckingham"',
+             f'A = "{1.69e-8 * erg:.17g} kJ/mol"  # 1.69e-8 erg',
+             f'B = "{1 / 0.0273:.17g} 1/nm"  # 1/(0.273 Å)',
+             f'C = "{102e-12 * erg * 1e-6:.17g} kJ/mol nm6"  # 102e-12 erg Å⁶'])])
+
+molecule("argon-ab-initio", "Ab initio argon: one site at the origin, its law in the table beside this file.",
+         "argon with an ab initio pair potential, as a table", "jager2009",
+         [site("Ar", AR, (0, 0, 0), law=['law = "tabulated"', 'table = "argon-ab-initio.txt"'])])
+
+
+def argon(r):
+    """Energy [kJ/mol] and force [kJ/mol/nm] of two argon atoms [jager2009], whose coefficients are in K and nm."""
+    A, a1, a2, b1, b2, b = 4.61330146e7, -29.8337630, -9.71208881, 2.75206827e-2, -1.01489050e-2, 40.2517211
+    dispersion = {6: 4.42812017e-1, 8: 3.26707684e-2, 10: 2.45656537e-3, 12: 1.88246247e-4, 14: 1.47012192e-5,
+                  16: 1.17006343e-6}
+    u = A * exp(a1 * r + a2 * r**2 + b1 / r + b2 / r**2)
+    slope = u * (a1 + 2 * a2 * r - b1 / r**2 - 2 * b2 / r**3)
+    x = b * r
+    for n, c in dispersion.items():
+        damping = 1 - exp(-x) * sum(x**k / factorial(k) for k in range(n + 1))
+        u -= c / r**n * damping
+        slope -= c / r**n * (b * exp(-x) * x**n / factorial(n) - n / r * damping)
+    return u * R, -slope * R
+
+
+rows = [(k / 500, *argon(k / 500)) for k in range(100, 801)]
+head = "# Ab initio argon [jager2009]: r [nm], energy [kJ/mol], force [kJ/mol/nm]\n"
+Path(__file__).with_name("argon-ab-initio.txt").write_text(
+    head + "".join(f"{r:.3f} {u:.14g} {f:.14g}\n" for r, u, f in rows), encoding="utf-8")

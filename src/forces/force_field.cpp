@@ -2,6 +2,7 @@
 #include "polhode/forces/force_field.hpp"
 
 #include "polhode/forces/laws/check_settings.hpp"
+#include "polhode/forces/laws/law_range.hpp"
 #include "polhode/forces/laws/tail.hpp"
 #include "polhode/forces/mesh/self_interaction.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
@@ -14,6 +15,7 @@ namespace {
 /// The settings with a mesh for the box, unless a mesh was given.
 ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box,
                         std::optional<MeshChoice>& choice) {
+  check_tables(topology, s);
   const bool has_mesh = s.mesh && (!s.mesh_chosen_for || *s.mesh_chosen_for == box);
   if (s.electrostatics != Electrostatics::pme || has_mesh) return s;
   check_edges(box);

@@ -54,7 +54,7 @@ Config parse_config(std::string_view text, const std::string& file) {
     read_forces(*forces, config.forces);
     config.cutoff_place = forces->where("cutoff");
   }
-  if (pairs) read_pairs(*pairs, config.system, config.forces.mixing);
+  if (pairs) read_pairs(*pairs, config.system, file, config.forces.mixing);
   if (integrator) read_integrator(*integrator, config.integrator);
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);

@@ -11,6 +11,7 @@
 #include "polhode/forces/pairs/molecule_pair.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/model/topology.hpp"
+#include "short_range_keys.hpp"
 
 namespace polhode {
 namespace {
@@ -69,27 +70,16 @@ void read_electrostatics(TomlTable& table, ForceSettings& forces) {
     read_dielectric(table, forces.dielectric);
 }
 
-double pair_quantity(TomlTable& table, std::string_view key, Dimension dimension,
-                     std::string_view example) {
-  const auto value = table.quantity(key, dimension, example);
-  if (!value)
-    table.refuse(key,
-                 fmt::format("a pair has no {0}; write for example {0} = \"{1}\"", key, example));
-  table.require(*value >= 0, key, "must be 0 or more; epsilon 0 means no Lennard-Jones term");
-  return *value;
-}
-
-PairOverride read_pair(TomlTable& table) {
+PairOverride read_pair(TomlTable& table, const std::string& file) {
   const auto sites = table.texts("sites");
   if (!sites)
     table.refuse("sites",
                  "a pair has no sites; write for example sites = [\"tip4p.OW\", \"argon.Ar\"]");
   table.require(sites->size() == 2, "sites",
                 "must be two, each a molecule and a site: [\"tip4p.OW\", \"argon.Ar\"]");
-  const double sigma = pair_quantity(table, "sigma", Dimension::length, "0.33 nm");
-  const double epsilon = pair_quantity(table, "epsilon", Dimension::energy, "0.8 kJ/mol");
+  const ShortRangeKeys keys = read_short_range(table, LawOwner::pair, file);
   table.refuse_unknown();
-  return {(*sites)[0], (*sites)[1], sigma, epsilon};
+  return {(*sites)[0], (*sites)[1], keys.sigma, keys.epsilon, keys.law};
 }
 
 }  // namespace
@@ -108,12 +98,12 @@ void read_forces(TomlTable table, ForceSettings& forces) {
 }
 
 void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,
-                Mixing& mixing) {
+                const std::string& file, Mixing& mixing) {
   Topology topology;
   for (const auto& component : system.molecules)
     topology.parts.push_back({read_molecule(component.model), component.count});
   for (TomlTable table : tables) {
-    mixing.pairs.push_back(read_pair(table));
+    mixing.pairs.push_back(read_pair(table, file));
     if (!system.topology.file.empty()) continue;  // checked when the topology is read
     try {
       check(mixing, topology);

@@ -19,7 +19,8 @@ namespace polhode {
 void read_system(TomlTable table, const std::filesystem::path& folder, SystemSettings& system);
 void read_forces(TomlTable table, ForceSettings& forces);
 /// The tables [[pair]]; the names of sites are checked against the molecules.
-void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system, Mixing& mixing);
+void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,
+                const std::string& file, Mixing& mixing);
 void read_integrator(TomlTable table, IntegratorSettings& integrator);
 void read_run(TomlTable table, RunSettings& run);
 void read_output(TomlTable table, OutputSettings& output);

@@ -8,6 +8,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
+#include "short_range_keys.hpp"
 #include "text_file.hpp"
 #include "toml_table.hpp"
 
@@ -26,13 +27,7 @@ std::string required_text(TomlTable& table, std::string_view key, std::string_vi
   return *value;
 }
 
-double not_negative(TomlTable& table, std::string_view key, Dimension dimension) {
-  const double value = table.quantity(key, dimension).value_or(0);
-  table.require(value >= 0, key, "must be 0 or more; leave it out if the site has none");
-  return value;
-}
-
-Site read_site(TomlTable table) {
+Site read_site(TomlTable table, const std::string& file) {
   Site site;
   site.name = required_text(table, "name", "OW");
   site.element = table.text("element").value_or("");
@@ -42,10 +37,11 @@ Site read_site(TomlTable table) {
                                          "position = \"0 0.015 0 nm\"",
                                          site.name));
   site.r = *position;
-  site.mass = not_negative(table, "mass", Dimension::mass);
+  site.mass = table.quantity("mass", Dimension::mass).value_or(0);
+  table.require(site.mass >= 0, "mass", "must be 0 or more; leave it out if the site has none");
   site.charge = table.quantity("charge", Dimension::charge).value_or(0);
-  site.sigma = not_negative(table, "sigma", Dimension::length);
-  site.epsilon = not_negative(table, "epsilon", Dimension::energy);
+  const ShortRangeKeys keys = read_short_range(table, LawOwner::site, file);
+  site.sigma = keys.sigma, site.epsilon = keys.epsilon, site.law = keys.law;
   table.refuse_unknown();
   if (site.mass > 0 && site.element.empty())
     table.refuse("element", fmt::format("site '{}' has mass but no element, which coordinate files "
@@ -67,7 +63,7 @@ Molecule parse_molecule(std::string_view text, const std::string& file) {
   if (!site_tables || site_tables->empty())
     throw Error("there is no site; add at least one table [[site]]", file);
   std::vector<Site> sites;
-  for (const TomlTable& site : *site_tables) sites.push_back(read_site(site));
+  for (const TomlTable& site : *site_tables) sites.push_back(read_site(site, file));
   try {
     Molecule molecule = rigid_molecule(name, std::move(sites));
     molecule.description = description;

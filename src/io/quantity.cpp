@@ -63,6 +63,9 @@ constexpr std::array all_units = {
     Unit{"%", Dimension::fraction, 0.01},
     Unit{"1/nm", Dimension::inverse_length, 1},
     Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
+    Unit{"kJ/mol nm6", Dimension::dispersion, 1},
+    Unit{"kJ/mol A6", Dimension::dispersion, 1e-6},
+    Unit{"kcal/mol A6", Dimension::dispersion, 4.184e-6},
 };
 // clang-format on
 
@@ -102,6 +105,8 @@ Words words(Dimension dimension) {
       return {"a", "fraction", "0.5 %"};
     case Dimension::inverse_length:
       return {"an", "inverse length", "2 1/nm"};
+    case Dimension::dispersion:
+      return {"a", "dispersion coefficient", "6e-3 kJ/mol nm6"};
   }
   return {"", "", ""};
 }

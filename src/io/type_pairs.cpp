@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t max_pairs = 10'000;
 
 struct Type {
-  double epsilon = 0;
+  bool bare = true;  // without a law
   std::set<std::string> sites;
 };
 
@@ -27,7 +27,7 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
   std::map<std::string, Type> types;
   std::map<std::string, std::set<std::string>> types_of;  // by site name
   for (const TypedSite& site : sites) {
-    types[site.type].epsilon = site.epsilon;
+    types[site.type].bare = is_zero(site.epsilon, site.law);
     types[site.type].sites.insert(site.name);
     types_of[site.name].insert(site.type);
   }
@@ -40,21 +40,22 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
     const auto [earlier, is_new] = met.try_emplace(std::minmax(pair.first, pair.second), &pair);
     if (!is_new) {
       const TypePair& other = *earlier->second;
-      if (other.sigma == pair.sigma && other.epsilon == pair.epsilon) continue;
+      if (other.sigma == pair.sigma && other.epsilon == pair.epsilon && other.law == pair.law)
+        continue;
       refuse(
           fmt::format("the pair of atom types '{}' and '{}' is already defined in {} with other "
                       "parameters; delete one",
                       pair.first, pair.second, text_of(other.place)));
     }
-    const bool bare = first->second.epsilon == 0 || second->second.epsilon == 0;
-    if (bare && pair.epsilon == 0) continue;
+    const bool bare = first->second.bare || second->second.bare;
+    if (bare && is_zero(pair.epsilon, pair.law)) continue;
     if (pair.epsilon < 0)
       refuse("the pair has only one of C6 and C12; sigma and epsilon need both or neither");
     if (bare)
-      refuse(
-          fmt::format("atom types '{}' and '{}' are given Lennard-Jones parameters, but one of "
-                      "them has none itself; both must have them",
-                      pair.first, pair.second));
+      refuse(fmt::format(
+          "atom types '{}' and '{}' are given a short-range law, but one of them has none "
+          "itself; both must have one",
+          pair.first, pair.second));
     for (const std::string& a : first->second.sites)
       for (const std::string& b : second->second.sites) {
         for (const std::string& site : {a, b})
@@ -63,7 +64,7 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
                 fmt::format("atoms '{}' have several types, and this pair is for one of them; give "
                             "them different names",
                             site));
-        given[std::minmax(a, b)] = {a, b, pair.sigma, pair.epsilon};
+        given[std::minmax(a, b)] = {a, b, pair.sigma, pair.epsilon, pair.law};
         if (given.size() > max_pairs)
           refuse(fmt::format(
               "more than {} pairs of sites are given, the maximum; delete unused ones", max_pairs));

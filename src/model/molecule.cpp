@@ -26,19 +26,15 @@ void check(const Site& site, const std::string& molecule) {
   };
   check_name("a site of molecule '" + molecule + "'", site.name);
   check_name("the element of site '" + site.name + "'", site.element);
-  for (const double x :
-       {site.r.x, site.r.y, site.r.z, site.mass, site.charge, site.sigma, site.epsilon})
+  for (const double x : {site.r.x, site.r.y, site.r.z, site.mass, site.charge})
     if (!std::isfinite(x)) refuse("a number is not finite; all properties must be finite");
-  const auto negative = [&](const char* what, double value) {
-    if (value < 0)
-      refuse(std::string(what) + " = " + std::to_string(value) +
-             " is negative; it must be 0 or more");
-  };
-  negative("mass", site.mass);
-  negative("sigma", site.sigma);
-  negative("epsilon", site.epsilon);
-  if (site.epsilon > 0 && site.sigma == 0)
-    refuse("epsilon is given but sigma is 0; a Lennard-Jones site needs both");
+  if (site.mass < 0)
+    refuse("mass = " + std::to_string(site.mass) + " is negative; it must be 0 or more");
+  try {
+    check(site.sigma, site.epsilon, site.law);
+  } catch (const Error& e) {
+    refuse(e.what());
+  }
 }
 
 // `rounding` bounds the moments that rounded coordinates give to a single mass point.
@@ -64,7 +60,7 @@ void check_lever(Site& site, Top top, const std::string& molecule) {
   if (top != Top::linear && top != Top::atom) return;
   double& along = site.r.x;
   const double off = top == Top::linear ? std::hypot(site.r.y, site.r.z) : norm(site.r);
-  if (off > 1e-7 && (site.charge != 0 || site.epsilon != 0))
+  if (off > 1e-7 && (site.charge != 0 || site.has_short_range()))
     throw Error("molecule '" + molecule + "', site '" + site.name + "' lies " +
                 std::to_string(off) + " nm from the " +
                 (top == Top::linear ? "axis of a linear body" : "only mass point") +
@@ -109,7 +105,7 @@ double Molecule::dipole() const { return norm(dipole_moment(*this)); }
 double Molecule::extent() const {
   double far = 0;
   for (const Site& site : sites)
-    if (site.charge != 0 || site.epsilon != 0) far = std::max(far, norm(site.r));
+    if (site.charge != 0 || site.has_short_range()) far = std::max(far, norm(site.r));
   return far;
 }
 

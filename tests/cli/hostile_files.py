@@ -204,11 +204,11 @@ class HostileFiles(Sandbox):
         self.write("in.data", DATA)
         self.done("energy", WITH_DATA)
 
-    def test_styles_that_are_not_plain_lennard_jones_are_refused(self):
+    def test_pair_styles_with_other_laws_are_refused(self):
         self.write("run.toml", WITH_DATA)
         for style in ("lj/cut/soft", "lj/cut/coul/long/soft", "lj/cut/thole/long", "lj/cut/dipole/cut", "lj/cutter"):
             self.write("in.data", DATA.replace("lj/cut/coul/long", style))
-            self.refused(["energy", "run.toml"], [f"'{style}'", "plain lj/cut", "in.data"], style)
+            self.refused(["energy", "run.toml"], [f"'{style}'", "it must be lj/cut", "in.data"], style)
         self.write("in.data", DATA.replace("lj/cut/coul/long", "lj/cut/coul/long/omp"))
         self.done("energy", WITH_DATA)
 

@@ -22,10 +22,19 @@ struct Crowd {
   ForceSettings forces;
 };
 
+// Where the law of a site becomes repulsive [nm]; 0 if it has none.
+double diameter(const Site& site) {
+  const ShortRange<double> law = short_range(site.sigma, site.epsilon, site.law);
+  if (!site.has_short_range() || law.is_lennard_jones()) return site.sigma;
+  double r = 1;
+  while (law(InversePowers<double>(r * r), r * r).u < 0) r -= 0.001;
+  return r;
+}
+
 // 27 bodies in a periodic box, with pairs throughout the switching range.
 Crowd fluid(const Molecule& molecule) {
   double sigma = 0;
-  for (const Site& site : molecule.sites) sigma = std::max(sigma, site.sigma);
+  for (const Site& site : molecule.sites) sigma = std::max(sigma, diameter(site));
   const double edge = 3 * (1.1 * sigma + 1.2 * molecule.extent());
   Crowd made{scenes::spread({{{molecule, 27}}}, {edge, edge, edge}, 17), {}};
   made.forces = {.cutoff = 0.49 * edge, .switch_from = 0.25 * edge, .smoothness = 3};

@@ -203,7 +203,7 @@ TEST_CASE(
     "proportional to the volume") {
   const Topology argon{{{read_molecule("argon"), 50}}};
   const Site& site = argon.parts[0].molecule.sites[0];
-  const auto [c6, c12] = LennardJones::of(site.sigma, site.epsilon);
+  const auto [c6, c12] = LennardJones<>::of(site.sigma, site.epsilon);
   ForceSettings settings{Truncation::site_switch, 1.0, 1.0 - 1e-7};
   const double expected = 2 * units::pi * 2500 / (3.0 * 3.1 * 3.2) * (c12 / 9 - c6 / 3);
   CHECK(dispersion_tail(argon, settings, {{3.0, 3.1, 3.2}}) ==

@@ -246,7 +246,7 @@ TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
               "forces.truncation"});
   check_text("[forces]\ndispersion_correction = 1", {"must be true or false"});
   check_text("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",
-             {"differs from Lennard-Jones at all distances"});
+             {"changes the law at all distances"});
 }
 
 TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {
@@ -266,6 +266,11 @@ TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {
   CHECK(given.pairs[0].sigma == doctest::Approx(0.32).epsilon(1e-15));
   CHECK(given.pairs[0].epsilon == 0.5);
 
+  const Mixing other = mixing(
+      pair +
+      "law = \"buckingham\"\nA = \"1e6 kJ/mol\"\nB = \"37 1/nm\"\nC = \"6e-3 kJ/mol nm6\"\n");
+  CHECK(other.pairs.at(0).law == ShortRangeLaw(BuckinghamLaw{1e6, 37, 6e-3}));
+
   check_text("[forces]\nmixing = \"geometrical\"",
              {"must be one of: lorentz-berthelot, geometric; did you mean 'geometric'?"});
   check_text("[[pair]]\n" + numbers, {"a pair has no sites", "water.toml:4, pair[0].sites"});
@@ -283,7 +288,7 @@ TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {
              {"no site 'tip4.OW' in this system; did you mean 'tip4p.OW'?",
               "water.toml:5, pair[0].sites"});
   check_text("[[pair]]\nsites = [\"tip4p.OW\", \"tip4p.HW1\"]\n" + numbers,
-             {"'tip4p.HW1' has no Lennard-Jones parameters"});
+             {"'tip4p.HW1' has no short-range law"});
   check_text(pair + numbers + pair + numbers, {"is given twice", "water.toml:9, pair[1].sites"});
 }
 

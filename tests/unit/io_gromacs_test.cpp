@@ -165,7 +165,8 @@ TEST_CASE("errors in topologies give the line, what was found and what was expec
   refused("SOL 3\n", {"'SOL 3' is before the first section", "topol.top:1"});
   refused("[ defaults\n", {"must end with ']'"});
   refused("[ atomtype ]\n", {"there is no section [ atomtype ]; did you mean 'atomtypes'?"});
-  refused(replaced(spce, "1 2\n", "2 1\n"), {"nbfunc is 2; it must be 1", "topol.top:2"});
+  refused(replaced(spce, "1 2\n", "3 1\n"),
+          {"nbfunc is 3; it must be 1, Lennard-Jones, or 2, Buckingham", "topol.top:2"});
   refused(replaced(spce, "1 2\n", "1 4\n"),
           {"found '4' where the comb-rule must be a whole number from 1 to 3"});
   refused(replaced(spce, "0.650629", "-1"),
@@ -215,6 +216,25 @@ TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   CHECK(geometric.topology.parts[0].molecule.sites[0].epsilon ==
         doctest::Approx(0.5).epsilon(1e-12));
   refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"), {"one of them has none itself"});
+}
+
+TEST_CASE("with nbfunc 2 atom types and pairs have Buckingham laws") {
+  std::string text = replaced(spce, "1 2\n", "2 1\n");
+  text = replaced(text, "0.316557 0.650629", "9e5 38 2.6e-3");
+  text = replaced(text, "HW 1 1.008 0 A 0 0", "HW 1 1.008 0 A 0 0 0");
+  text = replaced(text, "0.2584 0.4184", "4e5 42 1e-3");
+  const std::string pair = "[ nonbond_params ]\nNA OW 2 5e5 40 2e-3\n[ moleculetype ]\n";
+  text = replaced(text, "[ moleculetype ]\n", pair) + "NA 1\n";
+  const RigidTopology rigid = rigid_topology(parsed(text), {}, nullptr);
+  const auto& sites = rigid.topology.parts[0].molecule.sites;
+  CHECK(sites[0].law == ShortRangeLaw(BuckinghamLaw{9e5, 38, 2.6e-3}));
+  CHECK(!sites[1].has_short_range());
+  REQUIRE(rigid.mixing.pairs.size() == 1);
+  CHECK(rigid.mixing.pairs[0].law == ShortRangeLaw(BuckinghamLaw{5e5, 40, 2e-3}));
+  refused(replaced(text, "NA OW 2 5e5", "NA OW 1 5e5"), {"the function is 1; it must be 2"});
+  refused(replaced(text, "9e5 38 2.6e-3", "9e5 38"),
+          {"three parameters A, B and C", "topol.top:4"});
+  refused(replaced(text, "9e5 38 2.6e-3", "-9e5 38 0"), {"A = -900000", "topol.top:4"});
 }
 
 TEST_CASE("virtual sites have the positions that GROMACS gives them") {

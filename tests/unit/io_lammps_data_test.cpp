@@ -90,6 +90,32 @@ TEST_CASE("PairIJ Coeffs define every pair") {
   CHECK(rigid.mixing.pairs[0].epsilon == doctest::Approx(0.2 * 4.184).epsilon(1e-15));
 }
 
+TEST_CASE("pair styles buck and mie/cut have their laws") {
+  std::string buck = replaced(good, "lj/cut/coul/long", "buck/coul/long");
+  buck = replaced(buck, "1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n", "1 2e5 0.26 600\n2 0 1 0\n3 0 1 0\n");
+  const auto oxygen = [](const std::string& text) {
+    return rigid_topology(parse_lammps_data(text, "a.data")).topology.parts[1].molecule.sites[0];
+  };
+  const auto law = std::get<BuckinghamLaw>(oxygen(buck).law);
+  CHECK(law.A == doctest::Approx(2e5 * 4.184).epsilon(1e-14));
+  CHECK(law.B == doctest::Approx(1 / 0.026).epsilon(1e-14));
+  CHECK(law.C == doctest::Approx(600 * 4.184e-6).epsilon(1e-14));
+  CHECK(!rigid_topology(parse_lammps_data(buck, "a.data"))
+             .topology.parts[0]
+             .molecule.sites[0]
+             .has_short_range());
+  refused(replaced(buck, "3 0 1 0\n", "3 2e5 0.2 0\n"), {"no mixing rule", "pair ij"});
+  refused(replaced(buck, "1 2e5 0.26 600", "1 2e5 0.26"), {"A, rho and C", "a.data:18"});
+  refused(replaced(buck, "1 2e5 0.26 600", "1 -2e5 0.26 600"), {"A = -", "a.data:18"});
+
+  std::string mie = replaced(good, "lj/cut/coul/long", "mie/cut");
+  mie = replaced(mie, "1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n",
+                 "1 0.1553 3.166 14 6\n2 0 0 12 6\n3 0 0 12 6\n");
+  CHECK(oxygen(mie).law == ShortRangeLaw(MieLaw{14, 6}));
+  CHECK(oxygen(mie).sigma == doctest::Approx(0.3166).epsilon(1e-15));
+  refused(replaced(mie, "1 0.1553 3.166 14 6", "1 0.1553 3.166 14 2"), {"14 and 2", "a.data:18"});
+}
+
 TEST_CASE("errors in LAMMPS data files give the line, what was found and what was expected") {
   refused("", {"the header has no number of atoms"});
   refused(replaced(good, "real", "metal"),
@@ -109,9 +135,10 @@ TEST_CASE("errors in LAMMPS data files give the line, what was found and what wa
   refused(replaced(good, "3 22.99\n", ""), {"atom type 3 has no mass"});
   refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids'"});
   refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity for atom 8, but no such atom"});
-  refused(replaced(good, "lj/cut/coul/long", "buck/coul/long"),
-          {"the pair style is 'buck/coul/long'; it must be plain lj/cut"});
+  refused(replaced(good, "lj/cut/coul/long", "lj/cut/soft"),
+          {"the pair style is 'lj/cut/soft'; it must be lj/cut, buck or mie/cut"});
+  refused(replaced(good, "lj/cut/coul/long", "table"), {"the pair style is 'table'", "tabulated"});
   refused(replaced(good, "lj/cut/coul/long", "lj/cut/tip4p/long"),
           {"site M is not in the data file", "tip4p"});
-  refused(replaced(good, "3 0.1 2.5\n", ""), {"atom type 3 has no Lennard-Jones parameters"});
+  refused(replaced(good, "3 0.1 2.5\n", ""), {"atom type 3 has no short-range parameters"});
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "errors.hpp"
+#include "polhode/io/potential_table.hpp"
 #include "polhode/io/quantity.hpp"
 
 using namespace polhode;
@@ -138,6 +139,59 @@ TEST_CASE("a molecule file is read") {
       parse_molecule(file(head, site + "epsilon = \"120 K\"\nsigma = \"3.4 A\""), "x.toml");
   CHECK(atom.top == Top::atom);
   CHECK(atom.sites.front().sigma == doctest::Approx(0.34).epsilon(1e-15));
+}
+
+TEST_CASE("a site has the short-range law that its file names") {
+  const auto law = [](const std::string& more) {
+    return parse_molecule(file(head, site + more), "x.toml").sites.front().law;
+  };
+  const std::string sizes = "epsilon = \"120 K\"\nsigma = \"3.4 A\"\n";
+  CHECK(law(sizes) == ShortRangeLaw(LennardJonesLaw{}));
+  CHECK(law(sizes + "law = \"lennard-jones\"") == ShortRangeLaw(LennardJonesLaw{}));
+  CHECK(law(sizes + "law = \"mie\"\nrepulsive_exponent = 14.5\nattractive_exponent = 6") ==
+        ShortRangeLaw(MieLaw{14.5, 6}));
+  const auto buckingham = std::get<BuckinghamLaw>(
+      law("law = \"buckingham\"\nA = \"1e5 kcal/mol\"\nB = \"3 1/A\"\nC = \"500 kcal/mol A6\""));
+  CHECK(buckingham.A == doctest::Approx(4.184e5).epsilon(1e-15));
+  CHECK(buckingham.B == 30);
+  CHECK(buckingham.C == doctest::Approx(500 * 4.184e-6).epsilon(1e-15));
+  const Molecule argon = read_molecule("argon-ab-initio");
+  const auto& table = *std::get<TabulatedLaw>(argon.sites.front().law).table;
+  CHECK(table.name() == "molecules/argon-ab-initio.txt");
+  CHECK(table.first() == 0.2);
+  CHECK(table.last() == doctest::Approx(1.6).epsilon(1e-14));
+
+  check_text(file(head, site + "law = \"exp6\""),
+             {"must be one of: lennard-jones, mie, buckingham, tabulated", "site[0].law"});
+  check_text(file(head, site + sizes + "law = \"mie\""),
+             {"no repulsive_exponent; write for example repulsive_exponent = 14"});
+  check_text(file(head, site + sizes + "repulsive_exponent = 14"),
+             {"there is no key 'repulsive_exponent'"});
+  check_text(file(head, site + "law = \"buckingham\"\nA = \"1 kJ/mol\"\nB = \"1 1/nm\""),
+             {"a site has no C; write for example C = \"6e-3 kJ/mol nm6\""});
+  check_text(file(head, site + "law = \"buckingham\"\nA = \"1 kJ/mol\"\nB = \"9 1/nm\"\n"
+                               "C = \"1 kJ/mol nm6\""),
+             {"molecule 'x', site 'A'", "attract each other at all distances"});
+  check_text(file(head, site + "law = \"tabulated\""), {"no table; write for example table"});
+  check_text(file(head, site + "law = \"tabulated\"\ntable = \"gone.txt\""),
+             {"no readable file 'gone.txt'"});
+}
+
+TEST_CASE("errors in potential tables name file, line and bound") {
+  const auto refused = [](const std::string& text, std::initializer_list<const char*> parts) {
+    check_error([&] { parse_potential_table(text, "u.txt"); }, parts);
+  };
+  const std::string rows = "# r u f\n0.3 3 10\n0.4 2 10 # a comment\n\n0.5 1 10\n0.6 0 10\n";
+  const auto table = parse_potential_table(rows, "u.txt").table;
+  CHECK(table->intervals() == 3);
+  CHECK(table->spacing() == doctest::Approx(0.1).epsilon(1e-14));
+  refused("0.3 3 10\n0.4 2 10\n", {"the table has 2 lines; a spline needs 4", "u.txt"});
+  refused(replaced(rows, "0.5 1 10", "0.5 1"), {"2 fields; it must have 3", "u.txt:5"});
+  refused(replaced(rows, "0.5 1", "0.5 nan"), {"the energy is nan", "u.txt:5"});
+  refused(replaced(rows, "0.5 1", "0.51 1"),
+          {"distance 3 is 0.51 nm; at equal intervals it would be 0.5 nm"});
+  refused(replaced(rows, "0.3 3", "-0.1 3"), {"from -0.1 to 0.6 nm; they must be above 0"});
+  refused(replaced(rows, "0.4 2 10", "0.4 2 20"), {"the force at r = 0.4 nm is 20", "1 %"});
 }
 
 TEST_CASE("errors in molecule files name file, line and key") {

@@ -7,6 +7,7 @@
 #include <initializer_list>
 
 #include "polhode/base/units.hpp"
+#include "polhode/forces/laws/lennard_jones.hpp"
 #include "polhode/math/dual.hpp"
 
 using namespace polhode;
@@ -41,7 +42,7 @@ TEST_CASE("slopes and forces of the laws are the derivatives of their energies")
       const auto w = Switch<>(0.8, 1.0, n)(x);
       CHECK(w.slope.value == doctest::Approx(w.w.slope).epsilon(1e-12));
     }
-    const auto lj = LennardJones::of(1.1e-3, 0.9e-6, 1.0 / (x * x));
+    const auto lj = LennardJones<>{1.1e-3, 0.9e-6}(InversePowers<Dual<double>>(x * x), x * x);
     CHECK(lj.s.value == doctest::Approx(-lj.u.slope / r).epsilon(1e-13));
     for (const double dielectric : {1.0, 78.5, double(INFINITY)}) {
       const auto rf =

@@ -24,6 +24,11 @@ POLHODE_DECLARE_LOOPS(
     /// 1/r, 1/r² and 1/r³ of each r².
     void inverse_powers(const double* r2, double* first, double* second, double* third);
     void inverse_powers(const float* r2, float* first, float* second, float* third);
+    /// eˣ of each x, and ln eˣ of that.
+    void elementary(const double* x, double* exponential, double* logarithm);
+    void elementary(const float* x, float* exponential, float* logarithm);
+    /// table[index] of each index.
+    void table_entries(const float* table, const float* index, float* found);
     /// The number of lanes of `x` below 0; stores `first` + lane for each, starting at `to`.
     std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t* to);
     /// p − from, both ways; p + q as bits.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 namespace polhode {
 
@@ -60,8 +61,23 @@ constexpr Real with_derivative(const Real& value, const Real&, const Real&) {
   return value;
 }
 
+/// A number without its derivative.
+template <class Real>
+constexpr const Real& value_of(const Real& x) {
+  return x;
+}
+
 using std::abs;
+using std::exp;
+using std::floor;
+using std::log;
 using std::sqrt;
+
+/// The entry of a table at an index that is a Real: lane by lane for packs.
+template <class T>
+T table_entry(const T* table, T index) {
+  return table[static_cast<std::size_t>(index)];
+}
 
 /// 1/√a.
 template <class Real>

@@ -36,19 +36,20 @@ using IncludeLoader =
 /// One line of `[ atomtypes ]`.
 struct GromacsAtomType {
   std::string name;
-  std::string bonded;      ///< its name in [ bondtypes ] and the like
-  int atomic_number = 0;   ///< 0: not given
-  double mass = 0;         ///< [u]
-  double charge = 0;       ///< [e]
-  double sigma = 0;        ///< [nm]
-  double epsilon = 0;      ///< [kJ/mol]
+  std::string bonded;     ///< its name in [ bondtypes ] and the like
+  int atomic_number = 0;  ///< 0: not given
+  double mass = 0;        ///< [u]
+  double charge = 0;      ///< [e]
+  double sigma = 0;       ///< [nm]
+  double epsilon = 0;     ///< [kJ/mol]
+  ShortRangeLaw law{};
   bool one_sided = false;  ///< of C6 and C12 one alone is 0: no sigma and epsilon say that
   TextPlace place;
 
   bool same_parameters(const GromacsAtomType& other) const {
     return bonded == other.bonded && atomic_number == other.atomic_number && mass == other.mass &&
            charge == other.charge && sigma == other.sigma && epsilon == other.epsilon &&
-           one_sided == other.one_sided;
+           law == other.law && one_sided == other.one_sided;
   }
 };
 

@@ -21,6 +21,7 @@ struct LammpsData {
   struct AtomType {
     double mass = 0;                ///< [u]
     double sigma = 0, epsilon = 0;  ///< [nm], [kJ/mol]
+    ShortRangeLaw law{};
     bool has_pair_coefficients = false;
   };
   struct Atom {

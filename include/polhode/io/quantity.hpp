@@ -25,6 +25,7 @@ enum class Dimension {
   viscosity,       ///< [u/(nm ps)]
   fraction,        ///< [1], written in %
   inverse_length,  ///< [1/nm]
+  dispersion,      ///< coefficient of 1/r⁶ [kJ/mol nm⁶]
 };
 
 /// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is the quantity that the

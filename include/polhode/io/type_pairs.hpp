@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lennard-Jones parameters that a file gives for pairs of atom types, translated to the sites of
+// Short-range laws that a file gives for pairs of atom types, translated to the sites of
 // molecules.
 #pragma once
 
@@ -16,6 +16,7 @@ struct TypedSite {
   std::string name;  ///< "SOL.OW"
   std::string type;
   double epsilon;  ///< its own parameter [kJ/mol]
+  ShortRangeLaw law{};
 };
 
 struct TypePair {
@@ -24,6 +25,7 @@ struct TypePair {
   double epsilon = 0;         ///< [kJ/mol]; negative: the pair cannot be expressed by sigma and
                               ///< epsilon
   TextPlace place;
+  ShortRangeLaw law{};
 };
 
 /// The parameters of pairs of sites; if a pair is given twice, the last one applies.

@@ -51,12 +51,24 @@ struct Dual {
     const Real root = sqrt(a.value);
     return {root, a.slope / (root + root)};
   }
+  friend Dual exp(Dual a) {
+    const Real power = exp(a.value);
+    return {power, power * a.slope};
+  }
+  friend Dual log(Dual a) { return {log(a.value), a.slope / a.value}; }
+  /// A step function: its slope is 0 where it has one.
+  friend Dual floor(Dual a) { return floor(a.value); }
 };
 
 template <class Real>
 inline constexpr bool is_dual = false;
 template <class Real>
 inline constexpr bool is_dual<Dual<Real>> = true;
+
+template <class Real>
+constexpr const Real& value_of(const Dual<Real>& x) {
+  return x.value;
+}
 
 template <class Real>
 struct ConstantOf<Dual<Real>> {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
+#include "polhode/model/short_range.hpp"
 
 namespace polhode {
 
@@ -16,8 +17,11 @@ struct Site {
   Vec3<double> r;       ///< position in the body frame [nm]
   double mass = 0;      ///< [u]
   double charge = 0;    ///< [e]
-  double sigma = 0;     ///< Lennard-Jones diameter [nm]
-  double epsilon = 0;   ///< Lennard-Jones well depth [kJ/mol]
+  double sigma = 0;     ///< diameter of Lennard-Jones and Mie laws [nm]
+  double epsilon = 0;   ///< their well depth [kJ/mol]
+  ShortRangeLaw law{};
+
+  bool has_short_range() const { return !is_zero(epsilon, law); }
 };
 
 /// Type of rigid body, by its principal moments.

@@ -80,7 +80,7 @@ void each_site(const Topology& topology, const State& state, Visit visit) {
   for (const auto& [molecule, count] : topology.parts) {
     std::vector<Vec3<double>> sites;
     for (const Site& site : molecule.sites)
-      if (site.mass != 0 || site.epsilon != 0) sites.push_back(site.r);
+      if (site.mass != 0 || site.has_short_range()) sites.push_back(site.r);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       const Vec3<double> q = state.q[i];
       const Mat3<double> to_lab = transpose(matrix_S(state.attitude[i]));

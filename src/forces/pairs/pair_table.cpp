@@ -12,12 +12,12 @@
 namespace polhode {
 
 InteractionSites::InteractionSites(const Molecule& molecule) {
-  const auto rank = [](const Site& s) { return s.epsilon == 0 ? 0 : s.charge != 0 ? 1 : 2; };
+  const auto rank = [](const Site& s) { return !s.has_short_range() ? 0 : s.charge != 0 ? 1 : 2; };
   for (const Site& site : molecule.sites) {
-    if (site.charge == 0 && site.epsilon == 0) continue;
+    if (site.charge == 0 && !site.has_short_range()) continue;
     sites.push_back(site);
     charged += site.charge != 0;
-    dispersive += site.epsilon != 0;
+    dispersive += site.has_short_range();
   }
   std::stable_sort(sites.begin(), sites.end(),
                    [&](const Site& a, const Site& b) { return rank(a) < rank(b); });
@@ -30,12 +30,6 @@ InteractionSites::InteractionSites(const Molecule& molecule) {
 
 namespace {
 
-LennardJones mix(const Site& a, const Site& b, MixingRule rule) {
-  const double sigma =
-      rule == MixingRule::geometric ? std::sqrt(a.sigma * b.sigma) : (a.sigma + b.sigma) / 2;
-  return LennardJones::of(sigma, std::sqrt(a.epsilon * b.epsilon));
-}
-
 bool names(const std::string& word, const Molecule& molecule, const Site& site) {
   return word == molecule.name + '.' + site.name;
 }
@@ -46,20 +40,30 @@ PairTable::PairTable(const Molecule& first, const Molecule& second, const Mixing
   const InteractionSites a(first), b(second);
   sites_a = a.size(), charged_a = a.charged, dispersive_a = a.dispersive;
   sites_b = b.size(), charged_b = b.charged, dispersive_b = b.dispersive;
+  const auto law_of = [&](const Site& at_a, const Site& at_b) {
+    for (const PairOverride& pair : mixing.pairs)
+      if ((names(pair.first, first, at_a) && names(pair.second, second, at_b)) ||
+          (names(pair.second, first, at_a) && names(pair.first, second, at_b)))
+        return short_range(pair.sigma, pair.epsilon, pair.law);
+    return mix(at_a, at_b, mixing.rule);
+  };
+  auto& [lennard_jones, lennard_jones_float, any, any_float] = strengths_;
   for (const Site& at_b : b.sites)
     for (const Site& at_a : a.sites) {
-      LennardJones lj = mix(at_a, at_b, mixing.rule);
-      for (const PairOverride& pair : mixing.pairs)
-        if ((names(pair.first, first, at_a) && names(pair.second, second, at_b)) ||
-            (names(pair.second, first, at_a) && names(pair.first, second, at_b)))
-          lj = LennardJones::of(pair.sigma, pair.epsilon);
-      exact_.charge.push_back(units::coulomb * at_a.charge * at_b.charge);
-      exact_.c6.push_back(lj.c6);
-      exact_.c12.push_back(lj.c12);
+      any.charge.push_back(units::coulomb * at_a.charge * at_b.charge);
+      any.law.push_back(law_of(at_a, at_b));
+      any_float.law.push_back(any.law.back().rounded());
     }
-  rounded_.charge.assign(exact_.charge.begin(), exact_.charge.end());
-  rounded_.c6.assign(exact_.c6.begin(), exact_.c6.end());
-  rounded_.c12.assign(exact_.c12.begin(), exact_.c12.end());
+  any_float.charge.assign(any.charge.begin(), any.charge.end());
+  lennard_jones.charge = any.charge;
+  lennard_jones_float.charge = any_float.charge;
+  if (!std::all_of(any.law.begin(), any.law.end(),
+                   [](const auto& law) { return law.is_lennard_jones(); }))
+    return;
+  for (const ShortRange<double>& law : any.law) {
+    lennard_jones.law.push_back(law.lennard_jones());
+    lennard_jones_float.law.push_back(law.lennard_jones().rounded());
+  }
 }
 
 PairTables::PairTables(const Topology& topology, const Mixing& mixing)

@@ -162,8 +162,8 @@ std::vector<TypedSite> typed_sites(const GromacsTopology& gromacs) {
   for (const auto& block : gromacs.blocks) {
     const GromacsMolecule& molecule = gromacs.molecules[block.molecule];
     for (const GromacsAtom& atom : molecule.atoms)
-      sites.push_back(
-          {molecule.name + '.' + atom.name, atom.type, gromacs.types.at(atom.type).epsilon});
+      sites.push_back({molecule.name + '.' + atom.name, atom.type,
+                       gromacs.types.at(atom.type).epsilon, gromacs.types.at(atom.type).law});
   }
   return sites;
 }

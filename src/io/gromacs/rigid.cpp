@@ -200,8 +200,8 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
     std::string element;
     if (atom.mass > 0) element = element_of_number(type.atomic_number);
     if (atom.mass > 0 && element.empty()) element = element_of_mass(atom.mass);
-    sites.push_back(
-        {atom.name, element, places[k], atom.mass, atom.charge, type.sigma, type.epsilon});
+    sites.push_back({atom.name, element, places[k], atom.mass, atom.charge, type.sigma,
+                     type.epsilon, type.law});
   }
   try {
     return rigid_molecule(molecule.name, std::move(sites));

@@ -25,6 +25,7 @@ using Kind = GromacsRelation::Kind;
 // More than any rigid body needs: limits the memory that a file can demand.
 constexpr std::size_t max_relations = 1'000'000, max_blocks = 64;
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
+constexpr std::int64_t lennard_jones_function = 1, buckingham_function = 2;
 
 class Parser {
  public:
@@ -61,7 +62,9 @@ class Parser {
   void between(const FieldLine& line);
 
   GromacsMolecule& current(const FieldLine& line);
-  std::pair<double, double> lennard_jones(const FieldLine& line, std::size_t first) const;
+  TypePair short_range(const FieldLine& line, std::size_t first) const;
+  TypePair lennard_jones(const FieldLine& line, std::size_t first) const;
+  TypePair buckingham(const FieldLine& line, std::size_t first) const;
   void equilibrium(const FieldLine& line, std::size_t atoms, std::map<std::string, double>& values);
   void relation(const FieldLine& line, Kind kind, std::size_t atoms, std::size_t numbers);
 
@@ -70,6 +73,7 @@ class Parser {
   std::string section_;
   Reader reader_ = nullptr;
   int combination_ = 0;
+  std::int64_t function_ = lennard_jones_function;  // of all pairs, as [ defaults ] says
   std::size_t relations_ = 0;
 };
 
@@ -171,38 +175,62 @@ void Parser::between(const FieldLine& line) {
 void Parser::defaults(const FieldLine& line) {
   line.require(2, "nbfunc and comb-rule");
   if (combination_ != 0) line.refuse("[ defaults ] is given twice; include one force field only");
-  const auto function = line.integer(0, "nbfunc", 1, any);
-  if (function != 1)
-    line.refuse(fmt::format(
-        "nbfunc is {}; it must be 1, Lennard-Jones: the Buckingham potential is not supported",
-        function));
+  function_ = line.integer(0, "nbfunc", 1, any);
+  if (function_ > buckingham_function)
+    line.refuse(
+        fmt::format("nbfunc is {}; it must be 1, Lennard-Jones, or 2, Buckingham", function_));
   combination_ = static_cast<int>(line.integer(1, "comb-rule", 1, 3));
   topology_.rule = combination_ == 2 ? MixingRule::lorentz_berthelot : MixingRule::geometric;
 }
 
-// σ and ε from two fields: themselves, or C6 and C12 with combination rule 1. If only one of C6 and
-// C12 is 0, ε is negative.
-std::pair<double, double> Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
+// The law in the fields from `first` on; the names of the types are left empty.
+TypePair Parser::short_range(const FieldLine& line, std::size_t first) const {
   if (combination_ == 0)
     line.refuse("parameters precede [ defaults ], which defines their meaning; begin with it");
+  return function_ == buckingham_function ? buckingham(line, first) : lennard_jones(line, first);
+}
+
+// σ and ε from two fields: themselves, or C6 and C12 with combination rule 1. If only one of C6 and
+// C12 is 0, ε is negative.
+TypePair Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
+  TypePair pair{.place = line.place()};
   const bool powers = combination_ == 1;
   const double a = line.number(first, powers ? "C6" : "sigma");
   const double b = line.number(first + 1, powers ? "C12" : "epsilon");
   if (a < 0 || b < 0)
     line.refuse(fmt::format("{} = {} and {} = {}; both must be 0 or more", powers ? "C6" : "sigma",
                             a, powers ? "C12" : "epsilon", b));
-  if (!powers) return {a, b};
-  if (a == 0 && b == 0) return {0, 0};
-  if (a == 0 || b == 0) return {0, -1};
-  return {std::pow(b / a, 1.0 / 6), a * a / (4 * b)};
+  if (!powers)
+    pair.sigma = a, pair.epsilon = b;
+  else if (a > 0 && b > 0)
+    pair.sigma = std::pow(b / a, 1.0 / 6), pair.epsilon = a * a / (4 * b);
+  else if (a > 0 || b > 0)
+    pair.epsilon = -1;
+  return pair;
+}
+
+// A, B and C; all 0 for no interaction.
+TypePair Parser::buckingham(const FieldLine& line, std::size_t first) const {
+  line.require(first + 3, "the three parameters A, B and C of a Buckingham potential at the end");
+  TypePair pair{.place = line.place()};
+  const BuckinghamLaw law{line.number(first, "A"), line.number(first + 1, "B"),
+                          line.number(first + 2, "C")};
+  if (law == BuckinghamLaw{}) return pair;
+  try {
+    check(0, 0, law);
+  } catch (const Error& e) {
+    line.refuse(e.what());
+  }
+  pair.law = law;
+  return pair;
 }
 
 // name [bonded type] [atomic number] mass charge particle V W: the particle type, a single letter,
 // shows which of the two are present.
 void Parser::atom_type(const FieldLine& line) {
   constexpr std::string_view columns =
-      "name, bonded type and atomic number if there are any, mass, charge, particle type, and two "
-      "Lennard-Jones parameters";
+      "name, bonded type and atomic number if there are any, mass, charge, particle type, and the "
+      "parameters of the law: two for Lennard-Jones, three for Buckingham";
   line.require(6, columns);
   const auto is_particle = [&](std::size_t k) {
     return k + 2 < line.size() && line[k].size() == 1 &&
@@ -221,7 +249,8 @@ void Parser::atom_type(const FieldLine& line) {
     type.atomic_number = static_cast<int>(line.integer(particle - 3, "atomic number", -1, 1000));
   type.mass = line.number(particle - 2, "mass");
   type.charge = line.number(particle - 1, "charge");
-  std::tie(type.sigma, type.epsilon) = lennard_jones(line, particle + 1);
+  const TypePair own = short_range(line, particle + 1);
+  type.sigma = own.sigma, type.epsilon = own.epsilon, type.law = own.law;
   if (type.epsilon < 0) type.one_sided = true, type.epsilon = 0;
   const auto [known, is_new] = topology_.types.try_emplace(type.name, type);
   if (!is_new && !known->second.same_parameters(type))
@@ -231,11 +260,13 @@ void Parser::atom_type(const FieldLine& line) {
 }
 
 void Parser::nonbond_pair(const FieldLine& line) {
-  line.require(5, "two atom types, function, and two Lennard-Jones parameters");
-  if (line.integer(2, "function", 1, any) != 1)
-    line.refuse(fmt::format("the function is {}; it must be 1, Lennard-Jones", line[2]));
-  const auto [sigma, epsilon] = lennard_jones(line, 3);
-  topology_.pairs.push_back({line.word(0), line.word(1), sigma, epsilon, line.place()});
+  line.require(5, "two atom types, function, and the parameters of the law");
+  if (line.integer(2, "function", 1, any) != function_)
+    line.refuse(
+        fmt::format("the function is {}; it must be {}, as in [ defaults ]", line[2], function_));
+  TypePair pair = short_range(line, 3);
+  pair.first = line.word(0), pair.second = line.word(1);
+  topology_.pairs.push_back(std::move(pair));
 }
 
 void Parser::equilibrium(const FieldLine& line, std::size_t atoms,

@@ -6,27 +6,19 @@
 #include <array>
 #include <numeric>
 
-#include "../split_words.hpp"
 #include "kinds.hpp"
+#include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/model/elements.hpp"
 
 namespace polhode {
 namespace {
 
-// Styles whose Pair Coeffs are epsilon and sigma of plain Lennard-Jones terms, with any accelerator
-// suffix. Others have similar names: lj/cut/soft, lj/cut/thole/long, lj/cut/dipole/cut.
-bool is_lennard_jones(std::string_view style) {
-  std::string_view name = take_word(style);
-  for (const std::string_view suffix : {"/gpu", "/intel", "/kk", "/omp", "/opt"})
-    if (name.ends_with(suffix)) {
-      name.remove_suffix(suffix.size());
-      break;
-    }
-  constexpr std::array<std::string_view, 7> known = {
-      "lj/cut",           "lj/cut/coul/cut", "lj/cut/coul/debye", "lj/cut/coul/dsf",
-      "lj/cut/coul/long", "lj/cut/coul/msm", "lj/cut/coul/wolf"};
-  return std::find(known.begin(), known.end(), name) != known.end();
+// Whether parameters of unlike types follow from a mixing rule.
+bool leaves_pairs_open(const LammpsData& data) {
+  std::size_t dispersive = 0;
+  for (const auto& [type, t] : data.types) dispersive += !is_zero(t.epsilon, t.law);
+  return data.pairs.empty() && dispersive > 1;
 }
 
 void check_forces(const LammpsData& data) {
@@ -38,26 +30,26 @@ void check_forces(const LammpsData& data) {
             "molecules = [{{ model = \"tip4p\", count = {} }}] to this initial_configuration",
             style, data.kinds.front().count),
         data.file);
-  if (!style.empty() && !is_lennard_jones(style))
+  const auto law = law_of_pair_style(style);
+  if (!law)
     throw Error(
         fmt::format(
-            "the pair style is '{}'; it must be plain lj/cut, alone or with charges "
-            "(lj/cut/coul/cut, debye, dsf, long, msm or wolf): other potentials are not supported",
+            "the pair style is '{}'; it must be lj/cut, buck or mie/cut, the first two "
+            "alone or with charges (coul/cut, debye, dsf, long, msm or wolf); data "
+            "files have no parameters of table: write a molecule file with law = \"tabulated\"",
             style),
+        data.file);
+  if (law == LammpsLaw::buckingham && leaves_pairs_open(data))
+    throw Error(
+        "the pair style buck has no mixing rule and the file has no pairs of unlike types; write "
+        "it with 'write_data FILE pair ij'",
         data.file);
   for (const LammpsData::Atom& atom : data.atoms)
     if (!data.types.at(atom.type).has_pair_coefficients)
-      throw Error(fmt::format("atom type {} has no Lennard-Jones parameters; the section Pair "
-                              "Coeffs must have them, as written by write_data",
+      throw Error(fmt::format("atom type {} has no short-range parameters; the section Pair Coeffs "
+                              "must have them, as written by write_data",
                               atom.type),
                   data.file);
-}
-
-// Whether parameters of unlike types follow from a mixing rule.
-bool leaves_pairs_open(const LammpsData& data) {
-  std::size_t dispersive = 0;
-  for (const auto& [type, t] : data.types) dispersive += t.epsilon > 0;
-  return data.pairs.empty() && dispersive > 1;
 }
 
 // Residues are renumbered in the order of their first atoms.
@@ -119,8 +111,9 @@ RigidTopology rigid_topology(const LammpsData& data) {
       const LammpsData::Atom& atom = data.atoms[kind.first + k];
       const LammpsData::AtomType& type = data.types.at(atom.type);
       sites.push_back({kind.sites[k], element_of_mass(type.mass), shape[k], type.mass, atom.charge,
-                       type.sigma, type.epsilon});
-      typed.push_back({kind.name + '.' + kind.sites[k], std::to_string(atom.type), type.epsilon});
+                       type.sigma, type.epsilon, type.law});
+      typed.push_back(
+          {kind.name + '.' + kind.sites[k], std::to_string(atom.type), type.epsilon, type.law});
     }
     try {
       result.topology.parts.push_back({rigid_molecule(kind.name, std::move(sites)), kind.count});

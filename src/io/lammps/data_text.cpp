@@ -13,6 +13,7 @@
 #include "../split_words.hpp"
 #include "../text_file.hpp"
 #include "kinds.hpp"
+#include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/lammps_data.hpp"
@@ -55,7 +56,7 @@ class Parser {
   void ignore(const FieldLine&) {}  // constant within rigid bodies
 
   int type(const FieldLine&, std::size_t k) const;
-  std::pair<double, double> lennard_jones(const FieldLine&, std::size_t k) const;
+  TypePair short_range(const FieldLine&, std::size_t k) const;
   void finish();
 
   std::string_view rest_;
@@ -186,31 +187,53 @@ void Parser::mass(const FieldLine& line) {
   data_.types[type(line, 0)].mass = mass;
 }
 
-std::pair<double, double> Parser::lennard_jones(const FieldLine& line, std::size_t k) const {
-  const double epsilon = line.number(k, "epsilon"), sigma = line.number(k + 1, "sigma");
-  if (epsilon < 0 || sigma < 0)
-    line.refuse(fmt::format("epsilon is {} kcal/mol and sigma {} Å; both must be 0 or more",
-                            epsilon, sigma));
-  return {sigma * angstrom, epsilon * kcal};
+// The law in the fields from k on: that of the pair style, Lennard-Jones if it is not told.
+TypePair Parser::short_range(const FieldLine& line, std::size_t k) const {
+  TypePair pair{.place = line.place()};
+  const auto law = law_of_pair_style(data_.pair_style);
+  if (law == LammpsLaw::buckingham) {
+    line.require(k + 3, "atom types, A, rho and C");
+    const double A = line.number(k, "A") * kcal, rho = line.number(k + 1, "rho") * angstrom,
+                 C = line.number(k + 2, "C") * kcal * std::pow(angstrom, 6);
+    if (A != 0 || C != 0) pair.law = BuckinghamLaw{A, 1 / rho, C};
+  } else {
+    const double epsilon = line.number(k, "epsilon"), sigma = line.number(k + 1, "sigma");
+    if (epsilon < 0 || sigma < 0)
+      line.refuse(fmt::format("epsilon is {} kcal/mol and sigma {} Å; both must be 0 or more",
+                              epsilon, sigma));
+    pair.sigma = sigma * angstrom, pair.epsilon = epsilon * kcal;
+    if (law == LammpsLaw::mie) {
+      line.require(k + 4, "atom types, epsilon, sigma and two exponents");
+      pair.law = MieLaw{line.number(k + 2, "repulsive exponent"),
+                        line.number(k + 3, "attractive exponent")};
+    }
+  }
+  try {
+    check(pair.sigma, pair.epsilon, pair.law);
+  } catch (const Error& e) {
+    line.refuse(e.what());
+  }
+  return pair;
 }
 
 void Parser::pair_coefficients(const FieldLine& line) {
-  line.require(3, "atom type, epsilon and sigma");
+  line.require(3, "atom type and the parameters of the pair style");
+  const TypePair own = short_range(line, 1);
   LammpsData::AtomType& t = data_.types[type(line, 0)];
-  std::tie(t.sigma, t.epsilon) = lennard_jones(line, 1);
-  t.has_pair_coefficients = true;
+  t.sigma = own.sigma, t.epsilon = own.epsilon, t.law = own.law, t.has_pair_coefficients = true;
 }
 
 void Parser::pair_ij(const FieldLine& line) {
-  line.require(4, "two atom types, epsilon and sigma");
+  line.require(4, "two atom types and the parameters of the pair style");
   const int first = type(line, 0), second = type(line, 1);
-  const auto [sigma, epsilon] = lennard_jones(line, 2);
+  TypePair pair = short_range(line, 2);
   if (first == second) {
     LammpsData::AtomType& t = data_.types[first];
-    t.sigma = sigma, t.epsilon = epsilon, t.has_pair_coefficients = true;
+    t.sigma = pair.sigma, t.epsilon = pair.epsilon, t.law = pair.law;
+    t.has_pair_coefficients = true;
   } else {
-    data_.pairs.push_back(
-        {std::to_string(first), std::to_string(second), sigma, epsilon, line.place()});
+    pair.first = std::to_string(first), pair.second = std::to_string(second);
+    data_.pairs.push_back(std::move(pair));
   }
 }
 

@@ -6,6 +6,22 @@
 #include <sstream>
 
 namespace polhode {
+namespace {
+
+// Of Lennard-Jones: nothing besides σ and ε.
+std::string law_identity(const Site& site) {
+  if (std::holds_alternative<LennardJonesLaw>(site.law)) return {};
+  std::string id =
+      std::string(name(site.law)) + ' ' + parameters(site.sigma, site.epsilon, site.law);
+  if (const auto* tabulated = std::get_if<TabulatedLaw>(&site.law)) {
+    const PotentialTable& table = *tabulated->table;
+    for (std::size_t k = 0; k < table.intervals(); ++k)
+      id += fmt::format(" {}", table.coefficients<double>()[4 * k]);
+  }
+  return id + ' ';
+}
+
+}  // namespace
 
 std::string identity(const Config& config, const System& system,
                      std::initializer_list<double> numbers) {
@@ -15,7 +31,7 @@ std::string identity(const Config& config, const System& system,
     id << molecule.name << ' ' << count << ' ';
     for (const Site& s : molecule.sites)
       id << s.r.x << ' ' << s.r.y << ' ' << s.r.z << ' ' << s.mass << ' ' << s.charge << ' '
-         << s.sigma << ' ' << s.epsilon << ' ';
+         << s.sigma << ' ' << s.epsilon << ' ' << law_identity(s);
   }
   for (std::size_t i = 0; i < system.state.size(); ++i) {
     const Vec3<double> q = system.state.q[i];

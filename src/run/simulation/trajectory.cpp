@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "polhode/base/error.hpp"
+#include "polhode/forces/laws/law_range.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
@@ -233,7 +234,9 @@ Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& who
     }
     clocks.forces_of_sample(clocks.in_forces() - forces_before);
     if (!std::isfinite(now.total()))
-      throw_blow_up(settings, result.steps, "the total energy is no longer a finite number");
+      throw_blow_up(
+          settings, result.steps,
+          "the total energy is no longer a finite number" + inner_limit_note(system.topology));
     if (watch.sample) watch.sample(result.steps, system.state, now);
     const auto due = [&](double every) {
       return every > 0 && statistics.energies.samples % settings.samples_per(every) == 0;
@@ -267,7 +270,9 @@ Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& who
     ++result.steps;
     system.state.time = start + static_cast<double>(result.steps) * settings.step;
     if (!std::isfinite(integrator.last_load().potential()))
-      throw_blow_up(settings, result.steps, "the potential energy is no longer a finite number");
+      throw_blow_up(
+          settings, result.steps,
+          "the potential energy is no longer a finite number" + inner_limit_note(system.topology));
   };
 
   try {

@@ -2,6 +2,7 @@
 #include "../pack_loops.hpp"
 
 #include "polhode/base/column.hpp"
+#include "polhode/base/pack_functions.hpp"
 #include "polhode/base/pack_integers.hpp"
 
 namespace polhode::POLHODE_LOOPS {
@@ -27,6 +28,13 @@ void inverse_powers_of(const T* r2, T* first, T* second, T* third) {
   inverse.first().store(first);
   inverse.second().store(second);
   inverse.third().store(third);
+}
+
+template <class T>
+void elementary_of(const T* x, T* exponential, T* logarithm) {
+  const Pack<T> e = exp(Pack<T>::load(x));
+  e.store(exponential);
+  log(e).store(logarithm);
 }
 
 std::array<Pack<double>, halves> doubles(const double* x) {
@@ -62,6 +70,16 @@ void inverse_powers(const double* r2, double* first, double* second, double* thi
 }
 void inverse_powers(const float* r2, float* first, float* second, float* third) {
   inverse_powers_of(r2, first, second, third);
+}
+
+void elementary(const double* x, double* exponential, double* logarithm) {
+  elementary_of(x, exponential, logarithm);
+}
+void elementary(const float* x, float* exponential, float* logarithm) {
+  elementary_of(x, exponential, logarithm);
+}
+void table_entries(const float* table, const float* index, float* found) {
+  table_entry(table, Pack<float>::load(index)).store(found);
 }
 
 std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t* to) {

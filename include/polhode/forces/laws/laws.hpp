@@ -1,50 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The pair laws, each written once for every Real: numbers, packs, dual numbers. A law is a
-// function of the distance r between two sites and returns u and s = −u'(r)/r; the force of the
-// first site on the second is s (r₂ − r₁).
+// The laws of charges, and what all pair laws have in common, each written once for every Real:
+// numbers, packs, dual numbers. A law is a function of the distance r between two sites and returns
+// u and s = −u'(r)/r; the force of the first site on the second is s (r₂ − r₁).
 #pragma once
 
 #include <array>
 #include <optional>
 
-#include "polhode/base/real.hpp"
 #include "polhode/forces/laws/damped_shifted_force.hpp"
 #include "polhode/forces/laws/ewald_split.hpp"
+#include "polhode/forces/laws/pair_value.hpp"
 #include "polhode/forces/laws/settings.hpp"
 
 namespace polhode {
-
-template <class Real>
-struct PairValue {
-  Real u;  ///< energy [kJ/mol]
-  Real s;  ///< −u'/r [kJ/mol/nm²]
-};
-
-/// The same value, with the derivative of u taken from s: du/d(r²) = −s/2.
-template <class Real>
-PairValue<Real> with_derivative(const PairValue<Real>& at_r, Real r2) {
-  return {with_derivative(at_r.u, constant<Real>(-0.5) * at_r.s, r2), at_r.s};
-}
-
-/// u = c12/r¹² − c6/r⁶, with c12 = 4 ε σ¹² and c6 = 4 ε σ⁶.
-struct LennardJones {
-  double c6 = 0;   ///< [kJ/mol nm⁶]
-  double c12 = 0;  ///< [kJ/mol nm¹²]
-
-  static LennardJones of(double sigma, double epsilon) {
-    const double s2 = sigma * sigma, s6 = s2 * s2 * s2;
-    return {4 * epsilon * s6, 4 * epsilon * s6 * s6};
-  }
-
-  /// @param inverse_r2  1/r² [1/nm²]
-  template <class Real>
-  static PairValue<Real> of(Constant<Real> c6, Constant<Real> c12, Real inverse_r2) {
-    const Real x = inverse_r2 * inverse_r2 * inverse_r2;
-    const Real repulsion = c12 * x;
-    return {(repulsion - c6) * x,
-            (constant<Real>(12) * repulsion - constant<Real>(6) * c6) * (x * inverse_r2)};
-  }
-};
 
 /// Coulomb's law with the reaction field of a dielectric continuum beyond the cutoff: u = K q₁ q₂
 /// (1/r + k r² − c) with k = (ε − 1)/((2 ε + 1) r_c³) and c = 1/r_c + k r_c² [tironi1995].

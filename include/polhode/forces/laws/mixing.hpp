@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Lennard-Jones parameters of two sites: mixed from their own by a rule, or given explicitly.
+// The short-range law of two sites: mixed from their own by a rule, or given explicitly.
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "polhode/model/short_range.hpp"
 
 namespace polhode {
 
@@ -18,8 +20,9 @@ enum class MixingRule {
 struct PairOverride {
   std::string first, second;  ///< "tip4p.OW": molecule and site, meaning all sites of that name; in
                               ///< either order
-  double sigma = 0;           ///< Lennard-Jones diameter [nm]
-  double epsilon = 0;         ///< Lennard-Jones well depth [kJ/mol]; 0 for no interaction
+  double sigma = 0;           ///< diameter of Lennard-Jones and Mie laws [nm]
+  double epsilon = 0;         ///< their well depth [kJ/mol]; 0 for no interaction
+  ShortRangeLaw law{};
 };
 
 struct Mixing {
@@ -27,7 +30,7 @@ struct Mixing {
   std::vector<PairOverride> pairs;
 };
 
-/// @throws Error  if an override names an unknown site or one without Lennard-Jones parameters of
+/// @throws Error  if an override names an unknown site or one without a short-range law of
 ///                its own, occurs twice, or has a number out of its domain
 void check(const Mixing& mixing, const Topology& topology);
 

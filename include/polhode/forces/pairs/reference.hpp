@@ -66,7 +66,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
         const Vec3<Real> R = R0 + scaled(shift, edge);
         if (norm2(R) > Real(range * range)) continue;
         const PairLoad<Real> pair = molecule_pair<treatment, true>(
-            shape, table.strengths<double>(), laws, R, [&](std::size_t k) { return arms[i][k]; },
+            shape, table.any_law<double>(), laws, R, [&](std::size_t k) { return arms[i][k]; },
             [&](std::size_t k) { return arms[j][k]; });
         load.f[i] -= pair.f;
         load.f[j] += pair.f;

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "polhode/base/pack_functions.hpp"
 #include "polhode/base/pack_integers.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
 #include "polhode/forces/pairs/pair_loops.hpp"
@@ -45,17 +46,17 @@ inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d
 //
 // If Number is a dual number, the records of displacements are read as well, and the derivatives of
 // forces and torques are added up.
-template <class Number, class Shape>
+template <class Number, class Shape, class Law>
 class PairRows {
  public:
   using Real = Constant<Number>;
   using T = typename Real::value_type;
   static constexpr bool slopes = is_dual<Number>;
 
-  explicit PairRows(const PairJob<T>& job)
+  PairRows(const PairJob<T>& job, const PairStrengths<Law>& strengths)
       : job_(job),
         shape_(job.table),
-        strengths_(job.table.template strengths<T>()),
+        strengths_(strengths),
         own_(window(job.chunk.part)),
         partner_(window(job.partner_part)),
         numbers_((2 + 3 * shape_.sites_b + Real::width) / Real::width * Real::width),
@@ -272,7 +273,7 @@ class PairRows {
   }
   const PairJob<T>& job_;
   const Shape shape_;
-  const PairStrengths<T>& strengths_;
+  const PairStrengths<Law>& strengths_;
   const Window own_, partner_;
   const std::size_t numbers_;  // numbers of a partner's record, rounded up to whole packs
   const Vec3<double> edge_;    // of the box [nm]
@@ -283,9 +284,9 @@ class PairRows {
   Mat3<Pack<double>> virial_;
 };
 
-template <class Number, class Shape, class T>
-void run(const PairJob<T>& job) {
-  PairRows<Number, Shape> rows(job);
+template <class Number, class Shape, class Law, class T>
+void run(const PairJob<T>& job, const PairStrengths<Law>& strengths) {
+  PairRows<Number, Shape, Law> rows(job, strengths);
   const auto with = [&]<CutoffTreatment treatment>() {
     if constexpr (is_dual<Number>)
       rows.template run_with_slopes<treatment>();
@@ -306,11 +307,15 @@ void run(const PairJob<T>& job) {
   }
 }
 
-// Runs the first shape that fits, otherwise the general one.
+// Runs the first shape that fits, otherwise the general one, which also serves all laws besides
+// Lennard-Jones.
 template <class Number, class... Shapes, class T>
 void run_fitting(const PairJob<T>& job) {
-  if (!((Shapes::fits(job.table) && (run<Number, Shapes>(job), true)) || ...))
-    run<Number, AnyShape>(job);
+  if (!job.table.has_lennard_jones_alone())
+    return run<Number, AnyShape>(job, job.table.template any_law<T>());
+  const PairStrengths<LennardJones<T>>& strengths = job.table.template lennard_jones<T>();
+  if (!((Shapes::fits(job.table) && (run<Number, Shapes>(job, strengths), true)) || ...))
+    run<Number, AnyShape>(job, strengths);
 }
 
 using FourSiteWater = FixedShape<4, 3, 1>;  // sites, charged, dispersive

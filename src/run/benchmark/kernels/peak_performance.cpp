@@ -50,7 +50,7 @@ void water_pairs(const PairTable& table, const PairLaws<T>& laws, const T* own, 
     const auto column = [&](std::size_t k) { return Real::load(number + k * Real::width); };
     const Vec3<Real> R{column(0), column(1), column(2)};
     const auto load = molecule_pair<treatment, energies>(
-        shape, table.template strengths<T>(), laws, R,
+        shape, table.template lennard_jones<T>(), laws, R,
         [&](std::size_t a) {
           return Vec3<Real>{Real(own[3 * a]), Real(own[3 * a + 1]), Real(own[3 * a + 2])};
         },

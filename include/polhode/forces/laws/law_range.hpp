@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The distances at which short-range laws are defined.
+#pragma once
+
+#include <string>
+
+#include "polhode/forces/laws/settings.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// The distance below which a law is not defined [nm]: the maximum of Buckingham's, the start of a
+/// table; 0 for the others.
+double inner_limit(const ShortRangeLaw& law);
+
+/// What may have happened if the energy is not a finite number: "; a pair of argon.Ar may have come
+/// closer than 0.0775 nm, where its law ends". Empty if all laws are defined at all distances.
+std::string inner_limit_note(const Topology& topology);
+
+/// @throws Error  if a table ends before the cutoff or, with a molecule switch, before the largest
+///                distance of two sites of molecules within the cutoff
+void check_tables(const Topology& topology, const ForceSettings& settings);
+
+}  // namespace polhode

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// The short-range laws that a site can have, with their parameters as molecule files give them. The
+// formulas are in forces/laws.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace polhode {
+
+/// u = 4 ε ((σ/r)¹² − (σ/r)⁶), with the σ and ε of the site.
+struct LennardJonesLaw {
+  bool operator==(const LennardJonesLaw&) const = default;
+};
+
+/// u = C ε ((σ/r)ⁿ − (σ/r)ᵐ), with the σ and ε of the site.
+struct MieLaw {
+  double n = 12, m = 6;  ///< repulsive and attractive exponent
+  bool operator==(const MieLaw&) const = default;
+};
+
+/// u = A exp(−B r) − C/r⁶.
+struct BuckinghamLaw {
+  double A = 0;  ///< [kJ/mol]
+  double B = 0;  ///< [1/nm]
+  double C = 0;  ///< [kJ/mol nm⁶]
+  bool operator==(const BuckinghamLaw&) const = default;
+};
+
+/// A law given by its energies at equal distances of r, interpolated by a cubic spline: of class
+/// C², with a bounded third derivative, as fourth-order schemes require.
+class PotentialTable {
+ public:
+  /// @param name   of its file
+  /// @param first  the first r [nm]
+  /// @param u      energies [kJ/mol], at least 4
+  /// @param f      forces −u' at the same r [kJ/mol/nm]. The first and last are the slopes of the
+  ///               spline at its ends, the others are compared with its own.
+  /// @throws Error  if a force differs from that of the spline by more than 1 %
+  PotentialTable(std::string name, double first, double spacing, const std::vector<double>& u,
+                 const std::vector<double>& f);
+
+  const std::string& name() const { return name_; }
+  double first() const { return first_; }
+  double spacing() const { return spacing_; }
+  std::size_t intervals() const { return exact_.size() / 4; }
+  double last() const { return first_ + static_cast<double>(intervals()) * spacing_; }
+  /// Of each interval four coefficients of 1, x, x², x³, x from 0 to 1 within the interval.
+  template <class T>
+  const T* coefficients() const {
+    if constexpr (sizeof(T) == 8)
+      return exact_.data();
+    else
+      return rounded_.data();
+  }
+  bool operator==(const PotentialTable&) const = default;
+
+ private:
+  std::string name_;
+  double first_, spacing_;
+  std::vector<double> exact_;
+  std::vector<float> rounded_;
+};
+
+/// Two laws are equal if they refer to equal tables.
+struct TabulatedLaw {
+  std::shared_ptr<const PotentialTable> table;
+  bool operator==(const TabulatedLaw& other) const { return *table == *other.table; }
+};
+
+using ShortRangeLaw = std::variant<LennardJonesLaw, MieLaw, BuckinghamLaw, TabulatedLaw>;
+
+/// Whether the law of a site or pair vanishes.
+inline bool is_zero(double epsilon, const ShortRangeLaw& law) {
+  return epsilon == 0 &&
+         (std::holds_alternative<LennardJonesLaw>(law) || std::holds_alternative<MieLaw>(law));
+}
+
+/// "lennard-jones", "mie", "buckingham" or "tabulated".
+const char* name(const ShortRangeLaw& law);
+/// "sigma 0.33 nm, epsilon 0.8 kJ/mol", with what else the law has.
+std::string parameters(double sigma, double epsilon, const ShortRangeLaw& law);
+
+/// @throws Error  if a parameter is not finite or out of its domain, or the law has no repulsion at
+///                short range
+void check(double sigma, double epsilon, const ShortRangeLaw& law);
+
+}  // namespace polhode

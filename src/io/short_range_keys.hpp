@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// The keys of the short-range law, in a table [[site]] of a molecule file or [[pair]] of a run
+// file.
+#pragma once
+
+#include <string>
+
+#include "polhode/model/short_range.hpp"
+#include "toml_table.hpp"
+
+namespace polhode {
+
+struct ShortRangeKeys {
+  double sigma = 0, epsilon = 0;  ///< [nm], [kJ/mol]
+  ShortRangeLaw law{};
+};
+
+/// A site may have no law, a pair must have one.
+enum class LawOwner { site, pair };
+
+/// @param file  which the table stands in; names of potential tables are relative to it
+/// @throws Error  with file, line and key
+ShortRangeKeys read_short_range(TomlTable& table, LawOwner owner, const std::string& file);
+
+}  // namespace polhode
