@@ -132,9 +132,16 @@ void check_orders(const Crowd& made) {
   Load load;
   forces(made.scene.state, load);
   const double length = 2 * natural_time(made.scene.state, load);
+  // The third derivative of a spline jumps at its points, many of which are passed in a step:
+  // fourth order needs more.
+  const bool is_smooth = std::none_of(
+      made.scene.topology.parts.begin(), made.scene.topology.parts.end(), [](const auto& part) {
+        return std::holds_alternative<TabulatedLaw>(part.molecule.sites.front().law);
+      });
   for (const char* text : {"velocity-verlet", "hoa2", "gier4"}) {
     CAPTURE(std::string(text));
     const Scheme scheme = scheme_of(text);
+    if (scheme.order() > 2 && !is_smooth) continue;
     double error = 0, slope = 0, change = INFINITY;
     for (std::size_t steps = 2; steps <= 64 && !(change < 0.1); steps *= 2) {
       const Run result = run(made, scheme, length, steps);

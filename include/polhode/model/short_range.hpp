@@ -29,8 +29,8 @@ struct BuckinghamLaw {
   bool operator==(const BuckinghamLaw&) const = default;
 };
 
-/// A law given by its energies at equal distances of r, interpolated by a cubic spline: of class
-/// C², with a bounded third derivative, as fourth-order schemes require.
+/// A law given by its energies at equal distances of r, interpolated by a cubic spline. It is of
+/// class C²; its third derivative is bounded, but jumps at each of those distances.
 class PotentialTable {
  public:
   /// @param name   of its file
