@@ -136,7 +136,7 @@ TEST_CASE("in the canonical ensemble every configurational temperature equals th
                     scene.state.box);
   ConfigurationalStatistics samples;
   std::uint64_t stream = 0;
-  const double taken = sampled(scene, forces, T, 2000, [&](const Load& load) {
+  const double taken = sampled(scene, forces, T, 8000, [&](const Load& load) {
     samples.add(
         configurational_sample(scene.state, scene.bodies, load, forces, Random(5, stream++)));
   });
