@@ -228,13 +228,13 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
     try {
       now = energies(system.state, system.bodies, integrator.load(system.state), workers);
     } catch (const RunError& e) {
-      throw_blow_up(settings, result.steps, e.what());
+      throw_blow_up(settings, result.steps, e.what() + inner_limit_note(system.topology));
     }
     clocks.forces_of_sample(clocks.in_forces() - forces_before);
     if (!std::isfinite(now.total()))
-      throw_blow_up(settings, result.steps,
-                    "the total energy is no longer a finite number" +
-                        inner_limit_note(system.topology));
+      throw_blow_up(
+          settings, result.steps,
+          "the total energy is no longer a finite number" + inner_limit_note(system.topology));
     if (watch.sample) watch.sample(result.steps, system.state, now);
     const auto due = [&](double every) {
       return every > 0 && statistics.energies.samples % settings.samples_per(every) == 0;
@@ -264,14 +264,14 @@ Trajectory integrate(System& system, Integrator<Model>& integrator, TimedForces&
     try {
       integrator.advance(system.state, settings.step, 1, energies);
     } catch (const RunError& e) {
-      throw_blow_up(settings, result.steps + 1, e.what());
+      throw_blow_up(settings, result.steps + 1, e.what() + inner_limit_note(system.topology));
     }
     ++result.steps;
     system.state.time = start + static_cast<double>(result.steps) * settings.step;
     if (!std::isfinite(integrator.last_load().potential()))
-      throw_blow_up(settings, result.steps,
-                    "the potential energy is no longer a finite number" +
-                        inner_limit_note(system.topology));
+      throw_blow_up(
+          settings, result.steps,
+          "the potential energy is no longer a finite number" + inner_limit_note(system.topology));
   };
 
   try {
