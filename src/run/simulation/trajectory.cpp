@@ -230,7 +230,7 @@ Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& who
     try {
       now = energies(system.state, system.bodies, integrator.load(system.state), workers);
     } catch (const RunError& e) {
-      throw_blow_up(settings, result.steps, e.what());
+      throw_blow_up(settings, result.steps, e.what() + inner_limit_note(system.topology));
     }
     clocks.forces_of_sample(clocks.in_forces() - forces_before);
     if (!std::isfinite(now.total()))
@@ -265,7 +265,7 @@ Trajectory integrate(System& system, AnyIntegrator& integrator, TimedForces& who
     try {
       integrator.advance(system.state, settings.step, 1, energies);
     } catch (const RunError& e) {
-      throw_blow_up(settings, result.steps + 1, e.what());
+      throw_blow_up(settings, result.steps + 1, e.what() + inner_limit_note(system.topology));
     }
     ++result.steps;
     system.state.time = start + static_cast<double>(result.steps) * settings.step;
