@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Sourced by ./demo and ./test at the root of the project: installs the Debian packages that are
-# missing, builds the release preset, links ./polhode. Each step is skipped when it is done.
+# Sourced by ./demo and ./test at the root of the project: functions that install the Debian packages
+# that are missing, and build a preset and link ./polhode. What is done is skipped.
 
 say() { printf '== %s\n' "$*"; }
 refuse() {
@@ -8,20 +8,22 @@ refuse() {
   exit 1
 }
 
+# missing_packages FILE...
 missing_packages() {
   local package
-  grep -v '^#' packages.txt | while read -r package; do
+  grep -hv '^#' "$@" | while read -r package; do
     dpkg-query -W -f '${db:Status-Abbrev}' "$package" 2>/dev/null | grep -q '^ii' || echo "$package"
   done
 }
 
+# install_packages FILE...: what these files list
 install_packages() {
   local wanted=() as_root=()
   if ! command -v dpkg-query >/dev/null; then
-    say "not a Debian system: install what packages.txt lists by your own means"
+    say "not a Debian system: install what $* lists by your own means"
     return
   fi
-  wanted=($(missing_packages))
+  wanted=($(missing_packages "$@"))
   if ((${#wanted[@]} == 0)); then
     say "packages: all there"
     return
@@ -37,17 +39,16 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends "${wanted[@]}" >/dev/null
 }
 
-build_release() {
-  local python=()
-  [[ -x /usr/bin/python3 ]] && python=(-DPython3_EXECUTABLE=/usr/bin/python3)
-  if [[ ! -f build/release/build.ninja ]]; then
-    say "configure: build/release"
-    cmake --preset release "${python[@]}" >/dev/null
+# build_preset NAME [OPTION...]: in build/NAME, with options of cmake --build
+build_preset() {
+  local preset=$1 python=()
+  shift
+  [[ $preset == release && -x /usr/bin/python3 ]] && python=(-DPython3_EXECUTABLE=/usr/bin/python3)
+  if [[ ! -f build/$preset/build.ninja ]]; then
+    say "configure: build/$preset"
+    cmake --preset "$preset" "${python[@]}" >/dev/null
   fi
-  say "build: build/release"
-  cmake --build --preset release
-  ln -sfn build/release/polhode polhode
+  say "build: build/$preset"
+  cmake --build --preset "$preset" "$@"
+  ln -sfn "build/$preset/polhode" polhode
 }
-
-install_packages
-build_release

@@ -30,6 +30,7 @@ FAULTS = [
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <hwy/highway.h>\n", 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fmt/core.h>\n", 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fftw3.h>\n", 2),
+    ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <pocketfft_hdronly.h>\n", 2),
     ("floors", "include/polhode/io/a.hpp", SPDX + "#include <hdf5.h>\n", 2),
     ("floors", "cli/run.cpp", SPDX + '#include "polhode/engine/a.hpp"\n', 2),
     ("format", "src/io/file.cpp", "void  g( ) ;\n", 5),

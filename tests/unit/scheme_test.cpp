@@ -125,6 +125,9 @@ TEST_CASE("baths change neither the cost of a scheme nor the errors of its drift
   }
   CHECK(scheme_of("B(1/2) O(1/2) B(1/2) A(1) O(1/2)").force_evaluations() == 1);
   CHECK(scheme_of("O(1/2) A(1/2) B(1) A(1/2) O(1/2)").force_evaluations() == 1);
+  CHECK((A(0.5).joins(A(1)) && !A(0.5).joins(B(0.5))));
+  CHECK((B(0.5).joins(B(1)) && !B(0.5, 0.1).joins(B(0.5))));
+  CHECK(!O(0.5).joins(O(0.5)));
   // Gradient kicks at the ends are one with those of the next step, unless a bath is between them.
   CHECK(scheme_of("B(1/2, 1/48) A(1) B(1/2, 1/48)").derivatives() == 1);
   CHECK(scheme_of("O(1) B(1/2, 1/48) A(1) B(1/2, 1/48)").derivatives() == 2);

@@ -49,9 +49,9 @@ struct IntegratorMemory {
   std::vector<IntegratorMemory> inner;  ///< of the inner scheme, if there is one
 };
 
-/// Plays step() on a state. It adds to it that adjacent stages are joined, that forces are kept
-/// where positions have not changed, that energies are computed only on demand, and counts.
-/// Owns its scratch space and the last Load; a step does not allocate.
+/// Plays step() on a state: joins adjacent stages, keeps forces while positions do not change,
+/// computes energies only on demand, and counts steps and evaluations. It does so in place:
+/// it owns its scratch space and the last Load; a step does not allocate.
 /// @tparam Drift  of another kind than free motion, such as steps of an inner scheme
 /// @tparam Bath   for schemes that have one
 template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBath>

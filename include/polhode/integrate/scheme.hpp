@@ -107,7 +107,7 @@ class Scheme {
     if (!consistent()) throw "the drifts, the kicks or the baths of a scheme do not sum to one";
   }
 
-  /// A scheme of stages known at run time: see parsed_scheme().
+  /// A scheme of stages known at run time: see scheme_of().
   constexpr Scheme(std::span<const Stage> stages, int order)
       : name_("custom"), source_(""), order_(order) {
     for (const Stage& stage : stages) stages_[count_++] = stage;
