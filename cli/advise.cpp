@@ -89,7 +89,7 @@ int run_advise(const Options& o) {
         workers);
   }
   if (advice.stopped) {
-    log("interrupted before the search ended; no files were written\n");
+    log("interrupted before the search ended; no file was written\n");
     return 130;
   }
   write_advice(files, advice, settings.criterion, provenance);

@@ -215,7 +215,7 @@ void print_study(const StudyReport& report, const std::vector<std::string>& writ
   const bool of_the_paper =
       molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;
   if (!report.claims.empty())
-    fmt::print("\nthe paper's claims (vanzon2008){}\n",
+    fmt::print("\nthe paper's claims [vanzon2008]{}\n",
                of_the_paper ? "" : "; they refer to 512 TIP4P waters, not to this system");
   for (const Claim& claim : report.claims)
     fmt::print(

@@ -19,7 +19,7 @@ constexpr std::array<const char*, 118> symbols = {
     "U", "Np", "Pu", "Am", "Cm", "Bk", "Cf", "Es", "Fm", "Md", "No", "Lr", "Rf", "Db", "Sg",
     "Bh", "Hs", "Mt", "Ds", "Rg", "Cn", "Nh", "Fl", "Mc", "Lv", "Ts", "Og"};
 
-// Standard atomic weights [u], abridged to five digits (prohaska2022).
+// Standard atomic weights [u], abridged to five digits [prohaska2022].
 constexpr std::array<double, 86> masses = {
     1.008, 4.0026, 6.94, 9.0122, 10.81, 12.011, 14.007, 15.999, 18.998, 20.18, 22.99, 24.305,
     26.982, 28.085, 30.974, 32.06, 35.45, 39.95, 39.098, 40.078, 44.956, 47.867, 50.942,

@@ -188,7 +188,7 @@ class Advise(Sandbox):
             process.send_signal(signal.SIGINT)
             out, err = process.communicate(timeout=sandbox.LONGEST)
             self.assertEqual(process.returncode, 130, err)
-            self.assertIn("no files were written", err)
+            self.assertIn("no file was written", err)
             self.assertEqual(self.contents(), before)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Every cited key is in docs/references.bib, and every entry there is cited somewhere.
+"""Every cited key is in docs/references.bib, every entry there is cited somewhere, and citations are in square brackets.
 
 A key is a name and a year, with a letter if needed (vanzon2007b), so any such word in a comment, a
 document, a test or a data file is a citation. A data file's `source` must be one.
@@ -10,6 +10,7 @@ import re
 from tree import Finding, files, line_of, lines, main
 
 KEY = re.compile(r"(?<![\w/.-])([a-z]{3,}(?:1[6-9]|20)\d\d[a-z]?)(?![\w/-])")
+IN_PARENTHESES = re.compile(r"(?<!\w)\(([a-z]{3,}(?:1[6-9]|20)\d\d[a-z]?)(?=[),;])")
 ENTRY = re.compile(r"@(\w+)\s*\{\s*([^,\s]+)\s*,(.*?)\n\}", re.S)
 TEXT = (".hpp", ".cpp", ".py", ".md", ".toml", ".cmake", ".cff", ".txt", "")
 SOURCE = re.compile(r'\s*source\s*=\s*"([^"]*)"')
@@ -57,6 +58,10 @@ def check(root):
         cited.add(key)
         if key not in known:
             yield Finding(path, number, f"'{key}' is not in {BIBLIOGRAPHY}; add the entry")
+    for path in files(root, (".hpp", ".cpp", ".md")):
+        for number, text in lines(path):
+            for match in IN_PARENTHESES.finditer(text):
+                yield Finding(path, number, f"({match[1]} ...) is a citation; write it in square brackets, [{match[1]}]")
     for key in known.keys() - cited:
         yield Finding(root / BIBLIOGRAPHY, known[key], f"{key} is cited nowhere; cite or delete it")
     for path in files(root, (".bib",)):

@@ -40,6 +40,7 @@ FAULTS = [
     ("citations", "docs/references.bib", BIB.replace("one1990", "two1990"), 6),
     ("citations", "docs/references.bib", BIB.replace("one1990", "one1991"), 6),
     ("citations", "docs/more.bib", BIB, 1),
+    ("citations", "docs/notes.md", "As is known (one1990, Eq. 3).\n", 2),
     ("errors", "src/io/file.cpp", 'void g() { throw Error("The box is 0 nm"); }\n', 5),
     ("errors", "src/io/file.cpp", 'void g() { throw Error("box is 0 nm."); }\n', 5),
     ("errors", "src/io/file.cpp", 'void g() { throw Error("box " + b + " is invalid"); }\n', 5),

@@ -10,7 +10,7 @@
 using namespace polhode;
 
 TEST_CASE("Philox gives its authors' reference numbers") {
-  // Known answers of Random123 (salmon2011): zeros, ones, and digits of pi.
+  // Known answers of Random123 [salmon2011]: zeros, ones, and digits of pi.
   using Words = std::array<std::uint32_t, 4>;
   CHECK(philox({0, 0, 0, 0}, {0, 0}) == Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8});
   CHECK(philox({~0u, ~0u, ~0u, ~0u}, {~0u, ~0u}) ==

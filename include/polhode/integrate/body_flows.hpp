@@ -45,7 +45,7 @@ template <class Forces>
 class BodyFlows {
  public:
   /// @param bodies  kept by reference; to be moved by the flows alone
-  /// @param lambda  for gradient kicks (vanzon2008, Eq. 6)
+  /// @param lambda  for gradient kicks [vanzon2008, Eq. 6]
   BodyFlows(std::span<RigidBody> bodies, Forces forces, double lambda = 1e-4)
       : bodies_(bodies),
         forces_(std::move(forces)),
@@ -54,7 +54,7 @@ class BodyFlows {
         displaced_load_(bodies.size()),
         displaced_(bodies.size()) {}
 
-  /// e^{At}: free flight and the exact free rotation (vanzon2008, Eq. 2).
+  /// e^{At}: free flight and the exact free rotation [vanzon2008, Eq. 2].
   void drift(double t) {
     for (RigidBody& b : bodies_) {
       b.q += (t / b.m) * b.p;
@@ -64,7 +64,7 @@ class BodyFlows {
     current_ = false;
   }
 
-  /// e^{Bt}: forces and torques act (vanzon2008, Eq. 3).
+  /// e^{Bt}: forces and torques act [vanzon2008, Eq. 3].
   void kick(double t) {
     if (!current_) {
       forces_(std::span<const RigidBody>(bodies_), std::span(load_));
@@ -74,7 +74,7 @@ class BodyFlows {
     kick(t, load_);
   }
 
-  /// e^{B̂(ξ)t}, always by finite difference (vanzon2008, Eqs. 4 to 7).
+  /// e^{B̂(ξ)t}, always by finite difference [vanzon2008, Eqs. 4 to 7].
   /// @param xi_h2  ξ h²
   void kick(double t, double xi_h2, Gradient) {
     kick(t);

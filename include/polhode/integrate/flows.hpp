@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drift and kick of all bodies, the flows that every scheme is composed of (vanzon2008, Eqs. 2 and
-// 3), and the displacement of gradient kicks. Bodies are advanced independently, so the results are
+// Drift and kick of all bodies, the flows that every scheme is composed of [vanzon2008, Eqs. 2 and
+// 3], and the displacement of gradient kicks. Bodies are advanced independently, so the results are
 // bitwise identical for any number of threads.
 #pragma once
 
@@ -11,11 +11,11 @@
 
 namespace polhode {
 
-/// e^{At}: free flight and free rotation of every body, both exact (vanzon2008, Eq. 2): q ← q + t
+/// e^{At}: free flight and free rotation of every body, both exact [vanzon2008, Eq. 2]: q ← q + t
 /// p/m, S ← P(t) S.
 void drift(State& state, const Bodies& bodies, double t, Workers& workers = Workers::serial());
 
-/// e^{Bt}: forces and torques act (vanzon2008, Eq. 3): p ← p + t f, ℓ ← ℓ + t τ. No torque acts
+/// e^{Bt}: forces and torques act [vanzon2008, Eq. 3]: p ← p + t f, ℓ ← ℓ + t τ. No torque acts
 /// along an axis without inertia; what rounding of τ adds to ℓ there is removed, because it would
 /// accumulate over the steps.
 void kick(State& state, const Bodies& bodies, const Load& load, double t,
@@ -28,7 +28,7 @@ void gradient_direction(const State& state, const Bodies& bodies, const Load& lo
                         Vec3Column& dtheta, Workers& workers = Workers::serial());
 
 /// Displaces every body along its own force and torque: q̃ = q + c f/m, S̃ = R(c J⁻¹ S τ) S
-/// (vanzon2008, Eq. 7 with c = 2 ξ λ h²).
+/// [vanzon2008, Eq. 7 with c = 2 ξ λ h²].
 void displace(State& state, const Bodies& bodies, const Load& load, double c,
               Workers& workers = Workers::serial());
 

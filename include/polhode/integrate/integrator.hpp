@@ -58,7 +58,7 @@ template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBa
 class Integrator {
  public:
   /// @param forces  kept by reference
-  /// @param lambda  for gradient kicks by finite difference (vanzon2008, Eq. 6)
+  /// @param lambda  for gradient kicks by finite difference [vanzon2008, Eq. 6]
   /// @param workers  for drifts and kicks, kept by reference; the forces have their own
   /// @throws Error  if the scheme has exact gradients and the forces offer no derivative, or if it
   ///                has a bath and there is none
@@ -93,7 +93,7 @@ class Integrator {
     if (exact || difference) gradient_load_ = Load(bodies.size());
   }
 
-  /// Advances by `steps` steps e^{Lh} (vanzon2008, Eq. 1). Adjacent stages of one flow are applied
+  /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of one flow are applied
   /// as one, as the last of a step and the first of the next. At the end the state is synchronised:
   /// positions and momenta belong to the same time.
   /// @param energies  whether energies are required from load() at the end; otherwise they have to
@@ -198,7 +198,7 @@ class Integrator {
     current_ = true;
   }
 
-  /// The additional part of e^{B̂(ξ)t} over e^{Bt}: ξ h² ∇W (vanzon2008, Eq. 5), where ∇W is twice
+  /// The additional part of e^{B̂(ξ)t} over e^{Bt}: ξ h² ∇W [vanzon2008, Eq. 5], where ∇W is twice
   /// the derivative of f and τ along the displacement that they would cause (docs/theory.md, "The
   /// gradient kick"). h in ξ h² is the full step, whatever the fraction of the kick.
   void exact_gradient_kick(State& state, double t, double xi_h2) {
@@ -209,7 +209,7 @@ class Integrator {
   }
 
   /// The same by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ, and likewise for τ, both in the
-  /// lab frame (vanzon2008, Eqs. 6 and 7).
+  /// lab frame [vanzon2008, Eqs. 6 and 7].
   void finite_difference_kick(State& state, double t, double xi_h2) {
     shifted_.q = state.q;
     shifted_.attitude = state.attitude;

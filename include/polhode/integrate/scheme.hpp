@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A splitting scheme as data: a palindrome of drifts e^{aAh} and kicks e^{bB̂(ξ)h} (vanzon2008, Eq.
-// 1), and of baths where there is a temperature to keep.
+// A splitting scheme as data: a palindrome of drifts e^{aAh} and kicks e^{bB̂(ξ)h} [vanzon2008, Eq.
+// 1], and of baths where there is a temperature to keep.
 #pragma once
 
 #include <array>
@@ -50,14 +50,14 @@ constexpr std::string_view name_of(Flow flow) {
 /// How a gradient kick obtains ∇W.
 enum class Gradient {
   exact,              ///< from the derivative of the forces: the scheme is symplectic
-  finite_difference,  ///< from forces at displaced positions (vanzon2008, Eqs. 6 and 7)
+  finite_difference,  ///< from forces at displaced positions [vanzon2008, Eqs. 6 and 7]
 };
 
 /// One factor of the propagator.
 struct Stage {
   Flow flow = Flow::drift;
   double fraction = 0;  ///< of the step h
-  double xi = 0;        ///< ξ of a gradient kick (vanzon2008, Eqs. 4 to 7); 0 for a plain one
+  double xi = 0;        ///< ξ of a gradient kick [vanzon2008, Eqs. 4 to 7]; 0 for a plain one
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
   /// Whether this stage and `next`, right after it, are one stage of both lengths. Baths are not:

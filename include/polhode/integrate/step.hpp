@@ -83,7 +83,7 @@ void play(std::span<const Stage> stages, F& flows, double h, StageNumber at) {
   }
 }
 
-/// Plays one step e^{Lh} of a scheme (vanzon2008, Eq. 1): flows.drift(t), flows.kick(t),
+/// Plays one step e^{Lh} of a scheme [vanzon2008, Eq. 1]: flows.drift(t), flows.kick(t),
 /// flows.kick(t, ξh², gradient) and flows.bath(t, number) in the order of its stages.
 /// @param number  of this step in the trajectory, for the random numbers of a bath
 /// @throws Error  if the scheme has a stage that the flows do not offer

@@ -39,7 +39,7 @@ struct IntegratorSettings {
   /// Schemes that the adviser chooses from, as names or texts.
   std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
   double step = 0.002;  ///< [ps]
-  /// For the finite-difference gradient (vanzon2008, Eq. 6). Default: 1e-4 in double precision, 1
+  /// For the finite-difference gradient [vanzon2008, Eq. 6]. Default: 1e-4 in double precision, 1
   /// in mixed precision, because the rounding of the forces is amplified by 1/lambda, while the
   /// order of a scheme does not depend on it.
   double lambda = 1e-4;

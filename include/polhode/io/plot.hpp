@@ -60,7 +60,7 @@ struct EfficiencyCurve {
   std::vector<EfficiencyMark> marks;  ///< in any order
 };
 
-/// R against cost for each scheme (vanzon2008, Fig. 1), on linear axes up to `highest` R, with a
+/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes up to `highest` R, with a
 /// logarithmic inset of all data. The largest stable step has an open symbol if a larger one is
 /// known to be unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and
 /// PREFIX.svg or PREFIX.png.

@@ -40,7 +40,7 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 }
 
 /// κ ∫₀ᵛ sn²/(1 + n sn²) du with κ² = n(1+n)(n+k²), κ > 0, as a term linear in v and the argument
-/// of a theta function of complex argument (vanzon2007a, Sec. 3; jacobi1849): with sc(b, k') = √n/k
+/// of a theta function of complex argument [vanzon2007a, Sec. 3; jacobi1849]: with sc(b, k') = √n/k
 /// and Jacobi's zeta function Z it is
 ///
 ///     −i Z(ib, k) v − arg θ₄(π (v + ib)/2K),                         q = exp(−π K'/K),

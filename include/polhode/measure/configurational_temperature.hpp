@@ -20,7 +20,7 @@ struct ConfigurationalSample {
 };
 
 /// Costs one directional derivative of the forces, along a displacement of all bodies with random
-/// signs (hutchinson1990), for which cross terms average to zero.
+/// signs [hutchinson1990], for which cross terms average to zero.
 /// @param load    at the positions of the state
 /// @param random  independent for each sample and each run
 ConfigurationalSample configurational_sample(const State& state, const Bodies& bodies,
@@ -31,7 +31,7 @@ struct ConfigurationalStatistics {
   TimeBlocks blocks;
 
   void add(const ConfigurationalSample& sample);
-  /// T = ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion (jepps2000) [K], with its
+  /// T = ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion [jepps2000] [K], with its
   /// standard error; nothing without samples, nor for motions that feel no forces.
   ByMotion<std::optional<SeriesEstimate>> temperatures() const;
   /// Their values alone [K], 0 for motions without forces; nothing without samples.

@@ -64,7 +64,7 @@ SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval
                          const FitWindow& window);
 
 /// Yeh-Hummer finite-size correction: the amount by which the periodic images lower the diffusion
-/// coefficient in a cubic box [nm²/ps], ξ k_B T/(6 π η L) with ξ = 2.837297 (yeh2004, Eq. 12).
+/// coefficient in a cubic box [nm²/ps], ξ k_B T/(6 π η L) with ξ = 2.837297 [yeh2004, Eq. 12].
 /// @param viscosity  of the liquid [u/(nm ps)]
 double yeh_hummer_correction(double temperature, double viscosity, double edge);
 

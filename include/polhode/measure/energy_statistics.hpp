@@ -30,7 +30,7 @@ struct EnergyStatistics {
   double potential() const;              ///< mean [kJ/mol]
   double total_fluctuation() const;      ///< rms deviation from the mean [kJ/mol]
   double potential_fluctuation() const;  ///< likewise
-  /// R: rms fluctuation of the total energy over that of the potential energy (vanzon2008). Not a
+  /// R: rms fluctuation of the total energy over that of the potential energy [vanzon2008]. Not a
   /// number if the potential energy is constant.
   double ratio() const;
   Temperatures temperatures(const DegreesOfFreedom& degrees_of_freedom) const;  ///< means [K]

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A point in phase space, Γ = {q, p, S, ℓ} for all bodies (vanzon2008), with the box and the time.
+// A point in phase space, Γ = {q, p, S, ℓ} for all bodies [vanzon2008], with the box and the time.
 #pragma once
 
 #include "polhode/base/column.hpp"

@@ -15,7 +15,7 @@ enum class ThirdKind {
 
 /// The angle φ by which the body precesses about L, measured in frames that follow a body axis.
 ///
-/// The usual angle (vanzon2007a) follows the axis that L circles. Its integrand contains 1 + N sn²
+/// The usual angle [vanzon2007a] follows the axis that L circles. Its integrand contains 1 + N sn²
 /// with N = (J_y−J_x)J_z/((J_z−J_y)J_x), which diverges as J_y → J_z, where L passes close to the
 /// axis. Following x instead gives the same integral with n = m/N. One of the two numbers is always
 /// at most 1 and is used, so near-symmetric tops need no special care. In both cases, with the
@@ -41,7 +41,7 @@ class PrecessionAngle {
   /// @param v  result of elapsed(t) of the orbit
   /// @param u  result of at(v)
   double operator()(double t, const Orbit::Elapsed& v, const JacobiFunctions& u) const {
-    // Addition theorem of the third kind (byrd1971, 116.03): the remainder between u₀ and u₀ + v
+    // Addition theorem of the third kind [byrd1971, 116.03]: the remainder between u₀ and u₀ + v
     // depends on u₀ only through an angle that never crosses ±π, since its cosine is positive where
     // its sine vanishes.
     const double sign = std::fmod(v.half_periods, 2.0) == 0 ? 1 : -1;

@@ -13,8 +13,8 @@ namespace polhode {
 
 /// L_x = A_x cn u, L_y = A_y sn u, L_z = A_z dn u with u = u₀ + p t: z is the axis that L circles,
 /// y that of the middle moment, x the third. The amplitudes carry signs, so the axes need not be
-/// right-handed nor the moments ascending (jacobi1849; vanzon2007a, Sec. 3, with positive
-/// amplitudes).
+/// right-handed nor the moments ascending [jacobi1849; vanzon2007a, Sec. 3, with positive
+/// amplitudes].
 ///
 /// Every invariant is a sum of terms of one sign, computed from the components; 2E J − L² is never
 /// formed. Square roots are stored instead of squares, because even a component of 1e-170 decides
@@ -135,7 +135,7 @@ struct PrecessionFrame {
 };
 
 /// The rotation that carries `before` to `after` while both precess by phi about L: P = M(after)
-/// R_z(phi) M(before)ᵀ with the passive R_z (vanzon2007a, Sec. 3).
+/// R_z(phi) M(before)ᵀ with the passive R_z [vanzon2007a, Sec. 3].
 inline Quaternion<double> precession(const PrecessionFrame& before, const PrecessionFrame& after,
                                      double phi) {
   const double c = std::cos(phi), s = std::sin(phi);

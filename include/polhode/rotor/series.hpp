@@ -105,7 +105,7 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 /// M the angular momentum at tau, the addition theorem gives L(t) - L(0) = T s x J^-1 s with
 /// s = L(0) + L(t) and a scalar T. A rotation that carries L(t) to L(0) with such a difference has
 /// a vector part (T J^-1 + delta) s relative to its scalar part, with one scalar delta: the
-/// discrete top of Moser and Veselov with moments corrected by delta (mclachlan2005). Hence
+/// discrete top of Moser and Veselov with moments corrected by delta [mclachlan2005]. Hence
 ///
 ///     r ~ (1, (M_x/D)(S i_x + S d), M_y (S i_y + S d), (M_z/C)(S i_z + S d)),   i = J^-1,
 ///

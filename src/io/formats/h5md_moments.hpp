@@ -13,8 +13,8 @@
 
 namespace polhode {
 
-/// One number for each value, or an offset and an increment for all (debuyl2014, "time-dependent
-/// elements").
+/// One number for each value, or an offset and an increment for all [debuyl2014, "time-dependent
+/// elements"].
 class Moments {
  public:
   /// @param dataset  'step' or 'time': a list, or a scalar, perhaps with an attribute 'offset'

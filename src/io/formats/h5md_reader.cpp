@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// H5MD files (debuyl2014) of this and of other programs: positions, velocities and box of the first
+// H5MD files [debuyl2014] of this and of other programs: positions, velocities and box of the first
 // group of particles.
 #include <fmt/ranges.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// H5MD files (debuyl2014), written so that they can be read at any time and remain readable if the
+// H5MD files [debuyl2014], written so that they can be read at any time and remain readable if the
 // program is killed.
 #include <fmt/core.h>
 

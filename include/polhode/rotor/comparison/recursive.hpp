@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The free rotation by the recursive method for a fixed time step (vanzon2007b), without elliptic
+// The free rotation by the recursive method for a fixed time step [vanzon2007b], without elliptic
 // integrals of the third kind or theta functions.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The claims of the paper about its figure (vanzon2008), compared with the curves of a study.
+// The claims of the paper about its figure [vanzon2008], compared with the curves of a study.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The study of the paper: accuracy against cost for each scheme over a range of steps, from
-// independent runs (vanzon2008, Fig. 1).
+// independent runs [vanzon2008, Fig. 1].
 #pragma once
 
 #include <array>

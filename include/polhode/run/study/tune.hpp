@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// B(η) A(1/2) B(1 − 2η, ξ) A(1/2) B(η) (vanzon2008, Eq. 1), which includes hoa2 and gier4.
+/// B(η) A(1/2) B(1 − 2η, ξ) A(1/2) B(η) [vanzon2008, Eq. 1], which includes hoa2 and gier4.
 Scheme family_scheme(double eta, double xi);
 
 /// Covariances of the energy E of a run and its brackets: means of products of deviations of E,
