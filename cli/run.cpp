@@ -18,6 +18,7 @@
 #include "polhode/io/file_lock.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
@@ -80,7 +81,7 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) {
     throw Error(
         fmt::format(
             "length {:g} fs is shorter than the step of {:g} fs; it must be at least one step",
-            settings.length * 1000, settings.step * 1000),
+            settings.length * units::fs_per_ps, settings.step * units::fs_per_ps),
         config.source);
   try {
     settings.steps();
@@ -157,8 +158,8 @@ int run(const Options& o) {
   const ExecutionSettings execution{workers.threads(), provenance.instruction_set};
   log("polhode {}: {} molecules, {}, {} in {:g} fs steps, instruction set {}, threads {}\n",
       POLHODE_VERSION, system.topology.size(), config.source,
-      name_of({settings.scheme, settings.inner}), settings.step * 1000, execution.instruction_set,
-      execution.threads);
+      name_of({settings.scheme, settings.inner}), settings.step * units::fs_per_ps,
+      execution.instruction_set, execution.threads);
   note_molecules(system);
   note_forces(system);
 
@@ -212,10 +213,11 @@ int run(const Options& o) {
   write_file(names.final_state,
              [&](std::ostream& out) { write_gro(out, system.state, system.topology); });
   if (!names.plot.empty())
-    energy_plot(names.energies,
-                fmt::format("{}, {} at {:g} fs", config.source,
-                            name_of({settings.scheme, settings.inner}), settings.step * 1000),
-                config.output.plot, std::cerr);
+    energy_plot(
+        names.energies,
+        fmt::format("{}, {} at {:g} fs", config.source, name_of({settings.scheme, settings.inner}),
+                    settings.step * units::fs_per_ps),
+        config.output.plot, std::cerr);
 
   std::optional<GuaranteeCheck> guarantee_check;
   if (guarantee && !t.stopped) guarantee_check = check_guarantee(*guarantee, t.statistics);

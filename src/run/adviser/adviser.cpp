@@ -14,6 +14,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/run/adviser/step_search.hpp"
 #include "polhode/run/simulation/resumable_run.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
@@ -121,10 +122,10 @@ class Adviser {
     frequency_ = einstein_frequency(base_, workers_);
     for (const Candidate& candidate : advice_.candidates)
       if (const double first = search_of(candidate).first; config_.run.length < 10 * first)
-        throw Error(
-            fmt::format("runs of {:g} fs are too short for advice: they must have at least ten "
-                        "steps of {:.3g} fs, the first step tried with {}; take longer runs",
-                        1000 * config_.run.length, 1000 * first, candidate.name));
+        throw Error(fmt::format(
+            "runs of {:g} fs are too short for advice: they must have at least ten "
+            "steps of {:.3g} fs, the first step tried with {}; take longer runs",
+            units::fs_per_ps * config_.run.length, units::fs_per_ps * first, candidate.name));
     begin_ = Clock::now();
     return !stop();
   }

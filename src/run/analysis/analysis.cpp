@@ -10,6 +10,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/memory.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/model/dipole.hpp"
 
 namespace polhode {
@@ -138,7 +139,7 @@ class Assembly {
       result_.notes.push_back(fmt::format(
           "frames {:g} fs apart are too far apart for velocities of light molecules, which reverse "
           "within 20 fs: do not use diffusion from velocities or spectra beyond {:.3g} THz",
-          1000 * result_.interval, 0.5 / result_.interval));
+          units::fs_per_ps * result_.interval, 0.5 / result_.interval));
   }
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/simulation/summary.hpp"
+#include "polhode/io/output_units.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +60,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.list_rebuilds = trajectory.list_rebuilds;
   s.timings = trajectory.timings;
   const double seconds = trajectory.timings.all();
-  s.ns_per_day = seconds > 0 ? s.length / 1000 / seconds * 86400 : 0;
+  s.ns_per_day = seconds > 0 ? s.length / units::ps_per_ns / seconds * units::seconds_per_day : 0;
   return s;
 }
 

@@ -13,6 +13,7 @@
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 
 namespace polhode {
@@ -65,8 +66,8 @@ struct BlowUp : RunError {
   throw BlowUp(fmt::format(
       "the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for {}, or the "
       "initial configuration is too far from equilibrium: try {:g} fs, or equilibrate first",
-      step, static_cast<double>(step) * s.step, what, s.step * 1000, name_of({s.scheme, s.inner}),
-      s.step * 500));
+      step, static_cast<double>(step) * s.step, what, s.step * units::fs_per_ps,
+      name_of({s.scheme, s.inner}), s.step * 500));
 }
 
 /// Computing time by part, added to that of an earlier part of the run.
@@ -123,7 +124,7 @@ std::size_t TrajectorySettings::steps() const {
     throw Error(
         fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
                     "which the times of steps could not be distinguished; take a shorter length",
-                    length, step * 1000, length / step, max_steps));
+                    length, step * units::fs_per_ps, length / step, max_steps));
   return static_cast<std::size_t>(std::llround(length / step));
 }
 
@@ -150,7 +151,7 @@ void TrajectorySettings::check_shadow() const {
     throw Error(fmt::format(
         "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
         "forces, which are not measured; leave it out, or take a single scheme, such as hoa2",
-        shadow_sample * 1000, name_of({scheme, inner})));
+        shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
   const char* const reason =
       scheme.has(Flow::bath) ? "a bath, which changes the energy"
       : scheme.palindromic()
@@ -159,7 +160,7 @@ void TrajectorySettings::check_shadow() const {
   throw Error(fmt::format(
       "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, "
       "such as hoa2",
-      shadow_sample * 1000, scheme.name(), reason));
+      shadow_sample * units::fs_per_ps, scheme.name(), reason));
 }
 
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,

@@ -12,6 +12,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
@@ -35,7 +36,7 @@ std::vector<double> default_steps(const NestedScheme& nested, bool coarse) {
     fs = coarse ? std::vector<double>{3, 4, 5, 6, 7, 8} : std::vector<double>{3, 4, 5, 6, 7, 8, 9};
   // Schemes with more stages than those of the paper use larger steps, at equal cost.
   const double stretch = std::max(1.0, scheme.force_evaluations() / 3.0);
-  for (double& h : fs) h *= stretch / 1000;
+  for (double& h : fs) h *= stretch / units::fs_per_ps;
   return fs;
 }
 
@@ -86,7 +87,7 @@ void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
     if (other.name == point.name && same(other.step, point.step))
       throw Error(fmt::format(
           "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
-          point.name, 1000 * point.step));
+          point.name, units::fs_per_ps * point.step));
   points.push_back(point);
 }
 
@@ -167,7 +168,7 @@ void run_study(const Config& config, const std::vector<StudyRun>& known,
   workers.each(starts.size(), [&](std::size_t r) {
     if (!needed[r] || stopped()) return;
     starts[r] = prepare_start(base, config, r, config.study.decorrelate, progress.stop);
-    advance(1000 * config.study.decorrelate, "preparing starts");
+    advance(1000 * config.study.decorrelate, "preparing initial configurations");
   });
   if (stopped()) return;
 
