@@ -11,7 +11,7 @@
 #include "option_values.hpp"
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -46,12 +46,10 @@ BenchmarkSettings make_settings(const Options& o) {
 int bench(const Options& o) {
   const BenchmarkSettings settings = make_settings(o);
   const Computer computer{processor(), name(current_instruction_set()), settings.threads};
-  Benchmark result;
-  {
-    Progress progress("bench");
-    result = run_benchmark(
-        settings, [&](double done, const std::string& what) { progress.show(done, what); });
-  }
+  const Benchmark result = [&] {
+    ProgressLine line;
+    return run_benchmark(settings, {.progress = [&](const Progress& now) { line.show(now); }});
+  }();
   if (o.json)
     fmt::print("{}\n", benchmark_json(result, computer));
   else

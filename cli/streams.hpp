@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace polhode::cli {
 
@@ -18,6 +19,9 @@ void prepare_streams();
 /// The exit code of a program that ends with `code`: 1 in place of 0, with a message, where
 /// standard output did not take all that was printed.
 int exit_code(int code);
+
+/// Prints the names of the files that were written.
+void print_files(const std::vector<std::string>& files);
 
 /// Prints to standard error. What that does not take is lost: no run ends for a line of its log.
 template <class... Args>

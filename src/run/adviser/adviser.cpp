@@ -67,11 +67,11 @@ struct Job {
 
 class Adviser {
  public:
-  Adviser(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch,
+  Adviser(const Config& config, const AdviserSettings& settings, const Callbacks& callbacks,
           Workers& workers)
       : config_(config),
         settings_(settings),
-        watch_(watch),
+        callbacks_(callbacks),
         workers_(workers),
         base_(build_system(config)) {
     for (const std::string& text : settings.schemes)
@@ -95,7 +95,7 @@ class Adviser {
   }
 
  private:
-  bool stop() const { return watch_.stop && watch_.stop(); }
+  bool stop() const { return callbacks_.stopped(); }
 
   Advice stopped_advice() {
     advice_.stopped = true;
@@ -105,7 +105,7 @@ class Adviser {
 
   void report(const std::string& what) const {
     const std::lock_guard lock(reporting_);
-    if (watch_.report) watch_.report(std::min(0.99, since(begin_) / settings_.seconds), what);
+    callbacks_.report({"advising", std::min(0.99, since(begin_) / settings_.seconds), what});
   }
 
   /// The state that the run begins with.
@@ -113,7 +113,8 @@ class Adviser {
     report("equilibrating");
     if (config_.run.equilibrate > 0) {
       ForceField forces(base_.topology, base_.forces, base_.state.box, workers_);
-      if (!equilibrate(base_, forces, config_.run.equilibrate, {nullptr, watch_.stop}, workers_))
+      if (!equilibrate(base_, forces, config_.run.equilibrate, {nullptr, callbacks_.stop},
+                       workers_))
         return false;
     }
     noise_ = force_noise(base_, workers_);
@@ -139,7 +140,7 @@ class Adviser {
     workers_.each(count, [&](std::size_t k) {
       if (!stop())
         starts[k].system =
-            prepare_start(base_, config_, drawn_ + k, preparation_length(), watch_.stop);
+            prepare_start(base_, config_, drawn_ + k, preparation_length(), callbacks_.stop);
     });
     drawn_ += count;
     return starts;
@@ -156,7 +157,7 @@ class Adviser {
          .sample = std::min(config_.run.sample, max_sample_interval),
          .lambda = config_.integrator.lambda,
          .configurational_sample = sample_cost / temperature_share * job.step / scheme.cost()},
-        noise_, watch_.stop);
+        noise_, callbacks_.stop);
   }
 
   /// Runs of every job from every start, as many at once as there are workers.
@@ -461,7 +462,7 @@ class Adviser {
 
   const Config& config_;
   const AdviserSettings& settings_;
-  const AdviserWatch& watch_;
+  const Callbacks& callbacks_;
   Workers& workers_;
   System base_;
   ForceNoise noise_;
@@ -478,9 +479,9 @@ class Adviser {
 
 }  // namespace
 
-Advice advise(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch,
+Advice advise(const Config& config, const AdviserSettings& settings, const Callbacks& callbacks,
               Workers& workers) {
-  return Adviser(config, settings, watch, workers).advice();
+  return Adviser(config, settings, callbacks, workers).advice();
 }
 
 }  // namespace polhode

@@ -200,20 +200,6 @@ Checkpoint read_checkpoint_from(CheckpointReader in, const std::string& path) {
   return checkpoint;
 }
 
-Checkpoint of_this_run(const std::string& path, const std::string& identity,
-                       const ProgramVersion& reader) {
-  Checkpoint checkpoint = read_checkpoint(path, reader);
-  if (checkpoint.identity != identity)
-    throw Error(fmt::format(
-        "the checkpoint '{}' belongs to another run, which began with '{}': molecules, start or "
-        "its "
-        "velocities, forces, scheme, step, equilibration, samples or what trajectories hold "
-        "differ; give that run file "
-        "with the same options, another --output, or begin anew with --force",
-        path, checkpoint.command));
-  return checkpoint;
-}
-
 }  // namespace
 
 std::string run_identity(const Config& config, const System& system) {
@@ -248,6 +234,20 @@ Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
   return read_checkpoint_from(CheckpointReader(std::move(bytes), path, reader), path);
 }
 
+Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
+                              const ProgramVersion& reader) {
+  Checkpoint checkpoint = read_checkpoint(path, reader);
+  if (checkpoint.identity != identity)
+    throw Error(fmt::format(
+        "the checkpoint '{}' belongs to another run, which began with '{}': molecules, start or "
+        "its "
+        "velocities, forces, scheme, step, equilibration, samples or what trajectories hold "
+        "differ; give that run file "
+        "with the same options, another --output, or begin anew with --force",
+        path, checkpoint.command));
+  return checkpoint;
+}
+
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
                                                const std::string& identity,
                                                const ProgramVersion& reader) {
@@ -255,12 +255,12 @@ std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
     return std::nullopt;
   std::string damage;
   try {
-    return FoundCheckpoint{of_this_run(files.newest, identity, reader), {}};
+    return FoundCheckpoint{read_checkpoint_of(files.newest, identity, reader), {}};
   } catch (const DamagedCheckpoint& e) {
     damage = e.what();
   }
   try {
-    return FoundCheckpoint{of_this_run(files.previous, identity, reader),
+    return FoundCheckpoint{read_checkpoint_of(files.previous, identity, reader),
                            fmt::format("{}; the one before it, '{}', is intact and is gone on "
                                        "from, with the same results",
                                        damage, files.previous)};
