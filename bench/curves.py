@@ -35,7 +35,7 @@ LOST = 0.1
 def usable(own):
     """The points of a curve before the first one with a blow-up or with R above LOST. A drift does not end a curve here: with
     two to four runs, that is one to three degrees of freedom, the test has almost no power. With two runs, a drift of twenty
-    times its error has a chance of 3 %; and at a level of 1 %, two of 200 points without a drift would end their curves."""
+    times its error has a p-value of 3 %; and at a level of 1 %, two of 200 points without a drift would end their curves."""
     good = []
     for p in own:
         if not p["stable"] or p["R"] > LOST:

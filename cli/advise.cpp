@@ -44,7 +44,7 @@ Criterion criterion(const Options& o, const Config& config) {
   if (!o.accuracy.empty()) return {Quality::ratio, fraction_option(o.accuracy, "--accuracy")};
   if (config.integrator.accuracy) return {Quality::ratio, *config.integrator.accuracy};
   throw Error(
-      "nothing is asked for; give --accuracy \"0.5 %\", --drift \"0.1 kJ/mol/ns\" or "
+      "no accuracy is requested; give --accuracy \"0.5 %\", --drift \"0.1 kJ/mol/ns\" or "
       "--temperature-bias \"0.5 %\"");
 }
 
@@ -68,7 +68,7 @@ int advise(const Options& o) {
                                        {"--temperature-bias", o.temperature_bias}})};
   const AdviceReport report = run_adviser(config, settings, o.output, output, console(), workers);
   if (report.advice.stopped) {
-    log("interrupted before there was an answer; nothing was written\n");
+    log("interrupted before the search ended; no files were written\n");
     return 130;
   }
   if (o.json)
@@ -83,26 +83,28 @@ int advise(const Options& o) {
 
 Action advise_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
-  auto* const accuracy = app.add_option("--accuracy", o->accuracy, "R of a run at most: \"0.5 %\"");
-  auto* const drift = app.add_option("--drift", o->drift,
-                                     "drift of the energy per molecule at most: \"0.1 kJ/mol/ns\"");
-  app.add_option("--temperature-bias", o->temperature_bias,
-                 "temperatures of translation and rotation apart at most: \"0.5 %\"")
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  auto* const accuracy = app.add_option("--accuracy", o->accuracy, "largest R of a run: \"0.5 %\"");
+  auto* const drift =
+      app.add_option("--drift", o->drift, "largest energy drift per molecule: \"0.1 kJ/mol/ns\"");
+  app.add_option(
+         "--temperature-bias", o->temperature_bias,
+         "largest difference between the temperatures of translation and rotation: \"0.5 %\"")
       ->excludes(accuracy)
       ->excludes(drift);
   drift->excludes(accuracy);
   app.add_option("--schemes", o->schemes,
                  "names, or stages as text, instead of the run file's candidates");
-  app.add_option("--length", o->length, "of the runs in question, instead of the run file's");
-  app.add_option("--time", o->seconds, "seconds that the answer may take, about")
+  app.add_option("--length", o->length,
+                 "length of the runs to be planned; default: the run file's");
+  app.add_option("--time", o->seconds, "approximate computing time, in seconds")
       ->check(CLI::Range(0.1, 1e6))
       ->capture_default_str();
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_option("--precision", o->precision,
-                 "of the pairs, instead of the run file's: double or mixed");
+                 "precision of pair interactions, double or mixed; default: the run file's");
   app.add_option("--threads", o->threads,
-                 "so many runs at once; without it: one for each core allowed");
+                 "number of simultaneous runs; default: one for each available core");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the advice as JSON");
   return [o] { return advise(*o); };

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/adviser/advice_curves.hpp"
 #include "temperature_tables.hpp"
@@ -24,25 +25,27 @@ void print_candidates(const Advice& advice, const Criterion& criterion) {
   for (const Candidate& candidate : advice.candidates) {
     std::string tried;
     for (const AdviserPoint& p : candidate.points)
-      tried += p.usable ? fmt::format(" {:.3g} fs: {:.3g}", p.step * 1000, 100 * p.ratio().value)
-                        : fmt::format(" {:.3g} fs: {}", p.step * 1000,
+      tried += p.usable ? fmt::format(" {:.3g} fs: {:.3g}", p.step * units::fs_per_ps,
+                                      100 * p.ratio().value)
+                        : fmt::format(" {:.3g} fs: {}", p.step * units::fs_per_ps,
                                       blew_up(p.runs) ? "blew up" : "drifts");
     fmt::print(
         "{:<18} {:>8} {:>12} {:>10}  {}\n", candidate.name,
-        candidate.step > 0 ? fmt::format("{:.3g}", candidate.step * 1000) : "-",
+        candidate.step > 0 ? fmt::format("{:.3g}", candidate.step * units::fs_per_ps) : "-",
         candidate.step > 0 ? fmt::format("{:.0f}", candidate.scheme.cost() / candidate.step) : "-",
         candidate.seconds > 0 ? fmt::format("{:.3g}", candidate.ns_per_day()) : "-", tried);
   }
   for (const Candidate& candidate : advice.candidates)
     if (!candidate.obstacle.empty()) fmt::print("{}: {}\n", candidate.name, candidate.obstacle);
   for (const auto& [c, point] : advice.refused)
-    fmt::print("not confirmed: {} at {:.3g} fs, {}\n", advice.candidates[c].name, point.step * 1000,
+    fmt::print("not confirmed: {} at {:.3g} fs, {}\n", advice.candidates[c].name,
+               point.step * units::fs_per_ps,
                blew_up(point.runs) ? "a run blew up"
                                    : fmt::format("R = {}, bound {}", percent(point.ratio()),
                                                  bound_text(criterion.quality, point.bound)));
   for (const auto& [c, point] : advice.surpassed)
-    fmt::print("longer steps were tried: {} at {:.3g} fs has a bound of {}\n",
-               advice.candidates[c].name, point.step * 1000,
+    fmt::print("longer steps were tried: with {} at {:.3g} fs the bound is {}\n",
+               advice.candidates[c].name, point.step * units::fs_per_ps,
                bound_text(criterion.quality, point.bound));
 }
 
@@ -51,14 +54,15 @@ void print_best(const AdviceReport& r) {
   const Criterion& criterion = r.criterion;
   const Candidate& best = advice.candidates[*advice.best];
   const AdviserPoint& p = advice.confirmation;
-  fmt::print("\nfor {} use {} at {:.3g} fs\n", description(criterion), best.name, p.step * 1000);
+  fmt::print("\nfor {} use {} at {:.3g} fs\n", description(criterion), best.name,
+             p.step * units::fs_per_ps);
   fmt::print("  R                   {}, mean of {} independent runs of {:.3g} ps\n",
              percent(p.ratio()), p.runs.size(), p.length);
   fmt::print("  {}{}\n",
              criterion.quality == Quality::ratio   ? "a fresh run         has R below "
              : criterion.quality == Quality::drift ? "drift               is smaller than "
                                                    : "temperature bias    is smaller than ",
-             fmt::format("{} with a probability of {:g} %, {:.2g} of what was asked",
+             fmt::format("{} with a probability of {:g} %, {:.2g} of what was requested",
                          bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
                          p.bound / criterion.bound));
   fmt::print("  drift per molecule  {:.3g} ± {:.2g} kJ/mol/ns\n", in_kJ_per_ns(p.drift().value),
@@ -85,7 +89,7 @@ void print_advice(const AdviceReport& r) {
   if (advice.runner_up) {
     const Candidate& second = advice.candidates[*advice.runner_up];
     fmt::print("  runner-up           {} at {:.3g} fs, {:.3g} ns/day, not confirmed\n", second.name,
-               second.step * 1000, second.ns_per_day());
+               second.step * units::fs_per_ps, second.ns_per_day());
   }
   std::vector<Curve> shown = {curves(advice)[*advice.best]};
   if (advice.runner_up) shown.push_back(curves(advice)[*advice.runner_up]);

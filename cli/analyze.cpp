@@ -30,36 +30,40 @@ int analyze(const AnalyzeOptions& o) {
 
 Action analyze_verb(CLI::App& app) {
   auto o = std::make_shared<AnalyzeOptions>();
-  app.add_option("TRAJECTORY", o->trajectory, "file of frames; its ending tells the format")
+  app.add_option("TRAJECTORY", o->trajectory,
+                 "trajectory or coordinate file; the format follows from its extension")
       ->required();
-  app.add_option("--run", o->run, "run file that made it: its molecules and electrostatics");
+  app.add_option("--run", o->run,
+                 "run file of the trajectory, for its molecules and electrostatics");
   app.add_option("--molecules", o->molecules,
-                 "in place of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file");
+                 "instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file");
   app.add_option("--names", o->names, "coordinate file with the names of the atoms");
   app.add_option("--what", o->what,
-                 "of rdf, msd, rotation, velocity, dielectric, density; without it all that the "
+                 "any of rdf, msd, rotation, velocity, dielectric, density; default: all that the "
                  "frames allow");
-  app.add_option("--output", o->output, "prefix of the output files; without it polhode-analysis");
-  app.add_option("--from", o->from, "leaves out frames before: \"10 ps\"");
-  app.add_option("--interval", o->interval, "between frames, in place of their times: \"0.1 ps\"");
-  app.add_option("--window", o->window, "longest lag of correlations; without it \"10 ps\"");
+  app.add_option("--output", o->output, "prefix of the output files; default: polhode-analysis");
+  app.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
+  app.add_option("--interval", o->interval,
+                 "time between frames, instead of the times in the file: \"0.1 ps\"");
+  app.add_option("--window", o->window, "maximum lag of correlations; default: \"10 ps\"");
   app.add_option("--fit", o->fit,
-                 "lags of the line that gives D: \"2 ps, 10 ps\"; without it from a fifth of the "
-                 "longest lag to that");
+                 "range of lags of the line fitted for D: \"2 ps, 10 ps\"; default: from a fifth "
+                 "of the maximum lag to the maximum lag");
   app.add_option("--pairs", o->pairs,
-                 "of sites for g(r): \"OW-OW, OW-HW\"; HW names HW1 and HW2; without it all pairs");
+                 "site pairs of g(r): \"OW-OW, OW-HW\"; HW means HW1 and HW2; default: all pairs");
   app.add_option("--cutoff", o->cutoff,
-                 "of g(r); without it \"1 nm\", or half of the shortest edge");
-  app.add_option("--bin", o->bin, "of g(r); without it \"0.002 nm\"");
+                 "maximum distance of g(r); default: \"1 nm\", or half of the shortest edge");
+  app.add_option("--bin", o->bin, "bin width of g(r); default: \"0.002 nm\"");
   app.add_option("--viscosity", o->viscosity,
-                 "of the liquid, \"0.855 mPa s\", for what images take from D; without it the "
-                 "published one of the model");
-  app.add_option("--temperature", o->temperature, "\"298 K\"; without it that of the velocities");
+                 "viscosity of the liquid, \"0.855 mPa s\", for the Yeh-Hummer finite-size "
+                 "correction of D; default: the published value of the model");
+  app.add_option("--temperature", o->temperature,
+                 "\"298 K\"; default: the temperature of the velocities");
   app.add_option("--electrostatics", o->electrostatics,
-                 "in place of a run file's: pme, reaction-field (of 78.5) or coulomb");
-  app.add_option("--plot", o->plot, "svg, png or none; without it svg");
+                 "instead of the run file's: pme, reaction-field (of 78.5) or coulomb");
+  app.add_option("--plot", o->plot, "svg, png or none; default: svg");
   app.add_option("--threads", o->threads,
-                 "that share the work; without it: one for each core allowed");
+                 "number of threads; default: one for each available core");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return analyze(*o); };

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -12,6 +13,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/molecule_file.hpp"
+#include "polhode/io/plot.hpp"
 #include "polhode/run/simulation/system.hpp"
 
 namespace polhode::cli {
@@ -49,29 +51,21 @@ Topology molecules_option(const std::string& text) {
     for (const auto& [molecule, count] : topology.parts)
       if (count == 0)
         throw Error(
-            fmt::format("--molecules \"{}\": '{}' has no count; only a single model takes "
-                        "its count from the file",
+            fmt::format("--molecules \"{}\": '{}' has no count; the count can be left out only if "
+                        "there is one model",
                         text, molecule.name));
   return topology;
 }
 
 void set_surroundings(SummarySettings& settings, const std::string& electrostatics) {
-  const std::vector<std::string> names = {"pme", "reaction-field", "coulomb"};
   ForceSettings forces;
-  if (electrostatics == "pme")
-    forces.electrostatics = Electrostatics::pme;
-  else if (electrostatics == "reaction-field")
-    forces.electrostatics = Electrostatics::reaction_field;
-  else if (electrostatics != "coulomb")
-    throw Error(fmt::format("--electrostatics {} must be pme, reaction-field or coulomb{}",
-                            electrostatics, did_you_mean(electrostatics, names)));
+  forces.electrostatics = named_option<Electrostatics>(electrostatics, "--electrostatics");
   settings.set_surroundings(forces);
 }
 
 double positive(const std::string& text, Dimension dimension, const std::string& option) {
   const double value = quantity(text, dimension, option);
-  if (!(value > 0))
-    throw Error(fmt::format("{} = \"{}\" must be more than 0; give another", option, text));
+  if (!(value > 0)) throw Error(fmt::format("{} = \"{}\" must be above 0", option, text));
   return value;
 }
 
@@ -87,10 +81,8 @@ AnalysisSettings analysis_settings(const AnalyzeOptions& o) {
   for (const std::string& word : words(o.pairs)) {
     const auto dash = word.find('-');
     if (dash == word.npos || dash == 0 || dash + 1 == word.size())
-      throw Error(
-          fmt::format("--pairs: '{}' must be two names of sites; write for example "
-                      "\"OW-OW, OW-HW\"",
-                      word));
+      throw Error(fmt::format(
+          "--pairs: '{}' must be two site names; write for example \"OW-OW, OW-HW\"", word));
     s.pairs.push_back({word.substr(0, dash), word.substr(dash + 1)});
   }
   if (s.cutoff && *s.cutoff < s.bin)
@@ -119,8 +111,8 @@ SummarySettings summary_settings(const AnalyzeOptions& o, const std::optional<Co
                       quantity(ends[1], Dimension::time, "--fit")};
     if (!(0 <= s.fit->from && s.fit->from < s.fit->to))
       throw Error(
-          fmt::format("--fit \"{}\" must begin at 0 or later and end after it; write for "
-                      "example \"2 ps, 10 ps\"",
+          fmt::format("--fit \"{}\" must begin at 0 or later and end after its beginning; write "
+                      "for example \"2 ps, 10 ps\"",
                       o.fit));
   }
   return s;
@@ -131,10 +123,10 @@ SummarySettings summary_settings(const AnalyzeOptions& o, const std::optional<Co
 AnalysisInput analysis_input(const AnalyzeOptions& o) {
   if (o.run.empty() == o.molecules.empty())
     throw Error(
-        "the molecules of a trajectory come from its run file or from their names; give "
-        "one of --run water.toml and --molecules \"tip4p 512\"");
-  if (o.plot != "svg" && o.plot != "png" && o.plot != "none")
-    throw Error(fmt::format("--plot {} must be svg, png or none", o.plot));
+        "the molecules of the trajectory are not known; give one of --run water.toml and "
+        "--molecules \"tip4p 512\"");
+  if (std::find(plot_formats.begin(), plot_formats.end(), o.plot) == plot_formats.end())
+    throw Error(fmt::format("--plot = \"{}\" {}", o.plot, must_be_one_of(plot_formats, o.plot)));
   std::optional<Config> config;
   if (!o.run.empty()) config = read_config(o.run);
   return {.trajectory = o.trajectory,

@@ -9,7 +9,7 @@
 namespace polhode::cli {
 namespace {
 
-/// "2.30 ± 0.03", or what can be said without an error.
+/// "2.30 ± 0.03", or the value and why it has no error.
 std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
   if (e.known == Known::yes)
     return fmt::format("{:.{}f} ± {:.{}f}", e.value * scale, digits, e.error * scale, digits);
@@ -19,11 +19,16 @@ std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
 
 void print_peak(const std::string& name, const std::optional<RadialDistribution::Peak>& peak) {
   fmt::print("{:<22}", name);
-  if (peak)
-    fmt::print("first peak {} at {} nm; {} neighbours up to {:.3f} nm\n", text(peak->height, 3),
-               text(peak->place, 4), text(peak->coordination, 2), peak->minimum.value);
-  else
+  if (!peak) {
     fmt::print("no peak within its range\n");
+    return;
+  }
+  fmt::print("first peak {} at {} nm; ", text(peak->height, 3), text(peak->position, 4));
+  if (peak->shell)
+    fmt::print("{} neighbours up to {:.3f} nm\n", text(peak->shell->coordination, 2),
+               peak->shell->end.value);
+  else
+    fmt::print("no minimum within its range\n");
 }
 
 void print_part(const PartSummary& part, const AnalysisSummary& s) {
@@ -31,10 +36,10 @@ void print_part(const PartSummary& part, const AnalysisSummary& s) {
     fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
                text(*part.diffusion, 3, in_1e9_m2_per_s), s.fit.from, s.fit.to);
     if (const auto D = part.corrected(s))
-      fmt::print("{:<22}{} 1e-9 m2/s without images (viscosity {})\n", "",
+      fmt::print("{:<22}{} 1e-9 m2/s corrected for finite size (viscosity {})\n", "",
                  text(*D, 3, in_1e9_m2_per_s), s.viscosity_source);
     else
-      fmt::print("{:<22}not corrected for images: {}\n", "", s.viscosity_source);
+      fmt::print("{:<22}not corrected for finite size: {}\n", "", s.viscosity_source);
   }
   if (part.green_kubo)
     fmt::print("{:<22}{} 1e-9 m2/s in this box, from velocities\n",

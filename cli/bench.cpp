@@ -37,7 +37,8 @@ BenchmarkSettings make_settings(const Options& o) {
   settings.quick = o.quick;
   if (o.quick) settings.sizes = {512};
   if (!o.sizes.empty()) settings.sizes = o.sizes;
-  if (!o.precision.empty()) settings.precisions = {precision_option(o.precision)};
+  if (!o.precision.empty())
+    settings.precisions = {named_option<Precision>(o.precision, "--precision")};
   const int threads = requested_threads(o.threads);
   if (threads > 1) settings.threads.push_back(threads);
   return settings;
@@ -61,13 +62,14 @@ int bench(const Options& o) {
 
 Action bench_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_flag("--quick", o->quick, "512 waters alone, fewer and shorter repeats: some seconds");
-  app.add_option("--sizes", o->sizes, "numbers of waters; without it: 512,4096")
+  app.add_flag("--quick", o->quick, "512 waters only, fewer and shorter repeats: a few seconds");
+  app.add_option("--sizes", o->sizes, "numbers of waters; default: 512,4096")
       ->delimiter(',')
       ->check(CLI::Range(1, 100'000'000));
-  app.add_option("--precision", o->precision, "of the pairs: double or mixed; without it: both");
+  app.add_option("--precision", o->precision,
+                 "precision of pair interactions, double or mixed; default: both");
   app.add_option("--threads", o->threads,
-                 "beside one thread; without it: one for each core allowed");
+                 "number of threads, compared with one; default: one for each available core");
   app.add_flag("--json", o->json, "print all numbers as JSON");
   return [o] { return bench(*o); };
 }

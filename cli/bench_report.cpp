@@ -9,24 +9,22 @@
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/version.hpp"
+#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 
 namespace polhode::cli {
 namespace {
 
 using nlohmann::json;
 
-constexpr double noisy = 0.1;  // a spread that is reported to the user
-
-const char* name_of(Precision precision) {
-  return precision == Precision::mixed ? "mixed" : "double";
-}
+constexpr double noisy = 0.1;  // a spread above which the user is warned
 
 std::string threads_text(int n) { return fmt::format("{} thread{}", n, n == 1 ? "" : "s"); }
 
 /// A time with three digits and a unit.
 std::string duration(double seconds) {
-  const double us = 1e6 * seconds;
+  const double us = units::us_per_s * seconds;
   return us < 1000  ? fmt::format("{:.3g} µs", us)
          : us < 1e6 ? fmt::format("{:.3g} ms", us / 1e3)
                     : fmt::format("{:.3g} s", seconds);
@@ -61,15 +59,15 @@ void print_limits(const std::vector<Limit>& limits) {
     for (const Limit& limit : limits) fmt::print("{:>10.4g}", static_cast<double>(value(limit)));
     fmt::print("\n");
   };
-  fmt::print("{:<40}", "one core at best");
+  fmt::print("{:<40}", "one core, best of all repeats");
   for (const Limit& limit : limits) fmt::print("{:>10}", name_of(limit.precision));
   fmt::print("\n");
   row("numbers in a pack", [](const Limit& l) { return l.lanes; });
   row("multiply-adds per ns", [](const Limit& l) { return l.multiply_adds; });
   row("ns for a pair of waters", [](const Limit& l) { return l.forces.inside.best; });
-  row("  within the switch", [](const Limit& l) { return l.forces.truncated.best; });
+  row("  within the switching range", [](const Limit& l) { return l.forces.truncated.best; });
   row("  with its energy", [](const Limit& l) { return l.energies.inside.best; });
-  row("  within the switch, with its energy",
+  row("  within the switching range, with its energy",
       [](const Limit& l) { return l.energies.truncated.best; });
 }
 
@@ -95,7 +93,7 @@ void print_steps(const std::vector<SystemTiming>& systems) {
   fmt::print("{:<9}{:>8}{:>10}{:>9}{:>7}{:>7}{:>7}{:>7}", "precision", "threads", "step", "forces",
              "list", "drift", "kick", "rest");
   for (const StepTiming& t : systems[0].steps)
-    fmt::print("{:>22}", fmt::format("{} {:g} fs", t.scheme, 1000 * t.step));
+    fmt::print("{:>22}", fmt::format("{} {:g} fs", t.scheme, units::fs_per_ps * t.step));
   fmt::print("\n");
   for (const SystemTiming& s : systems) {
     const StepTiming& hoa2 = s.steps[0];
@@ -125,26 +123,27 @@ json as_json(const Limit& l) {
 json as_json(const SystemTiming& s) {
   json evaluations = json::array(), steps = json::array();
   for (const EvaluationTiming& e : s.evaluations)
-    evaluations.push_back({{"cutoff_nm", 0.9},
-                           {"switch_nm", e.switch_from},
-                           {"pairs", e.pairs},
-                           {"forces_us", as_json(e.forces, 1e6)},
-                           {"energies_us", as_json(e.energies, 1e6)},
-                           {"arithmetic_us", 1e6 * e.arithmetic / s.threads},
-                           {"energy_arithmetic_us", 1e6 * e.energy_arithmetic / s.threads},
-                           {"share_of_limit", share(e, s.threads)},
-                           {"fill", e.fill},
-                           {"list_us", as_json(e.list, 1e6)}});
+    evaluations.push_back(
+        {{"cutoff_nm", 0.9},
+         {"switch_nm", e.switch_from},
+         {"pairs", e.pairs},
+         {"forces_us", as_json(e.forces, 1e6)},
+         {"energies_us", as_json(e.energies, 1e6)},
+         {"arithmetic_us", units::us_per_s * e.arithmetic / s.threads},
+         {"energy_arithmetic_us", units::us_per_s * e.energy_arithmetic / s.threads},
+         {"share_of_limit", share(e, s.threads)},
+         {"fill", e.fill},
+         {"list_us", as_json(e.list, 1e6)}});
   for (const StepTiming& t : s.steps)
     steps.push_back({{"scheme", t.scheme},
-                     {"step_fs", 1000 * t.step},
+                     {"step_fs", units::fs_per_ps * t.step},
                      {"step_us", as_json(t.all, 1e6)},
                      {"parts_us",
-                      {{"forces", 1e6 * t.forces},
-                       {"list", 1e6 * t.list},
-                       {"drift", 1e6 * t.drift},
-                       {"kick", 1e6 * t.kick},
-                       {"rest", 1e6 * t.rest}}},
+                      {{"forces", units::us_per_s * t.forces},
+                       {"list", units::us_per_s * t.list},
+                       {"drift", units::us_per_s * t.drift},
+                       {"kick", units::us_per_s * t.kick},
+                       {"rest", units::us_per_s * t.rest}}},
                      {"non_force_share", non_force_share(t)},
                      {"rebuilds_per_step", t.rebuilds},
                      {"ns_per_day", t.ns_per_day()}});
@@ -170,11 +169,11 @@ std::vector<std::string> verdict(const Benchmark& b) {
     for (const SystemTiming& s : of_size(b, molecules)) {
       const EvaluationTiming& e = s.evaluations[0];
       const StepTiming& hoa2 = s.steps[0];
-      const char* precision = name_of(s.precision);
+      const std::string_view precision = name_of(s.precision);
       if (s.threads == 1) {
         lines.push_back(fmt::format(
-            "{} waters: {} for the forces in {} precision; the arithmetic of the pairs in range, "
-            "alone and with every lane used, would take {}, {:.2f} of that",
+            "{} waters: {} for the forces in {} precision; the arithmetic of the pairs within the "
+            "cutoff alone, with all lanes used, would take {}, {:.2f} of that",
             molecules, duration(e.forces.best), precision, duration(e.arithmetic), share(e, 1)));
         beside.push_back(fmt::format("{:.0f} % in {}", percent(non_force_share(hoa2)), precision));
       } else {
@@ -189,7 +188,7 @@ std::vector<std::string> verdict(const Benchmark& b) {
                                    threads_text(s.threads)));
     }
     lines.push_back(fmt::format(
-        "{} waters: everything beside the forces takes {} of a step of hoa2, on one thread",
+        "{} waters: everything except the forces takes {} of a step of hoa2, on one thread",
         molecules, join(beside)));
     if (!speed_up.empty())
       lines.push_back(fmt::format("{} waters: {} do {}", molecules,
@@ -201,11 +200,11 @@ std::vector<std::string> verdict(const Benchmark& b) {
   lines.push_back(
       spread > noisy
           ? fmt::format(
-                "this computer was busy or changed its clock rate: medians lie up to {:.0f} "
-                "% above the best of the repeats; trust ratios little, and measure again",
+                "this computer was busy or changed its clock rate: medians are up to {:.0f} % "
+                "above the best repeats; measure again before relying on the ratios",
                 percent(spread))
-          : fmt::format("a quiet computer: medians lie at most {:.1f} % above the best of the "
-                        "repeats",
+          : fmt::format("the computer was otherwise idle: medians are at most {:.1f} % above the "
+                        "best repeats",
                         percent(spread)));
   return lines;
 }
@@ -216,7 +215,7 @@ void print_benchmark(const Benchmark& b, const Computer& computer) {
     instruction_sets.emplace_back(name(instruction_set));
   for (const int n : computer.threads) threads.push_back(std::to_string(n));
   fmt::print("processor         {}\n", computer.processor);
-  fmt::print("instruction set   {} (there are: {})\n", computer.instruction_set,
+  fmt::print("instruction set   {} (available: {})\n", computer.instruction_set,
              join_names(instruction_sets));
   fmt::print("threads           {}\n\n", join_names(threads));
   print_limits(b.limits);

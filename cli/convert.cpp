@@ -33,12 +33,11 @@ std::optional<Frame> names_of(const Options& o) {
   if (o.names.empty()) return std::nullopt;
   Frame frame;
   if (!format_traits(o.names).names)
-    throw Error(
-        fmt::format("--names {} is of a format without names of atoms; name a GRO, PDB or "
-                    "XYZ file",
-                    o.names));
+    throw Error(fmt::format(
+        "--names {} is of a format without atom names; give a GRO, PDB or XYZ file", o.names));
   if (!open_frames(o.names)->next(frame))
-    throw Error(fmt::format("--names {} holds no atoms; name a file of the same system", o.names));
+    throw Error(
+        fmt::format("--names {} contains no atoms; give a file of the same system", o.names));
   return frame;
 }
 
@@ -47,16 +46,16 @@ void check_names(const Frame& frame, const Options& o) {
   for (const AtomKind& kind : frame.kinds)
     if (kind.name.empty())
       throw Error(
-          fmt::format("'{}' names no atoms, which '{}' needs; add --names with a file of "
-                      "the same atoms, for example --names conf.gro",
+          fmt::format("'{}' has no atom names, which '{}' needs; add --names with a file of the "
+                      "same atoms, for example --names conf.gro",
                       o.in, o.out));
 }
 
 int convert(const Options& o) {
-  if (o.every == 0) throw Error("--every 0 takes no frame; it must be 1 or more");
+  if (o.every == 0) throw Error("--every 0 selects no frame; it must be 1 or more");
   const double from = bound(o.from, "--from", -HUGE_VAL), to = bound(o.to, "--to", HUGE_VAL);
   if (from > to)
-    throw Error(fmt::format("--from {} is later than --to {}; no time lies between", o.from, o.to));
+    throw Error(fmt::format("--from {} is later than --to {}; exchange them", o.from, o.to));
   const FormatTraits held = format_traits(o.out);
   const std::optional<Frame> names = names_of(o);
   const auto reader = open_frames(o.in, names ? &*names : nullptr);
@@ -71,7 +70,7 @@ int convert(const Options& o) {
   const auto slack = [](double time) { return 1e-6 * std::max(1.0, std::abs(time)); };
   for (Frame frame; reader->next(frame);) {
     if (callbacks.stopped()) {
-      log("interrupted; nothing was written\n");
+      log("interrupted; no file was written\n");
       return 130;
     }
     callbacks.report({"converting", reader->fraction_read()});
@@ -84,12 +83,11 @@ int convert(const Options& o) {
     ++written;
   }
   if (written == 0)
-    throw Error(
-        fmt::format("no frame of '{}' was asked for; --from and --to must leave some", o.in));
+    throw Error(fmt::format("'{}' has no frame between --from and --to; choose other times", o.in));
   writer->mark();
   writer.reset();
   draft.finish();
-  if (lost) log("note: velocities are left out; {} has no place for them\n", o.out);
+  if (lost) log("note: velocities are not written; the format {} has none\n", o.out);
   fmt::print("{} {} written to {}\n", written, written == 1 ? "frame" : "frames", o.out);
   return 0;
 }
@@ -102,11 +100,10 @@ Action convert_verb(CLI::App& app) {
                  "file to read: .gro .pdb .xyz .xtc .trr .dcd .h5md, or a LAMMPS .data file")
       ->required();
   app.add_option("OUT", o->out, "file to write, of any of these formats but the last")->required();
-  app.add_option("--names", o->names,
-                 "file that names the atoms, where IN has no names: XTC, TRR, DCD");
-  app.add_option("--every", o->every, "take only one of so many frames");
-  app.add_option("--from", o->from, "leave out frames before this time: \"10 ps\"");
-  app.add_option("--to", o->to, "leave out frames after this time");
+  app.add_option("--names", o->names, "file with the atom names, if IN has none: XTC, TRR, DCD");
+  app.add_option("--every", o->every, "take every Nth frame only");
+  app.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
+  app.add_option("--to", o->to, "ignore frames after this time");
   app.add_flag("--force", o->force, "overwrite OUT if it exists");
   return [o] { return convert(*o); };
 }

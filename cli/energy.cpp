@@ -67,7 +67,7 @@ int energy(const Options& o) {
 
 Action energy_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
   app.add_flag("--forces", o->forces,
                "print force [kJ/mol/nm] and torque [kJ/mol] of every body as CSV; energies go to "
                "standard error");

@@ -23,15 +23,15 @@ void take(int signal_number, int flags) {
 }  // namespace
 
 void catch_interrupts() {
-  // A second one acts as it always does: whoever asks twice does not want to wait.
+  // A second signal has its default effect and ends the program at once.
   for (const int signal_number : {SIGINT, SIGTERM})
     take(signal_number, static_cast<int>(SA_RESETHAND));
-  // These come by themselves again: from a terminal that goes, and each second beyond the limit of
-  // the processor's time.
+  // These signals repeat by themselves: when a terminal closes, and each second beyond the limit of
+  // CPU time.
   take(SIGXCPU, 0);
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
-  if (hangup.sa_handler != SIG_IGN) take(SIGHUP, 0);  // nohup lets it be ignored
+  if (hangup.sa_handler != SIG_IGN) take(SIGHUP, 0);  // nohup ignores it
 }
 
 bool interrupted() { return caught; }

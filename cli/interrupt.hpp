@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C, SIGTERM, SIGHUP and SIGXCPU as a question that loops may ask: what was computed is then
+// Ctrl-C, SIGTERM, SIGHUP and SIGXCPU set a flag that loops poll, so that results so far are
 // written.
 #pragma once
 

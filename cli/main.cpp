@@ -30,18 +30,21 @@ struct Verb {
 const std::vector<Verb> verbs = {
     {"run", "simulate: a trajectory with its energies and summary", run_verb},
     {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
-    {"advise", "choose scheme and step for an accuracy wanted, and prove it", advise_verb},
-    {"energy", "energies, and with --forces the load of every body, of a start", energy_verb},
-    {"convert", "frames of one format into another: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
+    {"advise", "choose scheme and step for a required accuracy, and confirm them by runs",
+     advise_verb},
+    {"energy", "energies, and with --forces the forces and torques, of an initial configuration",
+     energy_verb},
+    {"convert",
+     "convert coordinates and trajectories between formats: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
      convert_verb},
-    {"analyze", "structure and motion from a trajectory: g(r), diffusion, relaxation",
+    {"analyze", "structure and dynamics from a trajectory: g(r), diffusion, relaxation",
      analyze_verb},
     {"molecules", "list the molecule models, or show one", molecules_verb},
     {"schemes", "list the splitting schemes, or show one", schemes_verb},
-    {"top", "one free top, exact against NO_SQUISH, or a table of tops", top_verb},
+    {"top", "rotate a free top, exactly and by NO_SQUISH, or a table of tops", top_verb},
     {"verify", "measure the order of a scheme", verify_verb},
-    {"tune-scheme", "find the scheme parameters that suit a system and step", tune_scheme_verb},
-    {"bench", "measure how fast this computer runs water, and why not faster", bench_verb},
+    {"tune-scheme", "optimise the scheme parameters for a system and step", tune_scheme_verb},
+    {"bench", "measure the speed for water on this computer, and what limits it", bench_verb},
 };
 
 /// Options before the verb are left to the parser.
@@ -49,7 +52,8 @@ void check_verb(const std::string& word) {
   std::vector<std::string> names;
   for (const Verb& verb : verbs) names.emplace_back(verb.name);
   if (word.empty())
-    throw Error(fmt::format("there is no verb; 'polhode VERB' has one of: {}", join_names(names)));
+    throw Error(
+        fmt::format("no verb is given; write 'polhode VERB' with one of: {}", join_names(names)));
   if (word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw Error(fmt::format("there is no verb '{}'{} (there are: {})", word,
                           did_you_mean(word, names), join_names(names)));
@@ -72,18 +76,18 @@ int run(int argc, char** argv) {
     if (e.get_exit_code() == 0) return app.exit(e);  // help, version
     std::string what = e.what();
     what[0] = static_cast<char>(std::tolower(what[0]));
-    throw Error(fmt::format("{}; 'polhode {} --help' lists what there is", what, argv[1]));
+    throw Error(fmt::format("{}; 'polhode {} --help' lists the options", what, argv[1]));
   }
   for (const auto& [command, action] : actions)
     if (command->parsed()) return action();
   return 2;
 }
 
-/// The message when memory runs out where no check foresaw it.
+/// The message when memory runs out unexpectedly.
 std::string no_memory() {
   return fmt::format(
-      "there is not enough memory; this process may have {:.3g} GB; take fewer "
-      "molecules, frames, lags or bins",
+      "there is not enough memory: this process may use {:.3g} GB; take fewer molecules, frames, "
+      "lags or bins",
       memory_limit() / 1e9);
 }
 
@@ -102,11 +106,11 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     cli::log("error: {}\n", cli::no_memory());
     return cli::exit_code(1);
-  } catch (const std::length_error&) {  // more than an address can tell
+  } catch (const std::length_error&) {  // more than can be addressed
     cli::log("error: {}\n", cli::no_memory());
     return cli::exit_code(1);
   } catch (const std::exception& e) {
-    if (std::ferror(stdout)) return cli::exit_code(1);  // that is what ended it
+    if (std::ferror(stdout)) return cli::exit_code(1);  // no more tokens
     cli::log("error: {}\n", printable(e.what()));
     return cli::exit_code(1);
   }

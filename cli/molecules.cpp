@@ -95,7 +95,7 @@ Action molecules_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_option("NAME", o->name,
                  "a model's name, or the path of a molecule file, a GROMACS topology (.top) or a "
-                 "LAMMPS data file; without it: all");
+                 "LAMMPS data file; default: all");
   app.add_flag("--json", o->json, "print JSON");
   return [o] {
     if (o->json) {

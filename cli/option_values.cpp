@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 
 namespace polhode::cli {
@@ -36,25 +34,17 @@ NestedScheme scheme_option(const std::string& text, const std::string& option) {
   }
 }
 
-Precision precision_option(const std::string& text) {
-  if (text == "double") return Precision::double_precision;
-  if (text == "mixed") return Precision::mixed;
-  const std::string names[] = {"double", "mixed"};
-  throw Error(
-      fmt::format("--precision {} must be double or mixed{}", text, did_you_mean(text, names)));
-}
-
 Config read_config_option(const std::string& file, const std::string& precision) {
   Config config = file.empty() ? default_config() : read_config(file);
-  if (!precision.empty()) set_precision(config, precision_option(precision));
+  if (!precision.empty()) set_precision(config, named_option<Precision>(precision, "--precision"));
   return config;
 }
 
 ExistingFiles existing_files(bool resume, bool force) {
   if (resume && force)
     throw Error(
-        "--continue and --force contradict each other: one goes on with what is there, the other "
-        "begins anew; give one of them");
+        "--continue and --force contradict each other: one resumes the existing run, the other "
+        "starts over; give one of them");
   return resume ? ExistingFiles::resume : force ? ExistingFiles::replace : ExistingFiles::refuse;
 }
 

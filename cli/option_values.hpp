@@ -2,10 +2,15 @@
 // Parsing of option values.
 #pragma once
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/io/quantity.hpp"
@@ -25,12 +30,16 @@ std::string typed_command(std::string command,
 /// @throws Error  naming the option, if there is no such scheme
 NestedScheme scheme_option(const std::string& text, const std::string& option);
 
-/// "double" or "mixed".
-/// @throws Error  for any other word
-Precision precision_option(const std::string& text);
+/// The value of a named enumeration.
+/// @throws Error  for any word that is not a name
+template <NamedEnum Enum>
+Enum named_option(const std::string& text, const std::string& option) {
+  if (const auto value = value_of<Enum>(text)) return *value;
+  throw Error(fmt::format("{} = \"{}\" {}", option, text, must_be_one_of(enum_names<Enum>, text)));
+}
 
 /// The run file of a path, or the default one, with a precision in place of its own if it is given.
-/// @throws Error  as read_config() and precision_option()
+/// @throws Error  as read_config(); naming --precision
 Config read_config_option(const std::string& file, const std::string& precision = {});
 
 /// What --continue and --force say of files that exist.

@@ -62,16 +62,16 @@ int run(const Options& o) {
 
 Action run_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
-  app.add_option("--scheme", o->scheme, "instead of the run file's: a name, or stages as text");
-  app.add_option("--step", o->step, "instead of the run file's: \"2 fs\"");
-  app.add_option("--length", o->length, "instead of the run file's: \"15 ps\"");
-  app.add_option("--output", o->output, "prefix of the output files, instead of the run file's");
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  app.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
+  app.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");
+  app.add_option("--length", o->length, "length of the run: \"15 ps\"; default: the run file's");
+  app.add_option("--output", o->output, "prefix of the output files; default: the run file's");
   app.add_option("--precision", o->precision,
-                 "of the pairs, instead of the run file's: double or mixed");
+                 "precision of pair interactions, double or mixed; default: the run file's");
   app.add_option("--threads", o->threads,
-                 "that share the work of a run; without it: one for each core allowed");
-  app.add_flag("--continue", o->resume, "go on from the last checkpoint; begin if there is none");
+                 "number of threads; default: one for each available core");
+  app.add_flag("--continue", o->resume, "resume from the last checkpoint; start if there is none");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return run(*o); };

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 #include "streams.hpp"
 
@@ -27,7 +28,7 @@ std::string missing_error(Known known, std::uint64_t samples) {
     case Known::too_few_samples:
       return fmt::format(", its error is {}", not_known(samples));
     case Known::too_short:
-      return ", the run is too short to tell its error";
+      return ", the run is too short to estimate its error";
   }
   return "";
 }
@@ -44,7 +45,7 @@ std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < min_samples_reported) return not_known(samples);
   const std::string rate = with_error(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
   if (drift.known != Known::yes) return rate;
-  return fmt::format("{}, {} (chance {:.2g})", rate, verdict(drift), drift.p_value);
+  return fmt::format("{}, {} (p-value {:.2g})", rate, verdict(drift), drift.p_value);
 }
 
 void print_ratio(const RunSummary& s) {
@@ -59,10 +60,11 @@ void print_ratio(const RunSummary& s) {
         with_error({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
         s.total_fluctuation, s.potential_fluctuation);
     if (s.rounding > 0)
-      fmt::print("R of rounding         {:.2g} %, estimated{}\n", 100 * s.rounding,
-                 s.ratio.value < rounding_margin * s.rounding
-                     ? "; R is dominated by rounding: precision = \"double\" shows the scheme's"
-                     : "");
+      fmt::print(
+          "R of rounding         {:.2g} %, estimated{}\n", 100 * s.rounding,
+          s.ratio.value < rounding_margin * s.rounding
+              ? "; R is dominated by rounding: precision = \"double\" shows the R of the scheme"
+              : "");
   }
 }
 
@@ -70,12 +72,12 @@ double percent(double x) { return 100 * x; }
 
 void print_drift(const RunSummary& s) {
   fmt::print("drift                 {}{}\n", drift_text(s.drift, s.samples),
-             s.walk_known ? "" : "; the random walk of rounding in mixed precision is part of it");
+             s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision");
   if (s.shadow)
-    fmt::print("drift of the shadow   {}{}; its rms is {:.3g} kJ/mol\n",
+    fmt::print("shadow energy drift   {}{}; rms fluctuation {:.3g} kJ/mol\n",
                drift_text(s.shadow->drift, s.shadow->samples),
                s.shadow->time_gain
-                   ? fmt::format(", which shows {:.2g} times sooner", *s.shadow->time_gain)
+                   ? fmt::format(", detected {:.2g} times sooner", *s.shadow->time_gain)
                    : "",
                s.shadow->fluctuation);
 }
@@ -102,7 +104,7 @@ void print_temperatures(const RunSummary& s) {
     fmt::print("configurational       translation {}, rotation {}, {}, {} K\n", text(0), text(1),
                text(2), text(3));
   }
-  fmt::print("freedoms              {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}\n",
+  fmt::print("degrees of freedom    {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}\n",
              n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
 }
 
@@ -111,11 +113,11 @@ void print_evaluations(const RunSummary& s, bool nested) {
              static_cast<double>(s.force_evaluations) / s.length);
   if (s.derivatives > 0) fmt::print(", and {} of their derivative", s.derivatives);
   if (nested) {
-    fmt::print(", of near forces {} ({:.4g} per ps)", s.near_evaluations,
+    fmt::print(", near forces {} ({:.4g} per ps)", s.near_evaluations,
                static_cast<double>(s.near_evaluations) / s.length);
     if (s.near_derivatives > 0) fmt::print(", and {} of their derivative", s.near_derivatives);
   }
-  if (s.measurements > 1) fmt::print(", and {} for energies alone", s.measurements);
+  if (s.measurements > 1) fmt::print(", and {} for energies only", s.measurements);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
 }
 
@@ -136,12 +138,12 @@ void print_speed(const RunSummary& s, bool nested, const ExecutionSettings& exec
 
 void print_guarantee(const GuaranteeCheck& k) {
   const std::string what = fmt::format(
-      "R = {:.3g} ± {:.2g} % over {:.3g} ps, at most {:.3g} % was guaranteed", 100 * k.ratio.value,
-      100 * k.ratio.error, k.guarantee.length, 100 * k.guarantee.accuracy);
+      "R = {:.3g} ± {:.2g} % over {:.3g} ps; the accuracy guarantee is {:.3g} %",
+      100 * k.ratio.value, 100 * k.ratio.error, k.guarantee.length, 100 * k.guarantee.accuracy);
   fmt::print("accuracy guarantee    {}: {}\n", k.met() ? "met" : "NOT MET", what);
   if (!k.met())
-    log("warning: the promise of [integrator] accuracy was not kept: {}; give a smaller "
-        "accuracy, or a step of your own\n",
+    log("warning: the accuracy guarantee of [integrator] accuracy was not met: {}; give a smaller "
+        "accuracy, or set the step yourself\n",
         what);
 }
 
@@ -149,8 +151,8 @@ void print_text(const RunReport& r) {
   const RunSummary& s = r.summary;
   const bool nested = r.settings.inner.has_value();
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
-             s.molecules, s.steps, r.settings.step * 1000,
-             name_of({r.settings.scheme, r.settings.inner}), s.length, s.sample * 1000);
+             s.molecules, s.steps, r.settings.step * units::fs_per_ps,
+             name_of({r.settings.scheme, r.settings.inner}), s.length, s.sample * units::fs_per_ps);
   print_ratio(s);
   print_drift(s);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
@@ -173,14 +175,14 @@ void note_end(const RunResult& result, const std::string& checkpoint) {
     case RunEnd::complete:
       return;
     case RunEnd::interrupted:
-      return log("interrupted after {} steps; what was computed follows, and --continue goes on\n",
+      return log("interrupted after {} steps; the results so far follow, and --continue resumes\n",
                  result.report->summary.steps);
     case RunEnd::interrupted_equilibrating:
       return log(
-          "interrupted while equilibrating; '{}' holds where it was, and --continue goes on\n",
+          "interrupted during the equilibration; '{}' is its checkpoint, and --continue resumes\n",
           checkpoint);
     case RunEnd::interrupted_choosing_step:
-      return log("interrupted while choosing the step; nothing was written\n");
+      return log("interrupted while choosing the step; no file was written\n");
   }
 }
 
@@ -201,7 +203,7 @@ int print_run(const RunResult& result, const Simulation& simulation, bool json) 
 
 void note_resumable(const Simulation& simulation) {
   if (simulation.resumable_step())
-    log("'{}' holds the run until step {}, and --continue goes on from there\n",
+    log("'{}' is the checkpoint of step {}, from which --continue resumes\n",
         checkpoint_of(simulation), *simulation.resumable_step());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run tells at its end.
+// What a run reports at its end.
 #pragma once
 
 #include "polhode/run/simulation/simulation.hpp"

@@ -18,7 +18,7 @@ namespace {
 nlohmann::json as_json(const Scheme& scheme) {
   nlohmann::json stages = nlohmann::json::array();
   for (const Stage& s : scheme.stages())
-    stages.push_back({{"flow", s.flow == Flow::drift ? "drift" : "kick"},
+    stages.push_back({{"flow", name_of(s.flow)},
                       {"fraction", s.fraction},
                       {"xi", s.xi},
                       {"gradient", s.xi == 0                            ? ""
@@ -35,12 +35,18 @@ nlohmann::json as_json(const Scheme& scheme) {
           {"text", text_of(scheme)}};
 }
 
-/// The flows in order: A for a drift, B for a kick, G for a gradient kick.
+/// The flows in order: A for a drift, B for a kick, G for a gradient kick, O for a bath.
 std::string flows(const Scheme& scheme) {
   std::string letters;
-  for (const Stage& s : scheme.stages())
-    letters += s.flow == Flow::drift ? 'A' : s.xi == 0 ? 'B' : 'G';
+  for (const Stage& s : scheme.stages()) letters += s.xi == 0 ? letter_of(s.flow) : 'G';
   return letters;
+}
+
+std::string line_of(const Stage& s) {
+  if (s.xi == 0)
+    return fmt::format("{}({:<20})  {}", letter_of(s.flow), s.fraction, name_of(s.flow));
+  return fmt::format("B({:<20}, xi = {})  gradient kick, {}", s.fraction, s.xi,
+                     s.has(Gradient::exact) ? "exact" : "finite difference");
 }
 
 void print_one(const Scheme& scheme) {
@@ -53,18 +59,14 @@ void print_one(const Scheme& scheme) {
   if (scheme.palindromic()) {
     const ErrorTerms error = error_terms(scheme);
     constexpr double rounding = 1e-14;  // of coefficients with 15 digits
-    fmt::print("  error of order h²  {}\n",
+    fmt::print("  error of order h²  {}{}\n",
                std::hypot(error.alpha, error.beta) < rounding
                    ? "none"
-                   : fmt::format("alpha {:.6g}, beta {:.6g}", error.alpha, error.beta));
+                   : fmt::format("alpha {:.6g}, beta {:.6g}", error.alpha, error.beta),
+               scheme.has(Flow::bath) ? ", of drifts and kicks alone" : "");
   }
   fmt::print("  stages\n");
-  for (const Stage& s : scheme.stages())
-    fmt::print("    {}\n",
-               s.flow == Flow::drift ? fmt::format("A({:<20})  drift", s.fraction)
-               : s.xi == 0           ? fmt::format("B({:<20})  kick", s.fraction)
-                           : fmt::format("B({:<20}, xi = {})  gradient kick, {}", s.fraction, s.xi,
-                                         s.has(Gradient::exact) ? "exact" : "finite difference"));
+  for (const Stage& s : scheme.stages()) fmt::print("    {}\n", line_of(s));
   fmt::print("  as text\n    \"{}\"\n", text_of(scheme));
 }
 
@@ -76,7 +78,7 @@ Action schemes_verb(CLI::App& app) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("NAME", o->name, "a scheme's name, or its stages as text; without it: all");
+  app.add_option("NAME", o->name, "name of a scheme, or its stages as text; default: all");
   app.add_flag("--json", o->json, "print JSON");
   return [o] {
     if (!o->name.empty()) {

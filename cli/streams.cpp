@@ -13,8 +13,7 @@ namespace polhode::cli {
 void prepare_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (::fcntl(stream, F_GETFD) < 0 && errno == EBADF)  // open() takes the lowest free number
-      // Not writable in the place of standard output: what is printed there is lost, and known to
-      // be.
+      // Read-only, so that printing to a closed standard output fails and is reported.
       ::open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
   ::signal(SIGPIPE, SIG_IGN);
   ::signal(SIGXFSZ, SIG_IGN);
@@ -30,9 +29,9 @@ int exit_code(int code) {
   errno = 0;
   const bool lost = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
   if (!lost) return code;
-  log("error: standard output took not all that was printed ({}); files are written as always, so "
-      "give it room and ask again\n",
-      errno != 0 ? std::strerror(errno) : "an earlier write was refused");
+  log("error: standard output could not be written completely ({}); output files are complete; "
+      "make room and repeat the command\n",
+      errno != 0 ? std::strerror(errno) : "an earlier write failed");
   return code == 0 ? 1 : code;
 }
 

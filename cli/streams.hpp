@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Standard output and standard error, which may be closed, full or gone.
+// Standard output and standard error, which may be closed, full or broken pipes.
 #pragma once
 
 #include <fmt/core.h>
@@ -11,19 +11,18 @@
 
 namespace polhode::cli {
 
-/// Puts something in the place of standard streams that are closed, so that no file gets their
-/// numbers, and lets writing to a closed pipe or beyond the limit of a file's size be an error of
-/// that write instead of the end of the program. Call it first.
+/// Opens replacements for closed standard streams, so that no file gets their descriptors, and
+/// turns the signals of closed pipes and file size limits into write errors. Call it first.
 void prepare_streams();
 
-/// The exit code of a program that ends with `code`: 1 in place of 0, with a message, where
-/// standard output did not take all that was printed.
+/// The exit code of a program that ends with `code`: 1 instead of 0, with a message, if standard
+/// output could not be written completely.
 int exit_code(int code);
 
 /// Prints the names of the files that were written.
 void print_files(const std::vector<std::string>& files);
 
-/// Prints to standard error. What that does not take is lost: no run ends for a line of its log.
+/// Prints to standard error. Write errors are ignored: no run ends because of its log.
 template <class... Args>
 void log(fmt::format_string<Args...> format, Args&&... args) {
   const std::string text = fmt::format(format, std::forward<Args>(args)...);

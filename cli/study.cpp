@@ -60,7 +60,7 @@ int study(const Options& o) {
   else
     print_study(report);
   if (report.interrupted)
-    log("interrupted; the same command goes on from {}\n", StudyFiles(o.output).runs);
+    log("interrupted; the same command resumes from {}\n", StudyFiles(o.output).runs);
   return report.interrupted ? 130 : 0;
 }
 
@@ -68,23 +68,25 @@ int study(const Options& o) {
 
 Action study_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
   app.add_flag("--quick", o->quick, "a small version: about three minutes on two cores");
   app.add_option("--schemes", o->schemes, "names, or stages as text");
   app.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
   app.add_option("--runs", o->runs, "independent runs at each point")->check(CLI::Range(2, 1000));
   app.add_option("--length", o->length, "of each run: \"15 ps\"");
-  app.add_option("--decorrelate", o->decorrelate, "preparation of each start: \"10 ps\"");
-  app.add_option("--configurational-sample", o->configurational,
-                 "between configurational temperatures: \"20 fs\"; without it: none");
+  app.add_option("--decorrelate", o->decorrelate,
+                 "equilibration of each initial configuration: \"10 ps\"");
+  app.add_option(
+      "--configurational-sample", o->configurational,
+      "time between samples of the configurational temperature: \"20 fs\"; default: none");
   app.add_option("--from-record", o->from_record,
-                 "tables and figure of this record, by whichever version, without a run");
+                 "make tables and figure from this record, of any version, without runs");
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_option("--precision", o->precision,
-                 "of the pairs, instead of the run file's: double or mixed");
+                 "precision of pair interactions, double or mixed; default: the run file's");
   app.add_option("--threads", o->threads,
-                 "so many runs at once; without it: one for each core allowed");
-  app.add_flag("--force", o->force, "start anew where results of another study exist");
+                 "number of simultaneous runs; default: one for each available core");
+  app.add_flag("--force", o->force, "start over if results of another study exist");
   app.add_flag("--json", o->json, "print the results as JSON");
   return [o] { return study(*o); };
 }

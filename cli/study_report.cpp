@@ -8,12 +8,13 @@
 #include <optional>
 #include <string>
 
+#include "polhode/io/output_units.hpp"
 #include "temperature_tables.hpp"
 
 namespace polhode::cli {
 namespace {
 
-/// A mean over runs with its error, where there are enough of them.
+/// A mean over runs, with its error if there are enough of them.
 std::string with_error(const Estimate& e, int digits, int runs) {
   if (!std::isfinite(e.value)) return "-";
   const std::string value = fmt::format("{:.{}g}", e.value, digits);
@@ -28,12 +29,13 @@ void print_points(const StudyReport& report) {
       const EfficiencyPoint& p = curve.points[i];
       const std::string note = !p.stable               ? "blew up"
                                : p.drift.significant() ? "drift significant"
-                               : i >= curve.usable     ? "beyond the end of stability"
+                               : i >= curve.usable     ? "unstable"
                                : p.at_rounding()
-                                   ? fmt::format("rounding alone makes {:.2g} %", 100 * p.rounding)
+                                   ? fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding)
                                    : "";
-      fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme, p.step * 1000,
-                 p.cost, p.runs, with_error({100 * p.ratio.value, 100 * p.ratio.error}, 4, p.runs),
+      fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme,
+                 p.step * units::fs_per_ps, p.cost, p.runs,
+                 with_error({100 * p.ratio.value, 100 * p.ratio.error}, 4, p.runs),
                  with_error(p.drift.rate, 3, p.runs), note);
     }
 }
@@ -52,9 +54,9 @@ std::string cost_text(const Guideline& line, std::size_t c, std::size_t verlet) 
 
 void print_costs(const StudyReport& report) {
   fmt::print(
-      "\nleast cost for an R at or below the one given, in force evaluations per ps (ratio to "
-      "velocity "
-      "Verlet);\n* extrapolated by the scheme's order, + the longest step without drift\n{:>8}",
+      "\nminimum cost for an R at or below the given one, in force evaluations per ps (ratio to "
+      "velocity Verlet);\n* extrapolated by the scheme's order, + the maximum step without "
+      "drift\n{:>8}",
       "R %");
   for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
   fmt::print("  best\n");
@@ -75,7 +77,7 @@ void print_claims(const StudyReport& report) {
       molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;
   if (!report.claims.empty())
     fmt::print("\nthe paper's claims (vanzon2008){}\n",
-               of_the_paper ? "" : "; they are of 512 TIP4P waters, not of this system");
+               of_the_paper ? "" : "; they refer to 512 TIP4P waters, not to this system");
   for (const Claim& claim : report.claims)
     fmt::print(
         "  {}{}: {}\n", claim.text,

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "polhode/io/output_units.hpp"
+
 namespace polhode::cli {
 namespace {
 
@@ -26,13 +28,14 @@ void print_excesses(const std::vector<Curve>& curves, const std::vector<Equipart
   const auto text = [](const std::optional<Estimate>& e) {
     return e ? fmt::format("{:.2f} ± {:.2f}", e->value, e->error) : "-";
   };
-  fmt::print("\n{} [K], and without a step by a + b h^k\n{:<18} {:>8}", title, "scheme", "step fs");
+  fmt::print("\n{} [K], and extrapolated to h = 0 by a + b h^k\n{:<18} {:>8}", title, "scheme",
+             "step fs");
   for (const char* column : columns) fmt::print(" {:>16}", column);
   fmt::print("\n");
   for (std::size_t c = 0; c < curves.size(); ++c) {
     for (std::size_t i = 0; i < curves[c].usable; ++i) {
       const EfficiencyPoint& p = curves[c].points[i];
-      fmt::print("{:<18} {:>8.3g}", p.scheme, p.step * 1000);
+      fmt::print("{:<18} {:>8.3g}", p.scheme, p.step * units::fs_per_ps);
       for (const auto& excess : at(p)) fmt::print(" {:>16}", text(excess));
       fmt::print("\n");
     }
@@ -48,12 +51,12 @@ void print_excesses(const std::vector<Curve>& curves, const std::vector<Equipart
 void print_temperatures(const std::vector<Curve>& curves,
                         const std::vector<EquipartitionFit>& fits) {
   print_excesses<3>(
-      curves, fits, "temperature of rotation about each principal axis less that of translation",
+      curves, fits, "temperature of rotation about each principal axis minus that of translation",
       {"axis 1", "axis 2", "axis 3"},
       [](const EfficiencyPoint& p) -> const auto& { return p.excess; },
       [](const EquipartitionFit& fit) -> const auto& { return fit.axes; });
   print_excesses<4>(
-      curves, fits, "configurational temperature of each motion less its kinetic one",
+      curves, fits, "configurational minus kinetic temperature of translation and of rotation",
       {"translation", "axis 1", "axis 2", "axis 3"},
       [](const EfficiencyPoint& p) -> const auto& { return p.configurational_excess; },
       [](const EquipartitionFit& fit) -> const auto& { return fit.configurational; });

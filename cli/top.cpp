@@ -39,15 +39,12 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string moment = name_J + axis_names[k], momentum = std::string("L") + axis_names[k];
     if (!std::isfinite(J[k]) || J[k] < 0)
-      refuse(
-          fmt::format("{} = {} is no principal moment: it must be finite and at least 0, as a sum "
-                      "of masses times squares; give the moments of a mass distribution",
-                      moment, J[k]),
-          moment);
+      refuse(fmt::format("{} = {} is not a principal moment: it must be finite and at least 0, as "
+                         "a sum of masses times squares; give the moments of a mass distribution",
+                         moment, J[k]),
+             moment);
     if (!std::isfinite(L[k]))
-      refuse(fmt::format("{} = {} is not finite, and no rotation follows from it; give a number",
-                         momentum, L[k]),
-             momentum);
+      refuse(fmt::format("{} = {} is not finite; give a finite number", momentum, L[k]), momentum);
     if (J[k] == 0 && L[k] != 0)
       refuse(
           fmt::format("{} = {} must be 0 where {} = 0: a linear body cannot spin about its axis; "
@@ -55,21 +52,19 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
                       momentum, L[k], moment, momentum),
           momentum);
   }
-  if (!std::isfinite(t))
-    refuse(fmt::format("t = {} is not finite, and no rotation follows from it; give a number", t),
-           "t");
+  if (!std::isfinite(t)) refuse(fmt::format("t = {} is not finite; give a finite number", t), "t");
   const int zeros = (J.x == 0) + (J.y == 0) + (J.z == 0);
   if (zeros > 1)
-    refuse(fmt::format("{} of three moments are 0, at most one may be: only a body without extent "
-                       "across two axes has that; give the moments of a body, or of a linear one",
+    refuse(fmt::format("{} of three moments are 0, at most one may be: two vanish only for a "
+                       "point; give the moments of a body, or of a linear one",
                        zeros),
            name_J + "1 to " + name_J + "3");
   for (std::size_t k = 0; k < 3; ++k) {
     const double others = J[(k + 1) % 3] + J[(k + 2) % 3];
     // Moments often have only five digits, so flat bodies, J3 = J1 + J2, may fail by rounding.
     if (J[k] > others * (1 + 1e-4))
-      refuse(fmt::format("{}{} = {} is larger than the sum of the two other moments, {}: no mass "
-                         "distribution has such moments; correct one of the three",
+      refuse(fmt::format("{}{} = {} is larger than the sum of the other two moments, {}, which no "
+                         "mass distribution allows; correct one of the three",
                          name_J, axis_names[k], J[k], others),
              name_J + axis_names[k]);
   }
@@ -90,11 +85,12 @@ std::vector<std::string> cells(std::string line) {
 /// checked and computed before the first is written.
 std::string rotate_table(const std::string& file, RotorMethod method) {
   std::ifstream in(file);
-  if (!in) throw Error("the table cannot be opened; check its name and that it may be read", file);
+  if (!in) throw Error("the table cannot be opened; check its name and permissions", file);
   std::string line;
   if (!std::getline(in, line))
-    throw Error("the table is empty; its first line must name the columns I1,I2,I3,L1,L2,L3,t",
-                file);
+    throw Error(
+        "the table is empty; its first line must contain the column names I1,I2,I3,L1,L2,L3,t",
+        file);
   if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
   const std::vector<std::string> names = cells(line);
   constexpr std::array<const char*, 7> wanted{"I1", "I2", "I3", "L1", "L2", "L3", "t"};
@@ -102,11 +98,10 @@ std::string rotate_table(const std::string& file, RotorMethod method) {
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     const auto found = std::find(names.begin(), names.end(), wanted[k]);
     if (found == names.end())
-      throw Error(
-          fmt::format("column {} is missing; the first line must name I1,I2,I3,L1,L2,L3,t, in "
-                      "any order, with further columns as you like",
-                      wanted[k]),
-          file + ":1");
+      throw Error(fmt::format("column {} is missing; the first line must contain "
+                              "I1,I2,I3,L1,L2,L3,t, in any order, and may contain other columns",
+                              wanted[k]),
+                  file + ":1");
     column[k] = static_cast<std::size_t>(found - names.begin());
   }
   std::string text = "P11,P12,P13,P21,P22,P23,P31,P32,P33,qw,qx,qy,qz,Lf1,Lf2,Lf3\n";
@@ -117,7 +112,7 @@ std::string rotate_table(const std::string& file, RotorMethod method) {
     std::array<double, 7> value{};
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       if (column[k] >= row.size())
-        throw Error(fmt::format("the row has {} columns, {} stands in column {}; complete the row",
+        throw Error(fmt::format("the row has {} columns, but {} is column {}; complete the row",
                                 row.size(), wanted[k], column[k] + 1),
                     where);
       const std::string& cell = row[column[k]];
@@ -196,9 +191,8 @@ std::vector<TopLine> integrate_top(const Vec3<double>& J, const Vec3<double>& L,
 
 void print_lines(const std::vector<TopLine>& lines, double step, double angle) {
   fmt::print(
-      "step {:.6g}: the top turns by {:.3g} in it at the start; errors of energy and |L| are "
-      "relative,\n"
-      "attitude is the angle [rad] from the closed form\n\n",
+      "step {:.6g}: the top initially turns by {:.3g} per step; errors of energy and |L| are "
+      "relative,\nattitude is the angle [rad] from the closed form\n\n",
       step, angle);
   fmt::print("{:>10}  {:^32}  {:^29}  {:^29}\n", "", "exact, closed form",
              "exact, series step by step", "NO_SQUISH step by step");
@@ -237,8 +231,8 @@ int top(const TopOptions& options) {
   }
   if (options.J.size() != 3 || options.L.size() != 3)
     throw Error(
-        "a top needs three moments and three components of angular momentum: write for example "
-        "--J 1,2,3 --L 0.1,0.2,1, or give --table FILE.csv",
+        "a top needs three principal moments and three components of angular momentum: write for "
+        "example --J 1,2,3 --L 0.1,0.2,1, or give --table FILE.csv",
         "--J, --L");
   const Vec3<double> J{options.J[0], options.J[1], options.J[2]};
   const Vec3<double> L{options.L[0], options.L[1], options.L[2]};
@@ -248,11 +242,10 @@ int top(const TopOptions& options) {
   const double step = options.step != 0 ? options.step : speed == 0 ? 1 : 0.2 / speed;
   const double length = options.length != 0 ? options.length : 200 * step;
   if (!(step > 0) || !std::isfinite(step) || !(length >= step) || !(length / step <= 1e8))
-    throw Error(
-        fmt::format("step = {} and length = {} make no sequence of 1 to 100000000 steps; give a "
-                    "positive step and a length of at least one of them",
-                    step, length),
-        "--step, --length");
+    throw Error(fmt::format("step = {} and length = {} must give 1 to 100000000 steps; give a "
+                            "positive step and a length of at least one step",
+                            step, length),
+                "--step, --length");
   const TopFigure figure(options.output);
   if (!options.output.empty())
     for (const std::string& file : figure.files()) refuse_existing(file, options.force);
@@ -277,8 +270,8 @@ Action top_verb(CLI::App& app) {
       ->delimiter(',');
   app.add_option("--L", options->L, "body-frame angular momentum, for example 0.1,0.2,1")
       ->delimiter(',');
-  app.add_option("--step", options->step, "time step (default: the top turns by 0.2 in it)");
-  app.add_option("--length", options->length, "time to follow the top (default: 200 steps)");
+  app.add_option("--step", options->step, "time step; default: the top turns by 0.2 per step");
+  app.add_option("--length", options->length, "length of the trajectory; default: 200 steps");
   app.add_option("--output", options->output,
                  "draw the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp");
   app.add_flag("--json", options->json, "print JSON");

@@ -244,8 +244,8 @@ void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>
   const double twice_E = L.x * L.x / J.x + L.y * L.y / J.y + L.z * L.z / J.z;
   if (!(twice_E > 0) || !std::isfinite(twice_E))
     throw Error(
-        "the inertia ellipsoid of this top has no three finite axes (J = 0, L = 0, or units that "
-        "overflow): there is nothing to draw; leave --output away");
+        "the inertia ellipsoid of this top has no three finite axes (J = 0, L = 0, or overflow in "
+        "these units), so it cannot be drawn; leave out --output");
   write_file(figure.data, [&](std::ostream& out) { out << data_text(J, L, twice_E); });
   write_file(figure.script, [&](std::ostream& out) { out << script_text(figure, J, L, twice_E); });
   run_gnuplot(figure.script, std::cerr);

@@ -19,7 +19,7 @@ struct TopFigure {
 
 /// Writes data and script and runs gnuplot: the ellipsoid Σ J_k ω_k² = 2E (Poinsot), in light
 /// colour the polhodes of other angular momenta at the same energy, in bold that of this top. If
-/// gnuplot is missing, a warning tells how to draw the figure later.
+/// gnuplot is missing, a warning gives the command that draws the figure later.
 ///
 /// @param J  three positive principal moments, any consistent units
 /// @param L  body-frame angular momentum, not zero

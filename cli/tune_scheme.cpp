@@ -52,7 +52,7 @@ int tune_scheme(const Options& o) {
   Workers workers(requested_threads(o.threads));
   const TuneResult result = tune(read_config_option(o.file), settings, console(), workers);
   if (result.interrupted) {
-    log("interrupted; nothing was found\n");
+    log("interrupted before a result was found\n");
     return 130;
   }
   if (o.json) {
@@ -73,17 +73,19 @@ int tune_scheme(const Options& o) {
 
 Action tune_scheme_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); without it: 512 TIP4P waters");
-  app.add_option("--step", o->step, "to tune for, instead of the run file's: \"5 fs\"");
-  app.add_option("--runs", o->runs, "that measure, and as many that confirm")
+  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  app.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
+  app.add_option("--runs", o->runs,
+                 "number of runs for the measurement, and again for the confirmation")
       ->check(CLI::Range(2, 1000))
       ->capture_default_str();
-  app.add_option("--length", o->length, "of each run; without it: \"2 ps\"");
+  app.add_option("--length", o->length, "length of each run; default: \"2 ps\"");
   app.add_option("--decorrelate", o->decorrelate,
-                 "preparation of each start; without it: \"2 ps\"");
-  app.add_option("--sample", o->sample, "between error brackets; without it: \"20 fs\"");
+                 "equilibration of each initial configuration; default: \"2 ps\"");
+  app.add_option("--sample", o->sample,
+                 "time between samples of the error brackets; default: \"20 fs\"");
   app.add_option("--threads", o->threads,
-                 "so many runs at once; without it: one for each core allowed");
+                 "number of simultaneous runs; default: one for each available core");
   app.add_flag("--json", o->json, "print the results as JSON");
   return [o] { return tune_scheme(*o); };
 }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/measure/order.hpp"
 #include "verbs.hpp"
 
@@ -22,7 +23,7 @@ Action verify_verb(CLI::App& app) {
   };
   auto o = std::make_shared<Options>();
   app.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text")->required();
-  app.add_option("--order", o->order, "the order it should have; default: the one in the table")
+  app.add_option("--order", o->order, "expected order; default: that of the table")
       ->check(CLI::Range(1, 12));
   app.add_option("--lambda", o->lambda, "of the finite-difference gradient")
       ->check(CLI::Range(1e-8, 1.0));
@@ -47,12 +48,12 @@ Action verify_verb(CLI::App& app) {
       fmt::print("{:>12}  {:>16}  {:>6}\n", "step [fs]", "energy error", "order");
       for (std::size_t i = 0; i < m.points.size(); ++i)
         fmt::print(
-            "{:>12.6g}  {:>16.3e}  {:>6}\n", m.points[i].step * 1000, m.points[i].error,
+            "{:>12.6g}  {:>16.3e}  {:>6}\n", m.points[i].step * units::fs_per_ps, m.points[i].error,
             i == 0 ? ""
                    : fmt::format("{:.2f}", std::log2(m.points[i - 1].error / m.points[i].error)));
       fmt::print("measured order {:.2f}", m.order);
       if (declared == 0)
-        fmt::print("; none was declared, so there is nothing to compare with (--order N)\n");
+        fmt::print("; no order is declared, so there is nothing to compare with (--order N)\n");
       else
         fmt::print(", declared {}: {}\n", declared, holds ? "it holds" : "it does NOT hold");
     }

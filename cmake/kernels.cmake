@@ -50,14 +50,22 @@ foreach(name IN LISTS compiled_sets)
   endif()
 endforeach()
 
+set(missing_sets)  # definitions that tell the code what is not there
+foreach(name IN LISTS known_sets)
+  if(NOT name IN_LIST compiled_sets)
+    string(TOUPPER POLHODE_WITHOUT_${name} definition)
+    list(APPEND missing_sets ${definition})
+  endif()
+endforeach()
+
 function(polhode_compile_kernels library)
   foreach(name IN LISTS compiled_sets)
     set(objects ${library}_${name})
     add_library(${objects} OBJECT ${ARGN})
-    target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags hwy::hwy)
+    target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags ${fft_library} hwy::hwy)
     target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast
                            -fno-tree-vectorize)  # vectorization is explicit in packs
-    target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES)
+    target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES ${missing_sets})
     if(POLHODE_SANITIZE)  # runs only on the build machine, so sharing is harmless
       target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
     else()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The fluctuation of numbers that a test has at hand.
+// The rms fluctuation of numbers.
 #pragma once
 
 #include <cmath>

@@ -13,6 +13,7 @@ from statistics import fmean, stdev
 
 import figure  # to find the modules shared by the benchmarks
 import machine
+import records
 
 POINTS = [("velocity-verlet", h) for h in (1, 2, 3, 4, 5)] + [("hoa2", 4), ("hoa2", 6), ("gier4", 3)]
 RUN_FILE = """[system]
@@ -144,7 +145,7 @@ def main():
                          for scheme, step in points]}
     print(report(result))
     if o.json:
-        o.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+        records.write(o.json, result)
     if o.figure:
         figure.draw(result, o.figure)
 

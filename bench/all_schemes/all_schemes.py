@@ -11,6 +11,7 @@ from pathlib import Path
 import figure  # to find the modules shared by the benchmarks
 import curves
 import machine
+import records
 
 W512 = '[system]\nmolecules = [{ model = "tip4p" }]\ninitial_configuration = "w512"\n'
 CO2 = '[system]\nmolecules = [{ model = "co2", count = 216 }]\ndensity = "0.9 g/cm3"\ntemperature = "280 K"\n'
@@ -89,7 +90,7 @@ def tables(result):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    curves.add_arguments(parser, runs=4, length=8, decorrelate=5, folder="family")
+    curves.add_arguments(parser, runs=4, length=8, decorrelate=5, folder="all-schemes")
     parser.add_argument("--systems", nargs="+", default=list(SYSTEMS), choices=list(SYSTEMS))
     parser.add_argument("--schemes", nargs="+", help="without it: all of the table")
     o = parser.parse_args()
@@ -109,7 +110,7 @@ def main():
         rows = ranking(points, {s["name"]: s["order"] for s in schemes})
         add_times(o, run_file, rows)
         result["systems"][system] = {"points": points, "ranking": rows}
-        Path(o.output).write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+        records.write(Path(o.output), result)
     print(tables(result))
     if o.figure:
         figure.draw(result, Path(o.figure))

@@ -107,7 +107,7 @@ def quantities(said):
     take("T [K]", said.get("temperature_K"))
     for g in said.get("rdf", []):
         name = "-".join(g["pair"])
-        take(f"peak of g {name}: place [nm]", g["peak_nm"])
+        take(f"peak of g {name}: position [nm]", g["peak_nm"])
         take(f"peak of g {name}: height", g["peak_height"])
         take(f"peak of g {name}: coordination", g["coordination"])
     part = said["parts"][0]

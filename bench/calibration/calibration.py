@@ -45,9 +45,9 @@ KEYS = ("samples", "R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_
         "pressure_error_bar", "total_kJ_per_mol")
 
 
-def judged(program, system, scheme, seed):
+def judged(program, system, scheme, seed, lengths):
     """What one run reports at each of its lengths."""
-    model, count, density, cutoff, temperature, steps, lengths = SYSTEMS[system]
+    model, count, density, cutoff, temperature, steps, _ = SYSTEMS[system]
     step = steps[SCHEMES.index(scheme)]
     with tempfile.TemporaryDirectory() as folder:
         Path(folder, "run.toml").write_text(RUN.format(model=model, count=count, density=density, cutoff=cutoff,
@@ -109,17 +109,19 @@ def main():
     parser.add_argument("--runs", type=int, default=200)
     parser.add_argument("--first", type=int, default=1, help="seed of the first run")
     parser.add_argument("--systems", nargs="+", default=list(SYSTEMS), choices=list(SYSTEMS))
+    parser.add_argument("--lengths", nargs="+", type=float, help="of the runs [ps]; default: those of the system")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--output", type=Path, required=True)
     options = parser.parse_args()
     program = machine.program(options.program)
     rows = []
     for system in options.systems:
+        lengths = options.lengths or SYSTEMS[system][-1]
         for scheme in SCHEMES:
             with ThreadPoolExecutor(options.jobs) as pool:
-                runs = list(pool.map(lambda seed: judged(program, system, scheme, seed),
+                runs = list(pool.map(lambda seed: judged(program, system, scheme, seed, lengths),
                                      range(options.first, options.first + options.runs)))
-            rows += [row(system, scheme, length, [run[k] for run in runs]) for k, length in enumerate(SYSTEMS[system][-1])]
+            rows += [row(system, scheme, length, [run[k] for run in runs]) for k, length in enumerate(lengths)]
             print(table(rows[-3:]), flush=True)
     options.output.write_text(json.dumps({"date": time.strftime("%Y-%m-%d"), "processor": machine.processor(),
                                           "command": " ".join(sys.argv[1:]), "rows": rows}, indent=1) + "\n")

@@ -3,7 +3,6 @@
 298.15 K, from runs at constant energy with PME, with block errors."""
 
 import argparse
-import json
 import sys
 import tempfile
 from datetime import date
@@ -14,6 +13,7 @@ from statistics import fmean, stdev
 import analysis
 import figure  # to find the modules shared by the benchmarks
 import machine
+import records
 import waters
 
 
@@ -128,7 +128,7 @@ def main():
                     for seed, temperature in enumerate(temperatures, 1)]
             result["waters"].append(analysed(water, runs, o))
             print(f"{water.name} done", file=sys.stderr, flush=True)
-    Path(f"{o.output}.json").write_text(json.dumps(result) + "\n", encoding="utf-8")
+    records.write(Path(f"{o.output}.json"), result)
     Path(f"{o.output}.md").write_text(report(result), encoding="utf-8")
     print(table(result))
     if o.figure:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The particle mesh of 512 TIP4P waters, on every instruction set, in both precisions: its parts,
 // charges to the grid, transforms and product, forces from it, and the whole, forces alone and with
-// energies; then a mesh that is chosen for an accuracy, and boxes of more waters, whose time per
-// charge is to stay the same.
+// energies; then a mesh chosen for an accuracy, and larger boxes of water, whose time per charge
+// should be constant.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -38,7 +38,7 @@ System waters(std::size_t copies) {
   return all;
 }
 
-/// A state as the mesh sees it.
+/// A state in the data structures of the mesh.
 template <class T>
 struct Placed {
   NeighbourList list;
@@ -74,7 +74,7 @@ void mesh(benchmark::State& loop, InstructionSet instruction_set, What what, std
       case What::spread:
         mesh.spread(slots, placed.records);
         break;
-      case What::convolve:  // of what the last one left; so that it neither grows nor vanishes
+      case What::convolve:  // on the result of the last one; so that it neither grows nor vanishes
         loop.PauseTiming();
         mesh.spread(slots, placed.records);
         loop.ResumeTiming();

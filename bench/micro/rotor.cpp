@@ -3,9 +3,8 @@
 // instruction set, at two rates of rotation; closed form and recursive method one body at a time.
 //
 //     build/bench/bench_rotor [--benchmark_...]
-//
-// The ratios at the end come from repetitions that alternate between the two, so a change of clock
-// or a neighbour's load acts on both.
+//  The ratios at the end are from alternating repetitions, so a change of clock rate or other load
+// affects both.
 #include "rotor.hpp"
 
 #include <benchmark/benchmark.h>
@@ -28,7 +27,7 @@ namespace {
 
 constexpr std::size_t count = 512;  // a box of water; fits the first cache
 
-/// Water molecules (moments of TIP4P [u nm²]), every one turning by `angle` in unit time.
+/// Water molecules (moments of TIP4P [u nm²]), each rotating by `angle` in unit time.
 Tops water_tops(double angle) {
   const Vec3<double> J{0.0061457, 0.0115512, 0.0176968};
   Tops tops(count);
@@ -53,7 +52,7 @@ void turn_packs(benchmark::State& state, Turn turn, double angle) {
   double t = 1;
   for (auto _ : state) {
     turn(tops, t);
-    t = -t;  // forth and back: every lane keeps its |ω t|
+    t = -t;  // forward and back: |ω t| of every lane is constant
     benchmark::ClobberMemory();
   }
   state.counters["per_body"] =

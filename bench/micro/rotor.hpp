@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies to turn.
+// Bodies to rotate.
 #pragma once
 
 #include "polhode/base/column.hpp"

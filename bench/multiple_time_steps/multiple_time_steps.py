@@ -2,13 +2,13 @@
 """Multiple time steps compared with single schemes for 512 TIP4P waters: cost at equal R, wall-clock time, resonance."""
 
 import argparse
-import json
 from datetime import date
 from pathlib import Path
 
 import figure  # to find the modules shared by the benchmarks
 import curves
 import machine
+import records
 
 SYSTEM = """[system]
 molecules = [{ model = "tip4p" }]
@@ -103,7 +103,7 @@ def main():
     for law in o.laws:
         found = points(o, law)
         result["laws"][law] = {"points": found, "guideline": guideline(o, law, found)}
-    Path(o.output).write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    records.write(Path(o.output), result)
     print(table(result))
     if o.figure:
         figure.draw(result, Path(o.figure))

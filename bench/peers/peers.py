@@ -5,7 +5,6 @@ the wall-clock seconds per nanosecond at a required R. README.md describes the m
 
 import argparse
 import datetime
-import json
 import os
 import shlex
 import shutil
@@ -20,6 +19,7 @@ import engines
 import figure  # to find the modules shared by the benchmarks
 import gro
 import machine
+import records
 
 ROOT = Path(__file__).resolve().parents[2]
 TARGETS = (1.5, 0.4, 0.1)  # R [%]
@@ -216,7 +216,7 @@ def main():
                 result["times"] += report_times(programs, n, threads, measured)
                 result["costs"] += costs(programs, reached, measured, n, threads)
     if options.json:
-        options.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+        records.write(options.json, result)
     if options.figure:
         figure.draw(result, options.figure)
 

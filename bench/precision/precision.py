@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import figure  # to find the modules shared by the benchmarks
 import machine
+import records
 
 RUN_FILE = """[system]
 molecules = [{{ model = "tip4p" }}]
@@ -200,7 +201,7 @@ def main():
     write_csv(f"{o.output}-growth.csv", growth, head)
     result = {"conditions": head, "runs": rows, "growth": growth, "weights": WEIGHTS,
               "a_kJ_per_mol": reading, "a_of": found, "c_kJ_per_mol_ps": c}
-    Path(f"{o.output}.json").write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    records.write(Path(f"{o.output}.json"), result)
     if o.figure:
         figure.draw(result, Path(o.figure))
 

@@ -57,7 +57,7 @@ def number(x, error):
 
 
 def table(runs):
-    text = ["| scheme | step [fs] | R [%] | rms of E | rms of H̃ | drift of E (chance) | drift of H̃ (chance) | sooner |",
+    text = ["| scheme | step [fs] | R [%] | rms of E | rms of H̃ | drift of E (p-value) | drift of H̃ (p-value) | sooner |",
             "| --- | --- | --- | --- | --- | --- | --- | --- |"]
     for r in runs:
         s = r["shadow"]

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes the molecule files beside it from published bond lengths, angles and parameters.
+"""Writes the molecule files of this folder from published bond lengths, angles and parameters.
 
     python3 data/molecules/generate.py
 
-Every number stands here once, in the unit of its paper; positions get 17 significant digits.
+Every number is given once, in the unit of its paper; positions get 17 significant digits.
 """
 from math import cos, radians, sin, sqrt
 from pathlib import Path

@@ -18,7 +18,7 @@ InstructionSet initial_instruction_set() {
   if (std::getenv("POLHODE_TARGET") != nullptr)
     throw Error(
         "the environment variable POLHODE_TARGET is called POLHODE_INSTRUCTION_SET since version "
-        "0.2; set that one");
+        "0.2; set POLHODE_INSTRUCTION_SET");
   if (wanted == nullptr || *wanted == '\0') return instruction_sets.back();
   std::string list;
   for (const InstructionSet instruction_set : instruction_sets) {

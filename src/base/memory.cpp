@@ -32,9 +32,8 @@ void require_memory(double bytes, const std::string& what, const std::string& re
   if (bytes <= limit) return;
   constexpr double GB = 1e9;
   throw Error(
-      fmt::format("{} take at least {:.3g} GB of memory, and this process may have {:.3g}: "
-                  "{}",
-                  what, bytes / GB, limit / GB, remedy));
+      fmt::format("{} need at least {:.3g} GB of memory, and this process may use {:.3g}: {}", what,
+                  bytes / GB, limit / GB, remedy));
 }
 
 }  // namespace polhode

@@ -47,4 +47,9 @@ std::string join_names(std::span<const std::string> names) {
   return list;
 }
 
+std::string must_be_one_of(std::span<const std::string_view> names, std::string_view word) {
+  const std::vector<std::string> known(names.begin(), names.end());
+  return "must be one of: " + join_names(known) + did_you_mean(word, known);
+}
+
 }  // namespace polhode

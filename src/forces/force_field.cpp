@@ -1,62 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/force_field.hpp"
 
-#include <fmt/core.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "polhode/base/error.hpp"
+#include "polhode/forces/laws/check_settings.hpp"
 #include "polhode/forces/laws/tail.hpp"
-#include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/forces/mesh/self_interaction.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
+#include "polhode/forces/system_size.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr double min_error_in_mixed = 1e-5;
-
-const ForceSettings& validate(const ForceSettings& s) {
-  if (!(s.cutoff > 0) || !std::isfinite(s.cutoff))
-    throw Error(
-        fmt::format("cutoff {} nm must be a positive length; 0.9 to 1.2 nm is usual", s.cutoff));
-  if (!(s.switch_from > 0) || s.switch_from >= s.cutoff)
-    throw Error(
-        fmt::format("switch {} nm must lie between 0 and the cutoff ({} nm), where it ends; "
-                    "without a switch the "
-                    "energy has a kink and no scheme keeps its order",
-                    s.switch_from, s.cutoff));
-  if (s.smoothness < 1 || s.smoothness > 3)
-    throw Error(
-        fmt::format("smoothness {} must be 1, 2 or 3: the class of the switch", s.smoothness));
-  if (!(s.dielectric >= 1))
-    throw Error(fmt::format("dielectric {} must be 1 or more, or infinite", s.dielectric));
-  if (!(s.skin > 0) || !std::isfinite(s.skin))
-    throw Error(fmt::format("skin {} nm must be a positive length; 0.1 nm is usual", s.skin));
-  if (s.electrostatics == Electrostatics::pme && s.precision == Precision::mixed &&
-      s.pme_accuracy < min_error_in_mixed)
-    throw Error(fmt::format(
-        "accuracy {:g} is below {:g}, about what rounding to float leaves of forces on a "
-        "mesh; take precision \"double\", or ask for {:g}",
-        s.pme_accuracy, min_error_in_mixed, min_error_in_mixed));
-  if (vanishes_at_cutoff(s.electrostatics) && s.truncation != Truncation::site_switch)
-    throw Error(
-        "electrostatics \"pme\" and \"damped-shifted-force\" go with truncation \"site-switch\", "
-        "which then ends Lennard-Jones alone: charges have an ending of their own");
-  if (s.electrostatics == Electrostatics::damped_shifted_force &&
-      !(s.damping >= 0 && s.damping * s.cutoff <= max_damping))
-    throw Error(fmt::format(
-        "damping {:g} 1/nm must be 0 or more, and at most {:g} over the cutoff, {:.4g} 1/nm, where "
-        "next to nothing is left of charges at the cutoff; 2 1/nm is usual",
-        s.damping, max_damping, max_damping / s.cutoff));
-  return s;
-}
-
-ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box) {
-  if (s.electrostatics == Electrostatics::pme && !s.mesh)
-    s.mesh = mesh_for(s.pme_accuracy, s.cutoff, box, topology);
+/// The settings with a mesh for the box, unless a mesh was given.
+ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& box,
+                        std::optional<MeshChoice>& choice) {
+  const bool has_mesh = s.mesh && (!s.mesh_chosen_for || *s.mesh_chosen_for == box);
+  if (s.electrostatics != Electrostatics::pme || has_mesh) return s;
+  check_edges(box);
+  if (!choice) choice.emplace(topology, s.pme_accuracy, s.cutoff);
+  s.mesh = (*choice)(box);
+  s.mesh_chosen_for = box;
   return s;
 }
 
@@ -93,11 +56,23 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
     : workers_(workers),
       topology_(topology),
       bodies_(topology),
-      settings_(with_mesh(validate(settings), topology, box)),
+      settings_(with_mesh(checked(settings), topology, box, mesh_choice_)),
+      box_(box),
       constant_(constant_terms_of(topology, settings_, box)),
       engine_(engine(topology, settings_, box, workers)) {}
 
+/// Makes what depends on the box again if the box is another one.
+void ForceField::set_box(const Box& box) {
+  if (box_ == box) return;
+  box_.reset();
+  settings_ = with_mesh(settings_, topology_, box, mesh_choice_);
+  std::visit([&](auto& engine) { engine.set_box(topology_, settings_, box); }, engine_);
+  constant_ = constant_terms_of(topology_, settings_, box);
+  box_ = box;
+}
+
 void ForceField::evaluate(const State& state, Load& load, bool energies) {
+  set_box(state.box);
   ++evaluations_;
   std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
   if (settings_.mesh) remove_net_force(load, bodies_, workers_);
@@ -109,13 +84,14 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
 
 void ForceField::directional_derivative(const State& state, const Vec3Column& dq,
                                         const Vec3Column& dtheta, Load& slope) {
+  set_box(state.box);
   std::visit([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); }, engine_);
   if (settings_.mesh) remove_net_force(slope, bodies_, workers_);
 }
 
-ListMemory ForceField::list_memory() const {
+ListMemory ForceField::list_memory(const Box& box) const {
   ListMemory memory{{}, list_rebuilds()};
-  if (neighbours().width() == 0) return memory;
+  if (neighbours().width() == 0 || neighbours().box() != box) return memory;
   const Slots& slots = neighbours().slots();
   memory.built_at = Vec3Column(topology_.size());
   for (const Slots::Part& part : slots.parts)
@@ -124,11 +100,13 @@ ListMemory ForceField::list_memory() const {
   return memory;
 }
 
-void ForceField::resume_from(const ListMemory& memory) {
-  if (memory.built_at.size() == 0) return;
-  State state(memory.built_at.size(), neighbours().box());
-  state.q = memory.built_at;
-  std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
+void ForceField::resume_from(const ListMemory& memory, const Box& box) {
+  set_box(box);
+  if (memory.built_at.size() > 0) {
+    State state(memory.built_at.size(), box);
+    state.q = memory.built_at;
+    std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
+  }
   earlier_rebuilds_ = memory.rebuilds - neighbours().rebuilds();
 }
 

@@ -35,33 +35,47 @@ class Reader {
 
  private:
   Stage stage() {
-    const char flow = text_[at_];
-    if (flow != 'A' && flow != 'B') refuse("A(...) for a drift or B(...) for a kick");
-    ++at_;
+    Stage result{.flow = flow()};
     expect('(');
-    Stage result{flow == 'A' ? Flow::drift : Flow::kick, number(), 0};
-    skip_space();
-    if (at_ < text_.size() && text_[at_] == ',') {
-      if (flow == 'A') refuse("')': a drift has one argument");
-      ++at_;
-      skip_space();
-      if (text_.substr(at_).starts_with("xi")) {
-        at_ += 2;
-        expect('=');
-      }
-      result.xi = number();
-      skip_space();
-      if (at_ < text_.size() && text_[at_] == ',') {
-        ++at_;
-        skip_space();
-        if (!text_.substr(at_).starts_with("fd"))
-          refuse("'fd', for the gradient by finite difference,");
-        at_ += 2;
-        result.gradient = Gradient::finite_difference;
+    result.fraction = number();
+    if (next_is(',')) {
+      switch (result.flow) {
+        case Flow::drift:
+        case Flow::bath:
+          refuse(fmt::format("')': a {} has one argument", name_of(result.flow)));
+        case Flow::kick:
+          read_gradient(result);
+          break;
       }
     }
     expect(')');
     return result;
+  }
+
+  Flow flow() {
+    for (const Flow flow : all_flows)
+      if (text_[at_] == letter_of(flow)) {
+        ++at_;
+        return flow;
+      }
+    refuse("A(...) for a drift, B(...) for a kick or O(...) for a bath");
+  }
+
+  void read_gradient(Stage& kick) {
+    expect(',');
+    skip_space();
+    if (text_.substr(at_).starts_with("xi")) {
+      at_ += 2;
+      expect('=');
+    }
+    kick.xi = number();
+    if (!next_is(',')) return;
+    expect(',');
+    skip_space();
+    if (!text_.substr(at_).starts_with("fd"))
+      refuse("'fd', for the gradient by finite difference,");
+    at_ += 2;
+    kick.gradient = Gradient::finite_difference;
   }
 
   double number() {  // a decimal number, or a fraction of two
@@ -84,9 +98,13 @@ class Reader {
     return value;
   }
 
-  void expect(char c) {
+  bool next_is(char c) {
     skip_space();
-    if (at_ >= text_.size() || text_[at_] != c) refuse(fmt::format("'{}'", c));
+    return at_ < text_.size() && text_[at_] == c;
+  }
+
+  void expect(char c) {
+    if (!next_is(c)) refuse(fmt::format("'{}'", c));
     ++at_;
   }
 
@@ -97,10 +115,9 @@ class Reader {
   [[noreturn]] void refuse(const std::string& expected) const {
     const std::string found =
         at_ < text_.size() ? fmt::format("'{}'", text_.substr(at_, 10)) : "the end";
-    throw Error(
-        fmt::format("scheme text has {} at character {} where {} must stand; a scheme reads "
-                    "like \"{}\"",
-                    found, at_ + 1, expected, example));
+    throw Error(fmt::format(
+        "scheme text has {} at character {} where {} is expected; a scheme is written like \"{}\"",
+        found, at_ + 1, expected, example));
   }
 
   std::string_view text_;
@@ -116,16 +133,18 @@ Scheme scheme_of(std::string_view name_or_text) {
     std::vector<std::string> names;
     for (const Scheme& scheme : schemes) names.emplace_back(scheme.name());
     throw Error(
-        fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them, and a text "
-                    "like \"{}\" spells one)",
+        fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them; or write the "
+                    "stages, like \"{}\")",
                     name_or_text, did_you_mean(name_or_text, names), example));
   }
   const Scheme scheme(Reader(name_or_text).stages(), 0);
   if (!scheme.consistent())
-    throw Error(
-        fmt::format("the drifts A of the scheme sum to {:.17g} and the kicks B to {:.17g}; both "
-                    "must sum to 1, or a step is not a step; adjust the coefficients",
-                    scheme.total(Flow::drift), scheme.total(Flow::kick)));
+    throw Error(fmt::format(
+        "the drifts A of the scheme sum to {:.17g} and the kicks B to {:.17g}{}; each must sum to "
+        "1, so that a step advances time by h; adjust the coefficients",
+        scheme.total(Flow::drift), scheme.total(Flow::kick),
+        scheme.has(Flow::bath) ? fmt::format(", the baths O to {:.17g}", scheme.total(Flow::bath))
+                               : ""));
   return scheme;
 }
 
@@ -133,7 +152,7 @@ std::string text_of(const Scheme& scheme) {
   std::string text;
   for (const Stage& stage : scheme.stages()) {
     text += text.empty() ? "" : " ";
-    text += fmt::format("{}({}", stage.flow == Flow::drift ? 'A' : 'B', stage.fraction);
+    text += fmt::format("{}({}", letter_of(stage.flow), stage.fraction);
     if (stage.xi != 0) text += fmt::format(", {}", stage.xi);
     text += stage.has(Gradient::finite_difference) ? ", fd)" : ")";
   }

@@ -17,7 +17,7 @@ namespace polhode {
 namespace {
 
 constexpr std::string_view magic = "polhode restart\n";
-constexpr std::uint64_t format_version = 5;
+constexpr std::uint64_t format_version = 6;
 constexpr std::size_t length_at = magic.size() + sizeof(std::uint64_t);
 constexpr std::size_t number = sizeof(std::uint64_t);
 
@@ -82,9 +82,9 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
     : bytes_(std::move(bytes)), path_(path), rest_(bytes_) {
   constexpr std::size_t head = length_at + number;
   if (bytes_.size() < head + number || !rest_.starts_with(magic))
-    throw DamagedCheckpoint(fmt::format("'{}' does not begin as a checkpoint does", path_));
+    throw DamagedCheckpoint(fmt::format("'{}' is not a checkpoint: it begins differently", path_));
   if (const std::uint64_t length = number_at(rest_, length_at); length != rest_.size())
-    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' is not whole: it has {} bytes of {}",
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' is incomplete: it has {} bytes of {}",
                                         path_, rest_.size(), length));
   const std::size_t sum_at = rest_.size() - number;
   const std::uint64_t sum =
@@ -95,8 +95,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
   // All formats so far are sealed alike: another version with a wrong checksum is a flipped bit.
   if (const std::uint64_t version = number_at(rest_, magic.size()); version != format_version)
     throw Error(
-        fmt::format("the checkpoint '{}' is of format {}, and this program reads {}; resume "
-                    "with the program that wrote it, or begin the run anew with --force",
+        fmt::format("the checkpoint '{}' is of format {}, and this program reads {}; resume with "
+                    "the program that wrote it, or start over with --force",
                     path_, version, format_version));
   rest_ = rest_.substr(head, sum_at - head);
   ProgramVersion program;
@@ -104,9 +104,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
   (*this)(program.instruction_set);
   if (program.version != reader.version)
     throw Error(
-        fmt::format("the checkpoint '{}' was written by polhode {} and this is {}: the run "
-                    "would not go on bit for bit; take that program, or begin the run anew "
-                    "with --force",
+        fmt::format("the checkpoint '{}' was written by polhode {} and this is {}: the run would "
+                    "not be resumed bit for bit; use that program, or start over with --force",
                     path_, program.version, reader.version));
   if (program.instruction_set != reader.instruction_set)
     throw Error(
@@ -118,7 +117,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
 
 std::string_view CheckpointReader::take(std::size_t n) {
   if (n > rest_.size())
-    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' holds less than it must", path_));
+    throw DamagedCheckpoint(
+        fmt::format("the checkpoint '{}' contains fewer data than it must", path_));
   const std::string_view taken = rest_.substr(0, n);
   rest_.remove_prefix(n);
   return taken;
@@ -149,7 +149,8 @@ void CheckpointReader::operator()(Column<double>& column) {
 
 void CheckpointReader::end() const {
   if (!rest_.empty())
-    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' holds more than it must", path_));
+    throw DamagedCheckpoint(
+        fmt::format("the checkpoint '{}' contains more data than it must", path_));
 }
 
 }  // namespace polhode

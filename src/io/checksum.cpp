@@ -16,10 +16,10 @@
 namespace polhode {
 namespace {
 
-// The polynomial of ECMA-182 with its bits in reverse order, as the XZ format takes them.
+// The polynomial of ECMA-182 in reversed bit order, as in the XZ format.
 constexpr std::uint64_t polynomial = 0xc96c5795d7870f42;
 
-// table[k][b]: what a byte b does to the checksum when k bytes follow it.
+// table[k][b]: the contribution of a byte b that is followed by k bytes.
 constexpr auto table = [] {
   std::array<std::array<std::uint64_t, 256>, 8> t{};
   for (std::uint64_t b = 0; b < 256; ++b) {
@@ -71,9 +71,8 @@ void check_crc64(const std::string& path, std::uint64_t from, std::uint64_t to,
 
 std::string not_the_file(const std::string& path) {
   return fmt::format(
-      "'{}' is not as this run wrote it: its checksum is another than when the checkpoint was "
-      "written, and what follows would not fit; bring that file back, or begin the run anew with "
-      "--force",
+      "'{}' was changed: its checksum differs from that in the checkpoint, so the run cannot "
+      "append to it; restore the file, or start over with --force",
       path);
 }
 

@@ -17,7 +17,7 @@
 namespace polhode {
 namespace {
 
-/// A name beside a file, with its ending.
+/// A temporary name in the same folder, with the same extension.
 std::string name_beside(const std::string& path) {
   static std::random_device random;
   const std::filesystem::path file(path);
@@ -44,7 +44,7 @@ void Draft::create_named() {
     file_ = ::open(draft_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
   } while (file_ < 0 && errno == EEXIST);
   if (file_ < 0)
-    throw Error(fmt::format("'{}' cannot be written ({}); name another output, or make room", path_,
+    throw Error(fmt::format("'{}' cannot be written ({}); give another output, or make room", path_,
                             std::strerror(errno)));
   has_name_ = true;
 }
@@ -66,7 +66,7 @@ void Draft::finish(const std::string& keep) {
   sync_folder(path_);
 }
 
-// What has the name already gives it up at once: there is no moment without a file.
+// The old file is replaced atomically: at no time is there no file.
 void Draft::replace() {
   if (!has_name_) {
     std::string name;
@@ -80,7 +80,7 @@ void Draft::replace() {
 }
 
 void Draft::refuse(int error) const {
-  throw RunError(fmt::format("'{}' could not be written to the end ({}); make room for it", path_,
+  throw RunError(fmt::format("'{}' could not be written completely ({}); make room for it", path_,
                              std::strerror(error)));
 }
 

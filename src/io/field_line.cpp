@@ -35,14 +35,14 @@ void FieldLine::refuse(const std::string& what) const { throw Error(what, text_o
 void FieldLine::require(std::size_t minimum, std::string_view what) const {
   if (size() < minimum)
     refuse(
-        fmt::format("the line has {} fields; it must have {} at least: {}", size(), minimum, what));
+        fmt::format("the line has {} fields; it must have at least {}: {}", size(), minimum, what));
 }
 
 std::string FieldLine::word(std::size_t k) const {
   const std::string_view field = fields_[k];
   if (field.size() > max_name_length)
-    refuse(fmt::format("the name '{}' has {} characters; it must have {} at most",
-                       abbreviate(field), field.size(), max_name_length));
+    refuse(fmt::format("the name '{}' has {} characters; the maximum is {}", abbreviate(field),
+                       field.size(), max_name_length));
   return std::string(field);
 }
 
@@ -55,7 +55,7 @@ double FieldLine::number(std::size_t k, std::string_view what) const {
   if (status == std::errc::result_out_of_range || (status == std::errc() && !std::isfinite(value)))
     refuse(fmt::format("the {} is {}; it must be a finite number", what, abbreviate(field)));
   if (status != std::errc() || end != last)
-    refuse(fmt::format("'{}' stands where the {} must be a number", abbreviate(field), what));
+    refuse(fmt::format("found '{}' where the {} must be a number", abbreviate(field), what));
   return value;
 }
 
@@ -66,7 +66,7 @@ std::int64_t FieldLine::integer(std::size_t k, std::string_view what, std::int64
   const char* const last = field.data() + field.size();
   const auto [end, status] = std::from_chars(field.data(), last, value);
   if (status != std::errc() || end != last || value < minimum || value > maximum)
-    refuse(fmt::format("'{}' stands where the {} must be a whole number from {} to {}",
+    refuse(fmt::format("found '{}' where the {} must be a whole number from {} to {}",
                        abbreviate(field), what, minimum, maximum));
   return value;
 }

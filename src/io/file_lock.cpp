@@ -31,14 +31,14 @@ std::string this_process() {
                      printable(host.data()), fmt::gmtime(std::time(nullptr)));
 }
 
-/// What an open file holds, as much as a lock's text has.
+/// The first bytes of an open file, up to the length of a lock's text.
 std::string text_of(int file) {
   std::array<char, 512> text{};
   const ssize_t length = TEMP_FAILURE_RETRY(::pread(file, text.data(), text.size(), 0));
   return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
 }
 
-/// Who wrote a lock's text: this instant it may not be there yet.
+/// Who wrote a lock's text, which may not be there yet.
 std::string holder(const std::string& text) {
   const auto end = text.find('\n');
   if (!text.starts_with(head) || end == text.npos) return "another process";
@@ -54,13 +54,13 @@ FileLock::FileLock(std::string path) : path_(std::move(path)) {
     do {
       if (file_ >= 0) ::close(file_);
       take();
-    } while (!is_at_its_path());  // who held it removed the file as it was opened here
+    } while (!is_at_its_path());  // its owner removed the file while it was opened here
   } catch (...) {
     if (file_ >= 0) ::close(file_);
     throw;
   }
   const std::string text = std::string(head) + this_process() + "\n";
-  // Without room there is a lock all the same, only not its holder's name.
+  // On a full disk the lock works but lacks the owner's name.
   [[maybe_unused]] const bool told =
       ::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) > 0;
 }
@@ -69,21 +69,20 @@ void FileLock::take() {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0)
     throw Error(fmt::format(
-        "'{}', which keeps other processes from the same files, cannot be written ({}); check its "
-        "permissions, or name another output",
+        "the lock file '{}' cannot be written ({}); check its permissions, or give another output",
         path_, std::strerror(errno)));
   held_ = TEMP_FAILURE_RETRY(::flock(file_, LOCK_EX | LOCK_NB)) == 0;
   const bool others = !held_ && errno == EWOULDBLOCK;
   const std::string text = text_of(file_);
   if (!text.empty() && !text.starts_with(head))
     throw Error(
-        fmt::format("'{}' is there and is no lock of polhode, which needs this name; move it away, "
-                    "or name another output",
+        fmt::format("'{}' exists and is not a lock file of polhode, which needs this name; move "
+                    "it, or give another output",
                     path_));
   if (others)
     throw Error(
-        fmt::format("'{}' is held by {}: two processes would spoil each other's files; wait until "
-                    "that one has ended, or name another output",
+        fmt::format("'{}' is locked by {}: two processes would overwrite each other's files; wait "
+                    "until that one has ended, or give another output",
                     path_, holder(text)));
 }
 
@@ -95,7 +94,7 @@ bool FileLock::is_at_its_path() const {
 }
 
 FileLock::~FileLock() {
-  ::unlink(path_.c_str());  // while it is held: nobody else's is taken away
+  ::unlink(path_.c_str());  // while locked, so that no other lock is removed
   ::close(file_);
 }
 

@@ -56,8 +56,8 @@ Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, cons
     if (!here)
       throw Error(
           fmt::format(
-              "{} is {} where site '{}' of molecule '{}' must be; atoms must stand in the "
-              "order of the model's sites, of which only massless ones may be missing",
+              "{} is {} where site '{}' of molecule '{}' must be; atoms must be in the order of "
+              "the model's sites, of which only massless ones may be missing",
               place(),
               atoms.empty() ? "reached" : fmt::format("'{}'", frame.kind(atoms.front()).name),
               site.name, molecule.name),
@@ -111,9 +111,8 @@ void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Mat
     fitted.deviation = std::max(fitted.deviation, off);
     if (!(off <= fit_tolerance))
       throw Error(
-          fmt::format("atom '{}' of molecule {} ({} {}) lies {:.4f} nm from its site in the "
-                      "rigid model '{}'; it must lie within {} nm: another model or another "
-                      "order of atoms would fit",
+          fmt::format("atom '{}' of molecule {} ({} {}) is {:.4f} nm from its site in the rigid "
+                      "model '{}'; it must be within {} nm; check the model and the order of atoms",
                       frame.kind(*match[k]).name, i + 1, match[k]->residue,
                       frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
           frame.source);
@@ -131,21 +130,21 @@ void check_size(const Molecule& molecule, const Frame& frame) {
     for (const Site& b : molecule.sites) max_length = std::max(max_length, norm(a.r - b.r));
   const double edge = frame.box.shortest_edge();
   if (2 * max_length >= edge)
-    throw Error(fmt::format("molecule '{}' is {:.3f} nm long; it must be shorter than half of the "
-                            "shortest box edge ({:.3f} nm), or it meets its own image",
-                            molecule.name, max_length, edge),
-                frame.source);
+    throw Error(
+        fmt::format("molecule '{}' is {:.3f} nm long; it must be shorter than half of the shortest "
+                    "box edge ({:.3f} nm), or it would interact with its own image",
+                    molecule.name, max_length, edge),
+        frame.source);
 }
 
 }  // namespace
 
 FittedState fit_state(const Frame& frame, const Topology& topology) {
   if (topology.size() > frame.atoms.size())
-    throw Error(
-        fmt::format("there are {} atoms, too few for {} molecules; give the count of molecules "
-                    "that the file holds",
-                    frame.atoms.size(), topology.size()),
-        frame.source);
+    throw Error(fmt::format("there are {} atoms, too few for {} molecules; give the number of "
+                            "molecules in the file",
+                            frame.atoms.size(), topology.size()),
+                frame.source);
   FittedState fitted;
   fitted.state = State(topology.size(), frame.box);
   fitted.has_velocities = frame.has_velocities;
@@ -155,16 +154,16 @@ FittedState fit_state(const Frame& frame, const Topology& topology) {
     check_size(molecule, frame);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       if (atoms.empty())
-        throw Error(fmt::format("the {} atoms end after {} of {} molecules; give the count of "
-                                "molecules that the file holds",
+        throw Error(fmt::format("the {} atoms are only {} of {} molecules; give the number of "
+                                "molecules in the file",
                                 frame.atoms.size(), i, topology.size()),
                     frame.source);
       fit(fitted, i, molecule, take_molecule(atoms, molecule, frame), frame);
     }
   }
   if (!atoms.empty())
-    throw Error(fmt::format("there are {} atoms, of which the {} molecules take {}; give the count "
-                            "of molecules that the file holds",
+    throw Error(fmt::format("there are {} atoms, but the {} molecules have {}; give the number of "
+                            "molecules in the file",
                             frame.atoms.size(), topology.size(), frame.atoms.size() - atoms.size()),
                 frame.source);
   return fitted;

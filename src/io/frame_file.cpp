@@ -55,7 +55,7 @@ const Format& format_named(std::string_view extension, const std::string& file) 
   if (format != formats.end()) return *format;
   std::vector<std::string> known;
   for (const Format& f : formats) known.emplace_back(f.extension);
-  throw Error(fmt::format("'{}' ends in none of the formats that are known{}; there are: {}", file,
+  throw Error(fmt::format("'{}' has no known extension{}; there are: {}", file,
                           did_you_mean(std::string(extension), known), join_names(known)));
 }
 
@@ -64,8 +64,8 @@ const Format& writable_format(const std::string& path) {
   if (format.write != nullptr) return format;
   const auto written = writable_formats();
   throw Error(fmt::format(
-      "files that end in '.{}' are read alone; those that are written end in {}", format.extension,
-      join_names(std::vector<std::string>(written.begin(), written.end()))));
+      "files with the extension '.{}' are read only; those that can be written have {}",
+      format.extension, join_names(std::vector<std::string>(written.begin(), written.end()))));
 }
 
 // A writer that first checks that the format can store a frame.
@@ -111,7 +111,7 @@ class Names {
   void give(Frame& frame) const {
     if (frame.atoms.size() != atoms_.size())
       throw Error(fmt::format("the frame at {:g} ps has {} atoms and '{}', which names them, has "
-                              "{}; it must have as many",
+                              "{}; both must have the same number",
                               frame.time, frame.atoms.size(), source_, atoms_.size()),
                   frame.source);
     frame.kinds = kinds_;
@@ -216,12 +216,6 @@ FormatTraits format_traits(const std::string& path) {
   return {format.has_names, format.has_velocities};
 }
 
-std::vector<std::string_view> readable_formats() {
-  std::vector<std::string_view> extensions;
-  for (const Format& format : formats) extensions.push_back(format.extension);
-  return extensions;
-}
-
 std::vector<std::string_view> writable_formats() {
   std::vector<std::string_view> extensions;
   for (const Format& format : formats)
@@ -235,13 +229,13 @@ Frame read_start(const std::string& name_or_path) {
   open_text_file(name_or_path);  // throws a precise error if the file cannot be opened
   if (!format_of(name_or_path).has_names)
     throw Error(
-        fmt::format("'{0}' is of a format without names of atoms, which a start needs; "
-                    "give it names: polhode convert {0} start.gro --names conf.gro",
+        fmt::format("'{0}' is of a format without atom names, which an initial configuration "
+                    "needs; add them with: polhode convert {0} start.gro --names conf.gro",
                     name_or_path));
   if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   Frame frame;
   if (!open_frames(name_or_path)->next(frame))
-    throw Error("the file ends where its first frame must stand", name_or_path + ":1");
+    throw Error("the file ends where its first frame must be", name_or_path + ":1");
   return frame;
 }
 

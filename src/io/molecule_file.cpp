@@ -19,8 +19,8 @@ constexpr std::string_view folder = "molecules/", extension = ".toml";
 std::string required_text(TomlTable& table, std::string_view key, std::string_view example) {
   const auto value = table.text(key);
   if (!value)
-    table.refuse(
-        key, fmt::format("there is no {} here; write for example {} = \"{}\"", key, key, example));
+    table.refuse(key,
+                 fmt::format("there is no {}; write for example {} = \"{}\"", key, key, example));
   table.require(!value->empty(), key,
                 fmt::format("must not be empty; write for example \"{}\"", example));
   return *value;
@@ -28,7 +28,7 @@ std::string required_text(TomlTable& table, std::string_view key, std::string_vi
 
 double not_negative(TomlTable& table, std::string_view key, Dimension dimension) {
   const double value = table.quantity(key, dimension).value_or(0);
-  table.require(value >= 0, key, "must be 0 or more; leave it out where the site has none");
+  table.require(value >= 0, key, "must be 0 or more; leave it out if the site has none");
   return value;
 }
 
@@ -65,7 +65,7 @@ Molecule parse_molecule(std::string_view text, const std::string& file) {
   const auto site_tables = table.tables("site");
   table.refuse_unknown();
   if (!site_tables || site_tables->empty())
-    throw Error("there is no site; describe at least one, in a table [[site]]", file);
+    throw Error("there is no site; add at least one table [[site]]", file);
   std::vector<Site> sites;
   for (const TomlTable& site : *site_tables) sites.push_back(read_site(site));
   try {
@@ -98,10 +98,9 @@ Molecule read_molecule(const std::string& name_or_path) {
   if (const auto text = embedded_text(path)) return parse_molecule(*text, path);
   const auto names = molecule_names();
   const auto near = did_you_mean(name_or_path, names);
-  throw Error(
-      fmt::format("there is no molecule '{}'{} (there are: {}; the path of a file of your own "
-                  "ends in .toml)",
-                  name_or_path, near, join_names(names)));
+  throw Error(fmt::format(
+      "there is no molecule '{}'{} (there are: {}; a path to your own file ends in .toml)",
+      name_or_path, near, join_names(names)));
 }
 
 }  // namespace polhode

@@ -36,8 +36,8 @@ int steps_of(const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
   if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > max_steps)
     throw Error(
-        fmt::format("{} steps of an inner scheme must be a whole number from 1 to {}, the "
-                    "inner steps in each drift of the outer scheme",
+        fmt::format("{} steps of an inner scheme must be a whole number from 1 to {}, the inner "
+                    "steps per drift of the outer scheme",
                     text, max_steps));
   return steps;
 }
@@ -48,11 +48,11 @@ InnerScheme inner_scheme_of(const std::string& text) {
   std::smatch part;
   if (!std::regex_match(text, part, form))
     throw Error(
-        fmt::format("inner scheme '{}' must say its steps and how far near forces reach; it "
-                    "reads like \"hoa2 x 2 within 0.35 to 0.5 nm\"",
+        fmt::format("inner scheme '{}' must give its steps and the range of the near forces; write "
+                    "for example \"hoa2 x 2 within 0.35 to 0.5 nm\"",
                     text));
   const auto length = [&](const std::string& number) {
-    return quantity(number + " " + part[5].str(), Dimension::length, "the reach of near forces",
+    return quantity(number + " " + part[5].str(), Dimension::length, "the range of the near forces",
                     "0.5 nm");
   };
   InnerScheme inner{scheme_of(part[1].str()), steps_of(part[2].str())};
@@ -60,8 +60,8 @@ InnerScheme inner_scheme_of(const std::string& text) {
   inner.switch_from = part[3].matched ? length(part[3].str()) : default_near_switch * inner.cutoff;
   if (!(inner.switch_from > 0) || !(inner.switch_from < inner.cutoff))
     throw Error(
-        fmt::format("near forces that fade from {:g} to {:g} nm must begin beyond 0 nm and "
-                    "end farther out, or the slow forces have a kink; write for example "
+        fmt::format("near forces switched from {:g} to {:g} nm need a switching distance above 0 "
+                    "nm and a longer cutoff, or the slow forces have a kink; write for example "
                     "\"within 0.35 to 0.5 nm\"",
                     inner.switch_from, inner.cutoff));
   return inner;
@@ -76,16 +76,24 @@ std::string joined(const std::string& outer, const std::string& inner, int steps
 
 NestedScheme nested_scheme_of(std::string_view text) {
   const std::size_t at = slash(text);
-  if (at == std::string_view::npos) return scheme_of(text);
-  return {scheme_of(trimmed(text.substr(0, at))), inner_scheme_of(trimmed(text.substr(at + 1)))};
+  const NestedScheme scheme = at == std::string_view::npos
+                                  ? NestedScheme(scheme_of(text))
+                                  : NestedScheme(scheme_of(trimmed(text.substr(0, at))),
+                                                 inner_scheme_of(trimmed(text.substr(at + 1))));
+  if (scheme.has(Flow::bath))
+    throw Error(fmt::format(
+        "scheme '{}' has a bath, and a bath needs a temperature and a friction, which are not "
+        "available in runs yet; leave the stages O(...) out",
+        text));
+  return scheme;
 }
 
 Scheme single_scheme_of(std::string_view text) {
   const NestedScheme scheme = nested_scheme_of(text);
   if (scheme.inner)
     throw Error(
-        fmt::format("scheme '{}' has another one in its drifts, but error brackets and advice are "
-                    "known for single schemes alone; name one of those, as hoa2",
+        fmt::format("scheme '{}' has an inner scheme, but error brackets and advice are available "
+                    "for single schemes only; give one of those, such as hoa2",
                     text));
   return scheme.outer;
 }

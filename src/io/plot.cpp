@@ -22,7 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // The file of a program on the search path, empty if there is none. Folders that are not absolute
-// are left out: what lies beside the data is not run.
+// are left out, so that no program in the data folder is run.
 std::string found_program(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::string_view rest = path == nullptr ? "" : path;
@@ -50,12 +50,12 @@ std::string found_program(const std::string& program) {
   ::sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
   for (const int signal_number : {SIGALRM, SIGPIPE, SIGXFSZ}) ::signal(signal_number, SIG_DFL);
   ::alarm(seconds);
-  // -d: no settings of the user, which may hold commands.
+  // -d: ignore the user's settings, which may contain commands.
   if (::chdir(folder) == 0) ::execl(program, program, "-d", script, static_cast<char*>(nullptr));
   ::_exit(127);
 }
 
-// Runs gnuplot in the script's folder, silently: what is to say if that did not work, else nothing.
+// Runs gnuplot silently in the script's folder; returns a message if that did not work.
 std::string gnuplot_trouble(const std::string& program, const fs::path& script,
                             std::chrono::seconds limit) {
   const std::string folder = script.has_parent_path() ? script.parent_path().string() : ".";
@@ -68,9 +68,10 @@ std::string gnuplot_trouble(const std::string& program, const fs::path& script,
     return fmt::format("gnuplot could not be started ({})", std::strerror(errno));
   if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
     return fmt::format("gnuplot did not end within {} s and was stopped", limit.count());
-  if (WIFSIGNALED(status)) return fmt::format("gnuplot was ended by signal {}", WTERMSIG(status));
+  if (WIFSIGNALED(status))
+    return fmt::format("gnuplot was terminated by signal {}", WTERMSIG(status));
   if (WEXITSTATUS(status) == 0) return {};
-  return fmt::format("gnuplot ended with code {}", WEXITSTATUS(status));
+  return fmt::format("gnuplot exited with code {}", WEXITSTATUS(status));
 }
 
 bool draw(const std::string& file, const std::string& script, std::ostream& warnings) {
@@ -84,15 +85,16 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono:
   const std::string program = found_program("gnuplot");
   if (program.empty()) {
     warnings << fmt::format(
-        "warning: gnuplot is not installed, so there is no figure; install it and run 'gnuplot {}' "
-        "where that file is\n",
+        "warning: gnuplot is not installed, so no figure was drawn; install it and run 'gnuplot "
+        "{}' in the folder of that file\n",
         fs::path(script).filename().string());
     return false;
   }
   const std::string trouble = gnuplot_trouble(program, script, limit);
   if (trouble.empty()) return true;
   warnings << fmt::format(
-      "warning: {}, so there is no figure; run 'gnuplot {}' where that file is to see why\n",
+      "warning: {}, so no figure was drawn; run 'gnuplot {}' in the folder of that file to see "
+      "why\n",
       trouble, fs::path(script).filename().string());
   return false;
 }

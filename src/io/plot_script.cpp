@@ -164,8 +164,8 @@ std::string curves_command(const std::vector<EfficiencyCurve>& curves, bool inse
         "title \"rounding\", ";
   if (!inset && std::any_of(curves.begin(), curves.end(), end_known))
     plot +=
-        "\\\n  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor \"#404040\" "
-        "title \"end of stability\"";
+        "\\\n  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor \"#404040\" title "
+        "\"stability limit\"";
   else
     plot += "NaN notitle";
   return plot + "\n";
@@ -323,7 +323,8 @@ std::string advice_script(const AdviceFigure& figure, const std::string& image,
   }
   if (figure.bound)
     plot += fmt::format(
-        "\\\n  {:.6g} with lines linewidth 1.4 dashtype 2 linecolor \"#404040\" title \"wanted\", ",
+        "\\\n  {:.6g} with lines linewidth 1.4 dashtype 2 linecolor \"#404040\" title "
+        "\"required\", ",
         100 * *figure.bound);
   if (figure.confirmed) {
     data += fmt::format("\n$answer << EOD\n{:.6g} {:.6g} {:.3g}\nEOD\n", figure.confirmed->seconds,

@@ -95,7 +95,7 @@ Words words(Dimension dimension) {
     case Dimension::pressure:
       return {"a", "pressure", "1 bar"};
     case Dimension::power:
-      return {"a", "drift of energy", "0.1 kJ/mol/ns"};
+      return {"a", "energy drift", "0.1 kJ/mol/ns"};
     case Dimension::viscosity:
       return {"a", "viscosity", "0.9 mPa s"};
     case Dimension::fraction:
@@ -119,7 +119,7 @@ std::vector<std::string> symbols(Dimension dimension) {
   return names;
 }
 
-// Name, text and example: what all error messages about a quantity have in common.
+// Name, text and example: common to all error messages about a quantity.
 struct QuantityText {
   std::string_view text, name;
   Dimension dimension;
@@ -137,12 +137,12 @@ double number(std::string_view& rest, const QuantityText& source) {
   if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
   double value = 0;
   const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
-  if (status == std::errc::invalid_argument) source.refuse(" has no number where one is needed");
+  if (status == std::errc::invalid_argument) source.refuse(" has no number where one is expected");
   if (status == std::errc::result_out_of_range || !std::isfinite(value))
-    source.refuse(" is not finite or not a number that fits; it must be a finite number");
+    source.refuse(" is not a number in the range of double precision; it must be a finite number");
   rest.remove_prefix(static_cast<std::size_t>(end - rest.data()));
   if (!rest.empty() && rest.front() == ',')
-    source.refuse(" has a comma in a number; decimals follow a point");
+    source.refuse(" has a comma in a number; write a decimal point");
   return value;
 }
 

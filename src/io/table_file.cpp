@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A text with commas or quotes stands in quotes, its own doubled (RFC 4180).
+// A text with commas or quotes is quoted, its own quotes doubled (RFC 4180).
 std::string quote_field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string result = "\"";
@@ -52,9 +52,10 @@ std::string head_of(const std::vector<Table::Column>& columns) {
 
 void write_head(std::ostream& out, const std::vector<Table::Column>& columns,
                 const Provenance& provenance) {
-  out << fmt::format("# polhode {}\n# command: {}\n# config hash: {}\n# target: {}\n# seed: {}\n",
-                     provenance.version, printable(provenance.command),
-                     text_hash(provenance.config), provenance.instruction_set, provenance.seed)
+  out << fmt::format(
+             "# polhode {}\n# command: {}\n# config hash: {}\n# instruction set: {}\n# seed: {}\n",
+             provenance.version, printable(provenance.command), text_hash(provenance.config),
+             provenance.instruction_set, provenance.seed)
       << head_of(columns) << '\n';
 }
 
@@ -64,7 +65,7 @@ void write_csv(std::ostream& out, const Table& table, const Provenance& provenan
   write_head(out, table.columns, provenance);
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size())
-      throw std::logic_error("a row of a table has another length than its head");
+      throw std::logic_error("a row of a table has another length than its header");
     for (std::size_t k = 0; k < row.size(); ++k)
       out << (k == 0 ? "" : ",") << quote_field(row[k].text);
     out << '\n';
@@ -105,7 +106,7 @@ TableMark GrowingTable::mark() {
 }
 
 void GrowingTable::check() {
-  if (!out_) throw RunError("'" + path_ + "' could not be written to the end; is the disk full?");
+  if (!out_) throw RunError("'" + path_ + "' could not be written completely; is the disk full?");
 }
 
 void each_row(const std::string& path, std::uint64_t bytes,
@@ -136,7 +137,7 @@ void each_row(const std::string& path, std::uint64_t bytes,
     for (const char *at = line.data(), *const end = at + line.size(); at <= end; ++at) {
       double value = std::numeric_limits<double>::quiet_NaN();
       const auto [next, status] = std::from_chars(at, end, value);
-      if (next != end && *next != ',') refuse(fmt::format("'{}' is no row of numbers", line));
+      if (next != end && *next != ',') refuse(fmt::format("'{}' is not a row of numbers", line));
       row.push_back(value);
       at = next;
     }
@@ -146,7 +147,7 @@ void each_row(const std::string& path, std::uint64_t bytes,
   }
   if (read != bytes)
     throw Error(
-        fmt::format("'{}' has no end of a line at byte {}, where a table ended once", path, bytes));
+        fmt::format("'{}' has no end of line at byte {}, where the table ended", path, bytes));
 }
 
 void refuse_existing(const std::string& path, bool force) {
@@ -154,12 +155,10 @@ void refuse_existing(const std::string& path, bool force) {
   check_folder(path);
   std::error_code error;
   if (fs::is_directory(path, error))
-    throw Error(fmt::format("'{}' is a folder; the output must be a file, so name another", path));
+    throw Error(fmt::format("'{}' is a folder; the output must be a file, so give another", path));
   if (!force && fs::exists(path, error))
     throw Error(
-        fmt::format("'{}' is there already and would be overwritten; name another output, "
-                    "or give --force",
-                    path));
+        fmt::format("'{}' exists and would be overwritten; give another output, or --force", path));
 }
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
@@ -175,7 +174,7 @@ void write_file(const std::string& path, const std::function<void(std::ostream&)
     out.close();
     if (!out) refuse(std::strerror(errno));
     draft.finish(keep);
-  } catch (const Error& e) {  // what was computed is there: it is not the input that is wrong
+  } catch (const Error& e) {  // the computation was done: the input is not wrong
     throw RunError(e.what());
   }
 }

@@ -25,7 +25,7 @@ Error unreadable(const std::string& path) {
 std::ifstream open_text_file(const std::string& path) {
   std::error_code unknown;
   if (std::filesystem::is_directory(path, unknown))
-    throw Error(fmt::format("'{}' is a folder; name a file in it", path));
+    throw Error(fmt::format("'{}' is a folder; give a file in it", path));
   std::ifstream file(path, std::ios::binary);
   if (!file) throw unreadable(path);
   return file;
@@ -34,8 +34,8 @@ std::ifstream open_text_file(const std::string& path) {
 std::optional<std::string> odd_byte(std::string_view text, const std::string& file) {
   const auto odd = std::find_if(text.begin(), text.end(), is_odd);
   if (odd == text.end()) return std::nullopt;
-  return fmt::format("'{}' holds the byte 0x{:02x}, which no text does; name a text file", file,
-                     static_cast<unsigned char>(*odd));
+  return fmt::format("'{}' contains the byte 0x{:02x}, so it is not a text file; give a text file",
+                     file, static_cast<unsigned char>(*odd));
 }
 
 std::string file_text(const std::string& path) {

@@ -51,10 +51,10 @@ void check_keys(std::string_view text, const std::string& file) {
       continue;
     }
     if (c == '.' && ++dots > most_dots)
-      throw Error(fmt::format("a key has more than {} dots, and tables within each other as many; "
-                              "there are no such keys, so delete it",
-                              most_dots),
-                  fmt::format("{}:{}", file, line));
+      throw Error(
+          fmt::format("a key has more than {} dots, or tables are nested that deep; delete it",
+                      most_dots),
+          fmt::format("{}:{}", file, line));
     if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
     line += c == '\n';
     ++k;
@@ -70,10 +70,11 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   } catch (const toml::parse_error& e) {
     std::string what(e.description());
     if (!what.empty()) what[0] = static_cast<char>(std::tolower(what[0]));
-    throw Error(fmt::format("the text is not TOML here: {}; quantities stand in quotes, as in "
-                            "step = \"2 fs\"",
-                            what),
-                fmt::format("{}:{}", file, e.source().begin.line));
+    throw Error(
+        fmt::format(
+            "the text is not TOML: {}; quantities are written in quotes, as in step = \"2 fs\"",
+            what),
+        fmt::format("{}:{}", file, e.source().begin.line));
   }
 }
 
@@ -147,7 +148,7 @@ std::optional<Vec3<double>> TomlTable::vector(std::string_view key, Dimension di
 std::optional<double> TomlTable::number(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_number()) refuse_kind(key, "a number without unit, not in quotes");
+  if (!node->is_number()) refuse_kind(key, "a number without unit or quotes");
   const double value = *node->value<double>();
   if (!std::isfinite(value)) refuse_kind(key, "a finite number");
   return value;
@@ -156,14 +157,14 @@ std::optional<double> TomlTable::number(std::string_view key) {
 std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_integer()) refuse_kind(key, "a whole number without unit, not in quotes");
+  if (!node->is_integer()) refuse_kind(key, "a whole number without unit or quotes");
   return node->value<std::int64_t>();
 }
 
 std::optional<bool> TomlTable::boolean(std::string_view key) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_boolean()) refuse_kind(key, "true or false, not in quotes");
+  if (!node->is_boolean()) refuse_kind(key, "true or false, without quotes");
   return node->value<bool>();
 }
 
@@ -212,9 +213,8 @@ bool TomlTable::holds_text(std::string_view key) const {
 
 void TomlTable::renamed(std::string_view old, std::string_view now) const {
   if (!table_->contains(old)) return;
-  throw Error(
-      fmt::format("the key '{0}' is called '{1}' since version 0.2; give {1} instead", old, now),
-      where(old));
+  throw Error(fmt::format("the key '{0}' is called '{1}' since version 0.2; write {1}", old, now),
+              where(old));
 }
 
 void TomlTable::refuse_unknown() const {

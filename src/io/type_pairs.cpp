@@ -42,35 +42,31 @@ std::vector<PairOverride> overrides(std::span<const TypedSite> sites,
       const TypePair& other = *earlier->second;
       if (other.sigma == pair.sigma && other.epsilon == pair.epsilon) continue;
       refuse(
-          fmt::format("the pair of atom types '{}' and '{}' stands in {} already, with other "
+          fmt::format("the pair of atom types '{}' and '{}' is already defined in {} with other "
                       "parameters; delete one",
                       pair.first, pair.second, text_of(other.place)));
     }
     const bool bare = first->second.epsilon == 0 || second->second.epsilon == 0;
     if (bare && pair.epsilon == 0) continue;
     if (pair.epsilon < 0)
-      refuse(
-          "the pair has only one of C6 and C12; pairs here have sigma and epsilon, which need both "
-          "or none");
+      refuse("the pair has only one of C6 and C12; sigma and epsilon need both or neither");
     if (bare)
-      refuse(fmt::format(
-          "atom types '{}' and '{}' are given a Lennard-Jones term, but one of them has "
-          "none of its own; both must have one",
-          pair.first, pair.second));
+      refuse(
+          fmt::format("atom types '{}' and '{}' are given Lennard-Jones parameters, but one of "
+                      "them has none itself; both must have them",
+                      pair.first, pair.second));
     for (const std::string& a : first->second.sites)
       for (const std::string& b : second->second.sites) {
         for (const std::string& site : {a, b})
           if (types_of.at(site).size() > 1)
             refuse(
-                fmt::format("atoms '{}' are of several types, of which this pair means one; give "
+                fmt::format("atoms '{}' have several types, and this pair is for one of them; give "
                             "them different names",
                             site));
         given[std::minmax(a, b)] = {a, b, pair.sigma, pair.epsilon};
         if (given.size() > max_pairs)
           refuse(fmt::format(
-              "more than {} pairs of sites are given; there must be less, since each is "
-              "looked for among all",
-              max_pairs));
+              "more than {} pairs of sites are given, the maximum; delete unused ones", max_pairs));
       }
   }
   std::vector<PairOverride> list;

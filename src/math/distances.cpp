@@ -138,10 +138,10 @@ class Placing {
 
   void check(std::size_t i, const Neighbour& n, double found) const {
     if (std::abs(found - n.length) > distance_tolerance)
-      throw Error(fmt::format(
-          "the distance of points {} and {} is {} nm where all others make it {:.6f} nm; they must "
-          "agree to {} nm, or no shape has them all",
-          i + 1, n.point + 1, n.length, found, distance_tolerance));
+      throw Error(
+          fmt::format("the distance of points {} and {} is {} nm, but {:.6f} nm follows from the "
+                      "others; they must agree within {} nm, or no shape has them all",
+                      i + 1, n.point + 1, n.length, found, distance_tolerance));
   }
 
   const Neighbours& neighbours_;
@@ -171,8 +171,9 @@ PlacedPoints place_points(std::size_t count, std::span<const Distance> distances
   for (std::size_t first = 0; first < count; ++first)
     if (placing.from(first)) return std::move(placing).result();
   if (count == 0) return {};
-  throw Error(fmt::format("{} distances do not fix {} points: point {}, for one, stays loose",
-                          distances.size(), count, placing.loose() + 1));
+  throw Error(
+      fmt::format("{} distances do not determine {} points: point {}, for example, can still move",
+                  distances.size(), count, placing.loose() + 1));
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -47,13 +48,10 @@ class Modes {
   /// The degree of the next polynomial.
   std::size_t degree() const { return degree_; }
 
-  /// Mean square of the coefficients of all degrees from degree() on.
-  /// @param walk  contribution of a random walk to the sum of squares; it is subtracted, but at
-  ///              least a tenth of the sum remains
-  double above(double walk) const {
-    const double squares = product(rest_, rest_);
-    return std::max(squares / 10, squares - walk) / static_cast<double>(rest_.size() - degree_);
-  }
+  /// The number of coefficients from degree() on.
+  double left() const { return static_cast<double>(rest_.size() - degree_); }
+  /// The sum of their squares.
+  double squares_above() const { return product(rest_, rest_); }
 
  private:
   double product(const std::vector<double>& a, const std::vector<double>& b) const {
@@ -72,45 +70,177 @@ class Modes {
   std::size_t degree_ = 0;
 };
 
-/// Number of modes that determine the noise: the slowest ones, twice as many if the noise is white.
+/// What a random walk adds to the square of the mode of degree k ≥ 1, divided by its variance at
+/// the end of the run and by the number of samples.
+double walk_power(double k) { return 1 / (2 * (2 * k - 1) * (2 * k + 3)); }
+/// The same divided by that of the slope's mode.
+double walk_share(double k) { return walk_power(k) / walk_power(1); }
+
+/// Number of modes that determine the noise of a mean: the slowest ones, twice as many if the noise
+/// is white.
 constexpr std::size_t slowest = 4;
 /// Limits of the mean square of the slowest modes divided by that of all faster ones, and the
 /// growth of the noise towards the next slower mode with that ratio (docs/statistics.md).
 constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 
-/// Contribution of a random walk to the sum of squares of all modes of degree k ≥ `first`, divided
-/// by its variance at the end of the run and by the number of samples: 1/(2 (2k − 1)(2k + 3)) each.
-double walk_from(double first) { return (1 / (2 * first - 1) + 1 / (2 * first + 1)) / 8; }
-
-/// The same for one mode of degree k ≥ 1.
-double walk_power(double k) { return 1 / (2 * (2 * k - 1) * (2 * k + 3)); }
-
-/// The noise of one mode.
+/// The noise of one mode, from those above it.
 struct Noise {
-  double variance = 0;            ///< without the walk
-  double degrees_of_freedom = 0;  ///< of `all`
-  double all = 0;                 ///< with the walk
+  double variance = 0;
   Known known = Known::yes;
 };
 
 /// @param modes  after subtraction of those that are estimated
-/// @param walk   variance of a random walk at the end of the run, times the number of samples
+/// @param walk   what a random walk adds to the square of the mode of degree 1
 Noise noise(Modes modes, double walk = 0) {
-  const auto first = static_cast<double>(modes.degree());
-  double squares = 0;
-  const auto take = [&](double walks) {  // the mean square with and without the walk
-    for (std::size_t k = 0; k < slowest; ++k) squares += std::pow(modes.next(), 2);
-    const double count = static_cast<double>(modes.degree()) - first;
-    return Noise{std::max(0.0, (squares - walk * walks) / count), count, squares / count};
+  double squares = 0, count = 0;
+  const auto take = [&] {
+    for (std::size_t k = 0; k < slowest; ++k, ++count) {
+      const auto degree = static_cast<double>(modes.degree());
+      squares += std::pow(modes.next(), 2) - walk * walk_share(degree);
+    }
+    return std::max(0.0, squares / count);
   };
-  const double end = first + slowest;
-  Noise slow = take(walk_from(first) - walk_from(end));
-  const double fast = modes.above(walk * walk_from(end));
-  if (slow.variance > too_slow * fast) return {.known = Known::too_short};
-  if (slow.variance <= white * fast) return take(walk_from(first) - walk_from(end + slowest));
-  const double grown = 1 + growth * (slow.variance / fast - 1);
-  slow.variance *= grown, slow.all *= grown;
-  return slow;
+  const double slow = take();
+  double walks = 0, left = 0;
+  for (auto k = static_cast<double>(modes.degree()); left < modes.left(); ++k, ++left)
+    walks += walk * walk_share(k);
+  const double all = modes.squares_above();
+  const double fast = std::max(all / 10, all - walks) / modes.left();
+  if (slow > too_slow * fast) return {.known = Known::too_short};
+  if (slow <= white * fast) return {take()};
+  return {slow * (1 + growth * (slow / fast - 1))};
+}
+
+/// A hypothesis about the noise: the variance of the modes, up to a common factor.
+struct Spectrum {
+  double prior = 0;      ///< probability
+  double amplitude = 0;  ///< of the correlated part, relative to white noise
+  double time = 0;       ///< its correlation time over the length of the run; infinite for a walk
+
+  /// For the mode of degree k; a walk by its share of the slope's variance.
+  double power(double k) const {
+    return 1 + amplitude * (std::isinf(time) ? walk_share(k)
+                                             : 1 / (1 + std::pow(std::numbers::pi * k * time, 2)));
+  }
+};
+
+/// White noise with an exponentially correlated part (docs/statistics.md).
+std::vector<Spectrum> correlated_noise() {
+  constexpr std::array times{1.0 / 64, 1.0 / 32, 1.0 / 16, 1.0 / 8, 1.0 / 4};
+  constexpr std::array amplitudes{1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0};
+  constexpr double white_noise = 0.4;
+  std::vector<Spectrum> all{{white_noise}};
+  for (const double time : times)
+    for (const double amplitude : amplitudes)
+      all.push_back({(1 - white_noise) / (times.size() * amplitudes.size()), amplitude, time});
+  return all;
+}
+
+/// White noise with a random walk, by what the walk adds to the variance of the slope.
+std::vector<Spectrum> walking_noise() {
+  std::vector<Spectrum> all;
+  for (const double strength :
+       {0.0, 1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0, 3000.0, 10000.0, 30000.0})
+    all.push_back({1.0 / 11, strength, std::numeric_limits<double>::infinity()});
+  return all;
+}
+
+/// Neighbouring modes, whose squares are added up.
+struct ModeGroup {
+  double first = 0, end = 0;  ///< degrees
+  double squares = 0;         ///< sum of their squared coefficients
+
+  double modes() const { return end - first; }
+  template <class F>
+  double mean(F&& f) const {
+    double sum = 0;
+    for (double k = first; k < end; ++k) sum += f(k);
+    return sum / modes();
+  }
+};
+
+/// The modes that were not subtracted: each of the slowest by itself, all faster ones together.
+std::vector<ModeGroup> mode_groups(Modes modes, std::size_t blocks) {
+  constexpr std::size_t by_itself = 12;
+  std::vector<ModeGroup> groups;
+  while (groups.size() < by_itself && modes.degree() < blocks) {
+    const auto k = static_cast<double>(modes.degree());
+    groups.push_back({k, k + 1, std::pow(modes.next(), 2)});
+  }
+  if (modes.degree() < blocks)
+    groups.push_back(
+        {static_cast<double>(modes.degree()), static_cast<double>(blocks), modes.squares_above()});
+  return groups;
+}
+
+/// A spectrum with its posterior probability and what it says of the estimated mode.
+struct Hypothesis {
+  Spectrum spectrum;
+  double probability = 0;
+  double white = 0;               ///< variance of the white noise in each mode
+  double variance = 0;            ///< of the estimated mode
+  double degrees_of_freedom = 0;  ///< of this variance
+};
+
+/// One spectrum with a walk of known strength besides, before normalisation.
+/// @param walk   contribution of that walk to the square of the slope's coefficient
+/// @param scale  sum of squares of all modes, to which the likelihood is relative
+Hypothesis hypothesis(const std::vector<ModeGroup>& groups, const Spectrum& spectrum, double degree,
+                      double walk, double scale) {
+  constexpr int iterations = 20;
+  constexpr double least_share = 1e-3;  // of white noise in the fastest modes
+  double modes = 0, white = groups.back().squares / groups.back().modes(), log_likelihood = 0;
+  const double floor = std::max(least_share * white, std::numeric_limits<double>::min());
+  const auto known = [&](double k) { return walk > 0 ? walk * walk_share(k) : 0.0; };
+  std::vector<std::array<double, 2>> powers;  // of each group: of the spectrum, of the known walk
+  for (const ModeGroup& g : groups) {
+    modes += g.modes();
+    powers.push_back({g.mean([&](double k) { return spectrum.power(k); }), g.mean(known)});
+  }
+  for (int n = 0; n < (walk > 0 ? iterations : 1); ++n) {
+    double squares = 0;
+    log_likelihood = 0;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      const double power = powers[i][0] + (walk > 0 ? powers[i][1] / std::max(white, floor) : 0.0);
+      squares += groups[i].squares / power;
+      log_likelihood -= groups[i].modes() * std::log(power) / 2;
+    }
+    white = squares / modes;
+    if (squares > 0) log_likelihood -= modes * std::log(squares / scale) / 2;
+  }
+  const double own = std::max(white, walk > 0 ? floor : 0.0) * spectrum.power(degree);
+  const double all = own + known(degree);
+  return {spectrum, spectrum.prior * std::exp(log_likelihood), white, all,
+          own > 0 ? modes * std::pow(all / own, 2) : modes};
+}
+
+/// The posterior of all spectra, averaged over the strengths of a walk that is known independently.
+/// @param degree  of the estimated mode
+/// @param unit    c₁² of a walk of rate 1
+std::vector<Hypothesis> posterior(const std::vector<ModeGroup>& groups,
+                                  const std::vector<Spectrum>& spectra, double degree,
+                                  std::span<const WalkStrength> walks = {}, double unit = 0) {
+  constexpr WalkStrength none{};
+  if (walks.empty()) walks = {&none, 1};
+  double scale = std::numeric_limits<double>::min(), sum = 0;
+  for (const ModeGroup& g : groups) scale += g.squares;
+  std::vector<Hypothesis> all;
+  for (const WalkStrength& walk : walks)
+    for (const Spectrum& spectrum : spectra) {
+      all.push_back(hypothesis(groups, spectrum, degree, walk.rate * unit, scale));
+      sum += all.back().probability *= walk.probability;
+    }
+  for (Hypothesis& h : all) h.probability /= sum;
+  return all;
+}
+
+/// The posterior mean of the variance of the estimated mode; its scale has an inverse χ²
+/// distribution.
+double mean_variance(const std::vector<Hypothesis>& all) {
+  double variance = 0;
+  for (const Hypothesis& h : all)
+    variance += h.probability * h.variance * h.degrees_of_freedom / (h.degrees_of_freedom - 2);
+  return variance;
 }
 
 /// The slope of a quantity over a run, and the modes above it.
@@ -120,6 +250,9 @@ struct Slope {
   double rate = 0;                 ///< 0 with fewer than two blocks
   double spread = 0;  ///< √Σ w (t − t̄)²: the coefficient c₁ divided by the slope
   Modes modes;
+
+  /// c₁² that a walk of variance t has: the variance of its slope is 6/(5 T).
+  double walk_unit() const { return length * samples * walk_power(1); }
 
   Slope(const BlockMeans& means, std::size_t time, std::size_t quantity)
       : Slope(columns(means, time, quantity)) {}
@@ -150,65 +283,13 @@ struct Slope {
   }
 };
 
-/// Neighbouring modes, whose squares are added up.
-struct ModeGroup {
-  double modes = 0;    ///< how many
-  double squares = 0;  ///< sum of their squared coefficients
-  double walk = 0;     ///< what a random walk adds to each, divided by what it adds to c₁²
-};
-
-/// Each of the slowest modes by itself, all faster ones together.
-std::vector<ModeGroup> mode_groups(Modes modes, std::size_t blocks) {
-  constexpr std::size_t by_itself = 12;
-  std::vector<ModeGroup> groups;
-  while (groups.size() < by_itself && modes.degree() < blocks) {
-    const double walk = walk_power(static_cast<double>(modes.degree())) / walk_power(1);
-    groups.push_back({1, std::pow(modes.next(), 2), walk});
-  }
-  if (modes.degree() == blocks) return groups;
-  const auto first = static_cast<double>(modes.degree()), end = static_cast<double>(blocks);
-  const double walk = (walk_from(first) - walk_from(end)) / (end - first) / walk_power(1);
-  groups.push_back({end - first, (end - first) * modes.above(0), walk});
-  return groups;
-}
-
-/// The prior: variance that the walk adds to the slope, divided by that of white noise; all values
-/// are equally probable.
-constexpr std::array prior_strengths{0.0,   1.0,    3.0,    10.0,    30.0,   100.0,
-                                     300.0, 1000.0, 3000.0, 10000.0, 30000.0};
-
-/// Σ c_k²/(1 + strength g_k): the modes, brought to the variance of white noise.
-double scaled_squares(const std::vector<ModeGroup>& groups, double strength) {
-  double sum = 0;
-  for (const ModeGroup& g : groups) sum += g.squares / (1 + strength * g.walk);
-  return sum;
-}
-
-/// A strength of the prior with its posterior probability.
-struct Posterior {
-  double strength = 0, probability = 0;
-  double noise = 0;  ///< variance of a mode without the walk
-  double modes = 0;  ///< that determine it
-};
-
-std::vector<Posterior> posterior(const std::vector<ModeGroup>& groups) {
-  const double fit =
-      std::log(std::max(scaled_squares(groups, 0), std::numeric_limits<double>::min()));
-  std::vector<Posterior> result;
-  double sum = 0;
-  for (const double strength : prior_strengths) {
-    double modes = 0, log_likelihood = 0;
-    const double squares = scaled_squares(groups, strength);
-    for (const ModeGroup& g : groups) {
-      modes += g.modes;
-      log_likelihood -= g.modes * std::log(1 + strength * g.walk) / 2;
-    }
-    if (squares > 0) log_likelihood -= modes * (std::log(squares) - fit) / 2;
-    result.push_back({strength, std::exp(log_likelihood), squares / modes, modes});
-    sum += result.back().probability;
-  }
-  for (Posterior& p : result) p.probability /= sum;
-  return result;
+/// The drift with its significance, averaged over the posterior.
+Drift drift_of(const Slope& slope, const std::vector<Hypothesis>& all) {
+  Drift drift{{slope.rate, std::sqrt(mean_variance(all)) / slope.spread}, 0, Known::yes};
+  for (const Hypothesis& h : all)
+    drift.p_value += h.probability * p_value({slope.rate, std::sqrt(h.variance) / slope.spread},
+                                             h.degrees_of_freedom);
+  return drift;
 }
 
 }  // namespace
@@ -263,56 +344,29 @@ std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t t
                                          std::size_t quantity) {
   Slope slope(blocks, time, quantity);
   if (slope.blocks < min_samples) return {};
-  const double unit = slope.length * slope.samples * walk_power(1);  // c₁² of a walk of rate 1
   std::vector<WalkStrength> walks;
-  for (const Posterior& p : posterior(mode_groups(std::move(slope.modes), slope.blocks)))
-    walks.push_back({p.probability, p.strength * p.noise / unit});
+  for (const Hypothesis& h :
+       posterior(mode_groups(std::move(slope.modes), slope.blocks), walking_noise(), 1))
+    walks.push_back({h.probability, h.spectrum.amplitude * h.white / slope.walk_unit()});
   return walks;
 }
 
 Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity,
                    std::span<const WalkStrength> walks) {
-  constexpr WalkStrength none{};
-  if (walks.empty()) walks = {&none, 1};
   const Slope slope(blocks, time, quantity);
-  Drift drift{{slope.rate, 0}};
-  if (slope.blocks < min_samples) return drift;
-  const double length = slope.length * slope.samples;
-  double known = 0, variance = 0, chances = 0;
-  for (const WalkStrength& walk : walks) {
-    const Noise found = noise(slope.modes, walk.rate * length);
-    if (found.known != Known::yes) continue;
-    // A walk of variance D t has a slope of variance 6 D/(5 T).
-    const double c1_squared = found.variance + walk.rate * length * walk_power(1);
-    known += walk.probability;
-    variance += walk.probability * c1_squared;
-    chances +=
-        walk.probability * p_value({slope.rate, std::sqrt(c1_squared) / slope.spread},
-                                   found.degrees_of_freedom * std::pow(c1_squared / found.all, 2));
-  }
-  // Strengths that leave the noise unknown do not count, unless they are the more probable ones.
-  drift.known = known > 0.5 ? Known::yes : Known::too_short;
-  if (drift.known != Known::yes) return drift;
-  drift.rate.error = std::sqrt(variance / known) / slope.spread;
-  drift.p_value = chances / known;
-  return drift;
+  if (slope.blocks < min_samples) return {{slope.rate, 0}};
+  double walk = 0;
+  for (const WalkStrength& w : walks) walk += w.probability * w.rate * slope.walk_unit();
+  const Known known = noise(slope.modes, walk).known;
+  if (known != Known::yes) return {{slope.rate, 0}, 1, known};
+  return drift_of(slope, posterior(mode_groups(slope.modes, slope.blocks), correlated_noise(), 1,
+                                   walks, slope.walk_unit()));
 }
 
 Drift series_drift_over_walk(const BlockMeans& blocks, std::size_t time, std::size_t quantity) {
-  Slope slope(blocks, time, quantity);
-  Drift drift{{slope.rate, 0}};
-  if (slope.blocks < min_samples) return drift;
-  drift.known = Known::yes;
-  double variance = 0;
-  drift.p_value = 0;
-  for (const Posterior& p : posterior(mode_groups(std::move(slope.modes), slope.blocks))) {
-    const double c1_squared = (1 + p.strength) * p.noise;
-    variance += p.probability * c1_squared * p.modes / (p.modes - 2);
-    drift.p_value +=
-        p.probability * p_value({slope.rate, std::sqrt(c1_squared) / slope.spread}, p.modes);
-  }
-  drift.rate.error = std::sqrt(variance) / slope.spread;
-  return drift;
+  const Slope slope(blocks, time, quantity);
+  if (slope.blocks < min_samples) return {{slope.rate, 0}};
+  return drift_of(slope, posterior(mode_groups(slope.modes, slope.blocks), walking_noise(), 1));
 }
 
 }  // namespace polhode

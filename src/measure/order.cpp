@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/math/dual.hpp"
 #include "polhode/measure/energy.hpp"
 
@@ -88,9 +88,9 @@ double kinetic(const State& state, const Bodies& bodies, const Energies& e) {
   return e.kinetic() + norm2(total_momentum(state)) / (2 * total_mass(bodies));
 }
 
-template <class Model>
-double energy_error(Integrator<Model> integrator, const Bodies& bodies, double h,
-                    std::size_t steps) {
+/// @param integrator  an Integrator or a NestedIntegrator
+template <class AnyIntegrator>
+double energy_error(AnyIntegrator& integrator, const Bodies& bodies, double h, std::size_t steps) {
   State state = start();
   const auto energy = [&] {
     const Energies e = energies(state, bodies, integrator.load(state));
@@ -112,10 +112,12 @@ double energy_error(const NestedScheme& scheme, double lambda, double h, std::si
   const Topology topology = body();
   const Bodies bodies(topology);
   Field field(topology.parts[0].molecule, 1), near(topology.parts[0].molecule, 0);
-  if (!scheme.inner)
-    return energy_error(Integrator(scheme.outer, bodies, field, lambda), bodies, h, steps);
-  NestedForces nested(scheme.inner->scheme, scheme.inner->steps, bodies, field, near, lambda);
-  return energy_error(Integrator(scheme.outer, bodies, nested, lambda), bodies, h, steps);
+  if (scheme.inner) {
+    NestedIntegrator integrator(scheme, bodies, field, near, lambda);
+    return energy_error(integrator, bodies, h, steps);
+  }
+  Integrator integrator(scheme.outer, bodies, field, lambda);
+  return energy_error(integrator, bodies, h, steps);
 }
 
 }  // namespace

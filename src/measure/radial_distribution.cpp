@@ -135,19 +135,20 @@ Bins about_summit(std::span<const double> g, std::ptrdiff_t top) {
 }
 
 // Bins around the smallest g between a maximum and 1.6 times its distance: a tenth of that distance
-// on each side.
-Bins about_minimum(std::span<const double> g, std::ptrdiff_t top) {
+// on each side. None if g is smallest in the last bin: its minimum may lie beyond.
+std::optional<Bins> about_minimum(std::span<const double> g, std::ptrdiff_t top) {
   constexpr double search_end = 1.6, part = 0.1;
   const auto last = static_cast<std::ptrdiff_t>(g.size()) - 1;
   const auto end =
       std::min(last, static_cast<std::ptrdiff_t>(search_end * static_cast<double>(top)));
   const auto lowest = std::min_element(g.begin() + top, g.begin() + end + 1) - g.begin();
+  if (lowest == last) return std::nullopt;
   const auto wide = std::max<std::ptrdiff_t>(2, std::lround(part * static_cast<double>(top)));
-  return {std::max(top, lowest - wide), std::min(last, lowest + wide)};
+  return Bins{std::max(top, lowest - wide), std::min(last, lowest + wide)};
 }
 
 struct Extremum {
-  double place, height;  // in bins from the middle of bin 0; [1]
+  double position, height;  // in bins from the middle of bin 0; [1]
 };
 
 // The maximum of the least-squares cubic through `sign` times g in a range of bins.
@@ -258,10 +259,10 @@ void RadialDistribution::add(const State& state, Workers& workers) {
   const Vec3<double> edge = state.box.edge, half = edge / 2.0;
   // Half an edge, as rounded by text files, still counts as half.
   if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
-    throw Error(fmt::format(
-        "the reach of {:g} nm is more than half of the shortest box edge ({:.4f} nm) at {:g} ps: "
-        "beyond, not all images of a site count; ask for a shorter one",
-        cutoff_, state.box.shortest_edge(), state.time));
+    throw Error(
+        fmt::format("the maximum distance of {:g} nm is more than half of the shortest box edge "
+                    "({:.4f} nm) at {:g} ps, beyond which g(r) is not defined; give a shorter one",
+                    cutoff_, state.box.shortest_edge(), state.time));
   std::vector<WrappedSite> placed;
   std::size_t i = 0;
   for (std::size_t part = 0; part < sites_.size(); ++part)
@@ -360,16 +361,19 @@ std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size
   const std::ptrdiff_t summit = first_summit(g);
   if (summit + 1 == static_cast<std::ptrdiff_t>(bins_)) return std::nullopt;
   // The same bins with and without a block: otherwise the cubic would jump when a bin is added.
-  const Bins top = about_summit(g, summit), shell = about_minimum(g, summit);
-  const auto peak = [&](auto mean) { return maximum(curve(pair, mean), top, 1); };
-  const auto minimum = [&](auto mean) { return maximum(curve(pair, mean), shell, -1).place; };
   using Mean = std::span<const double>;
-  return Peak{series_estimate(means, [&](Mean mean) { return (peak(mean).place + 0.5) * width_; }),
-              series_estimate(means, [&](Mean mean) { return peak(mean).height; }),
-              series_estimate(means, [&](Mean mean) { return (minimum(mean) + 0.5) * width_; }),
-              series_estimate(means, [&](Mean mean) {
-                return neighbours_within(pair, minimum(mean) + 0.5, mean);
-              })};
+  const auto top = [&, bins = about_summit(g, summit)](Mean mean) {
+    return maximum(curve(pair, mean), bins, 1);
+  };
+  Peak peak{series_estimate(means, [&](Mean mean) { return (top(mean).position + 0.5) * width_; }),
+            series_estimate(means, [&](Mean mean) { return top(mean).height; }), std::nullopt};
+  const std::optional<Bins> bins = about_minimum(g, summit);
+  if (!bins) return peak;
+  const auto end = [&](Mean mean) { return maximum(curve(pair, mean), *bins, -1).position + 0.5; };
+  peak.shell = {
+      series_estimate(means, [&](Mean mean) { return end(mean) * width_; }),
+      series_estimate(means, [&](Mean mean) { return neighbours_within(pair, end(mean), mean); })};
+  return peak;
 }
 
 }  // namespace polhode

@@ -58,7 +58,7 @@ Box cubic_box(const Topology& topology, double density) {
 State lattice(const Topology& topology, const Box& box, std::uint64_t seed) {
   if (!(std::min({box.edge.x, box.edge.y, box.edge.z}) > 0))
     throw Error("the shortest edge of the box is " + std::to_string(box.shortest_edge()) +
-                " nm; it must be longer than 0 nm to hold molecules");
+                " nm; it must be longer than 0 nm");
   const auto n = cells(topology.size(), box.edge);
   const auto place = draw_lattice_points(topology, n[0] * n[1] * n[2], Random(seed, shuffling));
   Random random(seed, attitudes);

@@ -28,8 +28,7 @@ void check(const Site& site, const std::string& molecule) {
   check_name("the element of site '" + site.name + "'", site.element);
   for (const double x :
        {site.r.x, site.r.y, site.r.z, site.mass, site.charge, site.sigma, site.epsilon})
-    if (!std::isfinite(x))
-      refuse("a number is not finite; write finite numbers for every property");
+    if (!std::isfinite(x)) refuse("a number is not finite; all properties must be finite");
   const auto negative = [&](const char* what, double value) {
     if (value < 0)
       refuse(std::string(what) + " = " + std::to_string(value) +
@@ -67,9 +66,9 @@ void check_lever(Site& site, Top top, const std::string& molecule) {
   const double off = top == Top::linear ? std::hypot(site.r.y, site.r.z) : norm(site.r);
   if (off > 1e-7 && (site.charge != 0 || site.epsilon != 0))
     throw Error("molecule '" + molecule + "', site '" + site.name + "' lies " +
-                std::to_string(off) + " nm off the " +
+                std::to_string(off) + " nm from the " +
                 (top == Top::linear ? "axis of a linear body" : "only mass point") +
-                "; its torque would meet no inertia, so give mass to sites off the axis");
+                "; its torque would act without inertia, so give mass to sites away from the axis");
   site.r = {top == Top::linear ? along : 0.0, 0.0, 0.0};
 }
 
@@ -118,7 +117,7 @@ Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
   if (sites.size() > max_sites)
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
                 " sites; a rigid molecule may have " + std::to_string(max_sites) +
-                " at most, so divide it, or check where one molecule ends");
+                " at most, so divide it, or check where the molecule ends");
   check_name("a molecule", name);
   Molecule molecule;
   Vec3<double> centre{};
@@ -131,7 +130,7 @@ Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
   }
   if (molecule.mass == 0)
     throw Error("molecule '" + name +
-                "' has mass 0 u; a body needs mass to move, so give a mass to one site at least");
+                "' has mass 0 u; a body needs mass to move, so give a mass to at least one site");
   centre = centre / molecule.mass;
 
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;  // Σ m r r

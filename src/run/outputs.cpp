@@ -19,7 +19,8 @@ void check_outputs(const std::vector<std::string>& files, ExistingFiles existing
 OutputLock::OutputLock(const std::string& path, const Callbacks& callbacks) : lock_(path) {
   if (!lock_.is_held())
     callbacks.note(
-        "note: the file system has no locks; do not start a second process on this output");
+        "note: the file system does not support locks; do not start a second process with the same "
+        "output");
 }
 
 void pass_messages(const Callbacks& callbacks, const std::function<void(std::ostream&)>& write) {

@@ -35,7 +35,7 @@ class Curves(unittest.TestCase):
         self.assertEqual((cost, step), (500, 4))
         self.assertIsNone(curves.at_ratio(curve("hoa2", 2, 2e-4, (2, 4), usable=lambda h: False), 1e-2))
 
-    def test_a_curve_ends_where_its_energy_is_lost_whatever_the_chance_of_a_drift(self):
+    def test_a_curve_ends_where_its_energy_is_lost_whatever_the_p_value_of_a_drift(self):
         own = curve("hoa2", 2, 2e-4, (2, 4, 8))
         own[1].update(R=1.2, drift_p_value=0.0034)  # two runs with a drift of 185 times its error
         self.assertEqual(len(curves.usable(own)), 1)

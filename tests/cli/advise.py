@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""polhode advise, and a run with an accuracy: on 32 argon atoms the answer takes a second or two."""
+"""polhode advise, and a run with an accuracy guarantee: with 32 argon atoms it takes a second or two."""
 
 import json
 import signal
@@ -57,7 +57,7 @@ class Advise(Sandbox):
         self.assertEqual(runs["length_ps"], 4)
         self.assertLess(runs["R"], runs["bound"])
         self.assertLessEqual(runs["bound"], 0.02)
-        self.assertGreater(runs["R"], 0.002)  # a step ten times as accurate as wanted is no advice
+        self.assertGreater(runs["R"], 0.002)  # the accuracy must not be ten times the required one
         self.assertGreater(best["ns_per_day"], 0)
         self.assertEqual(found["runner_up"] is None, any(c["step_fs"] == 0 for c in found["candidates"]))
         self.assertEqual(json.loads((self.folder / "advice.json").read_text())["best"], best)
@@ -68,24 +68,24 @@ class Advise(Sandbox):
         self.assertEqual(found["best"]["scheme"], "velocity-verlet")
         worse = found["candidates"][0]
         self.assertEqual(worse["scheme"], WASTEFUL)
-        self.assertGreater(worse["step_fs"], 0)  # it was a candidate, and lost by its cost
+        self.assertGreater(worse["step_fs"], 0)  # it was a candidate, rejected for its cost
 
-    def test_a_scheme_that_cannot_win_is_not_followed(self):
+    def test_a_scheme_that_cannot_win_is_not_studied(self):
         found = self.advice(GAS, "--schemes", WASTEFUL, "velocity-verlet", "hoa2")
         worse, *others = found["candidates"]
         self.assertEqual(worse["step_fs"], 0)
-        self.assertIn("too many to be followed", worse["obstacle"])
+        self.assertIn("too many to compete", worse["obstacle"])
         self.assertLess(len(worse["points"]), min(len(c["points"]) for c in others))
         self.assertIsNotNone(found["runner_up"])
 
-    def test_temperatures_and_their_limit_without_a_step(self):
+    def test_temperatures_and_their_limit_for_zero_step(self):
         found = self.advice(GAS)
         confirmed = found["best"]["confirmation"]
-        self.assertEqual(confirmed["excess_K"], [None] * 3)  # atoms do not turn
+        self.assertEqual(confirmed["excess_K"], [None] * 3)  # atoms do not rotate
         translation, *rotation = confirmed["configurational_excess_K"]
         self.assertEqual(rotation, [None] * 3)
         self.assertGreater(translation["error"], 0)
-        # The places and the momenta of a gas at 150 K are at one temperature, to the error of eight runs.
+        # Positions and momenta of a gas at 150 K have the same temperature within the error of eight runs.
         self.assertLess(abs(translation["value"]), 6 * translation["error"])
         self.assertNotIn("equipartition", found)
         limits = {limit["scheme"]: limit for limit in found["configurational"]}
@@ -104,7 +104,7 @@ class Advise(Sandbox):
         process = self.done("advise", edited(GAS, ('"none"', '"svg"')), "--time", "2", "--output", "here")
         self.assertIn("for an R of at most 2 % use ", process.out)
         self.assertIn("ns/day with", process.out)
-        self.assertIn("configurational temperature of each motion less its kinetic one", process.out)
+        self.assertIn("configurational minus kinetic temperature of translation and of rotation", process.out)
         self.assertIn("0, k = 2", process.out)
         script = (self.folder / "here.gp").read_text()
         self.assertIn("computing time", script)
@@ -119,7 +119,7 @@ class Advise(Sandbox):
                                  if option == "--drift" else found["wanted"])
 
     def test_the_runs_that_confirm_decide(self):
-        """A drift near what runs can tell from none is proposed too long a step now and then, which fresh runs refuse."""
+        """For a bound close to the detectable drift, the proposed step is sometimes too long and is rejected by new runs."""
         refused = 0
         for seed in range(1, 9):
             self.write("run.toml", edited(GAS, ("[forces]", f"seed = {seed}\n[forces]"), ('accuracy = "2 %"', "")))
@@ -135,14 +135,14 @@ class Advise(Sandbox):
         self.assertGreater(refused, 0)
 
     def test_what_cannot_be_reached(self):
-        """Rounding of mixed precision is a floor, and the answer tells it."""
+        """Rounding in mixed precision is a lower limit of R, and the message says so."""
         self.write("run.toml", GAS)
         process = self.polhode("advise", "run.toml", "--accuracy", "0.00001 %", "--precision", "mixed",
                                "--time", "1", "--json")
         self.assertEqual(process.returncode, 1, process.err)
         self.assertIsNone(json.loads(process.out)["best"])
-        self.assertIn("no scheme was found that keeps an R of at most 1e-05 %", process.err)
-        self.assertIn("least bound reached", process.err)
+        self.assertIn("no scheme was found that meets an R of at most 1e-05 %", process.err)
+        self.assertIn("smallest bound reached", process.err)
         self.assertIn('precision = "double"', process.err)
 
     def test_run(self):
@@ -152,7 +152,7 @@ class Advise(Sandbox):
         self.assertEqual(promise["met"], promise["R"] <= 0.02)
         self.assertAlmostEqual(promise["R"], report["R"])
         self.assertGreater(report["step_fs"], 1)
-        # A step of one's own takes the place of the promise; a scheme leaves only the step to choose.
+        # A given step replaces the guarantee; with a given scheme only the step is chosen.
         report = json.loads(self.done("run", GAS, "--json", "--force", "--step", "5 fs").out)
         self.assertIsNone(report["guarantee"])
         self.assertEqual(report["step_fs"], 5)
@@ -171,7 +171,7 @@ class Advise(Sandbox):
         self.refused(GAS, "--drift", "1 kJ/mol/ns", "--accuracy", "1 %", words=["--accuracy"])
         self.refused(edited(GAS, ('accuracy = "2 %"', "")), words=["--accuracy", "--drift"])
         self.refused(edited(GAS, ('accuracy = "2 %"', 'accuracy = "2 %"\nstep = "2 fs"')),
-                     words=["stands beside a step", "integrator.accuracy"])
+                     words=["cannot be combined with a step", "integrator.accuracy"])
         self.refused(GAS, "--schemes", "hoa3", words=["'hoa3'", "'hoa2'", "--schemes"])
         nested = "hoa2 / hoa2 x 1 within 0.4 nm"
         self.refused(GAS, "--schemes", nested, words=[nested, "single schemes"])
@@ -183,12 +183,12 @@ class Advise(Sandbox):
             before = self.contents()
             process = self.start(verb, "run.toml")
             self.addCleanup(process.kill)
-            first = process.stderr.readline()  # the signal is caught from then on
+            first = process.stderr.readline()  # from here on the signal is handled
             self.assertRegex(first, "advice for|choosing a step")
             process.send_signal(signal.SIGINT)
             out, err = process.communicate(timeout=sandbox.LONGEST)
             self.assertEqual(process.returncode, 130, err)
-            self.assertIn("nothing was written", err)
+            self.assertIn("no files were written", err)
             self.assertEqual(self.contents(), before)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""polhode analyze from outside: what it writes, what it refuses, and that threads change nothing."""
+"""polhode analyze on the command line: its files, its errors, and that the number of threads changes nothing."""
 
 import json
 import unittest
@@ -28,7 +28,7 @@ class Analyze(Sandbox):
         self.assertAlmostEqual(report["interval_ps"], 0.008, 9)
         self.assertEqual([f.rsplit("-", 1)[1] for f in report["files"]],
                          [f"{n}.csv" for n in ("rdf", "msd", "rotation", "velocity", "spectrum", "density")])
-        self.assertIn("cut off", " ".join(report["notes"]))
+        self.assertIn("truncated or switched", " ".join(report["notes"]))
         head, *rows = self.rows("polhode-analysis-msd.csv")
         self.assertEqual(head, "lag [ps],msd [nm2],msd error [nm2]")
         self.assertEqual(len(rows), 13)
@@ -42,7 +42,7 @@ class Analyze(Sandbox):
         self.assertEqual(self.contents(), before)
 
     def test_too_few_frames(self):
-        """Values come without errors, and what there is none of is null or left out."""
+        """Values have no errors, and those that do not exist are null or left out."""
         options = ("--molecules", "tip4p 27", "--from", "0.15 ps", "--plot", "none", "--force")
         process = self.analyze(*options, "--json")
         self.assertEqual(process.returncode, 0, process.err)
@@ -66,7 +66,7 @@ class Analyze(Sandbox):
                               (("--molecules", "tip4p, na-tip4p-ew 2"), "has no count"),
                               (("--molecules", "tip4p many"), "a model and its count"),
                               (("--molecules", "tip4p 27", "--what", "rdf,msf"), "did you mean 'msd'"),
-                              (("--molecules", "tip4p 27", "--pairs", "OW"), "two names of sites"),
+                              (("--molecules", "tip4p 27", "--pairs", "OW"), "two site names"),
                               (("--molecules", "tip4p 27", "--pairs", "OW-OX"), "no site is named 'OX'"),
                               (("--molecules", "tip4p 27", "--cutoff", "1.3 nm"), "half of the shortest box edge"),
                               (("--molecules", "tip4p 27", "--fit", "3 ps"), "must be two lags"),

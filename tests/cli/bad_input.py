@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Wrong input ends with exit code 2 and a text that says value, bound, remedy and place; no file is made or changed."""
+"""Wrong input gives exit code 2 and a message with value, bound, remedy and place; no file is created or changed."""
 
 import json
 import os
@@ -42,12 +42,17 @@ RUN_FILE = [
     ("scheme that cannot be read", [('"hoa2"', '"B(1/2) A(1 B(1/2)"')], ["character", "')'", "run.toml:10"]),
     ("scheme that does not sum to one", [('"hoa2"', '"B(1/2) A(1) B(1/3)"')], ["0.83333", "sum to 1", "run.toml:10"]),
     ("scheme with a zero denominator", [('"hoa2"', '"B(1/0) A(1)"')], ["denominator", "run.toml:10"]),
-    ("inner scheme without a reach", [('"hoa2"', '"hoa2 / hoa2 x 2"')],
+    ("inner scheme without a range", [('"hoa2"', '"hoa2 / hoa2 x 2"')],
      ["'hoa2 x 2'", "within 0.35 to 0.5 nm", "run.toml:10", "integrator.scheme"]),
+    ("scheme with a bath", [('"hoa2"', '"B(1/2) A(1/2) O(1) A(1/2) B(1/2)"')],
+     ["has a bath", "needs a temperature", "not available in runs yet", "run.toml:10", "integrator.scheme"]),
+    ("inner scheme with a bath", [('"hoa2"', '"hoa2 / B(1/2) A(1) O(1) B(1/2) x 2 within 0.5 nm"')],
+     ["has a bath", "run.toml:10", "integrator.scheme"]),
+    ("baths that do not sum to one", [('"hoa2"', '"B(1/2) A(1) O(1/2) B(1/2)"')], ["baths O to 0.5", "sum to 1", "run.toml:10"]),
     ("unknown inner scheme", [('"hoa2"', '"hoa2 / hoa x 2 within 0.5 nm"')], ["'hoa'", "'hoa2'", "run.toml:10"]),
     ("no inner steps", [('"hoa2"', '"hoa2 / hoa2 x 0 within 0.5 nm"')], ["0 steps", "from 1 to 1000", "run.toml:10"]),
     ("near forces without a unit", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.5"')], ["hoa2 x 2 within 0.5", "run.toml:10"]),
-    ("near forces that fade outward in", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.6 to 0.5 nm"')],
+    ("near forces with a switching distance beyond their cutoff", [('"hoa2"', '"hoa2 / hoa2 x 2 within 0.6 to 0.5 nm"')],
      ["0.6 to 0.5 nm", "kink", "run.toml:10"]),
     ("unknown molecule", [('"argon"', '"argn"')], ["'argn'", "'argon'", "run.toml:2"]),
     ("unknown study scheme", [('"velocity-verlet"', '"velocity-verlett"')],
@@ -55,7 +60,7 @@ RUN_FILE = [
     ("cutoff above half the box", [('"1.0 nm"', '"1.4 nm"')], ["1.400 nm", "2.500 nm", "1.250 nm", "run.toml:7", "forces.cutoff"]),
     ("default cutoff above half the box", [('"2.5 nm"', '"1.8 nm"'), ('cutoff = "1.0 nm"', "")],
      ["1.000 nm", "0.900 nm", "run.toml"]),
-    ("overlapping start", [("count = 27", "count = 40000")], ["overlap", "nm apart", "lower density", "run.toml"]),
+    ("overlapping initial configuration", [("count = 27", "count = 40000")], ["overlap", "nm apart", "lower density", "run.toml"]),
     ("zero step", [('step = "2 fs"', 'step = "0 fs"')], ["0 fs", "longer than 0 fs", "run.toml:11"]),
     ("negative step", [('step = "2 fs"', 'step = "-2 fs"')], ["-2 fs", "longer than 0 fs", "run.toml:11"]),
     ("step that is not finite", [('step = "2 fs"', 'step = "nan fs"')], ["nan fs", "finite", "run.toml:11"]),
@@ -81,7 +86,7 @@ RUN_FILE = [
     ("molecule switch with the damped shifted force",
      [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "damped-shifted-force"\ntruncation = "molecule-switch"\n')],
      ["molecule-switch", "damped-shifted-force", "site-switch", "run.toml:9"]),
-    ("molecule switch with Ewald's sum", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "pme"\ntruncation = "molecule-switch"\n')],
+    ("molecule switch with PME", [('"1.0 nm"\n', '"1.0 nm"\nelectrostatics = "pme"\ntruncation = "molecule-switch"\n')],
      ["molecule-switch", "pme", "site-switch", "run.toml:9"]),
     ("unknown mixing", [('"1.0 nm"\n', '"1.0 nm"\nmixing = "geometrc"\n')],
      ["'geometric'", "lorentz-berthelot", "run.toml:8", "forces.mixing"]),
@@ -92,13 +97,13 @@ RUN_FILE = [
     ("pair of negative epsilon", [("[integrator]", PAIR.replace("0.8 kJ", "-0.8 kJ") + "[integrator]")],
      ["-0.8 kJ/mol", "0 or more", "run.toml:12", "pair[0].epsilon"]),
     ("pair given twice", [("[integrator]", PAIR + PAIR + "[integrator]")], ["twice", "delete one", "run.toml:14", "pair[1].sites"]),
-    ("zero skin", [('"1.0 nm"\n', '"1.0 nm"\nskin = "0 nm"\n')], ["skin", "0.1 nm", "run.toml:8"]),
+    ("zero skin", [('"1.0 nm"\n', '"1.0 nm"\nskin = "0 nm"\n')], ["skin", "0.05 nm", "run.toml:8"]),
     ("not TOML", [("[system]", "[system")], ["not TOML", "run.toml:1"]),
     ("no molecules", [('molecules = [{ model = "argon", count = 27 }]\n', "")], ["no molecules", "tip4p", "run.toml"]),
-    ("start that is not there", [('box = "2.5 nm"', 'initial_configuration = "none.gro"')], ["none.gro", "w512", "run.toml:3"]),
+    ("missing initial configuration", [('box = "2.5 nm"', 'initial_configuration = "none.gro"')], ["none.gro", "w512", "run.toml:3"]),
     ("unknown format of trajectories", [('plot = "none"', 'formats = ["xyzz"]')], ["'xyzz'", "'xyz'", "run.toml:18"]),
     ("unknown key of a study", [("runs = 2", "run = 2")], ["'run'", "'runs'", "run.toml:23"]),
-    ("one run a point", [("runs = 2", "runs = 1")], ["runs = 1", "2 or more", "run.toml:23"]),
+    ("one run per point", [("runs = 2", "runs = 1")], ["runs = 1", "2 or more", "run.toml:23"]),
 ]
 
 # Name of the case, the initial configuration, what the message must contain.
@@ -112,14 +117,14 @@ START_FILE = [
     ("count of atoms not a number", ATOMS.replace("    2\n", "  two\n", 1), ["start.gro:2", "two"]),
     ("coordinate not a number", ATOMS.replace("0.500", "0.5x0", 1), ["start.gro:3", "0.5x0", "number"]),
     ("coordinate not finite", ATOMS.replace("  0.500", "    nan", 1), ["start.gro:3"]),
-    ("triclinic box", ATOMS.replace("2.50000\n", "2.50000 0 0 0.5 0 0 0\n"), ["start.gro:5", "cuboid"]),
+    ("triclinic box", ATOMS.replace("2.50000\n", "2.50000 0 0 0.5 0 0 0\n"), ["start.gro:5", "orthorhombic"]),
     ("box of zero length", ATOMS.replace("   2.50000   2", "   0.00000   2"), ["start.gro:5", "longer than 0 nm"]),
     ("atoms of another molecule", ATOMS.replace("AR", "OW"), ["start.gro", "'OW'", "'Ar'"]),
     ("fewer molecules than counted", ATOMS.replace("    2\n", "    1\n", 1).replace("    2argon   AR    2   1.500   1.500   1.500\n", ""),
      ["start.gro", "1 atoms", "2 molecules", "count"]),
     ("more molecules than counted", ATOMS.replace("    2\n", "    3\n", 1).replace(
         "   2.50000   2.5", "    3argon   AR    3   2.000   2.000   2.000\n   2.50000   2.5"), ["start.gro", "3 atoms", "2 molecules"]),
-    ("two atoms at one place", ATOMS.replace("1.500", "0.510"), ["molecules 1 and 2 overlap", "0.0173 nm", "0.085 nm"]),
+    ("two atoms at the same position", ATOMS.replace("1.500", "0.510"), ["molecules 1 and 2 overlap", "0.0173 nm", "0.085 nm"]),
 ]
 
 # Name of the case, changes of a molecule file, what the message must contain.
@@ -174,7 +179,7 @@ class BadInput(Sandbox):
             self.write("run.toml", edited(SMALL, ('"argon"', f'"./{name}"')))
             self.each_verb([word], "molecule file " + name)
         self.write("run.toml", edited(SMALL, ('box = "2.5 nm"', 'initial_configuration = "folder"')))
-        self.each_verb(["'folder'", "run.toml:3", "system.initial_configuration"], "start that is a folder")
+        self.each_verb(["'folder'", "run.toml:3", "system.initial_configuration"], "initial configuration that is a folder")
 
     def test_options(self):
         self.write("run.toml", SMALL)
@@ -184,7 +189,8 @@ class BadInput(Sandbox):
             (("--step", "2 nm"), ["--step", "2 nm", "length", "time"]),
             (("--length", "1 fs"), ["1 fs", "2 fs", "step"]),
             (("--scheme", "giere4"), ["'giere4'", "'gier4'", "--scheme"]),
-            (("--scheme", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "of which they are a part"]),
+            (("--scheme", "A(1) O(1) B(1)"), ["has a bath", "not available in runs yet", "--scheme"]),
+            (("--scheme", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "exceeds that of all forces"]),
             (("--output", "nowhere/out"), ["'nowhere'", "nowhere/out"]),
             (("--outptu", "out"), ["--outptu"]),
         ]:
@@ -194,7 +200,7 @@ class BadInput(Sandbox):
             (("--steps", "0 fs"), ["--steps", "0 fs", "longer than 0"]),
             (("--length", "4 fs"), ["4 fs", "2 fs"]),
             (("--schemes", "giere4"), ["'giere4'", "'gier4'", "--schemes"]),
-            (("--schemes", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "of which they are a part"]),
+            (("--schemes", "hoa2 / hoa2 x 2 within 1.1 nm"), ["1.1 nm", "1 nm", "exceeds that of all forces"]),
             (("--runs", "1"), ["--runs", "1"]),
             (("--output", "nowhere/study"), ["'nowhere'", "nowhere/study"]),
         ]:
@@ -226,13 +232,13 @@ class BadInput(Sandbox):
                 self.refused((verb, "run.toml", f"--threads={value}"), [*words, "--threads"], verb)
                 self.refused((verb, "run.toml"), [*words, "POLHODE_THREADS"], verb, POLHODE_THREADS=value)
         process = self.polhode("run", "run.toml", "--threads", "1", "--force", POLHODE_THREADS="two")
-        self.assertEqual(process.returncode, 0, process.err)  # an option takes the variable's place
+        self.assertEqual(process.returncode, 0, process.err)  # an option overrides the variable
 
     def test_length_shorter_than_a_step(self):
         self.write("run.toml", edited(SMALL, ('"0.02 ps"\n\n[output]', '"1.5 fs"\n\n[output]')))
         self.refused(("run", "run.toml"), ["1.5 fs", "2 fs", "one step"], "length")
 
-    def test_nested_schemes_where_brackets_are_asked_for(self):
+    def test_nested_schemes_where_error_brackets_are_needed(self):
         nested = ('"hoa2"', '"hoa2 / hoa2 x 1 within 0.5 nm"')
         self.write("run.toml", edited(SMALL, nested, ('"0.02 ps"\n\n[output]', '"0.02 ps"\nshadow_sample = "10 fs"\n\n[output]')))
         self.refused(("run", "run.toml"), ["shadow_sample is 10 fs", "hoa2 x 1 within", "near and slow", "a single scheme"], "shadow")
@@ -260,13 +266,13 @@ class BadInput(Sandbox):
         self.refused(("run", "run.toml", "--force"), ["'out-energies.csv'", "folder"], "run")
 
     @unittest.skipIf(os.geteuid() == 0, "nothing is unwritable for root")
-    def test_folder_that_takes_no_files(self):
+    def test_unwritable_folder(self):
         self.write("run.toml", SMALL)
         (self.folder / "locked").mkdir(mode=0o500)
         for verb in ("run", "study"):
             self.refused((verb, "run.toml", "--output", "locked/out"), ["'locked'", "locked/out"], verb)
 
-    def test_folder_that_takes_no_files_whoever_asks(self):
+    def test_folder_that_is_unwritable_for_every_user(self):
         self.write("run.toml", SMALL)
         for verb in ("run", "study"):
             self.refused((verb, "run.toml", "--output", "/proc/out"), ["/proc/out"], verb)

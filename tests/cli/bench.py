@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""polhode bench says what it promises; no time is tested, for a busy computer is no mistake."""
+"""The output of polhode bench is complete; times are not tested, because they depend on the load."""
 
 import json
 
@@ -28,7 +28,7 @@ class Bench(Sandbox):
         for system in report["systems"]:
             self.assertEqual([e["switch_nm"] for e in system["evaluations"]], [0.765, 0.85])
             for e in system["evaluations"]:
-                # The pairs of the start within the program, and the share of a list with skin that they are.
+                # The pairs of the built-in configuration within the cutoff, and their fraction of a list with skin.
                 self.assertEqual(e["pairs"], system["evaluations"][0]["pairs"])
                 self.assertTrue(0.5 < e["fill"] < 1, e["fill"])
                 self.assertGreater(e["arithmetic_us"], 0)
@@ -45,7 +45,7 @@ class Bench(Sandbox):
     def test_text_and_other_sizes(self):
         process = self.polhode("bench", "--quick", "--sizes", "216,600", "--precision", "mixed", "--threads", "1")
         self.assertEqual(process.returncode, 0, process.err)
-        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "everything beside the forces"):
+        for words in ("216 waters", "600 waters", "multiply-adds", "mixed", "hoa2", "ns/day", "everything except the forces"):
             self.assertIn(words, process.out)
         self.assertNotIn("double", process.out)
 

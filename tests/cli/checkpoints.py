@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A run that was killed, stopped or left without room goes on as if nothing had happened; damaged checkpoints are refused."""
+"""A run that was killed, interrupted or out of disk space is resumed with identical results; damaged checkpoints are refused."""
 
 import json
 import os
@@ -11,13 +11,13 @@ import time
 import sandbox
 from sandbox import SMALL, Sandbox, edited
 
-# Some hundred steps of 64 waters in about a second, with equilibration, and a checkpoint every few steps.
+# A few hundred steps of 64 waters in about a second, with equilibration, and a checkpoint every few steps.
 WATER = edited(SMALL, ('"argon", count = 27', '"tip4p", count = 64'), ('"100 K"', '"297 K"'),
                ("[run]\n", '[run]\nequilibrate = "0.1 ps"\nsample = "6 fs"\n'), ('length = "0.02 ps"\n', 'length = "0.602 ps"\n'),
                ('"hoa2"', '"gier4"'),
                ('prefix = "out"', 'prefix = "out"\ntrajectory_every = "20 fs"\ncheckpoint_every = "0.01 s"'))
 GROWING = ("energies.csv", "trajectory.xyz", "trajectory.gro")
-TIMES = ("seconds", "ns_per_day", "threads")  # of the summary: not the same twice
+TIMES = ("seconds", "ns_per_day", "threads")  # of the summary: differ between runs
 
 
 class Checkpoints(Sandbox):
@@ -31,11 +31,11 @@ class Checkpoints(Sandbox):
         return {k: v for k, v in json.loads(process.out).items() if k not in TIMES}
 
     def outputs(self):
-        """What a run leaves behind, without its checkpoints, which hold times."""
+        """The files of a run, without its checkpoints, which contain times."""
         return {n: b for n, b in self.contents().items() if n.startswith("out") and "checkpoint" not in n and not n.endswith(".lock")}
 
     def whole(self):
-        """Summary and files of a run that nothing happens to; the folder is empty again afterwards."""
+        """Summary and files of an uninterrupted run; the folder is empty again afterwards."""
         summary = self.summary()
         files = self.outputs()
         self.assertEqual(len(files), 4)
@@ -50,7 +50,7 @@ class Checkpoints(Sandbox):
         super().refused(("run", "run.toml", *options), words, **environment)
 
     def killed(self, signal_number, ready):
-        """A run that gets a signal as soon as `ready()` holds."""
+        """A run that gets a signal as soon as `ready()` is true."""
         process = self.start("run", "run.toml")
         end = time.monotonic() + sandbox.LONGEST
         while process.poll() is None and time.monotonic() < end and not ready():
@@ -60,7 +60,7 @@ class Checkpoints(Sandbox):
         return process.returncode
 
     def interrupt(self, signal_number=signal.SIGTERM):
-        """A run that is stopped when it has written some energies."""
+        """A run that is stopped after it has written a few energies."""
         path = self.folder / "out-energies.csv"
         code = self.killed(signal_number, lambda: path.exists() and path.read_bytes().count(b"\n") > 15)
         self.assertEqual(code, 130)
@@ -75,13 +75,13 @@ class Checkpoints(Sandbox):
         self.assertEqual(self.summary("--continue"), summary)
         self.assertEqual(self.outputs(), files)
         self.assertEqual([n for n in self.contents() if "unfinished" in n], [])
-        # What is done already is told again.
+        # A finished run reports its results again.
         self.assertEqual(self.summary("--continue"), summary)
         self.assertEqual(self.outputs(), files)
 
     def test_signals(self):
         summary, files = self.whole()
-        signal.signal(signal.SIGHUP, signal.SIG_DFL)  # whoever runs the tests may ignore it, and processes inherit that
+        signal.signal(signal.SIGHUP, signal.SIG_DFL)  # the caller of the tests may ignore it, which processes inherit
         for signal_number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGXCPU):
             self.interrupt(signal_number)
             for name in GROWING:
@@ -136,7 +136,7 @@ class Checkpoints(Sandbox):
             for path, data in state.items():
                 path.write_bytes(data)
 
-        # One is damaged: the one before it serves.
+        # One is damaged: the previous one is used.
         def with_another_version():
             newest.write_bytes(bytes_of[newest][:16] + b"\xff" + bytes_of[newest][17:])
         flips = [lambda: flipped(newest)] * sandbox.FLIPS
@@ -148,16 +148,16 @@ class Checkpoints(Sandbox):
             for word in ("note: ", "'out-checkpoint.bin'", "'out-checkpoint-previous.bin'", "intact"):
                 self.assertIn(word, process.err)
             self.assertEqual(self.outputs(), files)
-        # Both are.
+        # Both are damaged.
         restored()
         flipped(previous)
         newest.write_bytes(b"")
         self.refused("out-checkpoint.bin", "out-checkpoint-previous.bin")
 
-        # Outputs that are missing, shorter, or of someone else.
+        # Outputs that are missing, shorter, or from another run.
         for name in GROWING:
             path = self.folder / f"out-{name}"
-            for spoil, words in ((path.unlink, ["cannot be gone on with"]),
+            for spoil, words in ((path.unlink, ["cannot be opened to append to it"]),
                                  (lambda: path.write_bytes(path.read_bytes()[:100]), ["100 bytes"])):
                 restored()
                 spoil()
@@ -166,7 +166,7 @@ class Checkpoints(Sandbox):
         (self.folder / "out-energies.csv").write_bytes(b"0" * 10 + state[self.folder / "out-energies.csv"][10:])
         self.refused("out-energies.csv")
 
-        # Checkpoints of others.
+        # Checkpoints of other runs.
         restored()
         self.write("run.toml", edited(WATER, ('"297 K"', '"298 K"')))
         self.refused("another run", "polhode run run.toml", "--output", "--force")
@@ -175,19 +175,19 @@ class Checkpoints(Sandbox):
         self.refused("another run", options=("--continue", "--precision", "mixed"))
         if summary["instruction_set"] != "scalar":
             self.refused("scalar", "POLHODE_INSTRUCTION_SET", POLHODE_INSTRUCTION_SET="scalar")
-        # Without --continue nothing is overwritten, and --force begins anew.
+        # Without --continue nothing is overwritten, and --force starts over.
         self.refused("out-checkpoint.bin", "--continue", "--force", options=())
         self.assertEqual(self.summary("--force"), summary)
         self.assertEqual(self.outputs(), files)
 
-    def test_another_start(self):
+    def test_another_initial_configuration(self):
         self.summary("--output", "start")
         start = (self.folder / "start-final.gro").read_text()
         water = edited(WATER, ('box = "2.5 nm"', 'initial_configuration = "start-final.gro"'), ('equilibrate = "0.1 ps"\n', ""))
         self.write("run.toml", water)
         self.interrupt()
         def edit(change):
-            """The start with its atoms changed: a list of [names, position, velocity], numbers as text."""
+            """The initial configuration with its atoms changed: a list of [names, position, velocity], numbers as text."""
             lines = start.splitlines()
             atoms = [[line[:20], *(line[at:at + 15] for at in range(20, 110, 15))] for line in lines[2:-1]]
             change(atoms)
@@ -212,7 +212,7 @@ class Checkpoints(Sandbox):
         self.write("start-final.gro", start)
         for key in ("massless_sites", "velocities"):
             self.write("run.toml", edited(water, ('prefix = "out"', f'prefix = "out"\n{key} = false')))
-            self.refused("another run", "what trajectories hold")
+            self.refused("another run", "contents of trajectories")
         self.write("run.toml", water)
         self.summary("--continue")
 
@@ -230,16 +230,16 @@ class Checkpoints(Sandbox):
             path = self.folder / name
             mine = path.read_bytes()
             path.write_bytes(others[name] if name.endswith("h5md") else others[name][:len(mine)])
-            self.refused(f"'{name}'", "not as this run wrote it", "--force")
+            self.refused(f"'{name}'", "was changed: its checksum differs", "--force")
             if not name.endswith("h5md"):
-                # One bit before the checkpoint; in DCD's first 92 bytes stands what changes with each frame.
+                # One bit before the checkpoint; the first 92 bytes of a DCD file change with each frame.
                 at = random.randrange(92, len(mine) // 2)
                 path.write_bytes(mine[:at] + bytes([mine[at] ^ 1 << random.randrange(8)]) + mine[at + 1:])
-                self.refused(f"'{name}'", "not as this run wrote it", "--force")
+                self.refused(f"'{name}'", "was changed: its checksum differs", "--force")
             path.write_bytes(mine)
         self.summary("--continue")
 
-    def test_nothing_to_go_on_from(self):
+    def test_nothing_to_resume_from(self):
         summary, files = self.whole()
         self.assertEqual(self.summary("--continue"), summary)
         self.assertEqual(self.outputs(), files)

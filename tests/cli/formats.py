@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Trajectories of every format, read back by MDAnalysis, mdtraj and h5py, and what kill -9 leaves of an H5MD file."""
+"""Trajectories of every format, read back by MDAnalysis, mdtraj and h5py, and H5MD files after kill -9."""
 
 import signal
 import time
@@ -48,7 +48,7 @@ class Formats(Sandbox):
         self.assertEqual(found.shape, truth.shape, ending)
         self.assertLessEqual(numpy.abs(found - truth).max(), LAST_DIGIT[ending] * 1.0001 + FLOAT, ending)
 
-    def test_other_programs_read_what_we_write(self):
+    def test_other_programs_read_our_files(self):
         self.done("run", WATER)
         r, v, times = self.truth()
         self.assertEqual(len(times), 6)
@@ -77,7 +77,7 @@ class Formats(Sandbox):
         self.assertEqual(process.returncode, 0, process.err)
         return process
 
-    def test_h5md_holds_bodies_observables_and_units(self):
+    def test_h5md_has_bodies_observables_and_units(self):
         self.done("run", WATER)
         r, _, times = self.truth()
         with h5py.File(self.trajectory("h5md")) as file:
@@ -89,7 +89,7 @@ class Formats(Sandbox):
             numpy.testing.assert_allclose((attitude**2).sum(axis=2), 1, atol=1e-14)
             mass = file["particles/all/mass"][:4]
             self.assertEqual(mass[3], 0)
-            # The centre of the first water is that of its sites, but for whole edges of the box.
+            # The centre of the first water equals that of its sites, up to whole box edges.
             centre = file["particles/bodies/position/value"][:, 0]
             off = (r[:, :4] * mass[:, None]).sum(axis=1) / mass.sum() - centre
             off -= 2.5 * numpy.round(off / 2.5)
@@ -100,7 +100,7 @@ class Formats(Sandbox):
             numpy.testing.assert_allclose(file["observables/potential_energy/value"][:],
                                           [wanted[round(t, 6)] for t in times], rtol=1e-12)
 
-    def test_a_killed_run_leaves_h5md_frames_that_read(self):
+    def test_h5md_frames_of_a_killed_run_are_readable(self):
         endless = edited(WATER, ('length = "0.02 ps"', 'length = "1000 ps"'))
         self.write("run.toml", endless)
         process = self.start("run", "run.toml")
@@ -115,14 +115,14 @@ class Formats(Sandbox):
         self.assertGreaterEqual((self.folder / "saved.gro").read_text().count("t="), seen)
 
     def frames_so_far(self):
-        """Frames which another program finds in the H5MD file of a run that goes on; 0 as long as it cannot be opened."""
+        """Frames that another program finds in the H5MD file of a run in progress; 0 as long as it cannot be opened."""
         try:
             with h5py.File(self.trajectory("h5md"), "r", libver="latest", swmr=True) as file:
                 return len(file["particles/all/position/value"])
         except OSError:
             return 0
 
-    def test_a_killed_run_goes_on_in_its_h5md_file(self):
+    def test_a_killed_run_resumes_in_its_h5md_file(self):
         self.write("run.toml", edited(WATER, ('length = "0.02 ps"', 'length = "4 ps"'), ("formats = ", "# "),
                                       ('plot = "none"', 'plot = "none"\nformats = ["h5md", "xtc"]\ncheckpoint_every = "0.01 s"')))
 
@@ -149,7 +149,7 @@ class Formats(Sandbox):
         for name, numbers in whole.items():
             numpy.testing.assert_array_equal(again[name], numbers, name)
 
-    def test_convert_goes_around_all_formats_and_selects(self):
+    def test_convert_between_all_formats_and_select(self):
         self.done("run", WATER)
         r, _, times = self.truth()
         here = "out-trajectory.gro"
@@ -161,18 +161,18 @@ class Formats(Sandbox):
         last = numpy.array([[float(a[20 + 15 * k:35 + 15 * k]) for k in range(3)] for a in lines[2:110]])
         self.assertLess(numpy.abs(last - r[0]).max(), 0.5e-3 + 0.5e-4 + 1e-6)  # XTC and PDB round
         process = self.done_convert("out-trajectory.trr", "some.xtc", "--from", "4 fs", "--to", "16 fs", "--every", "2")
-        self.assertIn("velocities are left out", process.err)
+        self.assertIn("velocities are not written", process.err)
         self.assertEqual(process.out, "2 frames written to some.xtc\n")
         self.assertEqual(list(mdtraj.open(str(self.folder / "some.xtc")).read()[1]), list(numpy.float32(times[[1, 3]])))
 
-    def test_convert_refuses_with_the_remedy(self):
+    def test_errors_of_convert_have_a_remedy(self):
         self.done("run", WATER)
         for arguments, parts in [
-            (["out-trajectory.xtc", "a.gro"], ["names no atoms", "--names"]),
-            (["out-trajectory.xtc", "a.grp"], ["'a.grp' ends in none", "'gro'"]),
-            (["out-trajectory.gro", "out-trajectory.pdb"], ["is there already", "--force"]),
+            (["out-trajectory.xtc", "a.gro"], ["has no atom names", "--names"]),
+            (["out-trajectory.xtc", "a.grp"], ["'a.grp' has no known extension", "'gro'"]),
+            (["out-trajectory.gro", "out-trajectory.pdb"], ["exists and would be overwritten", "--force"]),
             (["out-trajectory.gro", "a.pdb", "--from", "1 ps"], ["no frame", "--from"]),
-            (["run.toml", "a.pdb"], ["'run.toml' ends in none"]),
+            (["run.toml", "a.pdb"], ["'run.toml' has no known extension"]),
         ]:
             before = self.contents()
             process = self.polhode("convert", *arguments)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Files that would mislead, hang or fill the disk: read right, or refused with their place; and what a format cannot hold is not written."""
+"""Misleading, endless or huge files are read correctly or refused with their place, and what a format cannot store is not written."""
 
 import resource
 import signal
@@ -8,8 +8,8 @@ import subprocess
 import sandbox
 from sandbox import SMALL, Sandbox, edited
 
-# Seconds of the processor that any of these files may take: a few are enough for every one, and those that it guards
-# against took minutes. Not of the clock, so that a busy machine does not matter.
+# Limit of CPU seconds for each of these files: a few are enough, while the faults that it detects took minutes. CPU
+# time, so that a busy machine does not matter.
 ENOUGH = 20
 
 ARGON_XYZ = '2\nLattice="20 0 0 0 20 0 0 0 20" Properties=species:S:1:pos:R:3 Time={} pbc="T T T"\nAr 5 5 5\nAr {} 5 5\n'
@@ -17,7 +17,7 @@ CRYST = "CRYST1   20.000   20.000   20.000  90.00  90.00  90.00 P 1           1\
 
 
 def atom(serial, name="AR", residue=1, x=5.0, location=" ", record="ATOM  "):
-    """A line of PDB; a serial that is text stands from column 7 on as it is."""
+    """A PDB line; a serial given as text is written unchanged from column 7 on."""
     serial = f"{serial:5d}" if isinstance(serial, int) else serial
     return f"{record}{serial} {name:<4}{location}AR   {residue:4d}    {x:8.3f}{5:8.3f}{5:8.3f}  1.00  0.00          Ar\n"
 
@@ -54,7 +54,7 @@ WITH_TOPOLOGY = edited(SMALL, ('molecules = [{ model = "argon", count = 27 }]\nb
 
 WITH_DATA = edited(SMALL, ('molecules = [{ model = "argon", count = 27 }]\nbox = "2.5 nm"', 'initial_configuration = "in.data"'),
                    ("[forces]\n", '[forces]\nmixing = "geometric"\n'))
-# A molecule of one atom and one of two, in turns.
+# A molecule of one atom and one of two, alternating.
 DATA = """interleaved
 
 6 atoms
@@ -88,7 +88,7 @@ Atoms # full
 
 class HostileFiles(Sandbox):
     def polhode(self, *arguments, **environment):
-        """As ever, within what is enough."""
+        """Runs as usual, within generous limits."""
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
         process = super().polhode(*arguments, **environment)
         now = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -116,8 +116,8 @@ class HostileFiles(Sandbox):
                 self.assertEqual([line.split()[1] for line in (self.folder / "out.xyz").read_text().splitlines()[2:]],
                                  ["5.00000000", "9.00000000"])
 
-    def test_pdb_columns_that_a_serial_pushed_are_refused(self):
-        # y and z are so long that the digit before each makes another number, not nonsense.
+    def test_pdb_columns_shifted_by_a_serial_are_refused(self):
+        # y and z are so long that the digit before each gives another valid number.
         self.write("in.pdb", CRYST + f"ATOM  100000 {'AR':<4} AR      1    {5.1:8.3f}{1234.5:8.3f}{1005:8.3f}  1.00  0.00\n")
         self.refused(["convert", "in.pdb", "out.xyz"], ["in.pdb:2", "serial", "hybrid-36"])
 
@@ -131,11 +131,11 @@ class HostileFiles(Sandbox):
         self.converted("out.pdb", "back.gro")
         self.assertEqual((self.folder / "back.gro").read_text().splitlines()[1].strip(), str(count))
 
-    def test_pdb_that_means_something_else_is_refused(self):
+    def test_pdb_with_another_meaning_is_refused(self):
         for title, text, words in [
             ("alternate locations", CRYST + atom(1, location="A") + atom(2, location="B", x=5.5) + "END\n",
              ["in.pdb:3", "'A' and 'B'", "delete"]),
-            ("no box of a crystal", CRYST.replace("20.000", " 1.000") + atom(1) + "END\n", ["in.pdb:1", "stands for no box"]),
+            ("no box of a crystal", CRYST.replace("20.000", " 1.000") + atom(1) + "END\n", ["in.pdb:1", "means that there is none"]),
             ("record of another name", CRYST + atom(1).replace("ATOM ", "ATOMS") + "END\n", ["in.pdb:2", "'ATOMS '", "HETATM"]),
         ]:
             self.write("in.pdb", text)
@@ -145,7 +145,7 @@ class HostileFiles(Sandbox):
         self.write("in.pdb", CRYST + "MODEL        1\n" + atom(1) + "MODEL        2\n" + atom(1, x=6) + "END\n")
         self.assertIn("2 frames", self.converted("in.pdb", "out.gro").out)
 
-    def test_a_byte_order_mark_drops_nothing(self):
+    def test_a_byte_order_mark_loses_nothing(self):
         mark = b"\xef\xbb\xbf"
         self.write("in.pdb", mark + (atom(1) + CRYST + atom(2, residue=2, x=9) + "END\n").encode())
         self.converted("in.pdb", "a.gro")
@@ -156,9 +156,9 @@ class HostileFiles(Sandbox):
         self.write("conf.gro", SPCE_GRO)
         self.done("energy", WITH_TOPOLOGY)
 
-    # What a format cannot hold
+    # What a format cannot store
 
-    def test_what_a_format_cannot_hold_is_not_written(self):
+    def test_what_a_format_cannot_store_is_not_written(self):
         wide = ARGON_XYZ.format(0, 10000.0)
         more = ARGON_XYZ.format(1, 9).replace("2\n", "3\n", 1) + "Ar 2 2 2\n"
         late = ARGON_XYZ.format(1, 9) + ARGON_XYZ.format(5, 9)
@@ -169,7 +169,7 @@ class HostileFiles(Sandbox):
             ("coordinates beyond XTC's integers", ARGON_XYZ.format(0, 2e7), "out.xtc", ["2000000 nm", "1073741.8"]),
             ("another number of atoms in DCD", ARGON_XYZ.format(0, 9) + more, "out.dcd", ["1 ps", "3 atoms", "first has 2"]),
             ("another number of atoms in H5MD", ARGON_XYZ.format(0, 9) + more, "out.h5md", ["1 ps", "3 atoms", "first has 2"]),
-            ("uneven times in DCD", ARGON_XYZ.format(0, 9) + late, "out.dcd", ["frame 3 is of 5 ps where 2 ps must be"]),
+            ("uneven times in DCD", ARGON_XYZ.format(0, 9) + late, "out.dcd", ["frame 3 is at 5 ps instead of 2 ps"]),
         ]:
             self.write("in.xyz", text)
             self.refused(["convert", "in.xyz", out], words, title)
@@ -183,7 +183,7 @@ class HostileFiles(Sandbox):
             self.assertAlmostEqual(float(back[3].split()[1]), float(x), delta=1e-8)
             self.assertIn('Lattice="2000000 ', back[1])
 
-    def test_a_run_whose_box_is_too_large_for_its_format_does_not_begin(self):
+    def test_a_run_whose_box_is_too_large_for_its_format_does_not_start(self):
         text = edited(SMALL, ('"2.5 nm"', '"1200 nm"'), ('plot = "none"', 'plot = "none"\nformats = ["pdb"]'))
         self.write("run.toml", text)
         self.refused(["run", "run.toml"], ["1200 nm", "999.9999", "out-trajectory.pdb"])
@@ -200,7 +200,7 @@ class HostileFiles(Sandbox):
         self.assertEqual([line[10:15].strip() for line in atoms], ["Ar", "N1", "N2", "Ar", "N1", "N2"])
         self.assertEqual([round(float(line[20:35]), 4) for line in atoms], [0.2, 0.8, 0.91] * 2)
 
-    def test_a_data_file_is_topology_and_start_in_the_order_of_kinds(self):
+    def test_a_data_file_is_topology_and_initial_configuration(self):
         self.write("in.data", DATA)
         self.done("energy", WITH_DATA)
 
@@ -212,7 +212,7 @@ class HostileFiles(Sandbox):
         self.write("in.data", DATA.replace("lj/cut/coul/long", "lj/cut/coul/long/omp"))
         self.done("energy", WITH_DATA)
 
-    def test_one_molecule_of_all_atoms_is_refused_at_once(self):
+    def test_one_molecule_of_all_atoms_is_refused_quickly(self):
         count = 40000
         lines = "".join(f"{k} 1 1 0 {k % 200 / 10} {k // 200 % 200 / 10} {k // 40000}\n" for k in range(1, count + 1))
         head = DATA[:DATA.index("1 1 1 0 2 2 2")].replace("6 atoms", f"{count} atoms")
@@ -222,11 +222,11 @@ class HostileFiles(Sandbox):
 
     # GROMACS
 
-    def test_topologies_that_mislead_are_refused(self):
+    def test_misleading_topologies_are_refused(self):
         self.write("conf.gro", SPCE_GRO)
         types = "[ atomtypes ]\nOW  8  15.9994  0  A  0.3  0.6\n"
         for title, topology, words in [
-            ("late atom types", SPCE.replace("[ system ]", types + "[ system ]"), ["topol.top:16", "behind [ moleculetype ] 'SOL'"]),
+            ("late atom types", SPCE.replace("[ system ]", types + "[ system ]"), ["topol.top:16", "after [ moleculetype ] 'SOL'"]),
             ("late pairs", SPCE.replace("[ system ]", "[ nonbond_params ]\nOW OW 1 0.3 0.6\n[ system ]"), ["topol.top:16", "behind"]),
             ("atom types given twice", SPCE.replace("[ moleculetype ]", types + "[ moleculetype ]", 1),
              ["topol.top:7", "topol.top:4", "other parameters"]),
@@ -235,9 +235,9 @@ class HostileFiles(Sandbox):
             self.write("run.toml", WITH_TOPOLOGY)
             self.refused(["energy", "run.toml"], words, title)
         self.write("topol.top", SPCE.replace("[ moleculetype ]", "[ atomtypes ]\nOW 8 15.9994 0.0 A 0.316557 0.650629\n[ moleculetype ]", 1))
-        self.done("energy", WITH_TOPOLOGY)  # the same again does no harm
+        self.done("energy", WITH_TOPOLOGY)  # a repeated identical definition is allowed
 
-    def test_macros_that_would_define_nothing_are_refused(self):
+    def test_incorrect_macros_are_refused(self):
         self.write("conf.gro", SPCE_GRO)
         self.write("topol.top", SPCE)
         self.write("run.toml", edited(WITH_TOPOLOGY, ("[forces]", 'define = ["-DFLEXIBLE"]\n\n[forces]')))
@@ -245,7 +245,7 @@ class HostileFiles(Sandbox):
         self.write("run.toml", edited(WITH_TOPOLOGY, ("[forces]", 'define = ["FLEXIBLE"]\n\n[forces]')))
         self.refused(["energy", "run.toml"], ["not held rigid"])
 
-    def test_macros_within_macros_end(self):
+    def test_nested_macros_are_limited(self):
         self.write("conf.gro", SPCE_GRO)
         macros = "#define A x x x x x x x x x x\n" + "".join(
             f"#define {name} {' '.join([within] * 10)}\n" for name, within in ("BA", "CB", "DC"))
@@ -273,7 +273,7 @@ class HostileFiles(Sandbox):
         self.refused(["energy", "run.toml"], ["run.toml:2", "dots"])
         self.done("energy", "# a.b.c.d.e.f.g.h.i.j.k.l\n" + SMALL.replace('"out"', '"out.1.2.3.4.5.6.7.8.9.10"'))
 
-    def test_lengths_beyond_counting_are_refused(self):
+    def test_lengths_beyond_the_step_counter_are_refused(self):
         for old, new in [('length = "0.02 ps"', 'length = "1e300 ps"'), ('length = "0.02 ps"', 'length = "0.02 ps"\nequilibrate = "1e300 ps"'),
                          ('step = "2 fs"\n\n', 'step = "1e-300 fs"\n\n')]:
             self.write("run.toml", edited(SMALL, (old, new)))
@@ -317,7 +317,7 @@ class HostileFiles(Sandbox):
         self.assertEqual(one, two)
 
     def test_h5md_on_a_full_disk_ends_with_an_error(self):
-        """With a limit of the length of files in the place of a full disk: --continue copies, and does not get far."""
+        """A limit of the file size stands for a full disk: --continue copies, and fails soon."""
         text = edited(SMALL, ('length = "0.02 ps"', 'length = "1 ps"'),
                       ("[output]", '[output]\ntrajectory_every = "2 fs"\nformats = ["h5md"]\ncheckpoint_every = "0.01 s"'))
         self.done("run", text)
@@ -336,7 +336,7 @@ class HostileFiles(Sandbox):
         self.assertEqual(process.returncode, 0, process.err)
 
     def limited(self, size, *arguments):
-        """polhode with files of so many bytes at most; writing more is an error, not a signal."""
+        """Runs polhode with a limit of the file size in bytes; writing more is an error, not a signal."""
         def limit():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
             resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Nothing of a name is ever evaluated: not by gnuplot, not by a shell, not by a terminal; control characters are refused."""
+"""Names are never evaluated by gnuplot, a shell or a terminal; control characters are refused."""
 
 import os
 import shutil
@@ -8,9 +8,9 @@ import unittest
 import sandbox
 from sandbox import SMALL, Sandbox, edited
 
-# Each makes a file "c" where a shell or gnuplot evaluates it, or breaks out of a text.
+# Each creates a file "c" if a shell or gnuplot evaluates it, or ends a quoted text.
 HOSTILE = ("`>c`", "$(>c)", "a;>c;", "<>c;", "|>c;", "a'`>c`", 'a"`>c`', "a\\", "a' b", "~", "-e", "a@b", "{a}^_&", "$c", "'", '"')
-# Names that no name may be: a newline, an escape sequence, DEL, C1, bytes that are not UTF-8.
+# Forbidden names: a newline, an escape sequence, DEL, C1, bytes that are not UTF-8.
 REFUSED = ("a\nb", "a\tb", "a\x1b[31mb", "a\x7fb", "a\u009bb", "a\udcffb", "a\udcc3")
 DRAWN = edited(SMALL, ('plot = "none"', 'plot = "svg"\ntrajectory_every = "2 fs"\nformats = ["xyz"]'))
 BALL = """name = "ball"
@@ -23,7 +23,7 @@ mass = "40 u"
 sigma = "0.34 nm"
 epsilon = "1 kJ/mol"
 """
-# Names of a site with no more than GRO's five letters.
+# Site names with at most the five letters of GRO files.
 SITES = ("`>c`", "$(>c)", "<>c", "|>c", "a'b", 'a"b', "a,b", "a\\", "@a", "{a}_b")
 
 
@@ -71,12 +71,12 @@ class HostileNames(Sandbox):
             self.succeeds("molecules", "./ball.toml")
 
     def test_studies(self):
-        scheme = "B(1/2)\n  A(1)\tB(1/2)"  # white space is welcome in the text of a scheme
+        scheme = "B(1/2)\n  A(1)\tB(1/2)"  # white space is allowed in the text of a scheme
         self.write("run.toml", edited(SMALL, ("runs = 2", "runs = 3")))
         for name in ("`>c`", "<>c;", "|>c;"):
             for _ in range(2):  # the second one reads the record of the first
                 process = self.succeeds("study", "run.toml", f"--output={name}", "--schemes", scheme)
-            self.assertIn("3 runs are known", process.err)
+            self.assertIn("3 runs are read", process.err)
             self.is_drawn(f"{name}.svg")
 
     def test_control_characters_are_refused(self):
@@ -103,7 +103,7 @@ class HostileNames(Sandbox):
                 for verb in ("run", "energy", "study"):
                     self.refused((verb, "run.toml"), ["ball", "0x", "another name"], "site")
 
-    def test_a_terminal_shows_what_it_would_obey(self):
+    def test_terminals_show_control_characters_escaped(self):
         name = "a\x1b]0;title\x07\x1b[2J\u009b1m\udcff"
         self.write("ball.toml", edited(BALL, ("NAME", "X"), ('"user"', '"user"\ndescription = "a\\u001b[31mb"')))
         for arguments in (("run", name), ("convert", f"{name}.gro", "out.xyz"), ("analyze", f"{name}.xtc", "--molecules", "argon 27"),

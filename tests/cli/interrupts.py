@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Ctrl-C and SIGTERM end a run or a study soon, and leave what was computed whole; a study goes on from there."""
+"""Ctrl-C and SIGTERM end a run or a study soon and leave complete files; a study resumes from them."""
 
 import json
 import signal
@@ -9,13 +9,13 @@ import unittest
 import sandbox
 from sandbox import SMALL, Sandbox, edited
 
-SOON = 5  # seconds that an interrupted program may take to end on a busy machine
+SOON = 5  # time limit for an interrupted program to end on a busy machine [s]
 LONG = edited(SMALL, ('"0.02 ps"\n\n[output]', '"1000 ps"\n\n[output]'))
 
 
 class Interrupts(Sandbox):
     def interrupted(self, ready, signal_number, *arguments):
-        """The process, stopped by the signal as soon as `ready()` holds."""
+        """The process, stopped by the signal as soon as `ready()` is true."""
         process = self.start(*arguments)
         self.addCleanup(process.kill)
         end = time.monotonic() + sandbox.LONGEST
@@ -35,7 +35,7 @@ class Interrupts(Sandbox):
         return path.read_bytes().count(b"\n") if path.exists() else 0
 
     def check_frames(self, name, head):
-        """The trajectory holds whole frames of 27 atoms, each with `head` lines around them."""
+        """The trajectory consists of complete frames of 27 atoms, each with `head` other lines."""
         lines = (self.folder / name).read_text().splitlines()
         frame = 27 + head
         self.assertGreater(len(lines), frame)
@@ -66,7 +66,7 @@ class Interrupts(Sandbox):
     def test_rare_samples_do_not_delay_the_end(self):
         self.write("run.toml", edited(LONG, ("[output]", 'sample = "1000 ps"\n\n[output]')))
         self.interrupted(lambda: self.lines("out-trajectory.xyz") > 0, signal.SIGINT, "run", "run.toml")
-        self.assertEqual(len(self.rows("out-energies.csv")), 3)  # head, start, last step
+        self.assertEqual(len(self.rows("out-energies.csv")), 3)  # header, initial state, last step
 
     def test_equilibration(self):
         self.write("run.toml", edited(LONG, ("[run]\n", '[run]\nequilibrate = "1000 ps"\n')))
@@ -86,10 +86,10 @@ class Interrupts(Sandbox):
             done = self.lines(f"{name}-runs.csv")
             self.assertLess(done, self.lines("whole-runs.csv"), "there was nothing left to interrupt")
             with (self.folder / f"{name}-runs.csv").open("a") as record:
-                record.write("velocity-verlet;0.00")  # as a power cut leaves the last line
+                record.write("velocity-verlet;0.00")  # as after a power failure
             process = self.polhode("study", "run.toml", "--output", name)
             self.assertEqual(process.returncode, 0, process.err)
-            self.assertIn("runs are known", process.err)
+            self.assertIn("runs are read", process.err)
             self.assertEqual(self.rows(f"{name}.csv"), self.rows("whole.csv"))
             self.assertEqual(sorted(self.rows(f"{name}-runs.csv")), sorted(self.rows("whole-runs.csv")))
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Two processes on one run or study: the second is refused and told who holds it; nothing of either is spoilt."""
+"""Two processes with one run or study: the second is refused with the owner of the lock; no file is damaged."""
 
 import os
 import re
@@ -10,12 +10,12 @@ import time
 import sandbox
 from sandbox import SMALL, Sandbox, edited
 
-# Some hundred steps with samples, frames and checkpoints all along.
+# A few hundred steps with samples, frames and checkpoints.
 RUN = edited(SMALL, ('length = "0.02 ps"\n', 'length = "1 ps"\nsample = "2 fs"\n'),
              ('prefix = "out"', 'prefix = "out"\ntrajectory_every = "4 fs"\ncheckpoint_every = "0.01 s"'))
 LONG = edited(RUN, ('"1 ps"', '"1000 ps"'))
 STUDY = edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]'), ("runs = 2", "runs = 12"))
-HELD = re.compile(r"error: '(\S+)' is held by process (\d+) on host (\S+) since \d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC: ")
+HELD = re.compile(r"error: '(\S+)' is locked by process (\d+) on host (\S+) since \d{4}-\d\d-\d\d \d\d:\d\d:\d\d UTC: ")
 
 
 class Locks(Sandbox):
@@ -29,7 +29,7 @@ class Locks(Sandbox):
             path.unlink()
 
     def two_at_once(self, *arguments):
-        """Codes of two processes of the same command; who was refused was told of the other."""
+        """Exit codes of two processes of the same command; the refused one names the other."""
         pair = [self.start(*arguments) for _ in range(2)]
         for process in pair:
             process.out, process.err = process.communicate(timeout=sandbox.LONGEST)
@@ -37,13 +37,13 @@ class Locks(Sandbox):
             if process.returncode == 0:
                 continue
             self.assertEqual(process.returncode, 2, process.err)
-            self.assertIn("spoil each other's files", process.err)
+            self.assertIn("overwrite each other's files", process.err)
             held = HELD.search(process.err)
-            # At the very first instant the holder has not written its name yet.
+            # Immediately after locking, the owner has not written its name yet.
             if held:
                 self.assertEqual((int(held[2]), held[3]), (other.pid, socket.gethostname()))
             else:
-                self.assertIn("is held by another process", process.err)
+                self.assertIn("is locked by another process", process.err)
         return sorted(process.returncode for process in pair)
 
     def test_runs_at_once(self):
@@ -74,7 +74,7 @@ class Locks(Sandbox):
         self.assertGreater(refused, 0, "they never met")
 
     def holding(self):
-        """A run that has a checkpoint and will not end by itself."""
+        """A run that has a checkpoint and does not end by itself."""
         process = self.start("run", "run.toml")
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
@@ -85,7 +85,7 @@ class Locks(Sandbox):
             time.sleep(0.002)
         return process
 
-    def test_who_holds_it(self):
+    def test_owner_of_a_lock(self):
         self.write("run.toml", LONG)
         holder = self.holding()
         for options in (("--continue",), ("--force",), ()):
@@ -98,14 +98,14 @@ class Locks(Sandbox):
         self.assertEqual(holder.returncode, 130)
         self.assertFalse((self.folder / "out-run.lock").exists())
 
-    def test_a_killed_process_holds_nothing(self):
+    def test_a_killed_process_holds_no_lock(self):
         self.write("run.toml", LONG)
         holder = self.holding()
         holder.kill()
         holder.communicate()
         self.assertTrue((self.folder / "out-run.lock").exists())
         self.assertEqual(self.polhode("run", "run.toml", "--continue", "--length", "0.002 ps", "--force").returncode, 2)
-        self.write("run.toml", edited(LONG, ('"1000 ps"', '"2000 ps"')))  # the length is no part of what a run is
+        self.write("run.toml", edited(LONG, ('"1000 ps"', '"2000 ps"')))  # the length is not part of the identity of a run
         process = self.start("run", "run.toml", "--continue")
         end = time.monotonic() + sandbox.LONGEST
         while f"process {process.pid} " not in (self.folder / "out-run.lock").read_text():
@@ -119,7 +119,7 @@ class Locks(Sandbox):
         self.write("run.toml", SMALL)
         for verb, name in (("run", "out-run.lock"), ("study", "study-study.lock")):
             self.write(name, "mine\n")
-            self.refused((verb, "run.toml"), [f"'{name}'", "no lock of polhode"], verb)
+            self.refused((verb, "run.toml"), [f"'{name}'", "not a lock file of polhode"], verb)
             os.unlink(self.folder / name)
             (self.folder / name).mkdir()
             self.refused((verb, "run.toml"), [f"'{name}'"], verb)

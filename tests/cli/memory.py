@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What does not fit is refused before it is asked for, with its amount; what is large and empty fits."""
+"""Requests beyond the memory are refused before allocation, with their amount; large, nearly empty systems fit."""
 
 import resource
 import subprocess
@@ -16,7 +16,7 @@ def argon(count, box, more=""):
 
 class Memory(Sandbox):
     def within(self, limit, *arguments):
-        """The finished `polhode ARGUMENTS` that may have so many bytes of addresses, on one thread."""
+        """The finished process of `polhode ARGUMENTS` with a limit of its address space in bytes, on one thread."""
         def bound():
             resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
         return subprocess.run([sandbox.PROGRAM, *arguments], cwd=self.folder, text=True, capture_output=True,
@@ -27,22 +27,22 @@ class Memory(Sandbox):
             self.write("many.toml", argon(count, "500 nm"))
             for verb in ("energy", "run", "study"):
                 self.refused([verb, "many.toml"], [f"{count} molecules" if count < 2**53 else "molecules are more",
-                                                   "than the neighbour list can number", "take fewer"], verb)
+                                                   "than the neighbour list can index", "take fewer"], verb)
 
-    def test_what_takes_more_memory_than_there_is_names_the_amount(self):
+    def test_too_large_systems_are_refused_with_the_amount_of_memory(self):
         self.write("many.toml", argon(5_000_000, "80 nm"))
         process = self.within(2000 * MB, "energy", "many.toml")
         self.assertEqual(process.returncode, 2, process.stderr)
-        for word in ("5000000 molecules take at least 2.6", "GB of memory", "may have 2.1", "take fewer of them",
+        for word in ("5000000 molecules need at least 2.6", "GB of memory", "may use 2.1", "take fewer of them",
                      "many.toml"):
             self.assertIn(word, process.stderr)
 
     def test_what_was_not_foreseen_is_said_too(self):
-        """A limit that the estimate, which is a lower one, lets pass."""
+        """A limit above the estimate, which is a lower bound."""
         self.write("many.toml", argon(1_000_000, "40 nm"))
         process = self.within(620 * MB, "energy", "many.toml")
         self.assertEqual(process.returncode, 1, process.stderr)
-        self.assertIn("there is not enough memory; this process may have 0.65 GB", process.stderr)
+        self.assertIn("there is not enough memory: this process may use 0.65 GB", process.stderr)
         self.assertNotIn("bad_alloc", process.stderr)
 
     def test_boxes_beyond_all_bounds_are_refused(self):
@@ -51,13 +51,13 @@ class Memory(Sandbox):
             self.refused(["energy", "wide.toml"], ["an edge of the box is", "at most 8192 nm", "take a smaller box"], edge)
 
     def test_a_large_box_that_holds_little_is_small(self):
-        """400 nm in cells of half a range were 1.7 GB."""
+        """Cells of half the range in 400 nm would need 1.7 GB."""
         self.write("dilute.toml", argon(8, "400 nm"))
         process = self.within(1000 * MB, "energy", "dilute.toml", "--json")
         self.assertEqual(process.returncode, 0, process.stderr)
 
     def test_the_radial_distribution_of_a_large_box_is_small(self):
-        """100 nm in cells of the reach were 728 MB."""
+        """Cells of the range in 100 nm would need 728 MB."""
         self.write("dilute.toml", argon(8, "100 nm"))
         self.assertEqual(self.polhode("run", "dilute.toml").returncode, 0)
         frames = [name for name in self.contents() if "trajectory" in name]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Mixing and pairs of a run file act in every verb, and the log and the record of a study tell of them."""
+"""Mixing rule and pairs of a run file apply in every verb, and appear in the log and in the record of a study."""
 
 import json
 
@@ -9,7 +9,7 @@ from sandbox import SMALL, Sandbox, edited
 MIXTURE = edited(SMALL, ('[{ model = "argon", count = 27 }]', '[{ model = "argon", count = 20 }, { model = "neon", count = 20 }]'))
 GEOMETRIC = edited(MIXTURE, ('cutoff = "1.0 nm"\n', 'cutoff = "1.0 nm"\nmixing = "geometric"\n'))
 PAIR = '[[pair]]\nsites = ["argon.Ar", "neon.Ne"]\nsigma = "0.35 nm"\nepsilon = "0.5 kJ/mol"\n'
-# What argon has of its own, as data/molecules/argon.toml says.
+# The parameters of argon in data/molecules/argon.toml.
 ITSELF = '[[pair]]\nsites = ["argon.Ar", "argon.Ar"]\nsigma = "0.3405 nm"\nepsilon = "0.996072621655 kJ/mol"\n'
 
 
@@ -23,7 +23,7 @@ class Mixing(Sandbox):
         self.assertEqual(len(set(energies)), 3, energies)
         self.assertEqual(self.energy(MIXTURE + ITSELF), usual)  # to the bit
 
-    def test_no_term_at_all(self):
+    def test_no_lennard_jones_term_at_all(self):
         atoms = edited(SMALL, ("count = 27", "count = 64"))
         self.assertNotEqual(self.energy(atoms), 0)
         self.assertEqual(self.energy(atoms + edited(ITSELF, ("0.996072621655 kJ", "0 kJ"))), 0)

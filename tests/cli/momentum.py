@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The centre of mass rests: whatever a start does, with a mesh, and with a single body."""
+"""The centre of mass is at rest: for any initial configuration, with a mesh, and for a single body."""
 
 import json
 import re
@@ -34,7 +34,7 @@ plot = "none"
 
 
 def moved(gro, velocity):
-    """A GRO file whose atoms all move along x by so many nm/ps more, in columns of the same width."""
+    """A GRO file with `speed` [nm/ps] added to all velocities along x, in columns of the same width."""
     def line(text):
         numbers = list(re.finditer(r" *-?\d+\.\d+", text[20:]))
         if len(numbers) != 6:
@@ -73,13 +73,13 @@ class Momentum(Sandbox):
         self.assertGreater(rest["temperature_K"], 50)
 
     def test_a_coarse_mesh_keeps_the_momentum(self):
-        """Rounding of 1000 kicks and forces of some 1e3 kJ/mol/nm, each 1e-3 ps, is below 1e-9."""
+        """Rounding of 1000 kicks with forces of about 1e3 kJ/mol/nm, each 1e-3 ps, is below 1e-9."""
         for scheme in ("velocity-verlet", "gier4", "gier4-fd"):
             report, _ = self.report(edited(WATER, ("velocity-verlet", scheme)))
             self.assertLess(report["momentum"], 1e-8 if scheme == "gier4-fd" else 1e-9, scheme)
 
     def test_a_single_body_has_the_temperature_asked_for(self):
-        """All of it is rotation, which nothing disturbs."""
+        """All kinetic energy is rotation, which is undisturbed."""
         one = edited(SMALL, ('model = "argon", count = 27', 'model = "tip4p", count = 1'), ("100 K", "297 K"),
                      ('length = "0.02 ps"', 'length = "0.02 ps"\nequilibrate = "0.1 ps"'))
         report, _ = self.report(one)
@@ -87,7 +87,7 @@ class Momentum(Sandbox):
         self.assertEqual(report["degrees_of_freedom_translation"], 0)
         self.assertEqual(report["momentum"], 0)
 
-    def test_a_single_atom_is_said_to_have_no_temperature(self):
+    def test_a_single_atom_has_no_temperature(self):
         report, log = self.report(edited(SMALL, ("count = 27", "count = 1")))
         self.assertIn("no degrees of freedom", log)
         self.assertEqual(report["temperature_K"], 0)

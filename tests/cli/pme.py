@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Ewald's sum from outside: terms of the energy, the log, what accuracy does, a run, a study's identity."""
+"""PME on the command line: energy terms, log, effect of pme_accuracy, a run, identity of a study."""
 
 import json
 import math
@@ -43,8 +43,9 @@ class Pme(Sandbox):
             self.assertEqual(set(terms), {"real space", "mesh", "self", "intramolecular", "background"})
             self.assertAlmostEqual(sum(terms.values()), result["coulomb_kJ_per_mol"], delta=1e-8)
         self.assertNotEqual(coarse["terms_kJ_per_mol"]["mesh"], fine["terms_kJ_per_mol"]["mesh"])
-        # Forces on a charge of water are some 3000 kJ/mol/nm: errors of 1e-5 of that at 192 charges, over 0.1 nm and
-        # with signs at random, are 0.04 kJ/mol; in the pressure, over the 0.6 nm of a pair, three times that a volume.
+        # Forces on a charge in water are about 3000 kJ/mol/nm: errors of 1e-5 of that on 192 charges, times 0.1 nm and
+        # with random signs, give 0.04 kJ/mol; in the pressure, times the 0.6 nm of a pair, three times that divided by
+        # the volume.
         self.assertAlmostEqual(coarse["coulomb_kJ_per_mol"], fine["coulomb_kJ_per_mol"], delta=0.05)
         self.assertAlmostEqual(coarse["pressure_bar"], fine["pressure_bar"], delta=0.75)
 
@@ -56,7 +57,7 @@ class Pme(Sandbox):
         terms = damped["terms_kJ_per_mol"]
         self.assertEqual(set(terms), {"pairs", "self", "intramolecular"})
         self.assertAlmostEqual(sum(terms.values()), damped["coulomb_kJ_per_mol"], delta=1e-8)
-        # At the cutoff the damping has left erfc(2 x 0.9) = 1.1 % of a charge.
+        # At the cutoff the damping leaves erfc(2 x 0.9) = 1.1 % of a charge.
         off = abs(damped["coulomb_kJ_per_mol"] / ewald["coulomb_kJ_per_mol"] - 1)
         self.assertLess(off, math.erfc(1.8))
         self.assertGreater(off, 1e-5)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The same run file gives the same bytes, every instruction set the same energies, and --json what machines read."""
+"""The same run file gives the same bytes, every instruction set the same energies, and --json valid JSON."""
 
 import json
 import os
@@ -8,15 +8,15 @@ import sandbox
 from sandbox import SMALL, Sandbox, edited
 
 WATER = edited(SMALL, ('"argon"', '"tip4p"'), ('"100 K"', '"297 K"'))
-# The loops sum pairs in other orders: sums of 10⁵ terms that partly cancel keep 12 digits and more.
+# The loops sum pairs in different orders: sums of 10⁵ partly cancelling terms agree to at least 12 digits.
 AGREEMENT = 1e-12
-# Rounding grows along a chaotic trajectory, but 10 steps are too short for it to come far.
+# Rounding errors grow along a chaotic trajectory, but only little in 10 steps.
 AFTER_STEPS = 1e-10
 
 
 class Repeatable(Sandbox):
     def body(self, name):
-        """All lines but the comments, of which one tells the command."""
+        """All lines except the comments, one of which contains the command."""
         return [line for line in (self.folder / name).read_text().splitlines() if line[:1] != "#"]
 
     def test_the_same_run_twice(self):
@@ -31,7 +31,7 @@ class Repeatable(Sandbox):
 
     def test_instruction_sets(self):
         self.write("run.toml", WATER)
-        energies, totals = {}, {}  # of 512 waters, and along a run of few
+        energies, totals = {}, {}  # of 512 waters, and along a run of a few
         for target in ("scalar", "sse4", "avx2", "avx512"):
             process = self.polhode("energy", "--json", POLHODE_INSTRUCTION_SET=target)
             if process.returncode == 2 and target != "scalar":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""No room, few file handles, and names that are taken: the user's files stay, exit code 2 changes nothing, and the rest resumes."""
+"""Full disk, few file handles and existing names: the user's files are kept, exit code 2 changes nothing, other runs can be resumed."""
 
 import resource
 
@@ -17,7 +17,7 @@ class Room(Sandbox):
         self.write("run.toml", RUN)
 
     def outputs(self):
-        """H5MD files hold times of their making; checkpoints hold those of the work."""
+        """H5MD files may contain creation times; checkpoints contain computing times."""
         return {n: b for n, b in self.contents().items() if n.startswith("out") and "checkpoint" not in n and "h5md" not in n}
 
     def clear(self):
@@ -25,7 +25,7 @@ class Room(Sandbox):
             path.unlink()
 
     def each_verb(self):
-        """All verbs that write, one after the other, resumed where that can be."""
+        """All verbs that write files, one after another, resumed if possible."""
         for arguments in (("run", "run.toml", "--length", "0.01 ps"), ("run", "run.toml", "--continue"),
                           ("convert", "out-trajectory.xtc", "out.xyz", "--names", "out-final.gro"),
                           ("analyze", "out-trajectory.h5md", "--run", "run.toml", "--what", "rdf", "--plot", "none"),
@@ -33,7 +33,7 @@ class Room(Sandbox):
             process = self.polhode(*arguments)
             self.assertEqual(process.returncode, 0, process.err)
 
-    def test_names_that_are_taken(self):
+    def test_existing_names(self):
         for name in TAKEN:
             self.write(name, f"mine: {name}\n")
         self.each_verb()
@@ -48,7 +48,7 @@ class Room(Sandbox):
             self.assertTrue((self.folder / name).is_dir())
 
     def short_of(self, what, amounts):
-        """A run with less and less: code 2 changes nothing; after code 1 it resumes and ends as if nothing had been."""
+        """A run under tighter and tighter limits: code 2 changes nothing; after code 1 it resumes with identical results."""
         self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
         whole = self.outputs()
         codes = set()

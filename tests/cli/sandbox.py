@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""An empty folder in which the built program runs as a user runs it."""
+"""An empty folder in which the built program is run as by a user."""
 
 import argparse
 import os
@@ -12,10 +12,10 @@ from pathlib import Path
 
 PROGRAM = None  # the built program, from the command line
 LONGEST = 120  # seconds for one run of the program
-KILLS = 8  # of a run at random moments, and bits flipped in its checkpoint; a campaign asks for more
+KILLS = 8  # number of kills at random moments, and of bits flipped in checkpoints; long campaigns use more
 FLIPS = 3
 
-# 27 argon atoms in a box that just holds the default cutoff: every verb is done in a moment.
+# 27 argon atoms in a box just large enough for the default cutoff: every verb takes a fraction of a second.
 SMALL = """[system]
 molecules = [{ model = "argon", count = 27 }]
 box = "2.5 nm"
@@ -45,7 +45,7 @@ decorrelate = "0.02 ps"
 
 
 class Sandbox(unittest.TestCase):
-    """A test with a folder of its own."""
+    """A test with its own folder."""
 
     def setUp(self):
         temporary = tempfile.TemporaryDirectory()
@@ -78,7 +78,7 @@ class Sandbox(unittest.TestCase):
         return self.polhode(*arguments, limit=(what, most))
 
     def kill_at_random_moments(self, times, within, *arguments):
-        """`polhode ARGUMENTS` is killed after up to `within` seconds, so many times; a run that ends first begins anew."""
+        """Kills `polhode ARGUMENTS` after up to `within` seconds, `times` times; a run that ends before is started again."""
         for _ in range(50 * times):
             process = self.start(*arguments)
             try:
@@ -96,14 +96,14 @@ class Sandbox(unittest.TestCase):
         self.fail("it always ended before it was killed")
 
     def done(self, verb, text, *options):
-        """`polhode VERB run.toml OPTIONS` with that text as run file, which must succeed."""
+        """`polhode VERB run.toml OPTIONS` with this text as run file, which must succeed."""
         self.write("run.toml", text)
         process = self.polhode(verb, "run.toml", *options)
         self.assertEqual(process.returncode, 0, process.err)
         return process
 
     def refused(self, arguments, words, title="", **environment):
-        """`polhode ARGUMENTS` must end as wrong input does: these words, and no file made or changed."""
+        """`polhode ARGUMENTS` must be refused as wrong input: with these words, and no file created or changed."""
         before = self.contents()
         process = self.polhode(*arguments, **environment)
         with self.subTest(case=title, command=" ".join(arguments), message=process.err):
@@ -114,19 +114,19 @@ class Sandbox(unittest.TestCase):
             self.assertEqual(self.contents(), before, "a file was made or changed")
 
     def contents(self):
-        """Every file of the folder with what it holds."""
+        """Every file of the folder with its contents."""
         return {str(p.relative_to(self.folder)): p.read_bytes()
                 for p in sorted(self.folder.rglob("*")) if p.is_file()}
 
     def rows(self, name):
-        """The lines of a CSV file below its comments, the head of the columns first."""
+        """The lines of a CSV file below its comments, the column names first."""
         text = (self.folder / name).read_text(encoding="utf-8")
         self.assertTrue(text.endswith("\n"), f"{name} ends within a line")
         return [line for line in text.splitlines() if not line.startswith("#")]
 
 
 def edited(text, *changes):
-    """The text with each (old, new) replaced; an old one that is not there is a wrong test."""
+    """The text with each (old, new) replaced; a missing old one is an error of the test."""
     for old, new in changes:
         if old not in text:
             raise ValueError(f"'{old}' is not in the run file")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The shadow energy of a run, tune-scheme, and the temperatures that records of studies hold, from outside."""
+"""The shadow energy of a run, tune-scheme, and the temperatures in records of studies, on the command line."""
 
 import json
 import math
@@ -20,16 +20,16 @@ class Shadow(Sandbox):
         self.assertEqual(process.returncode, 0, process.err)
         return json.loads(process.out).get("shadow")
 
-    def test_a_run_tells_of_it_unless_told_not_to(self):
+    def test_a_run_reports_it_by_default(self):
         plain = json.loads(self.done("run", edited(SHADOW, ('shadow_sample = "20 fs"', 'shadow_sample = "0 fs"')), "--json").out)
         self.assertNotIn("shadow", plain)
         energies = self.rows("out-energies.csv")
         text = self.done("run", SHADOW, "--force").out
-        self.assertIn("drift of the shadow", text)
-        # Asking changes nothing of the run.
+        self.assertIn("shadow energy drift", text)
+        # Requesting it does not change the run.
         self.assertEqual(self.rows("out-energies.csv"), energies)
         self.assertLess(self.shadow("--force")["rms_kJ_per_mol"], plain["rms_total_kJ_per_mol"])
-        # The gas needs longer runs to tell errors; of a liquid, how much sooner follows from both.
+        # A gas needs longer runs for error estimates; for a liquid, the gain follows from both errors.
         self.assertIsNone(self.shadow("--force")["time_gain"])
         liquid = edited(SHADOW, ("count = 27", "count = 200"), ('length = "0.4 ps"', 'length = "10 ps"\nequilibrate = "4 ps"'))
         report = json.loads(self.done("run", liquid, "--json", "--force").out)
@@ -39,8 +39,8 @@ class Shadow(Sandbox):
         sooner = (report["drift_error"] / shadow["drift_error"]) ** (2 / 3)  # standard errors fall as t^(-3/2)
         self.assertAlmostEqual(shadow["time_gain"] / sooner, 1, places=9)
 
-    def test_every_hundred_steps_without_a_word(self):
-        unasked = edited(SHADOW, ('shadow_sample = "20 fs"\n', ""))  # 200 steps: at the start, in the middle, at the end
+    def test_every_hundred_steps_by_default(self):
+        unasked = edited(SHADOW, ('shadow_sample = "20 fs"\n', ""))  # 200 steps: at the beginning, in the middle, at the end
         told = self.done("run", unasked, "--json")
         every = self.done("run", edited(SHADOW, ('"20 fs"', '"200 fs"')), "--json", "--force")
         self.assertIn("shadow", json.loads(told.out))
@@ -48,17 +48,17 @@ class Shadow(Sandbox):
         for scheme in ("gier4", "velocity-verlet / hoa2 x 1 within 0.6 nm"):  # which have none
             self.assertNotIn("shadow", json.loads(self.done("run", unasked, "--json", "--force", "--scheme", scheme).out))
 
-    def test_a_run_that_goes_on_keeps_its_values(self):
+    def test_a_resumed_run_keeps_its_values(self):
         self.write("run.toml", SHADOW)
         whole = self.shadow()
-        # Left between two samples, at a sample, and at one with a shadow energy.
+        # Suspended between two samples, at a sample, and at one with a shadow energy.
         for length in ("0.206 ps", "0.208 ps", "0.2 ps"):
             self.shadow("--force", "--length", length)
             self.assertEqual(self.shadow("--continue"), whole)
         self.write("run.toml", edited(SHADOW, ('"20 fs"', '"40 fs"')))
         self.refused(("run", "run.toml", "--continue"), ["another run", "samples"])
 
-    def test_values_of_shadow_sample_that_cannot_be(self):
+    def test_impossible_values_of_shadow_sample(self):
         for value, *words in (("-1 fs", "-1 fs", "0 fs"), ("20", "no unit", '"20 fs"'), ("1 nm", "length", "time"),
                               ("nan fs", "finite")):
             self.write("run.toml", edited(SHADOW, ('"20 fs"', f'"{value}"')))
@@ -82,18 +82,18 @@ class Shadow(Sandbox):
             self.assertTrue(0 < found["eta"] < 0.5, found)
             for number in ("eta_error", "predicted_gain", "R_reference", "R", "gain", "gain_error"):
                 self.assertTrue(math.isfinite(found[number]) and found[number] >= 0, (number, found))
-            # The least variance along the runs that measured is no larger than the reference's.
+            # The minimum variance along the measuring runs is not larger than that of the reference.
             self.assertGreaterEqual(found["predicted_gain"], 1)
-            # What is printed can be run.
+            # The printed scheme can be run.
             process = self.polhode("run", "run.toml", "--scheme", found["scheme"], "--output", family)
             self.assertEqual(process.returncode, 0, process.err)
-        # The same again, for any number of threads; and as text.
+        # The same results for any number of threads; and as text.
         self.assertEqual(json.loads(self.polhode(*TUNE, "--json", "--threads", "1").out), report)
         text = self.polhode(*TUNE).out
         for words in ("family of hoa2", "family of gier4", f"{report['plain']['eta']:.5f}", report["gradient"]["scheme"]):
             self.assertIn(words, text)
 
-    def test_tuning_that_cannot_be(self):
+    def test_impossible_tuning(self):
         self.write("run.toml", SMALL)
         for options, *words in [(("--step", "2"), "--step", "no unit"), (("--step", "0 fs"), "longer than 0"),
                                 (("--runs", "1"), "--runs", "1"), (("--runs", "two"), "--runs"),
@@ -134,9 +134,9 @@ class Shadow(Sandbox):
             self.assertEqual(process.returncode, 0, process.err)
             point = json.loads((self.folder / "study.json").read_text())["points"][0]
             self.assertEqual(point["R"], whole["points"][0]["R"])
-            # Without the temperatures of parts there is nothing to tell, and nothing is made up.
+            # Without the temperatures of parts there are no differences, and none are invented.
             self.assertEqual(point["excess_K"], whole["points"][0]["excess_K"] if columns >= 14 else [None] * 3)
-            # Read again it stands in today's columns, and no run was done twice.
+            # Read again, it has the current columns, and no run was repeated.
             now = [line for line in path.read_text().splitlines() if line[:1] != "#"]
             self.assertEqual(now[0], lines[head])
             self.assertEqual(len(now), len(lines) - head)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a run says of errors and drifts where there is little or nothing to tell, and the memory that it takes."""
+"""The summary of a run with few or no samples, and the memory of its statistics."""
 
 import json
 import os
@@ -9,7 +9,7 @@ import subprocess
 import sandbox
 from sandbox import SMALL, Sandbox, edited
 
-# Nitrogen molecules 10 nm apart: no forces, so V and every kinetic energy are constant but for rounding.
+# Nitrogen molecules 10 nm apart: no forces, so V and every kinetic energy are constant except for rounding.
 FREE = edited(SMALL, ('"argon", count = 27', '"n2", count = 8'), ('box = "2.5 nm"', 'box = "20 nm"'),
               ('length = "0.02 ps"', 'length = "0.4 ps"'))
 NO_NUMBER = re.compile(r"\b(inf|nan|null)\b", re.IGNORECASE)
@@ -21,7 +21,7 @@ class Statistics(Sandbox):
         process = self.done("run", text, "--force", *options)
         return process.out, json.loads(self.done("run", text, "--json", "--force", *options).out)
 
-    def test_too_few_samples_tell_nothing(self):
+    def test_too_few_samples(self):
         text, report = self.both(SMALL, "--length", "2 fs")
         self.assertEqual(report["samples"], 2)
         self.assertIn("R                     not known from 2 samples", text)
@@ -30,7 +30,7 @@ class Statistics(Sandbox):
             self.assertIsNone(report[key], key)
         self.assertEqual(report["drift_verdict"], "too few samples")
 
-    def test_some_samples_tell_values_without_errors(self):
+    def test_few_samples_give_values_without_errors(self):
         text, report = self.both(SMALL)  # 0.02 ps: 6 samples
         self.assertEqual(report["samples"], 6)
         self.assertGreater(report["R"], 0)
@@ -56,7 +56,7 @@ class Statistics(Sandbox):
         self.assertIsNone(NO_NUMBER.search((self.folder / "study.csv").read_text().splitlines()[-1]))
 
     def test_memory_does_not_grow_with_the_number_of_samples(self):
-        # 245 bytes a sample were kept once: 49 MB for the 200,000 between the two lengths.
+        # Storing 245 bytes per sample would need 49 MB for the 200,000 samples between the two lengths.
         text = edited(SMALL, ('count = 27', 'count = 2'), ("[run]\n", '[run]\nsample = "2 fs"\nshadow_sample = "20 fs"\n'),
                       ("[output]\n", '[output]\ntrajectory_every = "0 ps"\n'))
         self.write("run.toml", text)

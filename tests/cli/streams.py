@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Standard streams that are full, closed or gone: what is lost is told, no file gets their numbers, and no run ends for its log."""
+"""Standard streams that are full, closed or broken: losses are reported, no file gets their descriptors, and no run ends because of its log."""
 
 import json
 import os
@@ -27,7 +27,7 @@ class Streams(Sandbox):
                               stderr=stderr, preexec_fn=close, timeout=sandbox.LONGEST)
 
     def outputs(self):
-        """Files without what differs from one run to the next."""
+        """Files without the parts that differ between runs."""
         return {n: b for n, b in self.contents().items() if "checkpoint" not in n and not n.endswith((".png", ".svg"))}
 
     def test_standard_output_is_full(self):
@@ -59,7 +59,7 @@ class Streams(Sandbox):
             self.assertEqual(self.run_with(["run", "nowhere.toml"], stdout=full).returncode, 2)
 
     def test_standard_error_is_lost(self):
-        """Closed, full, or a pipe that nobody reads: the same files and the same output as ever."""
+        """Closed, full, or a pipe without reader: the same files and the same output as usual."""
         def files_and_output(arguments, **streams):
             process = self.run_with(arguments, **streams)
             self.assertEqual(process.returncode, 0, process.stderr)
@@ -67,7 +67,7 @@ class Streams(Sandbox):
             if (self.folder / "study-runs.csv").exists():
                 files["study-runs.csv"] = sorted(self.rows("study-runs.csv"))  # runs of a study end in any order
             if not {"--force", "energy"} & set(arguments):
-                for path in self.folder.glob("*.*"):  # for the next one to begin as this one did
+                for path in self.folder.glob("*.*"):  # so that the next one starts like this one
                     if path.name != "run.toml":
                         path.unlink()
             return files, bool(process.stdout)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the tables of a study count, and tables of a record that is there."""
+"""Which runs the tables of a study include, and tables from an existing record."""
 
 import json
 import unittest
@@ -17,7 +17,7 @@ class Study(Sandbox):
         return json.loads(process.out)["points"], process.err
 
     def test_every_point_counts_the_same_starts(self):
-        """Runs that a record has beyond those asked for would give some points more than others."""
+        """Runs in a record beyond the requested ones would give some points more runs than others."""
         self.write("run.toml", edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]')))
         both, _ = self.points()
         self.assertEqual([p["runs"] for p in both], [2, 2])
@@ -31,20 +31,20 @@ class Study(Sandbox):
         self.write("run.toml", SMALL)
         of_study, _ = self.points()
         record = (self.folder / RECORD).read_text()
-        # A record of another version of the program, as its first line says.
+        # A record of another version of the program, according to its first line.
         self.write("old.csv", edited(record, (record.splitlines()[0], "# study 0123456789abcdef")))
         before = (self.folder / "old.csv").read_bytes()
         of_record, _ = self.points("--from-record", "old.csv", "--output", "new")
         self.assertEqual(of_record, of_study)
         self.assertEqual((self.folder / "old.csv").read_bytes(), before)
         self.assertFalse((self.folder / "new-runs.csv").exists())
-        # The same file is refused where runs would be added to it.
+        # The same file is refused if runs would be added to it.
         self.write(RECORD, before)
         self.refused(("study", "run.toml"), ["another study", "--from-record", "--force"])
-        # Tables are not written over without --force.
+        # Tables are not overwritten without --force.
         self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
 
-    def test_a_record_that_is_none(self):
+    def test_a_file_that_is_not_a_record(self):
         self.write("run.toml", SMALL)
         self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "--from-record"])
         self.refused(("study", "run.toml", "--from-record", "run.toml"), ["run.toml:1", "begins with", "# study"])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Systems of GROMACS and LAMMPS as a user gives them: the files of the manual, and what is refused."""
+"""Systems from GROMACS and LAMMPS files: the files of the manual, and errors."""
 
 import json
 import re
@@ -31,7 +31,7 @@ class Topologies(Sandbox):
         for part in parts:
             self.assertIn(part, process.err)
 
-    def test_the_log_tells_what_was_read(self):
+    def test_the_log_describes_the_topology(self):
         log = self.done("energy", GROMACS).err
         self.assertIn("SOL: 2 of 3 sites, rigid by settles\n", log)
         self.assertIn("NA: 1 of 1 sites, one atom\n", log)
@@ -53,7 +53,7 @@ class Topologies(Sandbox):
         self.assertAlmostEqual(gromacs["potential_kJ_per_mol"], lammps["potential_kJ_per_mol"], delta=bound)
         self.assertGreater(abs(gromacs["potential_kJ_per_mol"]), 100 * bound)
 
-    def test_a_model_with_a_massless_site_takes_atoms_of_a_data_file(self):
+    def test_a_model_with_a_massless_site_uses_atoms_of_a_data_file(self):
         text = '[system]\nmolecules = [{ model = "tip4p" }]\ninitial_configuration = "water.data"\n[forces]\ncutoff = "0.9 nm"\n'
         self.assertIn("molecules         2\n", self.done("energy", text).out)
 
@@ -63,20 +63,20 @@ class Topologies(Sandbox):
         self.assertIn("NA\n", shown)
 
     def test_run_files_that_do_not_fit(self):
-        self.refused(edited(GROMACS, ('initial_configuration = "conf.gro"\n', "")), "has no initial configuration beside it", "run.toml:2")
+        self.refused(edited(GROMACS, ('initial_configuration = "conf.gro"\n', "")), "needs an initial configuration", "run.toml:2")
         self.refused(edited(GROMACS, ("topol.top", "gone.top")), "is no file", "system.topology")
-        self.refused(edited(GROMACS, ("[system]\n", '[system]\nmolecules = [{ model = "tip4p" }]\n')), "stands beside molecules")
-        self.refused(edited(GROMACS, ("[forces]\n", '[forces]\nmixing = "geometric"\n')), "stands beside a GROMACS topology")
+        self.refused(edited(GROMACS, ("[system]\n", '[system]\nmolecules = [{ model = "tip4p" }]\n')), "cannot be combined with molecules")
+        self.refused(edited(GROMACS, ("[forces]\n", '[forces]\nmixing = "geometric"\n')), "cannot be combined with a GROMACS topology")
         self.refused(edited(GROMACS, ("[forces]\n", 'rigid = ["BEN"]\n[forces]\n')), "'BEN' is declared rigid", "topol.top")
         self.refused(edited(GROMACS, ("[forces]\n", 'define = ["FLEXIBLE"]\n[forces]\n')), "molecule type 'SOL' is not held rigid")
         self.write("topol.top", edited(manual_file("gromacs.md", "topol.top"), ("SOL 2\nNA", "SOL 1000000000\nNA")))
         self.refused(GROMACS, "too few for 1000000001 molecules")
 
-    def test_a_rule_that_no_file_tells(self):
+    def test_a_missing_mixing_rule(self):
         data = edited(manual_file("lammps.md", "water.data"), ("2 0 0\n", "2 0.01 1\n"))
         self.write("water.data", data)
         text = edited(GROMACS, ('topology = "topol.top"\n', ""), ("conf.gro", "water.data"))
-        self.refused(text, "leaves pairs of unlike sites to a rule", "water.data")
+        self.refused(text, "does not give the mixing rule for unlike sites", "water.data")
         log = self.done("energy", text + 'mixing = "geometric"\n').err
         self.assertIn("Lennard-Jones: geometric mixing\n", log)
 

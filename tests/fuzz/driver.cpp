@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Drives a fuzz target with mutations of its seeds: the same ones for the same number of the
-// random generator, so that a finding can be found again. Where a fuzzer that watches the
-// branches is at hand (clang's libFuzzer), it takes this file's place.
+// Drives a fuzz target with mutations of its seeds, reproducible from the seed of the random
+// generator. A coverage-guided fuzzer (clang's libFuzzer) can replace this file.
 //
 //     fuzz_gro SEEDS --inputs 20000 --seconds 20 --seed 1     mutations of the files in a folder
 //     fuzz_gro INPUT...                                       these files as they are
@@ -27,7 +26,7 @@ extern "C" void __sanitizer_set_death_callback(void (*callback)());
 
 namespace {
 
-constexpr int most_seconds = 10;  // of the processor for one input, under the sanitizers
+constexpr int most_seconds = 10;  // CPU time for one input, with the sanitizers
 
 std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -48,11 +47,11 @@ class Mutator {
   }
 
  private:
-  // Most inputs are short, so that many are tried. Some repeat a piece until they are long: work
-  // that grows with the square of a file, or with the product of two parts, shows there alone.
+  // Most inputs are short, so that many are tried. Some repeat a piece until they are long, because
+  // only these reveal quadratic running time.
   static constexpr std::size_t longest = 1 << 16, longest_repeated = 1 << 20, one_in = 100;
 
-  // A line or a piece of one, again and again.
+  // A line or a piece of one, repeated.
   void repeat(std::string& text) {
     const std::size_t at = below(text.size());
     const std::size_t begin = text.rfind('\n', at), end = text.find('\n', at);
@@ -141,12 +140,12 @@ class Mutator {
           text.erase(begin, end - begin);
         break;
       }
-      case 8: {  // the head of this and the tail of another
+      case 8: {  // the beginning of this and the end of another
         const std::string& other = pick(seeds_);
         text = text.substr(0, at) + other.substr(below(other.size()));
         break;
       }
-      default:  // a number of four bytes, as binary formats have them
+      default:  // a four-byte number, as in binary formats
         for (std::size_t k = 0; k < 4 && at + k < text.size(); ++k)
           text[at + k] = static_cast<char>(below(2) ? 0xff : below(256));
     }
@@ -159,9 +158,9 @@ class Mutator {
 std::string now_read, name;
 const pid_t itself = getpid();
 
-// Keeps the input that a reader failed on.
+// Stores the input on which a reader failed.
 [[noreturn]] void keep(int signal) {
-  if (getpid() != itself) std::_Exit(1);  // a process of the reader's own, which may fail
+  if (getpid() != itself) std::_Exit(1);  // a separate process for the reader, which may crash
   const std::string path = name + ".finding";
   std::ofstream(path, std::ios::binary) << now_read;
   std::fprintf(stderr, "%s; the input is in '%s'\n",
@@ -169,7 +168,7 @@ const pid_t itself = getpid();
   std::_Exit(1);
 }
 
-// A signal when the process has used so much of the processor's time: a busy machine finds nothing.
+// A signal at this CPU time of the process, so that a busy machine gives no false findings.
 void set_timer(int seconds) {
   const itimerval timer{{0, 0}, {seconds, 0}};
   setitimer(ITIMER_PROF, &timer, nullptr);
@@ -210,7 +209,7 @@ int main(int argc, char** argv) {
   }
   std::signal(SIGPROF, keep);
   std::signal(SIGABRT, keep);
-  __sanitizer_set_death_callback([] { keep(0); });  // what the sanitizers find
+  __sanitizer_set_death_callback([] { keep(0); });  // findings of the sanitizers
   std::sort(seeds.begin(), seeds.end());            // whatever the order of the folder
   for (const std::string& text : seeds) feed(text);
   Mutator mutator(seeds, seed);
@@ -220,6 +219,6 @@ int main(int argc, char** argv) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   for (; done < inputs && elapsed() < seconds; ++done) feed(mutator.next());
-  std::printf("%s: %zu seeds and %llu mutations of them, no finding\n", name.c_str(), seeds.size(),
+  std::printf("%s: %zu seeds and %llu mutations, no findings\n", name.c_str(), seeds.size(),
               static_cast<unsigned long long>(done));
 }

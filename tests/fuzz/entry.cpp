@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every fuzz target has in common, whoever drives it: errors are answers, and memory stays
-// within a multiple of the input.
+// Common to all fuzz targets: errors are valid results, and memory is limited to a multiple of the
+// input.
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
@@ -8,7 +8,7 @@
 #include "fuzz.hpp"
 #include "polhode/base/error.hpp"
 
-// Of the sanitizers' allocator; g++ has no header for them.
+// Hooks of the sanitizers' allocator; g++ has no header for them.
 extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
                                                                              std::size_t),
                                                          void (*free_hook)(const volatile void*));
@@ -16,8 +16,8 @@ extern "C" std::size_t __sanitizer_get_allocated_size(const volatile void*);
 
 namespace {
 
-// Bytes of memory for a byte of input, beside what any input may take. A line of a few characters
-// becomes an atom of 56 bytes or a site of 160, twice while a vector grows.
+// Bytes of memory per byte of input, in addition to a constant. A line of a few characters becomes
+// an atom of 56 bytes or a site of 160, twice while a vector grows.
 constexpr std::size_t multiple = 256, beside = std::size_t{8} << 20;
 
 std::atomic<std::size_t> live{0}, most{0};
@@ -41,8 +41,7 @@ void on_free(const volatile void* pointer) {
 extern "C" const char* __asan_default_options() {
   return "max_allocation_size_mb=512:allocator_may_return_null=0:detect_leaks=0";
 }
-// It ends by a signal: g++ links it beside the address sanitizer, whose call at its end it does not
-// know.
+// It exits by a signal, because with g++ it does not run the exit handler of the address sanitizer.
 extern "C" const char* __ubsan_default_options() { return "print_stacktrace=1:abort_on_error=1"; }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -53,11 +52,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     polhode::fuzz::read({reinterpret_cast<const char*>(data), size});
   } catch (const polhode::Error& e) {
-    if (e.where().empty()) finding("an error does not say where: ", e.what());
+    if (e.where().empty()) finding("an error has no place:  ", e.what());
   } catch (const std::exception& e) {
-    finding("a reader threw what is no Error: ", e.what());
+    finding("a reader threw something other than Error: ", e.what());
   }
   if (most - before > multiple * size + beside)
-    finding("a reader took more memory than its input explains", "");
+    finding("a reader used more memory than its input justifies", "");
   return 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A fuzz target: one reader, fed with arbitrary bytes. It must return, or reject them with an Error
-// that says where, within the limits of memory and time that driver.cpp sets.
+// A fuzz target: one reader with arbitrary input. It must return, or throw an Error with a place,
+// within the limits of memory and time set in driver.cpp.
 #pragma once
 
 #include <cstddef>

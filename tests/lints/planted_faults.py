@@ -14,7 +14,7 @@ SOUND = {
     "docs/references.bib": BIB,
     "docs/glossary.md": "Words.\n\n| do not write | write |\n| --- | --- |\n| `goes on`, `some N` | resumes |\n",
     "docs/notes.md": "As in one1990; energies in kJ/mol/nm; `goes on` is code.\n",
-    "tests/reference/a.cpp": SPDX + 'auto text = "goes on";\n',
+    "tests/reference/a.cpp": SPDX + 'int goes, on;\n',
     "tests/reference/a.py": SPDX.replace("//", "#") + "text = 'goes on'\n",
     "data/molecules/a.toml": 'source = "one1990"\n',
     "include/polhode/base/pack.hpp": SPDX + "#include <hwy/highway.h>\n",
@@ -52,6 +52,7 @@ FAULTS = [
     ("words", "docs/glossary.md", "\n| do not write | write |\n| --- | --- |\n", 1),
     ("words", "tests/reference/a.cpp", "/// The run goes\n/// on.\n", 3),
     ("words", "tests/reference/a.cpp", "int x; // goes on\n", 3),
+    ("words", "src/io/file.cpp", 'auto text = "a run that goes "\n            "on";\n', 5),
     ("words", "tests/reference/a.py", "x = 1  # goes on\n", 3),
     ("words", "tests/reference/a.py", 'def f():\n    """A run.\n\n    It goes on."""\n', 6),
 ]

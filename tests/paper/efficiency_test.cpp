@@ -48,7 +48,7 @@ std::map<std::pair<std::string, int>, EfficiencyPoint> measured(
 
 }  // namespace
 
-TEST_CASE("orders and ordering of the schemes on liquid water") {
+TEST_CASE("schemes have their orders and their ranking on liquid water") {
   const auto R = measured(small_water(), {{"velocity-verlet", {0.001, 0.002}},
                                           {"hoa2", {0.002, 0.004}},
                                           {"gier4-fd", {0.002, 0.003, 0.006}}});
@@ -56,26 +56,27 @@ TEST_CASE("orders and ordering of the schemes on liquid water") {
   const auto slope = [&](const char* scheme, int a, int b) {
     return std::log(at(scheme, b).value / at(scheme, a).value) / std::log(double(b) / a);
   };
-  // R goes as hᵏ. R of one such run scatters by 20 % from start to start (measured, HOA2), that of
-  // a mean of 6 by 8 %, so a slope over a factor of two by √2 × 0.08/ln 2 = 0.17 and over 1.5 by
-  // 0.28: bounds are twice that for Verlet and HOA2; GIER4's R bends upward from h⁴ at 3 fs, by up
-  // to 0.5.
+  // R is proportional to hᵏ. R of one such run scatters by 20 % between initial configurations
+  // (measured, HOA2), a mean of 6 by 8 %, so a slope over a factor of two by √2 × 0.08/ln 2 = 0.17
+  // and over 1.5 by 0.28: bounds are twice that for Verlet and HOA2; GIER4's R bends upward from h⁴
+  // at 3 fs, by up to 0.5.
   CHECK(std::abs(slope("velocity-verlet", 1, 2) - 2) < 0.34);
   CHECK(std::abs(slope("hoa2", 2, 4) - 2) < 0.34);
   CHECK(slope("gier4-fd", 2, 3) > 4 - 0.56);
   CHECK(slope("gier4-fd", 2, 3) < 4.5 + 0.56);
   // At 500 evaluations per ps: HOA2 (4 fs) beats Verlet (2 fs) by about 1.5² = 2.25 or more in R,
-  // and GIER4 (6 fs) is below R = 0.4 % there, where it is to be the best.
+  // and GIER4 (6 fs) is below R = 0.4 % there, where it should be the best.
   CHECK(at("velocity-verlet", 2).value / at("hoa2", 4).value > 2);
   CHECK(at("velocity-verlet", 2).value / at("hoa2", 4).value < 5);
   CHECK(at("gier4-fd", 6).value < 0.004);
   CHECK(at("gier4-fd", 6).value < at("hoa2", 4).value);
 }
 
-// The built-in check for an energy that does not belong to its forces: R stops falling with h.
-// Forces too strong by a part in 10³ leave the total energy with 10⁻³ of the fluctuation of the
-// potential.
-TEST_CASE("a force without its energy shows as an R that does not fall with the step") {
+// R detects an energy that is inconsistent with the forces: it stops decreasing with h. If forces
+// are too large by 10⁻³, the total energy has 10⁻³ of the fluctuation of the potential energy.
+TEST_CASE(
+    "a force that is inconsistent with its energy gives an R that does not decrease with the "
+    "step") {
   const System start = build_system(small_water());
   const auto ratio = [&](double h, double factor) {
     System system = start;
@@ -95,7 +96,8 @@ TEST_CASE("a force without its energy shows as an R that does not fall with the 
     }
     return EnergyStatistics(samples).ratio();
   };
-  // From one start, and over 1 ps, R scatters little between two small steps: a quarter for h².
+  // From one initial configuration, and over 1 ps, R scatters little between two small steps: a
+  // quarter for h².
   CHECK(ratio(0.001, 1) / ratio(0.0005, 1) == doctest::Approx(4).epsilon(0.3));
   CHECK(ratio(0.001, 1.001) / ratio(0.0005, 1.001) == doctest::Approx(1).epsilon(0.1));
   CHECK(ratio(0.0005, 1.001) / 0.001 == doctest::Approx(1).epsilon(0.1));

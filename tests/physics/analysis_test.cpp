@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trajectories as files hold them: frames of atoms in, observables out.
+// Observables from frames of atoms, as in trajectory files.
 #include "polhode/run/analysis/analysis_summary.hpp"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ class Frames : public FrameReader {
 
 const Topology waters() { return {{{read_molecule("tip4p"), 27}}}; }
 
-// Free molecules: straight flight and free rotation, without forces.
+// Free molecules: uniform motion and free rotation, without forces.
 std::vector<Frame> free_flight(const Topology& topology, int count, MasslessSites massless) {
   State state = lattice(topology, Box{{2, 2, 2}}, 3);
   draw_momenta(state, topology, 300, 4);
@@ -47,7 +47,7 @@ std::vector<Frame> free_flight(const Topology& topology, int count, MasslessSite
   return frames;
 }
 
-// What a format without names, and without velocities, leaves: places in thousandths of nm.
+// Frames as in a format without names and velocities, with positions rounded to 0.001 nm.
 void make_poor(std::vector<Frame>& frames) {
   for (Frame& frame : frames) {
     frame.kinds = {AtomKind{}};
@@ -62,9 +62,9 @@ void make_poor(std::vector<Frame>& frames) {
 
 }  // namespace
 
-// Without forces MSD = ⟨v²⟩ t² and velocities stay: to the fit's rounding. All observables come,
-// and with the same bits for three threads.
-TEST_CASE("free molecules in memory") {
+// Without forces MSD = ⟨v²⟩ t² and velocities are constant, up to rounding in the fit. All
+// observables are present, with the same bits for three threads.
+TEST_CASE("analysis of free molecules in memory") {
   const Topology topology = waters();
   AnalysisSettings settings;
   settings.window = 0.1;
@@ -97,9 +97,9 @@ TEST_CASE("free molecules in memory") {
   CHECK(summary(a, numbers).viscosity_source.find("gonzalez2010") != std::string::npos);
 }
 
-// Rounded to 0.001 nm, atoms lie up to √3/2 of that off, and the fit may add as much again; centres
-// are those of three atoms, so their displacements are right to as much.
-TEST_CASE("files without names, velocities, massless sites or many digits") {
+// Rounding to 0.001 nm displaces atoms by up to √3/2 of that, and the fit may add as much; centres
+// are means of three atoms, so their displacements have the same error.
+TEST_CASE("files without names, velocities or massless sites, and with few digits") {
   const Topology topology = waters();
   AnalysisSettings settings;
   settings.window = 0.1;
@@ -131,13 +131,13 @@ TEST_CASE("files without names, velocities, massless sites or many digits") {
                        doctest::Contains("81 atoms without names"), Error);
 }
 
-TEST_CASE("frames that are not evenly spaced are refused, unless no correlation is wanted") {
+TEST_CASE("unevenly spaced frames are refused if correlations are requested") {
   std::vector<Frame> frames = free_flight(waters(), 6, MasslessSites::keep);
   frames[4].time += 0.005;
   AnalysisSettings settings;
   Frames uneven(frames), structure(frames), told(frames);
   CHECK_THROWS_WITH_AS(analyze(uneven, waters(), settings),
-                       doctest::Contains("frame 5 is of 5.045 ps where 5.04 ps must be"), Error);
+                       doctest::Contains("frame 5 is at 5.045 ps instead of 5.04 ps"), Error);
   settings.what = {Observable::rdf, Observable::density};
   CHECK(analyze(structure, waters(), settings).frames == 6);
   settings.what.clear();
@@ -149,7 +149,8 @@ TEST_CASE("frames that are not evenly spaced are refused, unless no correlation 
                        Error);
 }
 
-TEST_CASE("ions have no dielectric constant, and an interrupt leaves what was read") {
+TEST_CASE(
+    "ions have no dielectric constant, and an interrupted analysis has the frames read so far") {
   const Topology brine{{{read_molecule("tip4p"), 20}, {read_molecule("na-tip4p-ew"), 2}}};
   Frames file(free_flight(brine, 20, MasslessSites::keep));
   std::size_t batches = 0;
@@ -164,8 +165,8 @@ TEST_CASE("ions have no dielectric constant, and an interrupt leaves what was re
   CHECK(a.displacement->mean_square(1).mean().size() == 4);
 }
 
-// A gas of two sites that never come near each other.
-TEST_CASE("a g that is 0 has no peak, and few frames have no errors") {
+// A gas of two sites that never approach each other.
+TEST_CASE("g(r) = 0 has no peak, and few frames have no errors") {
   const Topology pair{{{read_molecule("argon"), 2}}};
   State state(2, Box{{4, 4, 4}});
   state.q.set(1, {2, 2, 2});
@@ -188,7 +189,7 @@ TEST_CASE("a g that is 0 has no peak, and few frames have no errors") {
   CHECK(b.conditions->density().error == 0);  // the box is constant
 }
 
-TEST_CASE("one molecule has no displacements of its own") {
+TEST_CASE("a single molecule has no displacements") {
   const Topology one{{{read_molecule("tip4p"), 1}}};
   Frames file(free_flight(one, 30, MasslessSites::keep));
   Analysis a = analyze(file, one, {});

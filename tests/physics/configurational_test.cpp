@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Configurational temperatures: curvatures from differences of the energy, and the temperature of
-// an ensemble that is sampled without error.
+// an exactly sampled ensemble.
 #include "polhode/measure/configurational_temperature.hpp"
 
 #include <doctest/doctest.h>
@@ -12,6 +12,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/integrator.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
 #include "scenes.hpp"
@@ -20,15 +21,16 @@ using namespace polhode;
 
 namespace {
 
-/// tr M⁻¹∇∇V of each motion, by second differences of the energy along every freedom.
+/// tr M⁻¹∇∇V of each motion, by second differences of the energy along every degree of freedom.
 ByMotion<double> curvature_of_energy(const scenes::Scene& scene, ForceField& forces) {
   const auto potential = [&](const State& state) {
     Load load;
     forces(state, load);
     return load.potential();
   };
-  // Second differences with e = 1e-4 nm, or rad/10: fourth derivatives enter as (e/0.03 nm)², 1e-5
-  // of the second; rounding, 1e-13 kJ/mol over e², is 1e-5 of curvatures of 10³ kJ/mol/nm² or more.
+  // Second differences with e = 1e-4 nm, or rad/10: the fourth derivative contributes (e/0.03 nm)²,
+  // 1e-5 of the second; rounding, 1e-13 kJ/mol over e², is 1e-5 of curvatures of 10³ kJ/mol/nm² or
+  // more.
   const auto along = [&](std::size_t i, const Vec3<double>& dq, const Vec3<double>& dtheta) {
     const auto moved = [&](double sign) {
       State state = scene.state;
@@ -52,9 +54,9 @@ ByMotion<double> curvature_of_energy(const scenes::Scene& scene, ForceField& for
 
 }  // namespace
 
-// The mean over random signs is Gaussian with an error that the samples tell: five of them are
-// exceeded once in 2 million. The estimate of each motion must be sharp enough to tell it from the
-// others, and from one with a wrong sign.
+// The mean over random signs is Gaussian with an error known from the samples: five standard errors
+// are exceeded once in 2 million. The estimate for each motion must be precise enough to
+// distinguish it from the others, and from one with a wrong sign.
 TEST_CASE("the curvature of each motion is the second derivative of V along it") {
   for (const scenes::Scene& scene :
        {scenes::water_cluster(),
@@ -83,9 +85,8 @@ TEST_CASE("the curvature of each motion is the second derivative of V along it")
 
 namespace {
 
-/// Hybrid Monte Carlo: states of the canonical ensemble at T, each a trajectory with new momenta
-/// from the one before, taken with the probability of its energy error: no step is too long for the
-/// ensemble to be exact.
+/// Hybrid Monte Carlo: states of the canonical ensemble at T, each from a trajectory with new
+/// momenta, accepted with the Metropolis probability, so that the ensemble is exact for any step.
 template <class Each>
 double sampled(scenes::Scene& scene, ForceField& forces, double T, int states, const Each& each) {
   const double kT = units::boltzmann * T;
@@ -126,9 +127,9 @@ double sampled(scenes::Scene& scene, ForceField& forces, double T, int states, c
 }  // namespace
 
 // 18 waters, 6 nitrogens and 3 argons at 400 K, dense enough that all interact. Five standard
-// errors of the ratio; with less than 2 % of T each, factors and motions that were mixed up would
-// show.
-TEST_CASE("in the canonical ensemble every configurational temperature is its temperature") {
+// errors of the ratio; with less than 2 % of T each, wrong factors or exchanged motions would be
+// detected.
+TEST_CASE("in the canonical ensemble every configurational temperature equals the temperature") {
   constexpr double T = 400;
   scenes::Scene scene = scenes::lattice({{"tip4p", 18}, {"n2", 6}, {"argon", 3}}, 0.42, 1.3, 9);
   ForceField forces(scene.topology, {.cutoff = 0.5, .switch_from = 0.35, .skin = 0.02},
@@ -140,7 +141,7 @@ TEST_CASE("in the canonical ensemble every configurational temperature is its te
         configurational_sample(scene.state, scene.bodies, load, forces, Random(5, stream++)));
   });
   CHECK(taken > 0.5);
-  CHECK(taken < 0.999);  // or the energies that decide would not be those of this ensemble
+  CHECK(taken < 0.999);  // otherwise the accepted energies would not be those of this ensemble
   const auto temperatures = samples.temperatures();
   for (std::size_t k = 0; k < temperatures.size(); ++k) {
     CAPTURE(k);

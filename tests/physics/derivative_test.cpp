@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The derivative of forces and torques along a displacement: against dual numbers summed over all
-// pairs, against differences of forces and energies where there is a mesh, and its symmetry.
+// The derivative of forces and torques along a displacement: compared with dual numbers summed over
+// all pairs, with differences of forces and energies for a mesh, and its symmetry.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -10,13 +10,14 @@
 #include "physics/force_laws.hpp"
 #include "physics/mesh_scene.hpp"
 #include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 using namespace polhode;
 
 namespace {
 
-// Centres by about a nm, attitudes by about 10 rad: sites then move alike by either.
+// Centres by about a nm, attitudes by about 10 rad: both then move sites equally.
 struct Displacement {
   Vec3Column dq, dtheta;
 
@@ -30,7 +31,7 @@ struct Displacement {
         column->set(i, scale * Vec3<double>{x, y, z});
       }
   }
-  /// The same, with the centre of mass left where it is.
+  /// The same, with the centre of mass fixed.
   Displacement at_rest(const Bodies& bodies) const {
     Displacement u = *this;
     const Vec3<double> common = centre_of_mass(dq, bodies);
@@ -63,7 +64,7 @@ double rms_difference(const Vec3Column& a, const Vec3Column& b) {
   return std::sqrt(sum / double(a.size()));
 }
 
-// The work of a load along a displacement, attitudes in the lab frame.
+// The work of forces and torques along a displacement, attitudes in the lab frame.
 double work(const Load& load, const State& state, const Displacement& u) {
   double sum = 0;
   for (std::size_t i = 0; i < state.size(); ++i)
@@ -78,7 +79,7 @@ ForceSettings with_mesh(const MeshSettings& mesh) {
   return settings;
 }
 
-// Laws and bodies with everything: charges on a mesh among atoms and ions.
+// All laws and kinds of bodies: charges on a mesh, atoms and ions.
 std::vector<NamedLaw> mesh_laws() {
   std::vector<NamedLaw> laws;
   for (int order = MeshSettings::lowest_order; order <= MeshSettings::highest_order; ++order)
@@ -89,14 +90,15 @@ std::vector<NamedLaw> mesh_laws() {
 
 }  // namespace
 
-// In double precision both are the same sums but for rounding: as for forces in pair_engine_test,
-// one power of the distance more. In float, places rounded by 2⁻²⁴ nm change forces by
-// Terms::f2_of_places, the derivative of each term for 1 nm, times 2⁻²⁴. Rounding a term of the
-// derivative of power n along some 3 nm takes (n + 2)/2 times the rounding of r² and some more:
-// about 10 units for the whole. That is an estimate of a size: where single contacts outweigh the
-// rest and terms of either sign meet, 0.02 to 3.3 times it was seen. A wrong term errs by 1e6 of
-// it, pairs in double by 1e-8.
-TEST_CASE("the derivative over the list equals dual numbers over all pairs, on every target") {
+// In double precision both are the same sums up to rounding: as for forces in pair_engine_test,
+// with one more power of the distance. In float, positions rounded by 2⁻²⁴ nm change forces by
+// Terms::f2_of_places, the derivative of each term for 1 nm, times 2⁻²⁴. Rounding of a term of the
+// derivative of power n along about 3 nm is (n + 2)/2 times the rounding of r² and a little more:
+// about 10 units in total. This is only an estimate: 0.02 to 3.3 times it was observed, where
+// single contacts dominate and terms of both signs cancel. A wrong term has an error of 1e6 times
+// it, pairs in double 1e-8.
+TEST_CASE(
+    "the derivative over the list equals dual numbers over all pairs, for every instruction set") {
   const scenes::Scene scene = mixture();
   const Displacement u(scene.state.size(), 5);
   for (const NamedLaw& law : all_laws()) {
@@ -125,7 +127,7 @@ TEST_CASE("the derivative over the list equals dual numbers over all pairs, on e
       CHECK(f < 10);
       CHECK(f > 0.005);
       CHECK(tau < 3);
-      CHECK(tau > 0.0005);  // levers of 0.1 nm
+      CHECK(tau > 0.0005);  // arms of 0.1 nm
     });
   }
 }
@@ -155,11 +157,11 @@ TEST_CASE("the derivative of waters of three and five sites equals dual numbers 
 
 // A central difference of fourth order over moves of h = 1e-5 nm errs by h⁴/30 of the fifth
 // derivative, (13/0.25 nm)⁵ of a contact's force, 1e-13, over the first one, and by rounding over
-// h: 2⁻⁵³ × 10³ × 0.25/1e-5 = 3e-9 of the derivative at worst. It is that of the forces on the mesh
-// as they are, whatever their distance from Ewald's: of splines of order 4 the second derivative
-// bends at grid points, which a charge may pass within 2 h: a change of h/spacing = 1e-4 of one
-// charge's part, which these charges are spared.
-TEST_CASE("with a mesh the derivative is the slope of its forces and torques") {
+// h: 2⁻⁵³ × 10³ × 0.25/1e-5 = 3e-9 of the derivative at worst. The derivative is that of the mesh
+// forces, whatever their deviation from the Ewald sum: for splines of order 4 the second derivative
+// bends at grid points, which a charge may pass within 2 h: a change of h/spacing = 1e-4 of the
+// contribution of one charge, which does not happen here.
+TEST_CASE("with a mesh the derivative is the slope of forces and torques") {
   const scenes::Scene scene = charged_mixture();
   const Displacement u(scene.state.size(), 7);
   constexpr double h = 1e-5;
@@ -198,9 +200,9 @@ TEST_CASE("with a mesh the derivative is the slope of its forces and torques") {
   }
 }
 
-// The potential on the mesh serves again where the charges are those of the last evaluation, and
-// nowhere else.
-TEST_CASE("the derivative does not depend on what was evaluated before") {
+// The potential on the mesh is reused if the charges are those of the last evaluation, and only
+// then.
+TEST_CASE("the derivative does not depend on earlier evaluations") {
   const scenes::Scene scene = charged_mixture();
   const Displacement u(scene.state.size(), 8);
   const ForceSettings settings = mesh_laws()[2].settings;
@@ -225,11 +227,10 @@ TEST_CASE("the derivative does not depend on what was evaluated before") {
 }
 
 // Second derivatives of V along rotations a and b about lab axes differ by their commutator
-// (docs/theory.md): with D_u the derivative along u,
-// u·D_v(f, τ) − v·D_u(f, τ) = Σ (a_u × a_v)·τ; with a mesh where the centre of mass stays, as
-// forces are a gradient there. Both sides are sums of some 10³ terms of either sign, exact to
-// rounding: 2⁻⁵³ × √10³ × 10 of their size.
-TEST_CASE("the derivative is symmetric but for the commutator of rotations") {
+// (docs/theory.md): with D_u the derivative along u, u·D_v(f, τ) − v·D_u(f, τ) = Σ (a_u × a_v)·τ;
+// with a mesh only if the centre of mass is fixed, where forces are a gradient. Both sides are sums
+// of about 10³ terms of both signs, exact up to rounding: 2⁻⁵³ × √10³ × 10 of their size.
+TEST_CASE("the derivative is symmetric except for the commutator of rotations") {
   const auto check = [](const scenes::Scene& scene, const std::vector<NamedLaw>& laws) {
     const State& state = scene.state;
     const auto u = Displacement(state.size(), 9).at_rest(scene.bodies);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Direct Ewald sums: published energies of water, and that no choice within them changes the whole.
+// Direct Ewald sums: published energies of water, and independence of the splitting parameter.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -18,7 +18,7 @@ using namespace polhode;
 
 namespace {
 
-// Where the reference configurations are kept: beside the project, or as a variable says.
+// The folder of the reference configurations: next to the project, or in an environment variable.
 std::string nist_file(const std::string& name) {
   const char* const folder = std::getenv("POLHODE_NIST_SPCE");
   const std::string tests = POLHODE_TEST_DATA;
@@ -41,7 +41,7 @@ PointCharges nist_water(std::istream& in, const Box& cube) {
   return water;
 }
 
-// Charges at random, some in pairs of a body, with a net charge.
+// Random charges, some in pairs of one body, with a net charge.
 PointCharges few_charges(const Box& box, unsigned seed) {
   PointCharges charges;
   std::mt19937_64 random(seed);
@@ -63,7 +63,7 @@ const Box box{{1.1, 1.3, 1.2}};
 }  // namespace
 
 // Six digits of E/k_B [K] with the constants of that page, CODATA 2010.
-TEST_CASE("energies of water by term are those that NIST publishes") {
+TEST_CASE("energies of water by term equal those published by NIST") {
   struct Row {
     int configuration;
     double edge;  // [nm]
@@ -83,7 +83,7 @@ TEST_CASE("energies of water by term are those that NIST publishes") {
         nist_file("spce" + std::to_string(row.configuration) + ".etomica_HHO.pos");
     std::ifstream in(path);
     if (!in) {
-      return skip("there is no " + path + "; POLHODE_NIST_SPCE names its folder");
+      return skip("there is no " + path + "; set POLHODE_NIST_SPCE to its folder");
     }
     CAPTURE(row.configuration);
     const Box cube{{row.edge, row.edge, row.edge}};
@@ -119,9 +119,10 @@ TEST_CASE("energies of water by term are those that NIST publishes") {
   }
 }
 
-// Both ranges are long enough that what is left out is below rounding: erfc(6 × 1.3), and
-// exp(−120²/(4 × 36)). The energy loses digits to its terms, 10⁴ kJ/mol, in some hundred roundings.
-TEST_CASE("the Ewald sum does not depend on the split") {
+// Both ranges are long enough that the truncation error is below rounding: erfc(6 × 1.3), and
+// exp(−120²/(4 × 36)). The energy loses digits to its terms of 10⁴ kJ/mol, in about a hundred
+// roundings.
+TEST_CASE("the Ewald sum does not depend on the splitting parameter") {
   const PointCharges charges = few_charges(box, 5);
   const EwaldSum reference = ewald_sum(charges, box, GaussianSplit{6}, all);
   CHECK(std::abs(reference.energy.background) > 1);
@@ -133,15 +134,15 @@ TEST_CASE("the Ewald sum does not depend on the split") {
     CHECK(largest_difference(sum.virial, reference.virial) < 20 * tolerance);
   };
   check(ewald_sum(charges, box, GaussianSplit{6.5}, all), 1e-12 * 1e4);
-  // The transform falls as (k a)^−(m+2), from (2m+3)!!: 1e-12 where k a is some times m.
+  // The transform falls as (k a)^−(m+2), from (2m+3)!!: 1e-12 where k a is a few times m.
   check(ewald_sum(charges, box, CompactSplit(0.9, 12), {0.9, 160}), 1e-12 * 1e4);
   check(ewald_sum(charges, box, CompactSplit(1.0, 10), {1.0, 160}), 1e-12 * 1e4);
   check(ewald_sum(charges, box, CompactSplit(1.25, 14), {1.25, 160}), 1e-12 * 1e4);
 }
 
 // Central differences of fourth order with a step of 1e-3 nm: h⁴/30 of the fifth derivative of the
-// closest pair is 1e-8 of its force, roundings over h are less.
-TEST_CASE("Ewald's forces and virial are derivatives of its energy") {
+// closest pair is 1e-8 of its force, roundings divided by h are smaller.
+TEST_CASE("forces and virial of the Ewald sum are derivatives of its energy") {
   const PointCharges charges = few_charges(box, 6);
   const auto check = [&](const auto& split, const EwaldRange& range) {
     const EwaldSum sum = ewald_sum(charges, box, split, range);
@@ -156,7 +157,7 @@ TEST_CASE("Ewald's forces and virial are derivatives of its energy") {
       };
       CHECK(std::abs(slope(displaced, 1e-3) + sum.f[1][d]) < 1e-6 * norm(sum.f[1]));
     }
-    // Wave vectors turn with the strain, so a range of them must not cut any off: no sharp edge.
+    // Wave vectors change with the strain, so their range must not truncate any that contribute.
     for (std::size_t d = 0; d < 3; ++d) {
       const auto strained = [&](double x) {
         PointCharges there = charges;

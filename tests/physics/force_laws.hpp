@@ -82,7 +82,7 @@ inline double rms_distance(const Vec3Column& a, const std::vector<Vec3<double>>&
   return std::sqrt(sum / double(a.size()));
 }
 
-/// What rounding errors are relative to, from all terms of the energy.
+/// The scale of rounding errors, from all terms of the energy.
 struct Terms {
   double sum = 0;              ///< Σ |u| [kJ/mol]
   double f2 = 0, tau2 = 0;     ///< mean squares of the float errors of forces and torques
@@ -96,7 +96,7 @@ struct Terms {
 /// term of the same size again, and a reaction field adds at most (r/r_c)³ of 1/r. Rounding
 /// positions by δ = 2⁻²⁴ nm changes a force by n (n + 1) u/r² δ; a site switch adds u w'' δ, where
 /// w'' is at most 7.5 over the width squared. The torque on one body of a pair is computed from
-/// that on the other and the moment R × f: two roundings of that, some 0.6 × 2⁻²⁴ R f.
+/// that on the other and the moment R × f: two roundings of that, about 0.6 × 2⁻²⁴ R f.
 inline Terms terms_of(const scenes::Scene& scene, const ForceSettings& settings) {
   const State& state = scene.state;
   const Switch<> w(settings.switch_from, settings.cutoff, settings.smoothness);

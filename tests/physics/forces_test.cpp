@@ -15,7 +15,8 @@
 using namespace polhode;
 
 // dU = −Σ f·dq + τ·dθ for any displacement. The derivative of U comes from dual numbers, exact to
-// rounding, so both sides agree to rounding: sums of some 10³ pair terms of up to 10⁴ kJ/mol/nm.
+// rounding, so both sides agree up to rounding: sums of about 10³ pair terms of up to 10⁴
+// kJ/mol/nm.
 TEST_CASE("force and torque are minus the gradient of the energy, for every law and body") {
   const scenes::Scene scene = mixture();
   for (const NamedLaw& law : all_laws()) {
@@ -43,7 +44,8 @@ TEST_CASE("force and torque are minus the gradient of the energy, for every law 
 }
 
 // The directional derivative against a central difference of fourth order: h⁴ f⁽⁵⁾ against
-// rounding/h leaves 1e-8 of the derivative at h = 1e-4 nm for contacts whose scale is some 0.02 nm.
+// rounding/h leaves 1e-8 of the derivative at h = 1e-4 nm for contacts with a length scale of about
+// 0.02 nm.
 TEST_CASE("the directional derivative is the slope of forces and torques") {
   const scenes::Scene scene = mixture();
   for (const NamedLaw& law : all_laws()) {
@@ -68,7 +70,7 @@ TEST_CASE("the directional derivative is the slope of forces and torques") {
       forces(moved, there);
       return there;
     };
-    const double h = 2e-7;  // the largest f/m is some 300, J⁻¹τ 3000: moves of 1e-4 nm
+    const double h = 2e-7;  // the largest f/m is about 300, J⁻¹τ 3000: displacements of 1e-4 nm
     const Load p1 = at(h), m1 = at(-h), p2 = at(2 * h), m2 = at(-2 * h);
     for (std::size_t i = 0; i < n; ++i) {
       const auto numeric = [&](auto member) {
@@ -83,9 +85,9 @@ TEST_CASE("the directional derivative is the slope of forces and torques") {
   }
 }
 
-// Never a pair missed: a hot run for many rebuilds of the list, forces against all pairs on the
-// way, in a box whose edge is just above twice the cutoff.
-TEST_CASE("the neighbour list misses no pair over a long hot run") {
+// A run at high temperature with many rebuilds of the list, forces compared with all pairs, in a
+// box whose edge is just above twice the cutoff.
+TEST_CASE("the neighbour list misses no pair in a long run at high temperature") {
   for (const Truncation truncation : {Truncation::molecule_switch, Truncation::site_switch}) {
     scenes::Scene scene = scenes::lattice({{"tip4p", 60}, {"argon", 20}}, 0.36, 1.61, 5);
     for (std::size_t i = 0; i < scene.state.size(); ++i)
@@ -105,10 +107,12 @@ TEST_CASE("the neighbour list misses no pair over a long hot run") {
   }
 }
 
-// Shifting all bodies, shifting one by an edge, turning the world about z by a quarter: the physics
-// does not notice. Positions change by rounding of up to 10 nm × 2⁻⁵³, forces by that times f'.
+// Forces are invariant if all bodies are shifted, one is shifted by a box edge, or all are rotated
+// about z by 90 degrees. Positions change by rounding of up to 10 nm × 2⁻⁵³, forces by that times
+// f'.
 TEST_CASE(
-    "forces do not depend on where the origin is, which image is meant, or how the world lies") {
+    "forces do not depend on the origin, the choice of periodic images, or the orientation of the "
+    "axes") {
   for (const Truncation truncation : {Truncation::molecule_switch, Truncation::site_switch}) {
     const scenes::Scene scene = mixture();
     const ForceSettings settings{truncation, 0.8, 0.65, 2, Electrostatics::reaction_field,

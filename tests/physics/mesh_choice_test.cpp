@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The accuracy of the mesh that is asked for, and the one that is reached.
+// The required accuracy of the mesh, and the accuracy reached.
 #include "polhode/forces/mesh/mesh_choice.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ using namespace polhode;
 
 namespace {
 
-// Every charge as a body of its own: the mesh then yields the force on each.
+// Every charge as a separate body: the mesh then gives the force on each.
 struct LooseCharges {
   Topology topology;
   State state;
@@ -81,10 +81,11 @@ double rms_error(const Liquid& liquid, const MeshSettings& settings, const Exact
 
 }  // namespace
 
-// The force on charges in water is the typical one, and of ions put into it, which it does not
-// screen, somewhat more. Liked sizes of grids are up to a quarter apart, for which errors of order
-// p to p + 2 differ up to 8 times; of grids twice as fine they would differ 30 to 500 times.
-TEST_CASE("the mesh that is chosen reaches the accuracy asked for, and not much more") {
+// The force on charges in water is the typical one; on ions in water, which the estimate treats as
+// unscreened, somewhat larger. Suitable sizes of grids differ by up to a quarter, for which errors
+// of order p to p + 2 differ up to 8 times; of grids twice as fine they would differ 30 to 500
+// times.
+TEST_CASE("the chosen mesh has the required accuracy, and not much more") {
   for (const Liquid& liquid : {water(), salt_water()}) {
     CAPTURE(liquid.name);
     for (const double cutoff : {0.9, 1.1})
@@ -113,8 +114,8 @@ TEST_CASE("the mesh that is chosen reaches the accuracy asked for, and not much 
   }
 }
 
-// The estimate alone, where it is least in doubt: molecules at random places and attitudes.
-TEST_CASE("the expected error of a mesh is that of bodies at random") {
+// The error estimate where its assumptions hold: molecules with random positions and attitudes.
+TEST_CASE("the expected error of a mesh is that of randomly placed bodies") {
   Liquid gas = water();
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> even;
@@ -137,7 +138,7 @@ TEST_CASE("the expected error of a mesh is that of bodies at random") {
   }
 }
 
-TEST_CASE("a mesh that cannot be is refused") {
+TEST_CASE("an impossible mesh is refused") {
   const Topology none{{{read_molecule("argon"), 5}}}, water{{{read_molecule("tip4p"), 5}}};
   const Box box{{2, 2, 2}};
   CHECK_THROWS_WITH_AS(mesh_for(1e-4, 0.9, box, none), doctest::Contains("no molecule"), Error);
@@ -151,9 +152,9 @@ TEST_CASE("a mesh that cannot be is refused") {
                        Error);
 }
 
-// Two ions in 60 nm would have 540 points to an edge, 2.5 GB for an energy that one pair has.
+// Two ions in 60 nm would need 540 points per edge, 2.5 GB for the energy of one pair.
 TEST_CASE(
-    "a mesh that little in a large box is not worth is refused, with the cutoff that makes it so") {
+    "a mesh that is too large for few bodies in a large box is refused, with a suitable cutoff") {
   const Topology two{{{ion("a", 1), 1}, {ion("b", -1), 1}}};
   const Box box{{60, 60, 60}};
   check_error([&] { mesh_for(1e-4, 1.0, box, two); }, {"for 2 charges", "take a cutoff of"});
@@ -163,5 +164,5 @@ TEST_CASE(
       [&] {
         mesh_for(1e-4, 1.0, {{3000, 2.5, 2.5}}, two);
       },
-      {"take a smaller box, or ask for less accuracy"});
+      {"take a smaller box, or a larger pme_accuracy"});
 }

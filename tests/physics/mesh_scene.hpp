@@ -76,7 +76,7 @@ struct MeshScene {
   }
 };
 
-/// The mesh's Load for a state, with all its data created anew.
+/// The forces and torques of the mesh for a state, from newly created data.
 template <class T>
 MeshLoad mesh_load(const Topology& topology, const State& state, const MeshSettings& settings,
                    BodyLoads& loads, Workers& workers = Workers::serial()) {
@@ -84,7 +84,7 @@ MeshLoad mesh_load(const Topology& topology, const State& state, const MeshSetti
   return MeshScene<T>(topology, state)(mesh, loads);
 }
 
-/// What the mesh should compute, from direct sums: the complete Ewald sum minus pairs and
+/// The expected result of the mesh, from direct sums: the complete Ewald sum minus pairs and
 /// constants.
 struct ExactMesh {
   double energy;

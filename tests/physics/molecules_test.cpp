@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws that hold for every molecule model within the program.
+// Laws that hold for every built-in molecule model.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Crowd {
   ForceSettings forces;
 };
 
-// 27 bodies in a periodic box, with pairs all over the switch.
+// 27 bodies in a periodic box, with pairs throughout the switching range.
 Crowd fluid(const Molecule& molecule) {
   double sigma = 0;
   for (const Site& site : molecule.sites) sigma = std::max(sigma, site.sigma);
@@ -33,9 +33,9 @@ Crowd fluid(const Molecule& molecule) {
   return made;
 }
 
-// Four ions and four of the opposite charge, else alike, which hold together. The switch is out of
-// their reach: its fourth derivative jumps, and times the energy of charges that is more than the
-// error of a fourth-order scheme.
+// A cluster of four ions and four of the opposite charge, otherwise equal. The switching range is
+// beyond their distances: its fourth derivative jumps, which for charges exceeds the error of a
+// fourth-order scheme.
 Crowd salt(const Molecule& ion) {
   Molecule opposite = ion;
   opposite.name += "-opposite";
@@ -50,7 +50,8 @@ Crowd salt(const Molecule& ion) {
 
 Crowd crowd(const Molecule& molecule) {
   Crowd made = std::abs(molecule.charge()) > 0.5 ? salt(molecule) : fluid(molecule);
-  // Places of a lattice are calm, or for ions wild; a short run at 300 K lets bodies meet.
+  // On a lattice, forces are too small, or for ions too large; a short run at 300 K lets bodies
+  // approach each other.
   ForceField forces(made.scene.topology, made.forces, made.scene.state.box);
   Integrator integrator(scheme_of("velocity-verlet"), made.scene.bodies, forces);
   for (int k = 0; k < 20; ++k) {
@@ -67,7 +68,7 @@ double mean_square(const Vec3Column& v) {
   return sum;
 }
 
-// In what time momenta change by themselves, or turn: the shorter of |p|/|f| and |ℓ|/|τ| [ps].
+// The time in which momenta change completely: the shorter of |p|/|f| and |ℓ|/|τ| [ps].
 double natural_time(const State& state, const Load& load) {
   const auto ratio = [](double momenta, double loads) {
     return momenta > 0 && loads > 0 ? std::sqrt(momenta / loads) : INFINITY;
@@ -76,11 +77,11 @@ double natural_time(const State& state, const Load& load) {
                   ratio(mean_square(state.ell), mean_square(load.tau)));
 }
 
-// What a run over eight samples did.
+// Result of a run over eight samples.
 struct Run {
-  double energy_error = 0;  // the largest |E − E₀|, over the kinetic energy
+  double energy_error = 0;  // the largest |E − E₀|, divided by the kinetic energy
   double momentum = 0;      // |P − P₀| [u nm/ps]
-  double rounding = 0;      // what momentum may become by rounding
+  double rounding = 0;      // limit of the momentum from rounding
 };
 
 Run run(const Crowd& made, const Scheme& scheme, double length, std::size_t steps) {
@@ -114,9 +115,9 @@ Run run(const Crowd& made, const Scheme& scheme, double length, std::size_t step
 
 namespace {
 
-// E errs by C hᵏ (1 + c h²) at each time, so that halving h divides the error by 2ᵏ, and what the
-// slope lacks of k falls by 4. Where halving changes the slope by less than 0.1, it lacks less than
-// that. Both sides are bounded.
+// The error of E is C hᵏ (1 + c h²) at each time, so halving h divides it by 2ᵏ, and the deviation
+// of the slope from k by 4. If halving changes the slope by less than 0.1, its deviation is smaller
+// than that. Both sides are bounded.
 void check_orders(const Crowd& made) {
   ForceField forces(made.scene.topology, made.forces, made.scene.state.box);
   Load load;
@@ -140,7 +141,7 @@ void check_orders(const Crowd& made) {
 
 }  // namespace
 
-TEST_CASE("the energy of every model is kept to the order of the scheme, and so is momentum") {
+TEST_CASE("energy is conserved to the order of the scheme, and momentum exactly, for every model") {
   for (const std::string& name : molecule_names()) {
     CAPTURE(name);
     check_orders(crowd(read_molecule(name)));
@@ -148,9 +149,10 @@ TEST_CASE("the energy of every model is kept to the order of the scheme, and so 
 }
 
 // The compact split is of class C⁵ here and the mesh's forces are the gradient of its energy, so
-// that nothing spoils an order, whatever the accuracy of the mesh. Without its net force they are
-// that along every motion which leaves the centre of mass at rest, as here.
-TEST_CASE("the energy with Ewald's sum is kept to the order of the scheme, and so is momentum") {
+// every order is preserved, whatever the accuracy of the mesh. Without their net force they are the
+// gradient along every motion that leaves the centre of mass at rest, as here.
+TEST_CASE(
+    "energy is conserved to the order of the scheme, and momentum exactly, with the Ewald sum") {
   for (const char* name : {"tip4p", "co2", "na-spce"})
     for (const std::size_t points : {24, 12}) {
       CAPTURE(std::string(name));
@@ -164,7 +166,7 @@ TEST_CASE("the energy with Ewald's sum is kept to the order of the scheme, and s
 }
 
 // A law of class C³ at the cutoff is smooth enough for fourth order, whatever the damping.
-TEST_CASE("the energy with the damped shifted force is kept to the order of the scheme") {
+TEST_CASE("energy is conserved to the order of the scheme with the damped shifted force") {
   for (const char* name : {"tip4p", "na-spce"}) {
     CAPTURE(std::string(name));
     Crowd made = crowd(read_molecule(name));
@@ -178,7 +180,7 @@ TEST_CASE("the energy with the damped shifted force is kept to the order of the 
 
 // The central difference of fourth order, (8 (U₁ − U₋₁) − (U₂ − U₋₂))/12 s, errs by s⁴ U⁽⁵⁾/30. At
 // contacts of 0.2 nm U⁽⁵⁾ is 13 × 14 × 15 × 16/(0.2 nm)⁴ of a force: 1e-10 of it at s = 1e-4 nm,
-// and at 1e-3 rad, which is 2.5e-4 nm at the longest levers, 4e-9. Rounding is less.
+// and at 1e-3 rad, which is 2.5e-4 nm at the longest arms, 4e-9. Rounding is smaller.
 TEST_CASE("force and torque are minus the slope of the energy, for every model") {
   for (const std::string& name : molecule_names()) {
     CAPTURE(name);

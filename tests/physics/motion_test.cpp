@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Displacements, reorientation, velocities and dipoles of motions whose correlations are known.
+// Displacements, reorientation, velocities and dipoles of motions with known correlations.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -42,9 +42,9 @@ Quaternion<double> turn(const Vec3<double>& v) {
   return {std::cos(half), axis.x, axis.y, axis.z};
 }
 
-// A stated error has four to eight degrees of freedom: an estimate is within six errors of what is
-// exact (Student's t with four: 0.4 % are not), and its error within a factor of three of what it
-// should be, which is known roughly (0.1 % are not).
+// A reported error has four to eight degrees of freedom: an estimate is within six errors of the
+// exact value (Student's t with four: 0.4 % are not), and its error within a factor of three of the
+// expected one, which is known roughly (0.1 % are not).
 void check(const SeriesEstimate& found, double exact, double error) {
   REQUIRE(found.known == Known::yes);
   CAPTURE(found.value);
@@ -57,14 +57,15 @@ void check(const SeriesEstimate& found, double exact, double error) {
 
 }  // namespace
 
-// Free flight through many walls: ⟨|Δq|²⟩ = v² t² to rounding, and the longest step is seen.
-TEST_CASE("displacements of free flight are ballistic, through the walls of the box") {
+// Free flight across many periodic boundaries: ⟨|Δq|²⟩ = v² t² up to rounding, and the largest
+// displacement is reported.
+TEST_CASE("displacements of free flight are ballistic, across periodic boundaries") {
   const Topology topology = of("argon", 6);
   Displacement displacement(topology, 20);
   State state(6, Box{{1.0, 1.5, 2.0}});
   const Vec3<double> v{0.24, -0.3, 0.1};
   for (int frame = 0; frame < 60; ++frame) {
-    for (std::size_t i = 0; i < 6; ++i) {  // half of them forth, half back
+    for (std::size_t i = 0; i < 6; ++i) {  // half of them forward, half backward
       const double way = i % 2 == 0 ? frame : -frame;
       state.q.set(i, into(state.box, Vec3<double>{0.1 * static_cast<double>(i), 0, 0} + way * v));
     }
@@ -77,9 +78,9 @@ TEST_CASE("displacements of free flight are ballistic, through the walls of the 
 }
 
 // Brownian steps of variance 2 D t along each axis. The slope through lags 1 to 10 of 400 frames of
-// 64 bodies: about 400/10 independent stretches of each in three directions, each of which knows D
-// to √2, so the error is about D √(2 · 10/(3 · 400 · 64)) = 1.6 %. Relative to the centre of mass
-// independent walkers have 1 − 1/64 of their own D.
+// 64 bodies: about 400/10 independent stretches of each in three directions, each of which
+// determines D to √2, so the error is about D √(2 · 10/(3 · 400 · 64)) = 1.6 %. Relative to the
+// centre of mass independent walkers have 1 − 1/64 of their D.
 TEST_CASE("the diffusion coefficient of a random walk") {
   const Topology topology = of("argon", 64);
   const double D = 2.5e-3, interval = 0.5;
@@ -97,15 +98,15 @@ TEST_CASE("the diffusion coefficient of a random walk") {
 
 // yeh2004, Eq. 12: 2.837297 k_B T/(6πηL). By hand, in SI: 1.380649e-23 · 298 · 2.837297 /
 // (6π · 0.729e-3 · 2.4858e-9) = 3.4175e-10 m²/s = 3.4175e-4 nm²/ps.
-TEST_CASE("what images take from diffusion") {
+TEST_CASE("Yeh-Hummer finite-size correction of the diffusion coefficient") {
   const double viscosity = quantity("0.729 mPa s", Dimension::viscosity, "viscosity");
   CHECK(std::abs(yeh_hummer_correction(298, viscosity, 2.4858) / 3.4175e-4 - 1) <
-        2e-5);  // its five digits
+        2e-5);  // the constant has five digits
 }
 
-// A steady turn about a lab axis at right angles to body axis 1 and along axis 3: axis 1 turns by
-// ωt, P₁ = cos ωt and P₂ = (3 cos² ωt − 1)/2; axis 3 stays.
-TEST_CASE("directions of a steady turn") {
+// Uniform rotation about a lab axis perpendicular to body axis 1 and along axis 3: axis 1 rotates
+// by ωt, P₁ = cos ωt and P₂ = (3 cos² ωt − 1)/2; axis 3 is fixed.
+TEST_CASE("orientational correlations of a uniform rotation") {
   const Topology topology = of("tip4p", 3);
   Reorientation reorientation(topology, 30);
   State state(3, Box{{2, 2, 2}});
@@ -128,9 +129,9 @@ TEST_CASE("directions of a steady turn") {
   }
 }
 
-// Random turns by vectors with components of variance s²: a step multiplies P_l by the mean
-// character over 2l + 1, with ⟨cos kθ⟩ = (1 − k² s²) exp(−k² s²/2). So C is exponential from the
-// start, and both times are −interval/ln of that factor (the trapezoidal rule adds interval²/12τ).
+// Random rotations by vectors with components of variance s²: a step multiplies P_l by the mean
+// character over 2l + 1, with ⟨cos kθ⟩ = (1 − k² s²) exp(−k² s²/2). So C is exponential from lag 0,
+// and both times are −interval/ln of that factor (the trapezoidal rule adds interval²/12τ).
 TEST_CASE("relaxation times of rotational diffusion") {
   const Topology topology = of("tip4p", 100);
   const double interval = 0.1, s2 = 0.03;
@@ -153,9 +154,9 @@ TEST_CASE("relaxation times of rotational diffusion") {
     REQUIRE(two);
     CHECK(one->from == doctest::Approx(tau1).epsilon(0.1));
     CHECK(one->to == doctest::Approx(3 * tau1).epsilon(0.2));
-    // A run of length T knows C to about √(2τ/T) for each independent signal: three components of
-    // 100 bodies, five for the second rank. The integral adds that up over about 2τ; the fit hangs
-    // on it where C is about a quarter.
+    // A run of length T determines C to about √(2τ/T) for each independent signal: three components
+    // of 100 bodies, five for the second rank. The integral accumulates that error over about 2τ;
+    // the fit is determined where C is about a quarter.
     const double noise1 = std::sqrt(2 * tau1 / 300 / 300), noise2 = std::sqrt(2 * tau2 / 300 / 500);
     check(one->exponential, tau1, 4 * noise1 * tau1);
     check(two->exponential, tau2, 4 * noise2 * tau2);
@@ -167,10 +168,10 @@ TEST_CASE("relaxation times of rotational diffusion") {
   CHECK(!relaxation_times(brief.legendre(0, 0, 1), interval));
 }
 
-// Ornstein and Uhlenbeck's velocities: ⟨v(0) v(t)⟩ = (kT/m) e^{−t/τ} along each axis, D = kT τ/m,
-// and for ω about each axis kT/J_k; relative to the centre of mass 63/64 of kT/m. D from 600/(2 ·
-// 0.2) stretches of 3 · 64 signals: 1 % and some.
-TEST_CASE("velocities that forget themselves exponentially") {
+// Velocities of an Ornstein-Uhlenbeck process: ⟨v(0) v(t)⟩ = (kT/m) e^{−t/τ} along each axis, D =
+// kT τ/m, and for ω about each axis kT/J_k; relative to the centre of mass 63/64 of kT/m. D from
+// 600/(2 · 0.2) stretches of 3 · 64 signals: slightly above 1 %.
+TEST_CASE("velocities with an exponential autocorrelation") {
   const Topology topology = of("tip4p", 64);
   const Bodies bodies(topology);
   const double kT = 2.5, tau = 0.2, interval = 0.02, keep = std::exp(-interval / tau);
@@ -192,7 +193,7 @@ TEST_CASE("velocities that forget themselves exponentially") {
   }
   const double v2 = kT / bodies.m[0] * 63 / 64, T = 60;
   const std::vector<SeriesEstimate> v = series_estimates(velocity.linear(0));
-  // A mean square over T holds T/τ independent values, each known to √2, of 3 · 64 signals.
+  // A mean square over T has T/τ independent values, each known to √2, of 3 · 64 signals.
   check(v[0], v2, v2 * std::sqrt(2 * tau / T / 192));
   CHECK(std::abs(v[10].value - v2 * std::exp(-1.0)) < 6 * v[10].error);
   const SeriesEstimate D = series_estimates(running_integral(velocity.linear(0), interval)).back();
@@ -207,7 +208,7 @@ TEST_CASE("velocities that forget themselves exponentially") {
   CHECK(I.frequency[1] == doctest::Approx(0.25));
   CHECK(I.intensity[4].value ==
         doctest::Approx(4 * tau / (1 + std::pow(2 * units::pi * tau, 2))).epsilon(0.12));
-  // The transform's way back to lag 0 is the trapezoidal rule over all frequencies: exactly 1.
+  // The inverse transform at lag 0 is the trapezoidal rule over all frequencies: exactly 1.
   double integral = -(I.intensity.front().value + I.intensity.back().value) / 2 * 0.25;
   for (const SeriesEstimate& i : I.intensity) integral += i.value * 0.25;
   CHECK(integral == doctest::Approx(1).epsilon(1e-12));
@@ -215,7 +216,7 @@ TEST_CASE("velocities that forget themselves exponentially") {
 }
 
 // Dipoles that point up in half of the frames and down in the others: M² = (N μ)², ⟨M⟩ = 0, so the
-// constants follow from their formulas without any noise. Independent dipoles: Kirkwood's factor 1.
+// constants follow from their formulas without noise. Independent dipoles: Kirkwood factor 1.
 TEST_CASE("the dielectric constant of known fluctuations") {
   const Topology topology = of("tip4p", 50);
   const double mu = topology.parts[0].molecule.dipole(), T = 298, edge = 2.0;
@@ -223,7 +224,8 @@ TEST_CASE("the dielectric constant of known fluctuations") {
   State state(50, Box{{edge, edge, edge}});
   TotalDipole flips(topology);
   for (int frame = 0; frame < 40; ++frame) {
-    // The dipole of a water lies along a principal axis: half a turn about another one flips it.
+    // The dipole of a water lies along a principal axis: a rotation by 180 degrees about another
+    // one reverses it.
     const Vec3<double> across =
         std::abs(body.x) > mu / 2 ? Vec3<double>{0, units::pi, 0} : Vec3<double>{units::pi, 0, 0};
     for (std::size_t i = 0; i < 50; ++i)
@@ -235,7 +237,7 @@ TEST_CASE("the dielectric constant of known fluctuations") {
   CHECK(flips.result(T, tin_foil).constant.value == doctest::Approx(1 + y).epsilon(1e-10));
   CHECK(flips.result(T, tin_foil).kirkwood.value == doctest::Approx(50).epsilon(1e-10));
   CHECK(flips.result(T, tin_foil).mean_over_rms < 1e-10);
-  // (ε − 1)(2ε' + 1)/(2ε' + ε) = y, put back; a huge ε' is tin foil.
+  // (ε − 1)(2ε' + 1)/(2ε' + ε) = y, inverted; a huge ε' means conducting boundary conditions.
   const double around = 3 * y, epsilon = flips.result(T, around).constant.value;
   CHECK((epsilon - 1) * (2 * around + 1) / (2 * around + epsilon) ==
         doctest::Approx(y).epsilon(1e-10));

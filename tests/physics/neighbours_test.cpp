@@ -36,8 +36,8 @@ ForceSettings law(Truncation truncation, double cutoff, double switch_from, doub
   return {truncation, cutoff, switch_from, 2, Electrostatics::reaction_field, 78.5, skin};
 }
 
-// Few and many, and boxes that just hold two cutoffs, or a cutoff and two molecules from centre to
-// site.
+// Few and many molecules, and boxes just large enough for two cutoffs, or for a cutoff and two
+// molecular radii.
 std::vector<ListCase> list_cases() {
   using enum Truncation;
   std::vector<ListCase> cases;
@@ -75,11 +75,11 @@ std::vector<ListCase> list_cases() {
   return cases;
 }
 
-// A pair: the smaller body, the larger one, and the larger one's image in edges, bodies in the box
-// as when the list was made.
+// A pair: the body with the lower index, the other one, and the image of the latter in box edges,
+// bodies wrapped into the box as when the list was built.
 using Pair = std::array<int, 5>;
 
-// How often each pair is listed, and how often as one that lies inside the switching distance.
+// How often each pair is listed, and how often as one inside the switching distance.
 struct Listed {
   std::map<Pair, int> times, inside;
   std::size_t nowhere = 0;
@@ -118,7 +118,8 @@ template <class Visit>
 void all_pairs(const NeighbourList& list, const State& state, const Bodies& bodies,
                const Visit& visit) {
   const Slots& slots = list.slots();
-  std::vector<Vec3<double>> place(state.size());  // now, from that in the box when it was made
+  std::vector<Vec3<double>> place(
+      state.size());  // now, relative to that in the box when the list was built
   for (const Slots::Part& part : slots.parts)
     for (std::uint32_t s = part.first; s < part.end(); ++s)
       place[slots.body[s]] = slots.place[s] + (state.q[slots.body[s]] - slots.built_at[s]);
@@ -143,9 +144,9 @@ double skin_of(const NeighbourList& list) { return 2 * std::sqrt(list.allowed2()
 
 }  // namespace
 
-// Places are compared in fixed point and float, which a margin of 1e-5 nm covers: pairs may be
-// listed that are so much beyond the range, but none be missed within it, and those inside the
-// switching distance are closer than the switch by the skin, whatever the rounding.
+// Positions are compared in fixed point and float, which a margin of 1e-5 nm covers: pairs up to
+// that far beyond the range may be listed, but none within it may be missed, and those inside the
+// switching distance are closer than it by the skin, whatever the rounding.
 TEST_CASE("every pair in range is listed once, in whole packs") {
   for (const ListCase& c : list_cases()) {
     CAPTURE(c.name);
@@ -190,15 +191,16 @@ TEST_CASE("every pair in range is listed once, in whole packs") {
   }
 }
 
-// A row hands on what does not fill a pack, unless no partner of its comes later in its chunk: so
-// of a row of some 70 only the last few of a chunk leave lanes empty.
-TEST_CASE("nearly all lanes of a liquid's list are filled, for every width") {
+// A row hands over partners that do not fill a pack, unless none of them comes later in its chunk:
+// so with rows of about 70 partners only the last few rows of a chunk leave lanes empty.
+TEST_CASE("nearly all lanes of the list of a liquid are filled, for every pack width") {
   const ListCase water{"",
                        {{"tip4p", 4096}},
                        {4.97, 4.97, 4.97},
                        {.cutoff = 1.0, .switch_from = 0.85, .skin = 0.05}};
   scenes::Scene scene = scene_of(water);
-  for (std::size_t i = 0; i < scene.state.size(); ++i)  // off the lattice by some 0.1 nm
+  for (std::size_t i = 0; i < scene.state.size();
+       ++i)  // displaced from the lattice by about 0.1 nm
     scene.state.q.add(i, 0.3 / scene.bodies.m[i] * scene.state.p[i]);
   NeighbourList list(scene.topology, water.settings, scene.state.box);
   std::size_t pairs = 0;
@@ -219,11 +221,11 @@ TEST_CASE("nearly all lanes of a liquid's list are filled, for every width") {
   CHECK(double(pairs) == doctest::Approx(ideal).epsilon(0.02));
 }
 
-// A pair that comes into range between two builds must stand in the list; forces say so only if
-// they are large there, so the list itself is asked. Forces: double to rounding of the largest,
-// float to three times the rms that rounding of terms and of places makes, times the reach for
+// A pair that comes into range between two rebuilds must be in the list; forces show this only if
+// they are large, so the list itself is checked. Forces: in double up to rounding of the largest,
+// in float up to three times the rms from rounding of terms and positions, times the range for
 // torques.
-TEST_CASE("the neighbour list misses no pair over long hot runs") {
+TEST_CASE("the neighbour list misses no pair in long runs at high temperature") {
   for (const ListCase& c : list_cases()) {
     CAPTURE(c.name);
     const bool large = scene_of(c).state.size() > 300;
@@ -275,8 +277,8 @@ TEST_CASE("the neighbour list misses no pair over long hot runs") {
   }
 }
 
-// 400³ nm³ in cells of half a range would be 5e8, in memory and in each build.
-TEST_CASE("cells follow what is in the box, and the list then misses no pair") {
+// 400³ nm³ in cells of half the range would be 5e8 cells, in memory and in each rebuild.
+TEST_CASE("cells adapt to the bodies in the box, and the list misses no pair") {
   for (const auto& [n, cutoff] :
        {std::pair<std::size_t, double>{8, 1.0}, {60, 120.0}, {300, 90.0}}) {
     const ListCase c{"",

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
@@ -32,7 +32,7 @@ const char* const texts[] = {
     "gier4-fd / gier4-fd x 2 within 0.2 to 0.35 nm",
 };
 
-// Their differences of forces bring rounding by 1/λ.
+// Their differences of forces amplify rounding by 1/λ.
 bool by_difference(const NestedScheme& scheme) { return scheme.has(Gradient::finite_difference); }
 
 double largest_difference(const Vec3Column& a, const Vec3Column& b) {
@@ -46,20 +46,18 @@ struct Split {
   Split(const scenes::Scene& scene, const ForceSettings& settings, const NestedScheme& scheme)
       : whole(scene.topology, settings, scene.state.box),
         near(scene.topology, near_settings(settings, *scheme.inner), scene.state.box),
-        nested(scheme.inner->scheme, scheme.inner->steps, scene.bodies, whole, near),
-        integrator(scheme.outer, scene.bodies, nested) {}
+        integrator(scheme, scene.bodies, whole, near) {}
   ForceField whole, near;
-  NestedForces<ForceField, ForceField> nested;
-  Integrator<NestedForces<ForceField, ForceField>> integrator;
+  NestedIntegrator<ForceField, ForceField> integrator;
 };
 
 }  // namespace
 
 // The harmonic part of the field is near, the rest slow. Halving h halves both steps, so the energy
-// error falls with the order of the coarser level; bounds as for single schemes. GIER4 around a
-// near flow that is exact to fourth order needs the gradient of the slow forces alone: with the
-// near ones in it, or at the wrong positions, the order is 2.
-TEST_CASE("a nested scheme's energy error falls with the order of its coarser level") {
+// error has the lower of the two orders; bounds as for single schemes. GIER4 around a near flow
+// that is exact to fourth order needs the gradient of the slow forces alone: with the near ones in
+// it, or at the wrong positions, the order is 2.
+TEST_CASE("the energy error of a nested scheme has the lower of its two orders") {
   for (const char* text : texts) {
     CAPTURE(std::string(text));
     const NestedScheme scheme = nested_scheme_of(text);
@@ -83,7 +81,7 @@ TEST_CASE("nested schemes are reversible") {
     Split split(scene, scenes::no_truncation(), scheme);
     const State start = scene.state;
     split.integrator.advance(scene.state, 0.002, 100);
-    CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // it did move
+    CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // the bodies did move
     CHECK(scene.state.time == doctest::Approx(0.2).epsilon(1e-14));
     split.integrator.advance(scene.state, -0.002, 100);
     CHECK(largest_difference(scene.state.q, start.q) < (by_difference(scheme) ? 2e-9 : 1.2e-11));
@@ -93,7 +91,7 @@ TEST_CASE("nested schemes are reversible") {
 }
 
 // Bounds as for single schemes, for as many more kicks.
-TEST_CASE("nested schemes keep the total momentum") {
+TEST_CASE("nested schemes conserve the total momentum") {
   for (const char* text : texts) {
     CAPTURE(std::string(text));
     const NestedScheme scheme = nested_scheme_of(text);
@@ -106,7 +104,7 @@ TEST_CASE("nested schemes keep the total momentum") {
 }
 
 // At the first force point there is no inner step yet whose forces would be known: one more.
-TEST_CASE("a nested scheme costs as many evaluations of both kinds as it says") {
+TEST_CASE("a nested scheme needs the stated number of evaluations of both kinds") {
   for (const char* text : texts) {
     CAPTURE(std::string(text));
     const NestedScheme scheme = nested_scheme_of(text);
@@ -115,22 +113,21 @@ TEST_CASE("a nested scheme costs as many evaluations of both kinds as it says") 
     split.integrator.advance(scene.state, 0.001, 5);
     const std::uint64_t whole = split.whole.evaluations(), near = split.near.evaluations();
     const std::uint64_t slopes = split.integrator.derivatives();
-    const std::uint64_t near_slopes = split.nested.near_derivatives();
-    CHECK(near == split.nested.near_evaluations());
+    const std::uint64_t near_slopes = split.integrator.near_derivatives();
+    CHECK(near == split.integrator.near_evaluations());
     for (int k = 0; k < 5; ++k) split.integrator.advance(scene.state, 0.001);
     CHECK(split.whole.evaluations() - whole == 5u * unsigned(scheme.outer.force_evaluations()));
     CHECK(split.near.evaluations() - near == 5u * unsigned(scheme.near_evaluations()));
     CHECK(split.integrator.derivatives() - slopes == 5u * unsigned(scheme.outer.derivatives()));
-    CHECK(split.nested.near_derivatives() - near_slopes ==
+    CHECK(split.integrator.near_derivatives() - near_slopes ==
           5u * unsigned(scheme.near_derivatives()));
   }
 }
 
-// Slow forces are what the whole law has beyond the near one, to the rounding of one subtraction of
-// forces up to 10⁴ kJ/mol/nm, whatever the law; energies are the whole ones. Two molecules closer
-// than where the near part begins to fade feel no slow force at all, two beyond its end no near
-// one.
-TEST_CASE("near and slow forces are all forces") {
+// Slow forces are all forces minus the near ones, up to the rounding of one subtraction of forces
+// up to 10⁴ kJ/mol/nm, whatever the law; energies are the total ones. Two molecules closer than the
+// switching distance of the near forces have no slow force, two beyond their cutoff no near one.
+TEST_CASE("near and slow forces add up to all forces") {
   const NestedScheme scheme = nested_scheme_of("hoa2 / hoa2 x 2 within 0.35 to 0.5 nm");
   scenes::Scene scene = scenes::lattice({{"tip4p", 60}, {"co2", 4}}, 0.33, 2.1, 5);
   ForceSettings pme{.truncation = Truncation::site_switch,
@@ -145,7 +142,7 @@ TEST_CASE("near and slow forces are all forces") {
     CAPTURE(int(settings.electrostatics));
     Split split(scene, settings, scheme);
     Load slow(scene.state.size()), near = slow, whole = slow;
-    split.nested(scene.state, slow);
+    split.integrator.slow_forces()(scene.state, slow);
     split.near(scene.state, near);
     split.whole(scene.state, whole);
     CHECK(slow.potential() == whole.potential());
@@ -155,7 +152,7 @@ TEST_CASE("near and slow forces are all forces") {
       CHECK(norm(slow.f[i] + near.f[i] - whole.f[i]) < 1e-11);
       CHECK(norm(slow.tau[i] + near.tau[i] - whole.tau[i]) < 1e-11);
     }
-    CHECK(most > 1);  // there is something slow
+    CHECK(most > 1);  // there are slow forces
   }
   for (const double apart : {0.3, 0.6}) {
     scenes::Scene pair = scenes::lattice({{"tip4p", 2}}, 0.3, 2.1, 5);
@@ -163,7 +160,7 @@ TEST_CASE("near and slow forces are all forces") {
     pair.state.q.set(1, {0.5, 0.5, 0.5 + apart});
     Split split(pair, plain, scheme);
     Load slow(2), near(2);
-    split.nested(pair.state, slow);
+    split.integrator.slow_forces()(pair.state, slow);
     split.near(pair.state, near);
     const Load& nothing = apart < 0.35 ? slow : near;
     const Load& something = apart < 0.35 ? near : slow;
@@ -186,9 +183,9 @@ State moved(const NestedScheme& scheme, double h, std::size_t steps) {
 
 // More inner steps change nothing but the error of the inner flow, which falls as n⁻ᵏ with the
 // inner order k: the distance to the limit falls by 2ᵏ from n to 2 n, two-sided to the next term,
-// n⁻² times that, some 0.1 at n = 4 steps of 0.5 fs. The limit is the outer scheme with the exact
-// inner flow, so any inner scheme leads to the same: here HOA2 and Forest-Ruth, as near as HOA2
-// comes with n = 64.
+// n⁻² times that, about 0.1 at n = 4 steps of 0.5 fs. The limit is the outer scheme with the exact
+// inner flow, so any inner scheme gives the same limit: here HOA2 and Forest-Ruth, within the error
+// of HOA2 with n = 64.
 TEST_CASE("with many inner steps the inner flow is exact") {
   const double h = 0.004;
   const auto with = [&](const std::string& inner, int n) {
@@ -214,27 +211,28 @@ TEST_CASE("with many inner steps the inner flow is exact") {
             exact.q) > 100 * limit);
 }
 
-// Where near forces are all forces, slow ones are 0 to the bit, and what is left is the inner
-// scheme with its own step; where there are none, the outer one. Either way flows are cut otherwise
-// than alone, and differ by rounding, 2⁻⁵³ of momenta of order 10 per kick, grown over 0.04 ps.
-TEST_CASE("near forces that are all or nothing leave a single scheme") {
+// If near forces are all forces, slow ones are exactly 0, and the inner scheme with its step
+// remains; if there are none, the outer one. In both cases flows are split differently than in a
+// single scheme, so results differ by rounding, 2⁻⁵³ of momenta of order 10 per kick, grown over
+// 0.04 ps.
+TEST_CASE("near forces equal to all forces, or to none, reduce a nested scheme to a single one") {
   const auto difference = [](const State& a, const State& b) {
     return std::max(largest_difference(a.p, b.p), largest_difference(a.ell, b.ell));
   };
   const Scheme outer = scheme_of("hoa2"), inner = scheme_of("velocity-verlet");
+  const NestedScheme scheme{outer, InnerScheme{inner, 2}};
   scenes::Scene start = scenes::water_cluster();
-  const auto alone = [&](const Scheme& scheme, double h, std::size_t steps) {
+  const auto alone = [&](const Scheme& single, double h, std::size_t steps) {
     scenes::Scene scene = start;
     ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
-    Integrator(scheme, scene.bodies, forces).advance(scene.state, h, steps);
+    Integrator(single, scene.bodies, forces).advance(scene.state, h, steps);
     return scene.state;
   };
   {
     scenes::Scene scene = start;
     ForceField whole(scene.topology, scenes::no_truncation(), scene.state.box);
     ForceField near(scene.topology, scenes::no_truncation(), scene.state.box);
-    NestedForces nested(inner, 2, scene.bodies, whole, near);
-    Integrator(outer, scene.bodies, nested).advance(scene.state, 0.004, 10);
+    NestedIntegrator(scheme, scene.bodies, whole, near).advance(scene.state, 0.004, 10);
     CHECK(difference(scene.state, alone(inner, 0.001, 40)) < 1e-11);
     CHECK(difference(scene.state, alone(outer, 0.004, 10)) > 1e-5);
   }
@@ -242,8 +240,7 @@ TEST_CASE("near forces that are all or nothing leave a single scheme") {
     scenes::Scene scene = start;
     ForceField whole(scene.topology, scenes::no_truncation(), scene.state.box);
     auto nothing = [](const State&, Load&) {};
-    NestedForces nested(inner, 2, scene.bodies, whole, nothing);
-    Integrator(outer, scene.bodies, nested).advance(scene.state, 0.004, 10);
+    NestedIntegrator(scheme, scene.bodies, whole, nothing).advance(scene.state, 0.004, 10);
     CHECK(difference(scene.state, alone(outer, 0.004, 10)) < 1e-11);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The force evaluation in packs against all pairs by the shortest way: for every law, shape of
+// The force evaluation in packs compared with a plain sum over all pairs: for every law, shape of
 // molecules, instruction set and precision.
 #include <doctest/doctest.h>
 
@@ -19,17 +19,18 @@ double rms_distance(const std::vector<Vec3<double>>& a, const std::vector<Vec3<d
   return std::sqrt(sum / double(a.size()));
 }
 
-// What one law makes of one state, exactly, and how far rounding can take that.
+// The exact result of one law for one state, and its rounding errors.
 struct Exact {
   ReferenceLoad<double> load;
   Terms terms;
   double scale;                   // the largest force
   double f_rounded, tau_rounded;  // rms errors of forces and torques in float
 
-  // Mixed precision rounds a place in the box to 2⁻³⁰ of an edge; the difference of two of them,
+  // Mixed precision rounds a position in the box to 2⁻³⁰ of an edge; the difference of two of them,
   // its product with an edge and two sums with sites to float, by up to half of 2⁻²⁴ nm below 1 nm.
-  // An error spread evenly has an rms of its width over √12; four roundings of a pair are two for
-  // each of its bodies. A change of places at random by that much shows what becomes of forces.
+  // A uniformly distributed error has an rms of its width divided by √12; four roundings of a pair
+  // are two for each of its bodies. The effect on forces is found by random displacements of that
+  // size.
   Exact(const scenes::Scene& scene, const ForceSettings& settings)
       : load(reference_load(scene.topology, settings, scene.state.box, scenes::poses(scene.state))),
         terms(terms_of(scene, settings)) {
@@ -54,8 +55,8 @@ struct Exact {
   }
 };
 
-// Double precision: R carries some roundings of a coordinate, 2⁻⁵³ of the edge each; a contact of
-// 0.25 nm changes its force by 13/0.25 nm of itself, and sums add some roundings of their own.
+// Double precision: R has a few roundings of a coordinate, 2⁻⁵³ of the edge each; the force of a
+// contact of 0.25 nm changes by 13/0.25 nm relatively, and sums add a few roundings.
 void check_double(const scenes::Scene& scene, const ForceSettings& settings, const Exact& exact) {
   const Box& box = scene.state.box;
   const double edge = std::max({box.edge.x, box.edge.y, box.edge.z});
@@ -80,7 +81,7 @@ void check_double(const scenes::Scene& scene, const ForceSettings& settings, con
 
 // Mixed precision: the rms error is that of rounded places and terms, within a factor of 3, as one
 // contact may outweigh the rest. A thirtieth of it could not come from pairs in float. Energies and
-// the virial sum the errors of all terms, those of a pair of molecules perhaps alike: of less than
+// the virial sum the errors of all terms, which may be equal for a pair of molecules: for less than
 // 49 terms of a pair, 7 times the root of the sum of squares.
 void check_mixed(const scenes::Scene& scene, ForceSettings settings, const Exact& exact) {
   settings.precision = Precision::mixed;
@@ -145,7 +146,7 @@ const Molecule& two_sites() {
 
 }  // namespace
 
-TEST_CASE("every target's pair loops equal the reference, for every law, body and precision") {
+TEST_CASE("pair loops equal the reference, for every instruction set, law, body and precision") {
   const scenes::Scene scene = mixture();
   for (const NamedLaw& law : all_laws()) {
     CAPTURE(law.name);
@@ -153,9 +154,9 @@ TEST_CASE("every target's pair loops equal the reference, for every law, body an
   }
 }
 
-// Float has 2⁻¹⁹ nm between two numbers near 30 nm: coordinates in it would err 30 times as much as
-// fixed point and differences do.
-TEST_CASE("forces are as exact in a far corner of a large box and across its faces") {
+// Float has 2⁻¹⁹ nm between two numbers near 30 nm: coordinates in float would have 30 times the
+// error of fixed point and differences.
+TEST_CASE("forces are as accurate in a far corner of a large box and across its faces") {
   const Topology topology{
       {{read_molecule("tip4p"), 24}, {read_molecule("co2"), 10}, {read_molecule("argon"), 8}}};
   for (const Truncation truncation :
@@ -169,7 +170,7 @@ TEST_CASE("forces are as exact in a far corner of a large box and across its fac
   }
 }
 
-// Loops over sites unroll for common shapes of molecules, and the reference knows none of them.
+// Loops over sites are unrolled for common shapes of molecules, but not in the reference.
 TEST_CASE("unrolled shapes of molecules equal the general path") {
   struct Case {
     std::string name;
@@ -203,10 +204,12 @@ TEST_CASE("unrolled shapes of molecules equal the general path") {
   }
 }
 
-// Scaling box and centres by 1 + x, attitudes kept, stretches every R by that, so that
+// Scaling box and centres by 1 + x at constant attitudes scales every R by the same factor, so that
 // dU/dx = −Σ R·f = −tr(virial). In a drop far from its images that is a displacement of the bodies
 // alone, along which dual numbers yield dU to rounding.
-TEST_CASE("the trace of the virial is minus the derivative of the energy by the scale of length") {
+TEST_CASE(
+    "the trace of the virial is minus the derivative of the energy with respect to the logarithm "
+    "of the length scale") {
   const scenes::Scene drop = moved(mixture(), {5, 5, 5}, {4.5, 4.6, 4.9});
   for (const NamedLaw& law : all_laws()) {
     CAPTURE(law.name);
@@ -222,10 +225,11 @@ TEST_CASE("the trace of the virial is minus the derivative of the energy by the 
 }
 
 // The same with images, by a central difference of fourth order. It errs by h⁴/30 of the fifth
-// derivative, 12⁵ u for a term in R⁻¹², and by 1.5 roundings of U over h: 1e-11 of Σ |u| each.
-// Where a pair crosses an end of the switch within 2 h, U has a kink of 35 (2 h R/width)⁴ u, over
+// derivative, 12⁵ u for a term in R⁻¹², and by 1.5 roundings of U over h: 1e-11 of Σ |u| each. If a
+// pair crosses an end of the switching range within 2 h, U has a kink of 35 (2 h R/width)⁴ u, over
 // h: 1e-8 of that pair's u, a thousandth of all; classes 1 and 2 would have too large ones.
-TEST_CASE("the virial of a periodic liquid is the derivative of its energy by volume") {
+TEST_CASE(
+    "the virial of a periodic liquid is the derivative of its energy with respect to the volume") {
   const scenes::Scene scene = mixture();
   for (const NamedLaw& law : all_laws()) {
     if (law.settings.smoothness < 3) continue;

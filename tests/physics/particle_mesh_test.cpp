@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The particle mesh against direct sums, and against itself: energy, forces, torques and virial
-// belong together whatever the accuracy.
+// The particle mesh compared with direct sums, and for consistency: energy, forces, torques and
+// virial agree with each other at any accuracy.
 #include "polhode/forces/mesh/particle_mesh.hpp"
 
 #include <doctest/doctest.h>
@@ -21,7 +21,7 @@ double largest_distance(const std::vector<Vec3<double>>& a, const std::vector<Ve
   return m;
 }
 
-// A body displaced, or turned about a lab axis.
+// A body displaced, or rotated about a lab axis.
 State moved(State state, std::size_t body, const Vec3<double>& by) {
   state.q.add(body, by);
   return state;
@@ -62,7 +62,7 @@ TEST_CASE("on a fine grid the mesh is the smooth part of the Ewald sum") {
   });
 }
 
-// What an Ewald sum calls self, intramolecular and background.
+// The self, intramolecular and background terms of an Ewald sum.
 TEST_CASE("the constant terms of a mesh are those of the Ewald sum") {
   const scenes::Scene scene = charged_mixture();
   const CompactSplit split(0.7, 6);
@@ -75,10 +75,10 @@ TEST_CASE("the constant terms of a mesh are those of the Ewald sum") {
   CHECK(constant.background == doctest::Approx(e.background).epsilon(1e-13));
 }
 
-// The grid is so coarse that the energy errs by 1e-3, and yet forces are its gradient. A step of h
-// = 1e-4 nm leaves h² of a third derivative that jumps at grid points, for the lowest order, and
-// roundings of 10³ kJ/mol over h: 1e-8 kJ/mol/nm each, of forces of a hundred.
-TEST_CASE("forces and torques of a mesh are the gradient of its energy") {
+// The grid is so coarse that the energy has an error of 1e-3, but forces are still its gradient. A
+// step of h = 1e-4 nm leaves h² of a third derivative that jumps at grid points, for the lowest
+// order, and roundings of 10³ kJ/mol over h: 1e-8 kJ/mol/nm each, of forces of a hundred.
+TEST_CASE("forces and torques of a mesh are minus the gradient of its energy") {
   const scenes::Scene scene = charged_mixture();
   for (int order = 4; order <= 8; ++order) {
     CAPTURE(order);
@@ -106,7 +106,7 @@ TEST_CASE("forces and torques of a mesh are the gradient of its energy") {
 
 // Centres and box are scaled alike, attitudes kept. Along one edge alone the shape of the box
 // changes, which the influence function's correction follows only to the accuracy of the mesh.
-TEST_CASE("the virial of a mesh is the derivative of its energy by volume") {
+TEST_CASE("the virial of a mesh is the derivative of its energy with respect to the volume") {
   const scenes::Scene scene = charged_mixture();
   const auto energy = [&](const MeshSettings& settings, const Vec3<double>& strain) {
     State state = scene.state;
@@ -134,7 +134,7 @@ TEST_CASE("the virial of a mesh is the derivative of its energy by volume") {
       CHECK(std::abs(slope(along, 2e-4) + virial[d][d]) < accuracy * std::abs(trace));
     }
   }
-  // Outside the diagonal: the direct sum's, less what arms carry.
+  // Off the diagonal: that of the direct sum, minus the contribution of the arms.
   const ExactMesh exact(scene.topology, scene.state, CompactSplit(fine.cutoff, fine.exponent));
   const PointCharges charges = point_charges(scene.topology, scene.state);
   Mat3<double> expected = exact.virial;
@@ -168,13 +168,14 @@ TEST_CASE("the mesh gives the same bits for any number of threads") {
   check(float());
 }
 
-// A body just outside of the box, on either side, as they are until the list is built anew.
-TEST_CASE("a mesh does not mind where in the periodic box bodies are") {
+// A body just outside of the box, on either side, as before a rebuild of the list.
+TEST_CASE(
+    "the energy of a mesh does not depend on the position of the bodies relative to the box") {
   const scenes::Scene scene = charged_mixture();
   for (const MeshSettings& settings : {coarse, fine}) {
     BodyLoads here;
     const double energy = mesh_load<double>(scene.topology, scene.state, settings, here).energy;
-    // By whole spacings of the grid nothing changes but roundings.
+    // Displacements by whole grid spacings change nothing except rounding.
     State there = scene.state;
     for (std::size_t i = 0; i < there.size(); ++i)
       for (std::size_t d = 0; d < 3; ++d) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ewald's sum within the force field: pairs, mesh and constants together.
+// PME in the force field: pairs, mesh and constants together.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -31,8 +31,8 @@ Topology without_charges(Topology topology) {
   return topology;
 }
 
-// Lennard-Jones over all pairs and the classical sum, far beyond the digits that are compared: both
-// of its parts fall below e⁻³⁶ of their largest terms.
+// Lennard-Jones over all pairs and the classical Ewald sum, far more accurate than required: both
+// parts are continued to e⁻³⁶ of their largest terms.
 struct Direct {
   std::vector<Vec3<double>> f, tau;
   double lennard_jones, coulomb;
@@ -65,10 +65,10 @@ double rms_error(const Vec3Column& of, const std::vector<Vec3<double>>& exact) {
 
 }  // namespace
 
-// The error that was asked for is that of sites; a body's is of as many sites as it has charges, 3
-// here, and root 3 times that if they are independent. Mixed precision has float's own error in
-// Lennard-Jones contacts, some 1e-6 of the forces, below the least accuracy it takes.
-TEST_CASE("forces and energies are those of Ewald's sum, as accurate as asked for") {
+// The required error is that of sites; that of a body is the sum over its charges, 3 here, and √3
+// times as large if they are independent. Mixed precision has the error of float in Lennard-Jones
+// contacts, about 1e-6 of the forces, below the smallest pme_accuracy allowed.
+TEST_CASE("PME forces and energies equal the Ewald sum to the required accuracy") {
   for_each_instruction_set([] {
     const scenes::Scene scene = charged_mixture();
     for (const Precision precision : {Precision::double_precision, Precision::mixed})
@@ -88,7 +88,7 @@ TEST_CASE("forces and energies are those of Ewald's sum, as accurate as asked fo
           // Arms of charges are below 0.12 nm.
           CHECK(rms_error(l->tau, direct.tau) < 1.8 * 0.12 * accuracy * direct.f_rms);
         }
-        // An error of energy is at most a few arms of force errors, with signs at random.
+        // An error of the energy is at most a few arms times force errors, with random signs.
         const double bound = accuracy * direct.f_rms * std::sqrt(3.0 * double(scene.state.size()));
         CHECK(std::abs(load.coulomb - direct.coulomb) < bound);
         CHECK(load.lennard_jones ==
@@ -100,7 +100,7 @@ TEST_CASE("forces and energies are those of Ewald's sum, as accurate as asked fo
 
 // Whatever the accuracy, forces are the gradient of the energy: along the displacement f/m, J⁻¹ S τ
 // the energy falls by Σ f²/m + τ·J⁻¹τ. A difference of fourth order leaves rounding of the energy.
-TEST_CASE("forces with a coarse mesh are the gradient of the energy with that mesh") {
+TEST_CASE("forces with a coarse mesh are minus the gradient of the energy with the same mesh") {
   const scenes::Scene scene = charged_mixture();
   ForceField forces(scene.topology, ewald(0.7, {{15, 18, 16}, 4, 3}), scene.state.box);
   Load load, there;
@@ -124,8 +124,8 @@ TEST_CASE("forces with a coarse mesh are the gradient of the energy with that me
   CHECK(std::abs(numeric - slope) < rounding + 1e-7 * std::abs(slope));
 }
 
-// The virial is what the energy does when centres move with the box and attitudes stay. Its trace
-// is that of the energy with this very mesh; single terms are as accurate as the mesh.
+// The virial is the change of the energy when centres move with the box at constant attitudes. Its
+// trace is that of the energy with this very mesh; single terms are as accurate as the mesh.
 TEST_CASE("the virial is the change of the energy when the box is strained") {
   const scenes::Scene scene = charged_mixture();
   ForceSettings settings = ewald(0.7, {{32, 32, 32}, 7, 6});
@@ -157,7 +157,7 @@ TEST_CASE("the virial is the change of the energy when the box is strained") {
   }
 }
 
-TEST_CASE("Ewald's sum has the same bits for any number of threads") {
+TEST_CASE("PME gives the same bits for any number of threads") {
   const scenes::Scene scene = charged_mixture();
   for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
     ForceSettings settings = ewald(0.7, {{20, 24, 20}, 5, 5});
@@ -177,8 +177,8 @@ TEST_CASE("Ewald's sum has the same bits for any number of threads") {
   }
 }
 
-// Bodies leave the box between two builds of the list, and the mesh meets them outside.
-TEST_CASE("a mesh over a long hot run is that of a state as new") {
+// Bodies leave the box between two rebuilds of the list, so the mesh has positions outside of it.
+TEST_CASE("after a long run at high temperature the mesh equals one built from the same state") {
   scenes::Scene scene = charged_mixture();
   for (std::size_t i = 0; i < scene.state.size(); ++i) scene.state.p.set(i, 3.0 * scene.state.p[i]);
   const ForceSettings settings = ewald(0.7, {{20, 24, 20}, 5, 5});
@@ -195,8 +195,11 @@ TEST_CASE("a mesh over a long hot run is that of a state as new") {
   CHECK(forces.neighbours().rebuilds() > 2);
 }
 
-// With a switch of no width the tail is a textbook integral: 2π N²/V (c12/(9 r⁹) − c6/(3 r³)).
-TEST_CASE("the dispersion tail is the integral beyond the cutoff, and falls as the volume grows") {
+// With a switching range of zero width the tail is a textbook integral: 2π N²/V (c12/(9 r⁹) − c6/(3
+// r³)).
+TEST_CASE(
+    "the long-range dispersion correction is the integral beyond the cutoff, inversely "
+    "proportional to the volume") {
   const Topology argon{{{read_molecule("argon"), 50}}};
   const Site& site = argon.parts[0].molecule.sites[0];
   const auto [c6, c12] = LennardJones::of(site.sigma, site.epsilon);
@@ -204,14 +207,14 @@ TEST_CASE("the dispersion tail is the integral beyond the cutoff, and falls as t
   const double expected = 2 * units::pi * 2500 / (3.0 * 3.1 * 3.2) * (c12 / 9 - c6 / 3);
   CHECK(dispersion_tail(argon, settings, {{3.0, 3.1, 3.2}}) ==
         doctest::Approx(expected).epsilon(1e-6));
-  // And it makes up for what a nearer switch leaves out, in a uniform fluid: between 0.8 and 1 nm.
+  // And in a uniform fluid it compensates the truncation by a shorter cutoff: between 0.8 and 1 nm.
   settings.switch_from = 0.8;
   const double more = dispersion_tail(argon, settings, {{3.0, 3.1, 3.2}});
   CHECK(more < expected);
   CHECK(more > 2 * expected);
 }
 
-TEST_CASE("what Ewald's sum cannot do is refused") {
+TEST_CASE("unsupported settings of PME are refused") {
   const scenes::Scene scene = charged_mixture();
   ForceSettings settings{Truncation::molecule_switch, 0.7, 0.56, 2, Electrostatics::pme};
   CHECK_THROWS_AS(ForceField(scene.topology, settings, scene.state.box), Error);
@@ -223,9 +226,9 @@ TEST_CASE("what Ewald's sum cannot do is refused") {
 
 // Rock salt's energy is −1.747 564 594 6 K/d for each pair of ions at the distance d (Madelung's
 // constant). Screened charges leave what the Gaussians' own lattice sum would add, e^(−k²/4α²) of
-// the first wave vector k = π√3/d, 6e-11 here, and what is cut off: erfc(α a) of the shells of ions
-// about a, whose charges have either sign and make up for each other more or less.
-TEST_CASE("the damped shifted force finds the energy of rock salt") {
+// the first wave vector k = π√3/d, 6e-11 here, and the truncation error: erfc(α a) of the shells of
+// ions near a, whose charges partly cancel.
+TEST_CASE("the damped shifted force reproduces the energy of rock salt") {
   const double d = 0.28;
   const auto ion = [](double charge) {
     return rigid_molecule("ion", {{.name = "I", .mass = 30, .charge = charge}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run that was left at any step and went on from its checkpoint is the run that was never left.
+// A run suspended at any step and resumed from its checkpoint equals the uninterrupted run.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -32,7 +32,7 @@ void add(Bits& bits, const TimeBlocks& blocks) {
   }
 }
 
-// All that a run leaves behind but its times.
+// All results of a run except its computing times.
 Bits bits(const State& state, const Trajectory& t) {
   const TrajectoryStatistics& s = t.statistics;
   Bits all{t.steps,
@@ -69,7 +69,7 @@ System mixture(Electrostatics electrostatics, Precision precision) {
   return {scene.topology, scene.bodies, scene.state, forces, 300};
 }
 
-// Through a file, as a run that is continued gets it.
+// Through a file, as for a resumed run.
 RunState stored(const RunState& at) {
   const auto folder = std::filesystem::temp_directory_path() /
                       ("polhode-restart-" + std::to_string(reinterpret_cast<std::uintptr_t>(&at)));
@@ -85,7 +85,7 @@ RunState stored(const RunState& at) {
 
 }  // namespace
 
-TEST_CASE("a run goes on from any step with the same bits, for any number of threads") {
+TEST_CASE("a run can be resumed from any step bit for bit, for any number of threads") {
   std::mt19937_64 random(11);
   for (const Electrostatics electrostatics : {Electrostatics::reaction_field, Electrostatics::pme})
     for (const Precision precision : {Precision::double_precision, Precision::mixed})
@@ -96,7 +96,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         CAPTURE(int(electrostatics));
         CAPTURE(int(precision));
         CAPTURE(name);
-        // Energies every 3 steps of 25: those of the last step are no part of a longer run.
+        // Energies every 3 steps of 25: those of the last step are not part of a longer run.
         const double step = 0.002;
         const NestedScheme scheme = nested_scheme_of(name);
         const TrajectorySettings settings{.scheme = scheme.outer,
@@ -115,12 +115,12 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
         watch.due = [] { return true; };
         watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
         const Trajectory t = run_trajectory(whole, forces, settings, watch);
-        CHECK(t.list_rebuilds > 3);  // or there would be nothing to find out about the list
+        CHECK(t.list_rebuilds > 3);  // otherwise the list would not be tested
         CHECK(t.statistics.configurational.blocks.blocks.size() == 5);
         CHECK(t.statistics.stretches.stretches == 3);
         const Bits expected = bits(whole.state, t);
 
-        // Taking checkpoints changes nothing, nor does a length that is reached in two goes.
+        // Checkpoints change nothing, nor does a length that is reached in two parts.
         System plain = mixture(electrostatics, precision);
         ForceField its_forces(plain.topology, plain.forces, plain.state.box);
         const Trajectory without = run_trajectory(plain, its_forces, settings);
@@ -149,7 +149,7 @@ TEST_CASE("a run goes on from any step with the same bits, for any number of thr
       }
 }
 
-TEST_CASE("a run that ended between two samples is extended as if it had been asked for at once") {
+TEST_CASE("a run that ended between two samples is extended as if it had been run at once") {
   const double step = 0.002;
   TrajectorySettings settings{scheme_of("hoa2"), step, 20 * step, 3 * step};
   System whole = mixture(Electrostatics::reaction_field, Precision::double_precision);
@@ -175,8 +175,7 @@ TEST_CASE("a run that ended between two samples is extended as if it had been as
   CHECK((bits(second.state, rest) == expected));
 }
 
-TEST_CASE(
-    "samples of the shadow energy of a run that goes on are those of one that was never left") {
+TEST_CASE("samples of the shadow energy of a resumed run equal those of an uninterrupted one") {
   // Energies every 2 steps, brackets at every third of them: at steps 0, 6, 12, 18 and 24.
   const double step = 0.002;
   const TrajectorySettings settings{scheme_of("hoa2"), step, 25 * step, 2 * step, 1e-4, 6 * step};
@@ -200,11 +199,11 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("an equilibration that was left goes on with the same bits") {
+TEST_CASE("a suspended equilibration is resumed bit for bit") {
   const auto prepared = [](System& system, const RunState* from, const Watch& watch) {
     ForceField forces(system.topology, system.forces, system.state.box);
     const bool done = equilibrate(system, forces, 0.11, watch, Workers::serial(), from);
-    const ListMemory list = forces.list_memory();
+    const ListMemory list = forces.list_memory(system.state.box);
     Bits all{done, list.rebuilds};
     add(all, system.state.q), add(all, system.state.p), add(all, system.state.ell);
     add(all, list.built_at);

@@ -24,18 +24,20 @@ double largest_difference(const Vec3Column& a, const Vec3Column& b) {
   return largest;
 }
 
-// What one force evaluation of a gradient kick by finite difference adds to momenta: rounding of
-// the forces, 2⁻⁵³ of the largest in the pair sums (some 10⁴ kJ/mol/nm at contact), divided by λ.
+// Rounding error of momenta from one force evaluation of a gradient kick by finite difference: that
+// of the forces, 2⁻⁵³ of the largest in the pair sums (about 10⁴ kJ/mol/nm at contact), divided by
+// λ.
 double rounding_gain(const Scheme& scheme, double lambda) {
   return scheme.has(Gradient::finite_difference) ? 1 / lambda : 1;
 }
 
 }  // namespace
 
-// A symmetric scheme of order k errs in energy by C hᵏ + O(hᵏ⁺²), so halving h divides the error by
-// 2ᵏ; at the steps where rounding does not matter yet, the next order changes the slope by less
-// than 0.1. Both sides are bounded: a slope that is too good is as wrong as one that is too bad.
-TEST_CASE("every scheme's energy error falls with its declared order") {
+// A symmetric scheme of order k has an energy error of C hᵏ + O(hᵏ⁺²), so halving h divides the
+// error by 2ᵏ; at the steps where rounding is still negligible, the next order changes the slope by
+// less than 0.1. Both sides are bounded: a slope that is too good is as wrong as one that is too
+// bad.
+TEST_CASE("the energy error of every scheme has its declared order") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
     const OrderMeasurement m = measure_order(scheme);
@@ -55,12 +57,12 @@ TEST_CASE("a wrong factor of xi or a wrong weight breaks the fourth order of gie
   }
 }
 
-// h → −h undoes a symmetric step exactly. What is left is the rounding of 2 × 100 steps as a random
-// walk, grown by the divergence of neighbouring trajectories, some 10² in 0.2 ps of water. Plain
-// kicks round positions and momenta of order 1 and 10: 2⁻⁵³ × 10 × √200 × 10² = 2e-12 at most.
-// Kicks by finite difference know torques of 10³ kJ/mol to 2⁻⁵³ × 10³/λ = 1e-9 only, times h = 2e-3
-// ps a step: 3e-9 in ℓ; forces of 10⁴ kJ/mol/nm to 1e-8, times h²/m = 2e-7: 3e-12 in q. Bounds are
-// 3 times that.
+// h → −h undoes a symmetric step exactly. What remains is the rounding of 2 × 100 steps as a random
+// walk, amplified by the divergence of neighbouring trajectories, about 10² in 0.2 ps of water.
+// Plain kicks round positions and momenta of order 1 and 10: 2⁻⁵³ × 10 × √200 × 10² = 2e-12 at
+// most. Kicks by finite difference have torques of 10³ kJ/mol with an error of 2⁻⁵³ × 10³/λ = 1e-9,
+// times h = 2e-3 ps a step: 3e-9 in ℓ; forces of 10⁴ kJ/mol/nm to 1e-8, times h²/m = 2e-7: 3e-12 in
+// q. Bounds are 3 times that.
 TEST_CASE("every scheme is reversible") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
@@ -69,7 +71,7 @@ TEST_CASE("every scheme is reversible") {
     const State start = scene.state;
     Integrator integrator(scheme, scene.bodies, forces);
     integrator.advance(scene.state, 0.002, 100);
-    CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // it did move
+    CHECK(largest_difference(scene.state.q, start.q) > 0.01);  // the bodies did move
     integrator.advance(scene.state, -0.002, 100);
     CHECK(largest_difference(scene.state.q, start.q) <
           (scheme.has(Gradient::finite_difference) ? 1e-9 : 6e-12));
@@ -81,8 +83,8 @@ TEST_CASE("every scheme is reversible") {
 // Pair forces are equal and opposite to the bit in the sums of two bodies; what remains is the
 // rounding of the sums: forces up to 10³ kJ/mol/nm, each kick with h = 2e-3 ps adding 2⁻⁵³ × 10³ ×
 // 2e-3 ≈ 2e-16 per body, 5 bodies, 200 steps of up to 4 kicks as a random walk: 1e-14; times 1/λ
-// for differences, of which only the last digits count.
-TEST_CASE("every scheme keeps the total momentum") {
+// for finite differences.
+TEST_CASE("every scheme conserves the total momentum") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
     scenes::Scene scene = scenes::lattice({{"tip4p", 27}}, 0.31, 2.1, 3);
@@ -98,8 +100,8 @@ TEST_CASE("every scheme keeps the total momentum") {
 
 // Without a boundary the torques on a cluster cancel: Σ q × f + τ = 0 for pair forces along any
 // direction that act at common points. Plain kicks keep Σ q × p + ℓ to rounding, and so do exact
-// gradient kicks: W does not change when the world is turned.
-TEST_CASE("plain kicks and exact gradients keep the angular momentum of an isolated cluster") {
+// gradient kicks: W is invariant under rotations of the system.
+TEST_CASE("plain kicks and exact gradients conserve the angular momentum of an isolated cluster") {
   for (const Scheme& scheme : schemes) {
     if (scheme.has(Gradient::finite_difference)) continue;
     CAPTURE(std::string(scheme.name()));
@@ -112,10 +114,11 @@ TEST_CASE("plain kicks and exact gradients keep the angular momentum of an isola
   }
 }
 
-// A gradient kick by finite difference takes the forces at displaced positions but their levers at
-// the undisplaced ones; the mismatch is (q̃ − q) × Δf, proportional to λ h² × h² × h per step: a
-// loss of angular momentum linear in λ.
-TEST_CASE("gradient kicks by finite difference lose angular momentum in proportion to lambda") {
+// A gradient kick by finite difference uses the forces at displaced positions but their arms at the
+// undisplaced ones; the mismatch is (q̃ − q) × Δf, proportional to λ h² × h² × h per step: a loss
+// of angular momentum linear in λ.
+TEST_CASE(
+    "gradient kicks by finite difference change the angular momentum in proportion to lambda") {
   double loss[2];
   const double lambdas[2] = {1e-1, 1e-2};
   for (int k = 0; k < 2; ++k) {
@@ -129,7 +132,7 @@ TEST_CASE("gradient kicks by finite difference lose angular momentum in proporti
   CHECK(loss[0] / loss[1] == doctest::Approx(10).epsilon(0.05));  // next order in λ: λ h² f'/m ≪ 1
 }
 
-TEST_CASE("a scheme costs as many force evaluations as its line says") {
+TEST_CASE("a scheme needs the number of force evaluations stated in the table") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
     scenes::Scene scene = scenes::water_cluster();
@@ -145,8 +148,8 @@ TEST_CASE("a scheme costs as many force evaluations as its line says") {
   }
 }
 
-// Played one by one or merged, steps are the same map; they differ by rounding, 2⁻⁵³ of momenta of
-// order 10 per kick, grown over 0.02 ps.
+// Single and merged steps are the same map; they differ by rounding, 2⁻⁵³ of momenta of order 10
+// per kick, amplified over 0.02 ps.
 TEST_CASE("merged steps equal single ones") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
@@ -163,7 +166,7 @@ TEST_CASE("merged steps equal single ones") {
 
 namespace {
 
-// A spring to the origin that counts who asks for energies, and how.
+// A spring to the origin that counts requests for energies.
 struct Spring {
   int complete = 0, alone = 0;
   void operator()(const State& state, Load& load) {
@@ -189,7 +192,7 @@ struct Spring {
   }
 };
 
-// The same, with nothing to offer to gradient kicks.
+// The same, without a derivative for gradient kicks.
 struct PlainSpring {
   void operator()(const State& state, Load& load) {
     load.lennard_jones = Spring::pull(state, load);
@@ -198,18 +201,18 @@ struct PlainSpring {
 
 }  // namespace
 
-TEST_CASE("a scheme with exact gradients refuses forces that offer no derivative") {
+TEST_CASE("a scheme with exact gradients refuses forces without a derivative") {
   const scenes::Scene scene = scenes::water_cluster();
   PlainSpring spring;
   check_error([&] { Integrator(scheme_of("gier4"), scene.bodies, spring); },
-              {"these forces offer no derivative", "gier4-fd"});
+              {"these forces have no derivative", "gier4-fd"});
   Integrator(scheme_of("gier4-fd"), scene.bodies, spring);
 }
 
 // Energies are computed where a state is sampled and nowhere else: by the last kick of a scheme
-// that ends in one, else by a measurement of its own, which is not counted as part of the
+// that ends with one, otherwise by a separate evaluation, which is not counted as part of the
 // integration.
-TEST_CASE("energies are computed only where they are asked for") {
+TEST_CASE("energies are computed only when requested") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
     scenes::Scene scene = scenes::water_cluster();
@@ -229,7 +232,7 @@ TEST_CASE("energies are computed only where they are asked for") {
     CHECK(spring.complete == 1);
     CHECK(integrator.measurements() == 1);
     CHECK(integrator.load(scene.state).potential() == doctest::Approx(energy()).epsilon(1e-14));
-    CHECK(integrator.measurements() == 1);  // still known
+    CHECK(integrator.measurements() == 1);  // still valid
 
     const auto evaluations = integrator.force_evaluations();
     integrator.advance(scene.state, 0.001, 3, true);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shadow energies: the brackets from their definitions, and what a scheme keeps.
+// Shadow energies: the brackets from their definitions, and the conserved quantity of a scheme.
 #include "polhode/measure/shadow.hpp"
 
 #include <doctest/doctest.h>
@@ -24,7 +24,7 @@ scenes::Scene all_kinds() {
   return scenes::lattice({{"tip4p", 2}, {"n2", 2}, {"argon", 1}}, 0.42, 40, 5);
 }
 
-// Energies of two states differ by 2⁻⁵³ of the terms of their sums, some 10 kJ/mol here.
+// Energies of two states have errors of 2⁻⁵³ of the terms of their sums, about 10 kJ/mol here.
 constexpr double rounding = 1e-15;
 
 double potential(scenes::Scene scene, ForceField& forces, double drifted) {
@@ -37,9 +37,9 @@ double potential(scenes::Scene scene, ForceField& forces, double drifted) {
 }  // namespace
 
 // V along the drift: its second difference with steps e and e/2 differs from V̈ by e²/12 V⁗ and a
-// quarter of that; four thirds of the finer less a third of the coarser leave O(e⁴). With rates of
+// quarter of that; four thirds of the finer minus a third of the coarser leave O(e⁴). With rates of
 // 100/ps at most, (100 e)⁴/1440 < 1e-7 at e = 1e-3 ps, and rounding is 10 × 1e-15/e² = 1e-8
-// kJ/mol/ps² of some 10³ to 10⁵: 1e-6 relative is above both.
+// kJ/mol/ps² of about 10³ to 10⁵: 1e-6 relative is above both.
 TEST_CASE("the first bracket is the second derivative of V along the drift") {
   for (const scenes::Scene& scene : {scenes::water_cluster(), all_kinds()}) {
     ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
@@ -57,8 +57,8 @@ TEST_CASE("the first bracket is the second derivative of V along the drift") {
   }
 }
 
-// T is quadratic in momenta, so its second difference along the kick is W to rounding: T of some
-// 10² kJ/mol, 1e-13 after sums, over e².
+// T is quadratic in momenta, so its second difference along the kick is W to rounding: T of about
+// 10² kJ/mol, 1e-13 after sums, divided by e².
 TEST_CASE("the second bracket is the second derivative of T along the kick, motion by motion") {
   for (const scenes::Scene& scene : {scenes::water_cluster(), all_kinds()}) {
     ForceField forces(scene.topology, scenes::no_truncation(), scene.state.box);
@@ -106,10 +106,10 @@ Fluctuations fluctuations(const scenes::Scene& start, const Scheme& scheme, doub
 
 }  // namespace
 
-// H̃ is kept to O(h⁴), H to O(h²): halving the step divides the first fluctuation by 16, the second
-// by 4. The next terms, of relative size (ω h)² with ω up to 200/ps, change the slopes by less than
-// 0.15 with h = 1 fs and 0.5 fs; the longer trajectory samples the same stretch of time.
-TEST_CASE("the shadow energy is kept to the fourth order, the energy to the second") {
+// H̃ is conserved to O(h⁴), H to O(h²): halving the step divides the first fluctuation by 16, the
+// second by 4. The next terms, of relative size (ω h)² with ω up to 200/ps, change the slopes by
+// less than 0.15 with h = 1 fs and 0.5 fs; the longer trajectory samples the same stretch of time.
+TEST_CASE("the shadow energy is conserved to fourth order, the energy to second order") {
   std::vector<Scheme> second_order{
       scheme_of("B(1/6) A(1/2) B(2/3, 1/24) A(1/2) B(1/6)"),  // a gradient of the wrong weight
       scheme_of("A(1/3) B(1/2, 1/50) A(1/3) B(1/2, 1/50) A(1/3)")};

@@ -8,7 +8,7 @@ import tempfile
 import unittest
 
 PROGRAM = None  # test_physics
-CASE = "--test-case=energies of water by term are those that NIST publishes"
+CASE = "--test-case=energies of water by term equal those published by NIST"
 
 
 def exit_code(folder):

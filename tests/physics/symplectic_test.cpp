@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which schemes are symplectic: the Jacobian J of a step keeps the symplectic form, JᵀΩJ = Ω.
+// Which schemes are symplectic: the Jacobian J of a step conserves the symplectic form, JᵀΩJ = Ω.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "polhode/forces/force_field.hpp"
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
@@ -34,8 +35,8 @@ double form(const State& at, const std::vector<Tangent>& a, const std::vector<Ta
   return sum;
 }
 
-// Units in which the directions of a body are alike: 0.01 nm, and what thermal motion turns and
-// carries meanwhile.
+// Units in which all directions of a body are comparable: 0.01 nm, and the rotation and momenta of
+// thermal motion over that distance.
 constexpr double unit_q = 0.01, unit_theta = 0.1, unit_p = 7, unit_ell = 0.3;
 
 Tangent unit(std::size_t direction) {
@@ -63,7 +64,7 @@ State moved(State state, std::size_t body, std::size_t direction, double t) {
   return state;
 }
 
-// From one state to another near by.
+// From one state to a neighbouring one.
 std::vector<Tangent> difference(const State& to, const State& from) {
   std::vector<Tangent> result;
   for (std::size_t i = 0; i < to.size(); ++i) {
@@ -88,9 +89,7 @@ double largest_violation(const NestedScheme& scheme, double h, double lambda) {
                  scene.state.box);
   const auto step = [&](State state) {
     if (near) {
-      NestedForces nested(scheme.inner->scheme, scheme.inner->steps, scene.bodies, forces, *near,
-                          lambda);
-      Integrator(scheme.outer, scene.bodies, nested, lambda).advance(state, h);
+      NestedIntegrator(scheme, scene.bodies, forces, *near, lambda).advance(state, h);
     } else {
       Integrator(scheme.outer, scene.bodies, forces, lambda).advance(state, h);
     }
@@ -132,9 +131,9 @@ double largest_violation(const NestedScheme& scheme, double h, double lambda) {
 // Kicks of a potential and the exact drift are symplectic, and so are exact gradient kicks: that of
 // V − ξ h² W. In units of motion the form has entries q p = 0.07 and θ ℓ = 0.03. A step rounds
 // places to 2⁻⁵³ of 1 nm, 1e-14 of a unit, and differences divide that by eps = 0.01: 1e-12 of a
-// column, whose entries are a few units; some ten of them meet in an entry of the form, 0.07 each:
-// 1e-12. Eighth differences err by eps⁸/630 = 2e-19 of a ninth derivative. Without any, finite
-// differences with λ = 1 break the form by λ h⁵: 2e-8 here.
+// column, whose entries are a few units; about ten of them contribute to an entry of the form, 0.07
+// each: 1e-12. Eighth differences err by eps⁸/630 = 2e-19 of a ninth derivative. Without any,
+// finite differences with λ = 1 break the form by λ h⁵: 2e-8 here.
 TEST_CASE("plain schemes and exact gradients are symplectic, finite differences are not") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tuned schemes: systems whose best parameters are known, and one where they are looked for.
+// Tuned schemes: systems whose best parameters are known, and one where they are searched for.
 #include "polhode/run/study/tune.hpp"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace polhode;
 
 namespace {
 
-constexpr double step = 0.01;
+constexpr double h = 0.01;  // [ps]
 
 // Two oscillators of unit mass with incommensurate frequencies: V = ω²q²/2, V̈ = ω²p², W = ω⁴q²,
 // with E − ⟨E⟩ given as a combination of h² V̈ and h² W and a third frequency.
@@ -30,18 +30,18 @@ ErrorCovariance oscillators(double in_V, double in_W, double beside) {
       sample.brackets.W += std::pow(omega, 4) * q * q;
     }
     sample.energies.translation =
-        step * step * (in_V * sample.brackets.second_derivative + in_W * sample.brackets.W) +
+        h * h * (in_V * sample.brackets.second_derivative + in_W * sample.brackets.W) +
         beside * std::cos(11.3 * t) - sample.energies.lennard_jones;
     samples.push_back(sample);
   }
-  return error_covariance(samples, step);
+  return error_covariance(samples, h);
 }
 
 }  // namespace
 
-// Harmonic motion keeps V̈ + W, so only α − β counts: it vanishes at η = (3 − √5)/4. The variance is
-// zero there, and a search by values alone finds a minimum of c x² to the root of rounding of c,
-// 1e-8.
+// Harmonic motion conserves V̈ + W, so only α − β matters: it vanishes at η = (3 − √5)/4. The
+// variance is zero there, and a search by values alone finds a minimum of c x² to the root of
+// rounding of c, 1e-8.
 TEST_CASE("the best scheme of the plain family for harmonic motion is known") {
   const double best = (3 - std::sqrt(5.0)) / 4;
   CHECK(std::abs(best_plain_at_short_steps(oscillators(0, 0, 0)).eta - best) < 1e-7);
@@ -52,9 +52,10 @@ TEST_CASE("the best scheme of the plain family for harmonic motion is known") {
   CHECK(std::abs(best_plain(c, hoa2).eta - best) < 1e-7);
 }
 
-// What the energy has of one bracket is found back, and what goes along with none is left: its
-// correlation with the brackets over 270 periods or more is below 1/270.
-TEST_CASE("the best scheme of the gradient family takes out what goes along with the brackets") {
+// The contributions of the brackets to the energy are recovered, and an uncorrelated part is left:
+// its correlation with the brackets over 270 periods or more is below 1/270.
+TEST_CASE(
+    "the best scheme of the gradient family removes the correlated part of the error brackets") {
   const Scheme gier4 = scheme_of("gier4");
   const ErrorCovariance c = oscillators(0.002, 0, 1e-5);
   const FamilyMember found = best_gradient(c, gier4);
@@ -65,11 +66,11 @@ TEST_CASE("the best scheme of the gradient family takes out what goes along with
   CHECK(c.variance({}) > 2 * c.variance(terms));
 }
 
-// Liquid argon: R² of members of the family, predicted from one run with hoa2, against their own
-// runs from the same start. The prediction leaves out how the term of order h⁴ changes with η,
-// (ω h)² ≈ (10/ps × 0.01 ps)² = 1 % relative, and the covariances come from every second energy;
-// trajectories stay together over the 2 ps. Both sides of the minimum are there.
-TEST_CASE("fluctuations of a liquid are those that were predicted from one run") {
+// Liquid argon: R² of members of the family, predicted from one run with hoa2, compared with their
+// own runs from the same initial configuration. The prediction neglects how the term of order h⁴
+// changes with η, (ω h)² ≈ (10/ps × 0.01 ps)² = 1 % relative, and the covariances come from every
+// second energy; trajectories stay close over the 2 ps. Both sides of the minimum are covered.
+TEST_CASE("fluctuations of a liquid equal those predicted from one run") {
   const Config config = parse_config(R"(
 [system]
 molecules = [{ model = "argon", count = 64 }]
@@ -87,10 +88,10 @@ cutoff = "0.75 nm"
     System system = start;
     ForceField forces(system.topology, system.forces, system.state.box);
     const Watch watch{.brackets = [&](const BracketSample& sample) { brackets.push_back(sample); }};
-    return run_trajectory(system, forces, {scheme, step, 2, step, 1e-4, shadow_sample}, watch);
+    return run_trajectory(system, forces, {scheme, h, 2, h, 1e-4, shadow_sample}, watch);
   };
-  run(hoa2, 2 * step);
-  const ErrorCovariance c = error_covariance(brackets, step);
+  run(hoa2, 2 * h);
+  const ErrorCovariance c = error_covariance(brackets, h);
   double least = INFINITY, at = 0;
   for (const double eta : {0.15, 0.17, 0.18, 0.185, 0.19, 0.195, 0.2, 0.21, 0.23}) {
     CAPTURE(eta);

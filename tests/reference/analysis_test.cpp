@@ -38,7 +38,7 @@ Analysis analysed() {
 // of 0.96 nm is 3e-8 nm: none of about 10⁴ pairs may be that close to the edge of a bin of 0.02 nm,
 // or it changes bins. MDAnalysis counts ordered pairs and normalizes by all of them except those
 // within a molecule.
-TEST_CASE("radial distributions of MDAnalysis and mdtraj") {
+TEST_CASE("radial distributions equal those of MDAnalysis and mdtraj") {
   const Analysis a = analysed();
   const nlohmann::json numbers = expected();
   const char* names[] = {"OO", "OH", "HH"};
@@ -58,7 +58,7 @@ TEST_CASE("radial distributions of MDAnalysis and mdtraj") {
 
 // Positions in the file have six decimals, and the fitted centre differs by up to 1e-6 nm from that
 // of the atoms; floats add a relative 3e-7. Displacements are 0.08 nm and more.
-TEST_CASE("displacements and reorientation of MDAnalysis") {
+TEST_CASE("displacements and reorientation equal those of MDAnalysis") {
   Analysis a = analysed();
   const nlohmann::json numbers = expected();
   const std::vector<double> msd = numbers["msd"];
@@ -75,7 +75,7 @@ TEST_CASE("displacements and reorientation of MDAnalysis") {
 
 // Both use the formula for conducting boundary conditions. Charges and constants agree to six
 // digits.
-TEST_CASE("dielectric constant and density of MDAnalysis and mdtraj") {
+TEST_CASE("dielectric constant and density equal those of MDAnalysis and mdtraj") {
   Analysis a = analysed();
   const nlohmann::json numbers = expected();
   const AnalysisSummary s = summary(a, {.temperature = 298, .surroundings_permittivity = tin_foil});

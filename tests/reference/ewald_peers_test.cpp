@@ -251,30 +251,31 @@ void tail(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("Ewald's sum equals OpenMM's and LAMMPS's: 216 TIP4P") { equal("ewald-tip4p"); }
-TEST_CASE("Ewald's sum equals OpenMM's and LAMMPS's: SPC/E, nitrogen, carbon dioxide and argon") {
+TEST_CASE("Ewald sums equal those of OpenMM and LAMMPS: 216 TIP4P") { equal("ewald-tip4p"); }
+TEST_CASE(
+    "Ewald sums equal those of OpenMM and LAMMPS: SPC/E, nitrogen, carbon dioxide and argon") {
   equal("ewald-mixture");
 }
-TEST_CASE("Ewald's sum equals OpenMM's and LAMMPS's: sodium and chloride in SPC/E") {
+TEST_CASE("Ewald sums equal those of OpenMM and LAMMPS: sodium and chloride in SPC/E") {
   equal("ewald-nacl-spce");
 }
-TEST_CASE("Ewald's sum equals OpenMM's and LAMMPS's: carbon dioxide") { equal("ewald-co2"); }
-TEST_CASE("Ewald's sum equals OpenMM's and LAMMPS's: benzene") { equal("ewald-benzene"); }
-TEST_CASE("Ewald's sum equals OpenMM's and LAMMPS's: a charged system in its background") {
+TEST_CASE("Ewald sums equal those of OpenMM and LAMMPS: carbon dioxide") { equal("ewald-co2"); }
+TEST_CASE("Ewald sums equal those of OpenMM and LAMMPS: benzene") { equal("ewald-benzene"); }
+TEST_CASE("Ewald sums equal those of OpenMM and LAMMPS: a charged system in its background") {
   equal("ewald-na-spce");
 }
 
-TEST_CASE("Ewald's sum equals GROMACS's: 216 TIP4P") { equals_gromacs("gromacs-tip4p"); }
-TEST_CASE("Ewald's sum equals GROMACS's: SPC/E, nitrogen, carbon dioxide and argon") {
+TEST_CASE("Ewald sums equal those of GROMACS: 216 TIP4P") { equals_gromacs("gromacs-tip4p"); }
+TEST_CASE("Ewald sums equal those of GROMACS: SPC/E, nitrogen, carbon dioxide and argon") {
   equals_gromacs("gromacs-mixture");
 }
-TEST_CASE("Ewald's sum equals GROMACS's: sodium and chloride in SPC/E") {
+TEST_CASE("Ewald sums equal those of GROMACS: sodium and chloride in SPC/E") {
   equals_gromacs("gromacs-nacl-spce");
 }
-TEST_CASE("Ewald's sum equals GROMACS's: carbon dioxide") { equals_gromacs("gromacs-co2"); }
-TEST_CASE("Ewald's sum equals GROMACS's: benzene") { equals_gromacs("gromacs-benzene"); }
+TEST_CASE("Ewald sums equal those of GROMACS: carbon dioxide") { equals_gromacs("gromacs-co2"); }
+TEST_CASE("Ewald sums equal those of GROMACS: benzene") { equals_gromacs("gromacs-benzene"); }
 
-TEST_CASE("Ewald's sum is as near OpenMM's as was asked for") {
+TEST_CASE("PME equals the Ewald sum of OpenMM to the required accuracy") {
   for (const char* name :
        {"ewald-tip4p", "ewald-mixture", "ewald-nacl-spce", "ewald-co2", "ewald-benzene"}) {
     CAPTURE(name);
@@ -282,7 +283,7 @@ TEST_CASE("Ewald's sum is as near OpenMM's as was asked for") {
   }
 }
 
-TEST_CASE("the dispersion tail equals OpenMM's") {
+TEST_CASE("the long-range dispersion correction equals that of OpenMM") {
   for (const char* name : {"ewald-tip4p", "ewald-nacl-spce", "ewald-co2"}) {
     CAPTURE(name);
     tail(name);

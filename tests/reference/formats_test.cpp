@@ -56,7 +56,7 @@ const std::vector<File> files = {
 
 }  // namespace
 
-TEST_CASE("files of other programs hold the numbers that went into them") {
+TEST_CASE("files of other programs are read with the numbers written to them") {
   const auto expected = nlohmann::json::parse(std::ifstream(folder + "expected.json"));
   for (const File& file : files) {
     CAPTURE(file.name);

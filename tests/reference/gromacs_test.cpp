@@ -36,9 +36,9 @@ GromacsEnergies gromacs_energies() {
 
 }  // namespace
 
-TEST_CASE("salt water made by GROMACS's tools has the energies that GROMACS finds") {
+TEST_CASE("salt water made with GROMACS tools has the energies of GROMACS") {
   if (!gromacs_data_folder())
-    return skip("GROMACS's data is not installed; on Debian: apt-get install gromacs-data");
+    return skip("GROMACS data is not installed; on Debian: apt-get install gromacs-data");
   const System system = build_system(parse_config(
       "[system]\ntopology = \"topol.top\"\ninitial_configuration = "
       "\"conf.gro\"\n[forces]\nelectrostatics = \"pme\"\n"

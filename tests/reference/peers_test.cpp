@@ -95,18 +95,20 @@ void open(const std::string& name) {
 
 }  // namespace
 
-TEST_CASE("Forces equal OpenMM's and LAMMPS's: 216 TIP4P") { periodic("tip4p-216"); }
-TEST_CASE("Forces equal OpenMM's and LAMMPS's: SPC/E, nitrogen, carbon dioxide and argon") {
+TEST_CASE("forces equal those of OpenMM and LAMMPS: 216 TIP4P") { periodic("tip4p-216"); }
+TEST_CASE("forces equal those of OpenMM and LAMMPS: SPC/E, nitrogen, carbon dioxide and argon") {
   periodic("spce-n2-co2-argon");
 }
-TEST_CASE("Forces equal OpenMM's and LAMMPS's: benzene and methane") { periodic("benzene-ch4"); }
-TEST_CASE("Forces equal OpenMM's and LAMMPS's: TIP3P and TIP4P/2005, switches C1 and C3") {
+TEST_CASE("forces equal those of OpenMM and LAMMPS: benzene and methane") {
+  periodic("benzene-ch4");
+}
+TEST_CASE("forces equal those of OpenMM and LAMMPS: TIP3P and TIP4P/2005, switches C1 and C3") {
   periodic("tip3p-tip4p2005");
 }
-TEST_CASE("Forces equal OpenMM's and LAMMPS's: 512 TIP4P") { periodic("w512"); }
-TEST_CASE("Forces equal OpenMM's and LAMMPS's: TIP4P cluster in open space") {
+TEST_CASE("forces equal those of OpenMM and LAMMPS: 512 TIP4P") { periodic("w512"); }
+TEST_CASE("forces equal those of OpenMM and LAMMPS: TIP4P cluster in open space") {
   open("tip4p-cluster");
 }
-TEST_CASE("Forces equal OpenMM's and LAMMPS's: mixed cluster in open space") {
+TEST_CASE("forces equal those of OpenMM and LAMMPS: mixed cluster in open space") {
   open("mixed-cluster");
 }

@@ -38,12 +38,12 @@ Advice advice_of(const std::vector<AdviserPoint>& points) {
   return advice;
 }
 
-// Sums of a few temperatures of 300 K in double, over h² down to 10⁻⁶.
+// Sums of a few temperatures of 300 K in double, divided by h² down to 10⁻⁶.
 constexpr double rounding = 1e-10;
 
 }  // namespace
 
-TEST_CASE("runs that chose and runs that were to confirm are one curve with its limit") {
+TEST_CASE("choosing and confirming runs form one curve with one limit") {
   Advice advice = advice_of({point(0.001), point(0.002), point(0.004, false), point(0.005)});
   advice.refused.emplace_back(1, point(0.003));
   advice.surpassed.emplace_back(1, point(0.0045));
@@ -55,11 +55,12 @@ TEST_CASE("runs that chose and runs that were to confirm are one curve with its 
   const Curve& curve = all[1];
   CHECK(curve.scheme == "hoa2");
   REQUIRE(curve.points.size() == 7);
-  CHECK(curve.usable == 4);  // what lies beyond a step that drifts does not count
+  CHECK(curve.usable == 4);  // points beyond a step that drifts do not count
   CHECK(curve.points[2].step == 0.0025);
   CHECK(curve.points[3].step == 0.003);
   CHECK(curve.points[2].runs == 4);
-  CHECK(curve.points[2].cost == doctest::Approx(2 / 0.0025).epsilon(rounding));  // HOA2: two a step
+  CHECK(curve.points[2].cost ==
+        doctest::Approx(2 / 0.0025).epsilon(rounding));  // HOA2: two per step
 
   const EquipartitionFit fit = equipartition(all)[1];
   REQUIRE(fit.axes[0]);
@@ -70,14 +71,14 @@ TEST_CASE("runs that chose and runs that were to confirm are one curve with its 
         doctest::Approx(std::sqrt(10.0 / 12 * (1 + 16 + 39.0625 + 81) /
                                   (4 * (1 + 16 + 39.0625 + 81) - 20.25 * 20.25)))
             .epsilon(rounding));
-  CHECK(!fit.axes[1]);  // no such freedom
+  CHECK(!fit.axes[1]);  // no such degree of freedom
   CHECK(!fit.configurational[0]);
   REQUIRE(fit.configurational[1]);
   CHECK(fit.configurational[1]->intercept.value == doctest::Approx(-0.25).epsilon(rounding));
   CHECK(fit.configurational[1]->slope.value == doctest::Approx(3e5).epsilon(rounding));
 }
 
-TEST_CASE("a run that blew up tells nothing of temperatures") {
+TEST_CASE("a run that blew up is not used for temperatures") {
   AdviserPoint one = point(0.001, false);
   one.runs[3].failure = "it blew up";
   one.runs[3].temperatures.rotation[0] = 1e6;

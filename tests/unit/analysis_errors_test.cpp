@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Errors of what trajectories tell, on motion whose statistics are known: many short series of each
-// kind, whose scatter is what a stated error must be.
+// Errors of the observables of trajectories, for motion with known statistics: many short series of
+// each kind, whose scatter must equal the reported error.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@ constexpr int series = 200;
 struct Calibration {
   double told = 0;   ///< fraction of series with an error
   double mean = 0;   ///< of values with an error
-  double ratio = 0;  ///< mean stated error over the standard deviation of the values
+  double ratio = 0;  ///< mean reported error divided by the standard deviation of the values
 };
 
 Calibration calibration(const std::function<SeriesEstimate(std::uint64_t seed)>& estimate) {
@@ -37,7 +37,7 @@ Calibration calibration(const std::function<SeriesEstimate(std::uint64_t seed)>&
   return {n / series, sum / n, stated / n / std::sqrt((squares - sum * sum / n) / (n - 1))};
 }
 
-// A standard deviation from 200 series is known to 1/√400, the mean of as many stated errors with
+// A standard deviation from 200 series is known to 1/√400, the mean of as many reported errors with
 // four degrees of freedom each to 1/√1600: together to 5.6 %. Three times that is allowed.
 void check_calibrated(const std::string& what, const Calibration& c) {
   CAPTURE(what);
@@ -49,8 +49,8 @@ void check_calibrated(const std::string& what, const Calibration& c) {
   CHECK(c.ratio < 1.17);
 }
 
-// Random walkers of variance 2 D = 0.002 nm² a frame along each axis. Their pace may be shared: a
-// factor exp(x) of all steps, with x of variance 0.25 that is forgotten in 5 frames.
+// Random walkers of variance 2 D = 0.002 nm² per frame along each axis. Optionally all steps have a
+// common factor exp(x), with x of variance 0.25 and a correlation time of 5 frames.
 SeriesEstimate walk(std::uint64_t seed, std::size_t bodies, int frames, bool shared_pace) {
   const Topology topology{{{read_molecule("argon"), bodies}}};
   State state(bodies, Box{{10, 10, 10}});
@@ -70,9 +70,10 @@ SeriesEstimate walk(std::uint64_t seed, std::size_t bodies, int frames, bool sha
   return diffusion(displacement.mean_square(0), 1, {2, 10});
 }
 
-// Bodies that turn by small random angles: ⟨u · u'⟩ = exp(−2 D_r t), here forgotten in 10 frames.
+// Bodies that rotate by small random angles: ⟨u · u'⟩ = exp(−2 D_r t), here with a correlation time
+// of 10 frames.
 void turn(State& state, Random& random) {
-  const double angle = std::sqrt(2 * 0.05);  // 2 D_r a frame
+  const double angle = std::sqrt(2 * 0.05);  // 2 D_r per frame
   for (std::size_t i = 0; i < state.size(); ++i) {
     const double a = random.normal(), b = random.normal(), c = random.normal();
     const Quaternion<double> by =
@@ -108,31 +109,32 @@ SeriesEstimate relaxation(std::uint64_t seed, int frames) {
 
 }  // namespace
 
-TEST_CASE("D of walkers: errors are right whether their pace is shared or not") {
+TEST_CASE("random walkers: errors of D are right for equal and for random step lengths") {
   const Calibration own = calibration([](auto seed) { return walk(seed, 6, 600, false); });
   check_calibrated("own pace", own);
   // Relative to the centre of mass of six bodies, 5/6 of the displacements are left; the mean over
-  // the series is known to some 1/√(6 · 60 · 200).
+  // the series is known to about 1/√(6 · 60 · 200).
   CHECK(own.mean == doctest::Approx(0.001 * 5 / 6).epsilon(0.02));
   check_calibrated("shared pace", calibration([](auto seed) { return walk(seed, 6, 600, true); }));
 }
 
-TEST_CASE("turning dipoles: errors of the Kirkwood factor and of relaxation times") {
+TEST_CASE("rotating dipoles: errors of the Kirkwood factor and of relaxation times") {
   const Calibration dipole = calibration([](auto seed) { return kirkwood(seed, 1500); });
   check_calibrated("Kirkwood factor", dipole);
-  // Dipoles do not know of each other; the mean of M over 75 times of 2 · 10 frames takes 1.3 %.
+  // Dipoles are independent; subtracting the mean of M over 75 times of 2 · 10 frames removes 1.3
+  // %.
   CHECK(dipole.mean == doctest::Approx(1 - 1 / 75.0).epsilon(0.02));
   const Calibration times = calibration([](auto seed) { return relaxation(seed, 1000); });
   check_calibrated("relaxation time", times);
 }
 
-TEST_CASE("runs that are too short state no error") {
+TEST_CASE("short runs report no error") {
   CHECK(walk(1, 6, 11, false).known == Known::too_few_samples);
-  // Three times of the dipole: in most runs it has hardly turned.
+  // Three correlation times of the dipole: in most runs it has hardly rotated.
   CHECK(calibration([](auto seed) { return kirkwood(seed, 30); }).told < 0.25);
 }
 
-TEST_CASE("the motion of the whole is no diffusion") {
+TEST_CASE("centre-of-mass motion of the whole system is not diffusion") {
   const Topology topology{{{read_molecule("argon"), 3}, {read_molecule("tip4p"), 2}}};
   State rest(5, Box{{2, 2, 2}}), moving(5, Box{{2, 2, 2}});
   Random random(1);
@@ -153,7 +155,7 @@ TEST_CASE("the motion of the whole is no diffusion") {
   }
   for (std::size_t part = 0; part < 2; ++part)
     for (std::size_t lag = 0; lag < 10; ++lag) {
-      // To the rounding of places that have moved by 5 nm.
+      // Up to the rounding of positions displaced by 5 nm.
       CHECK(std::abs(a.mean_square(part).mean()[lag] - b.mean_square(part).mean()[lag]) < 1e-13);
       CHECK(std::abs(v.linear(part).mean()[lag] - w.linear(part).mean()[lag]) < 1e-13);
     }

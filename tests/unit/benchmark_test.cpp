@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The counts that force evaluations are held against; times are no test's business.
+// The operation counts with which force evaluations are compared; times are not tested.
 #include "polhode/run/benchmark/benchmark.hpp"
 
 #include <doctest/doctest.h>
@@ -33,7 +33,7 @@ std::size_t one_by_one(const State& state, double distance) {
 
 }  // namespace
 
-TEST_CASE("pairs within a distance are counted once, in boxes of few cells and of many") {
+TEST_CASE("pairs within a distance are counted once, in boxes of few and of many cells") {
   for (const Box& box : {Box{{2.1, 2.1, 2.1}}, Box{{2.1, 3.5, 9}}, Box{{5, 4, 3}}}) {
     const State state = scattered(300, box);
     for (const double distance : {0.3, 0.7, 1.0})
@@ -41,14 +41,14 @@ TEST_CASE("pairs within a distance are counted once, in boxes of few cells and o
   }
 }
 
-TEST_CASE("a timing is the best of its repeats with their median") {
+TEST_CASE("a timing has the best and the median of its repeats") {
   const Timing t = timing({5, 2, 4, 3, 9});
   CHECK(t.best == 2);
   CHECK(t.median == 4);
   CHECK(t.spread() == 1);
 }
 
-TEST_CASE("a limit counts pairs within the switch at their own price") {
+TEST_CASE("the limit counts pairs within the switching range at their own cost") {
   const Limit limit{Precision::double_precision, 8, 1, {{2, 2}, {3, 3}}, {{4, 4}, {5, 5}}};
   CHECK(1e9 * limit.seconds(10, 100, false) == doctest::Approx(320));
   CHECK(1e9 * limit.seconds(10, 100, true) == doctest::Approx(540));

@@ -9,7 +9,7 @@
 
 using namespace polhode;
 
-TEST_CASE("blocks of time hold a stream of any length") {
+TEST_CASE("time blocks store a stream of any length") {
   for (const int length : {1, 39, 41, 1000, 12345}) {
     TimeBlocks blocks;
     Random random(7);

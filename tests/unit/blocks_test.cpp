@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops in blocks: the same bits for any number of threads, and the laws of the parts.
+// Loops in blocks: the same bits for any number of threads, and the laws of each loop.
 #include "polhode/base/blocks.hpp"
 
 #include <doctest/doctest.h>
@@ -9,6 +9,7 @@
 
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/measure/energy.hpp"
 #include "scenes.hpp"
 
@@ -16,7 +17,7 @@ using namespace polhode;
 
 namespace {
 
-// Three of the largest blocks, of which the last is short and fills no pack.
+// Three blocks of the largest size, the last of which is short and does not fill a pack.
 constexpr std::size_t largest_block = 2048, count = 2 * largest_block + 203;
 
 scenes::Scene crowd() {
@@ -73,7 +74,7 @@ TEST_CASE("blocks cover each body once") {
   }
 }
 
-TEST_CASE("flows and energies are the same bits for any number of threads") {
+TEST_CASE("flows and energies have the same bits for any number of threads") {
   for_each_instruction_set([] {
     const scenes::Scene start = crowd();
     const Load load = some_load(start.state);
@@ -99,8 +100,8 @@ TEST_CASE("flows and energies are the same bits for any number of threads") {
   });
 }
 
-// A sum of n positive terms in any order errs by less than n roundings; here the chains are at most
-// a block long, and each term has some roundings of its own.
+// A sum of n positive terms in any order errs by less than n roundings; here the sums are at most a
+// block long, and each term has a few roundings.
 TEST_CASE("energies are the sums over bodies") {
   for_each_instruction_set([] {
     const scenes::Scene scene = crowd();
@@ -126,8 +127,8 @@ TEST_CASE("energies are the sums over bodies") {
   });
 }
 
-// What padding holds belongs to no body.
-TEST_CASE("energies leave padding out") {
+// Padding does not belong to any body.
+TEST_CASE("energies ignore padding") {
   for_each_instruction_set([] {
     scenes::Scene scene = crowd();
     const Energies before = energies(scene.state, scene.bodies, Load{});
@@ -139,9 +140,9 @@ TEST_CASE("energies leave padding out") {
   });
 }
 
-// q̃ = q + c f/m and S̃ = R(c J⁻¹ S τ) S body by body, to the roundings of a sum and of a product of
-// quaternions; turns by 1e-6 are those of gradient kicks, those by 0.4 use the whole series, and
-// those by 2 the closed form.
+// q̃ = q + c f/m and S̃ = R(c J⁻¹ S τ) S body by body, up to the roundings of a sum and of a
+// product of quaternions; rotations by 1e-6 are typical of gradient kicks, those by 0.4 use the
+// whole series, and those by 2 the closed form.
 TEST_CASE("displace moves and turns each body by its own force and torque") {
   for_each_instruction_set([] {
     const scenes::Scene start = crowd();

@@ -64,7 +64,7 @@ TEST_CASE("slots are a permutation of the bodies of each type, ordered by cells"
             CHECK(place[d] >= 0);
             CHECK(place[d] <= grid.edge[d]);
             const double edges = (scene.state.q[body][d] - place[d]) / grid.edge[d];
-            CHECK(std::abs(edges - std::round(edges)) < 1e-12);  // roundings of some 100 edges
+            CHECK(std::abs(edges - std::round(edges)) < 1e-12);  // roundings of about 100 edges
           }
           CHECK(c == grid.index(grid.coordinate(place.x, 0), grid.coordinate(place.y, 1),
                                 grid.coordinate(place.z, 2)));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The motion of all bodies as one: removed, and counted nowhere.
+// The motion of the centre of mass: removed, and not counted anywhere.
 #include "polhode/model/centre_of_mass.hpp"
 
 #include <doctest/doctest.h>
@@ -38,9 +38,9 @@ const Vec3<double> common{1, -2, 0.5};  // [nm/ps]
 
 }  // namespace
 
-// Each of n additions rounds a sum that is at most n of the largest terms, and so does each share
-// that is taken off.
-TEST_CASE("total momentum and net force are taken off in proportion to masses") {
+// Each of n additions rounds a sum that is at most n times the largest term, and so does each
+// subtraction of a share.
+TEST_CASE("total momentum and net force are removed in proportion to the masses") {
   for (const std::size_t n : {std::size_t{1}, std::size_t{20}, std::size_t{4000}}) {
     scenes::Scene scene = mixture(n);
     const State before = scene.state;
@@ -72,7 +72,7 @@ TEST_CASE("total momentum and net force are taken off in proportion to masses") 
   }
 }
 
-TEST_CASE("a single body comes to rest exactly, and no force moves it") {
+TEST_CASE("a single body is brought to rest exactly, and no force moves it") {
   const Topology water{{{read_molecule("tip4p"), 1}}};
   const Bodies bodies(water);
   State state(1, Box{{2, 2, 2}});
@@ -86,8 +86,8 @@ TEST_CASE("a single body comes to rest exactly, and no force moves it") {
   CHECK(load.f[0] == Vec3<double>{});
 }
 
-// With the velocity u, Σ p²/2m − P²/2M loses digits of M u²/2, and that alone.
-TEST_CASE("energies and pressure do not see a common velocity") {
+// With the velocity u, Σ p²/2m − P²/2M loses only the digits of M u²/2.
+TEST_CASE("energies and pressure do not depend on a common velocity") {
   scenes::Scene scene = mixture(50);
   remove_total_momentum(scene.state, scene.bodies);
   const Energies rest = energies(scene.state, scene.bodies, Load{});
@@ -100,7 +100,7 @@ TEST_CASE("energies and pressure do not see a common velocity") {
   const Energies moving = energies(scene.state, scene.bodies, Load{});
   const double whole = total_mass(scene.bodies) * norm2(common) / 2;
   const double rounding = 8 * 0x1p-53 * 150 * (whole + rest.translation);
-  CHECK(whole > 5 * rest.translation);  // it would show
+  CHECK(whole > 5 * rest.translation);  // it would be detected
   CHECK(std::abs(moving.translation - rest.translation) < rounding);
   CHECK(std::abs(moving.pressure - rest.pressure) < rounding);
   const Mat3<double> same = pressure_tensor(scene.state, scene.bodies, Load{});
@@ -108,8 +108,8 @@ TEST_CASE("energies and pressure do not see a common velocity") {
     CHECK(norm(same[k] - pressure[k]) < 4 * rounding / scene.state.box.volume());
 }
 
-// Bodies that all move alike have neither displacements nor velocities of their own; one that moves
-// against the others has less than its own by its share of the mass.
+// Bodies that all move equally have neither displacements nor velocities; for one that moves
+// relative to the others they are reduced by its fraction of the mass.
 TEST_CASE("displacements and velocity correlations are those relative to the centre of mass") {
   const Topology topology{{{read_molecule("argon"), 3}}};
   const Bodies bodies(topology);
@@ -143,8 +143,10 @@ TEST_CASE("displacements and velocity correlations are those relative to the cen
   }
 }
 
-// 3 N − 3 for any N: what is drawn, what is rescaled to, and what is read are the same temperature.
-TEST_CASE("one body, two bodies and many are drawn, rescaled and read at one temperature") {
+// 3 N − 3 for any N: momenta are drawn, rescaled and measured at the same temperature.
+TEST_CASE(
+    "momenta of one, two and many bodies are drawn, rescaled and measured at the same "
+    "temperature") {
   for (const char* name : {"tip4p", "n2", "argon"})
     for (const std::size_t n : {1, 2, 30}) {
       CAPTURE(std::string(name));

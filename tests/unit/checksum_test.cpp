@@ -28,7 +28,7 @@ TEST_CASE("CRC-64 has the check value of the XZ format, in one piece or in many"
   }
 }
 
-TEST_CASE("a changed byte of a file is noticed, what follows the part in question is not read") {
+TEST_CASE("a changed byte of a file is detected, and bytes after the checked part are not read") {
   const fs::path path = fs::temp_directory_path() / ("polhode-crc-" + std::to_string(::getpid()));
   const std::string file = path.string();
   std::ofstream(file) << "0123456789, and more";

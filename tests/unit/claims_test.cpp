@@ -59,18 +59,18 @@ struct Laws {
 
 }  // namespace
 
-TEST_CASE("a number as printed stands for what rounds to it, and the data may not decide") {
+TEST_CASE("a printed number means all that round to it, and the data may be undecided") {
   CHECK(rounds_to({1.54, 0.005}, 1.5, 0.05) == Verdict::reproduced);
   CHECK(rounds_to({1.46, 0.005}, 1.5, 0.05) == Verdict::reproduced);
   CHECK(rounds_to({1.54, 0.006}, 1.5, 0.05) == Verdict::undecided);
   CHECK(rounds_to({1.56, 0.006}, 1.5, 0.05) == Verdict::undecided);
   CHECK(rounds_to({1.56, 0.005}, 1.5, 0.05) == Verdict::not_reproduced);
   CHECK(rounds_to({1.44, 0.005}, 1.5, 0.05) == Verdict::not_reproduced);
-  // A coarse measurement agrees with nothing.
+  // An imprecise measurement decides nothing.
   CHECK(rounds_to({1.5, 0.03}, 1.5, 0.05) == Verdict::undecided);
 }
 
-TEST_CASE("laws for which the paper's claims hold reproduce them all") {
+TEST_CASE("power laws for which the paper's claims hold reproduce all of them") {
   const auto claims = Laws{}.claims();
   REQUIRE(claims.size() == 5);
   for (const Claim& claim : claims) {
@@ -89,7 +89,7 @@ TEST_CASE("the gain of HOA2 is 1.5 within its rounding, or not, or the errors ar
     other.hoa2.factor *= 1.5 * 1.5 / (gain * gain);
     CHECK(other.cheaper() == Verdict::not_reproduced);
   }
-  // R known to 10 % each leaves the ratio to some 5 %, 0.07: more than half a digit.
+  // R known to 10 % each gives the ratio to about 5 %, 0.07: more than half a digit.
   CHECK(Laws{}.cheaper(0.1) == Verdict::undecided);
 }
 
@@ -104,7 +104,7 @@ TEST_CASE("the crossing is at 0.4 % within its rounding, or not, or the errors a
 }
 
 TEST_CASE(
-    "only Verlet runs above 1.5 %: refuted by a scheme that does, or by Verlet that does not") {
+    "only Verlet runs above 1.5 %: refuted by another scheme that does, or if Verlet does not") {
   Laws stable;
   stable.hoa2.drifts_from = 8;  // 1.36 % at 7 fs without a drift, 1.78 % at 8 fs with one
   CHECK(stable.ends() == Verdict::undecided);
@@ -124,7 +124,9 @@ TEST_CASE(
   CHECK(early.ends() == Verdict::undecided);
 }
 
-TEST_CASE("only Verlet runs above 1.5 %: not decided where an end was not seen, or runs differ") {
+TEST_CASE(
+    "only Verlet runs above 1.5 %: undecided if a stability limit was not reached, or numbers of "
+    "runs differ") {
   Laws open;
   open.gier4.steps = {3, 4, 5, 6};
   CHECK(open.ends() == Verdict::undecided);

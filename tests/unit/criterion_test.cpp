@@ -9,8 +9,8 @@ using namespace polhode;
 
 namespace {
 
-// Eight runs, log R = log 0.004 ± d: their standard deviation is d √(8/7), and the bound of a fresh
-// run lies t(7) d √(8/7) √(9/8) = t(7) d √(9/7) above the mean, with t(7) = 2.3646 at 97.5 %.
+// Eight runs, log R = log 0.004 ± d: their standard deviation is d √(8/7), and the bound of a new
+// run is t(7) d √(8/7) √(9/8) = t(7) d √(9/7) above the mean, with t(7) = 2.3646 at 97.5 %.
 constexpr double t7 = 2.364624251592785;
 
 std::vector<Outcome> scattered(double d) {
@@ -22,7 +22,9 @@ std::vector<Outcome> scattered(double d) {
 
 }  // namespace
 
-TEST_CASE("a part of the length may keep a bound if R stays and its scatter falls with the root") {
+TEST_CASE(
+    "part of the length may meet a bound if R is constant and its scatter falls with the square "
+    "root") {
   const double d = 0.06;
   const std::vector<Outcome> runs = scattered(d);
   for (const double part : {1.0 / 9, 1.0 / 3, 1.0}) {
@@ -32,16 +34,16 @@ TEST_CASE("a part of the length may keep a bound if R stays and its scatter fall
     CHECK(may_meet({Quality::ratio, bound * (1 + 1e-9)}, runs, part));
     CHECK(!may_meet({Quality::ratio, bound * (1 - 1e-9)}, runs, part));
   }
-  // The whole of the length is what the bound is about.
+  // The bound is for the whole length.
   const double whole = upper_bound(Quality::ratio, runs);
   CHECK(may_meet({Quality::ratio, whole}, runs, 1));
   CHECK(!may_meet({Quality::ratio, whole * (1 - 1e-12)}, runs, 1));
 }
 
-// n runs, all but one alike: that one lies δ above them, 1 − 1/n above the mean of the logarithms
-// and no set of n has one further out, in units of its scatter δ/√n. The bound lies
-// 1/n + t √(n + 1)/n times δ above the others, for n = 8 by 1/8 + 3 t(7)/8 = 1.0117.
-TEST_CASE("one run beyond what was asked is enough: the bound of no set with it keeps that") {
+// n runs, all but one equal: that one is δ above them, 1 − 1/n above the mean of the logarithms,
+// and no set of n has a larger deviation in units of its scatter δ/√n. The bound is 1/n + t √(n +
+// 1)/n times δ above the others, for n = 8 by 1/8 + 3 t(7)/8 = 1.0117.
+TEST_CASE("one run above the required R is enough to reject every set that contains it") {
   const double d = 0.1;
   for (std::size_t n = 2; n <= 8; ++n) {
     CAPTURE(n);
@@ -54,7 +56,7 @@ TEST_CASE("one run beyond what was asked is enough: the bound of no set with it 
   }
 }
 
-TEST_CASE("parts of runs say no more of a drift or a bias than that they blew up") {
+TEST_CASE("parts of runs show only blow-ups, not drifts or biases") {
   std::vector<Outcome> runs = scattered(0.1);
   for (const Quality quality : {Quality::drift, Quality::temperature_bias}) {
     CHECK(may_meet({quality, 1e-9}, runs, 1.0 / 3));

@@ -25,7 +25,7 @@ const Shape chiral = {
 
 }  // namespace
 
-TEST_CASE("all distances of a shape give it back, but for its mirror image") {
+TEST_CASE("all distances of a shape determine it, except for its mirror image") {
   for (const auto& [shape, dimension] : {std::pair{water, 2}, {rod, 1}, {chiral, 3}}) {
     const PlacedPoints found = place_points(shape.size(), all_distances(shape));
     CHECK(found.dimension == dimension);
@@ -48,14 +48,18 @@ TEST_CASE("a plane of six points stays a plane although its distances are rounde
   CHECK(difference(found.points, ring) < distance_tolerance);
 }
 
-TEST_CASE("distances that fix no shape are refused with what is loose, or wrong") {
+TEST_CASE(
+    "distances that determine no shape are refused with the undetermined point or the wrong "
+    "distance") {
   const auto refused = [](std::size_t count, std::vector<Distance> list,
                           std::initializer_list<const char*> parts) {
     check_error([&] { place_points(count, list); }, parts);
   };
-  refused(3, {{0, 1, 0.1}, {0, 2, 0.1}}, {"2 distances do not fix 3 points", "stays loose"});
-  refused(2, {}, {"0 distances do not fix 2 points"});
-  refused(3, {{0, 1, 0.1}, {0, 2, 0.1}, {1, 2, 0.3}}, {"the distance of points", "others make it"});
+  refused(3, {{0, 1, 0.1}, {0, 2, 0.1}},
+          {"2 distances do not determine 3 points", "can still move"});
+  refused(2, {}, {"0 distances do not determine 2 points"});
+  refused(3, {{0, 1, 0.1}, {0, 2, 0.1}, {1, 2, 0.3}},
+          {"the distance of points", "follows from the others"});
   refused(2, {{0, 1, 0}}, {"the distance of points 1 and 2 is 0 nm; it must be above 0 nm"});
   auto list = all_distances(chiral);
   list[5].length += 0.01;
@@ -65,7 +69,7 @@ TEST_CASE("distances that fix no shape are refused with what is loose, or wrong"
           {"the distance of points"});
 }
 
-TEST_CASE("a shape that is nearly a line is put on it, others stay") {
+TEST_CASE("a nearly linear shape is made linear, others are unchanged") {
   Shape bent = rod;
   bent[0].y = 0.0015;
   const Shape line = straighten(bent);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The drift over packs: the same motion on every instruction set, whatever the neighbours in a
+// The drift over packs: the same motion for every instruction set, whatever the other lanes of a
 // pack.
 #include "polhode/integrate/flows.hpp"
 
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t count = 103;  // fills no pack exactly
 
-/// Bodies of all kinds side by side: asymmetric, linear along each axis, at rest; most turn by 0.05
-/// to 0.3 in a step of 1, some by 0.5, 5 and 50.
+/// Bodies of all kinds in a pack: asymmetric, linear along each axis, at rest; most rotate by 0.05
+/// to 0.3 in a step of 1, a few by 0.5, 5 and 50.
 struct Crowd {
   Bodies bodies;
   State state{count, Box{}};
@@ -67,10 +67,9 @@ double distance(const Quaternion<double>& a, const Quaternion<double>& b) {
 
 }  // namespace
 
-// L = S ell carries three roundings of size |L|, in the direction of a change that k_abs measures:
-// k <= 6 (1 + |ω t|) for these shapes (the truth table's k_abs of asymmetric tops). Then 16 ε (1 +
-// k).
-TEST_CASE("drift turns every body of a pack by its free rotation") {
+// L = S ell has three roundings of size |L|, in the direction of a change that k_abs measures: k <=
+// 6 (1 + |ω t|) for these shapes (the truth table's k_abs of asymmetric tops). Then 16 ε (1 + k).
+TEST_CASE("drift rotates every body of a pack freely") {
   for_each_instruction_set([] {
     Crowd crowd;
     const Crowd before;
@@ -78,7 +77,7 @@ TEST_CASE("drift turns every body of a pack by its free rotation") {
     for (std::size_t n = 0; n < count; ++n) {
       const Quaternion<double> q = before.state.attitude[n];
       const Vec3<double> L = to_body(q, before.state.ell[n]), J = before.bodies.J[n];
-      Vec3<double> clean = L;  // a rod has no L along itself
+      Vec3<double> clean = L;  // a rod has no L along its axis
       for (std::size_t k = 0; k < 3; ++k)
         if (J[k] == 0) clean[k] = 0;
       const FreeRotation exact = closed_rotation(J, clean, 1.0);
@@ -95,8 +94,8 @@ TEST_CASE("drift turns every body of a pack by its free rotation") {
 }
 
 // Exactly on the separatrix, far beyond the series: attitudes are the identity, so that L = S ell
-// is exact. Lanes beside them turn regularly.
-TEST_CASE("drift turns bodies on the separatrix in packs with others") {
+// is exact. The other lanes rotate regularly.
+TEST_CASE("drift handles bodies on the separatrix in packs with others") {
   for_each_instruction_set([] {
     for (const double t : {20.0, 250.0, 25000.0, -1e5}) {
       Crowd crowd;
@@ -114,7 +113,7 @@ TEST_CASE("drift turns bodies on the separatrix in packs with others") {
         if (n % 3 == 1) continue;
         const FreeRotation exact =
             closed_rotation(before.bodies.J[n], before.state.ell[n], t, ThirdKind::theta);
-        // As for the truth table's rows there: three angles of |ω t| and some roundings.
+        // As for the truth table's rows there: three angles of |ω t| and a few roundings.
         const double bound = 16 * 0x1p-53 * (1 + 3 * std::abs(t) * 0.25);
         CAPTURE(n);
         CHECK(distance(crowd.state.attitude[n], exact.rotation) <= bound);
@@ -144,10 +143,10 @@ TEST_CASE("drift agrees between instruction sets") {
   });
 }
 
-// What is left of L along an axis without inertia is the rounding of a vector turned into the lab:
-// a few roundings of L, however many kicks rounded torques make. Without inertia at all L is 0.
-// Along other axes a kick is ell + t tau, to the last bit.
-TEST_CASE("kicks leave no angular momentum along an axis without inertia") {
+// The remaining L along an axis without inertia is the rounding of a rotation to the lab frame: a
+// few roundings of L, for any number of kicks. Without inertia at all L is 0. Along other axes a
+// kick is ell + t tau, to the last bit.
+TEST_CASE("kicks give no angular momentum about an axis without inertia") {
   for_each_instruction_set([] {
     Crowd crowd;
     crowd.bodies.inverse_J.set(9, {});
@@ -174,7 +173,7 @@ TEST_CASE("kicks leave no angular momentum along an axis without inertia") {
       for (std::size_t k = 0; k < 3; ++k) {
         if (inverse_J[k] == 0)
           CHECK(std::abs(L[k]) <= 8 * 0x1p-53 * norm(crowd.state.ell[i]));
-        else  // 200 roundings of two turns each
+        else  // 200 roundings of two rotations each
           CHECK(std::abs(L[k] - plain[k]) <= 200 * 16 * 0x1p-53 * (norm(plain) + 1));
       }
     }
@@ -184,7 +183,7 @@ TEST_CASE("kicks leave no angular momentum along an axis without inertia") {
 }
 
 // The flow is its own inverse under t -> -t; two steps at the bound of the first test.
-TEST_CASE("drift forth and back is the identity") {
+TEST_CASE("drift forward and back is the identity") {
   for_each_instruction_set([] {
     Crowd crowd;
     const Crowd before;
@@ -200,7 +199,7 @@ TEST_CASE("drift forth and back is the identity") {
   });
 }
 
-// A lost run must end in an error of the run, not in a loop without end.
+// A diverged run must end with an error, not in an infinite loop.
 TEST_CASE("drift returns for infinite and undefined angular momenta") {
   for (const double bad :
        {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 1e300}) {

@@ -40,7 +40,7 @@ TEST_CASE("R is the ratio of the rms fluctuations") {
 }
 
 // White noise in both energies: an rms from n samples is known to 1/√(2n), so R to 1/√n. Eight
-// modes or fewer know an error to 1/√8 at best; five times that is allowed either way.
+// modes or fewer determine an error to 1/√8 at best; five times that is allowed either way.
 TEST_CASE("the error of R of one trajectory") {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
@@ -70,9 +70,9 @@ TEST_CASE("drift of one trajectory: value, error and significance") {
   CHECK(moving.significant());
 }
 
-// What is summed is the difference from the first sample: means and fluctuations are those of the
+// The sums are of differences from the first sample: means and fluctuations are those of the
 // samples to the last digits, however long the series.
-TEST_CASE("statistics of energies hold what all samples would") {
+TEST_CASE("accumulated energy statistics equal those of all samples") {
   const auto samples = oscillating(0.3, 0.5, 4);
   const EnergyStatistics statistics(samples);
   double total = 0, potential = 0, pairs = 0;
@@ -86,7 +86,7 @@ TEST_CASE("statistics of energies hold what all samples would") {
 }
 
 // Stretches of 1000 samples hold 10 periods of V: R of each, and their mean, is that of the whole;
-// what does not fill a stretch counts for nothing.
+// an incomplete stretch is ignored.
 TEST_CASE("R over stretches") {
   const auto samples = oscillating(0, 0, 1);
   StretchStatistics stretches;
@@ -100,7 +100,7 @@ TEST_CASE("R over stretches") {
   CHECK(!one.ratio());
 }
 
-TEST_CASE("drift of a series is the mean of its slopes against their scatter") {
+TEST_CASE("the drift of several runs is the mean of their slopes with its standard error") {
   const std::vector<double> rates = {1.0, 1.2, 0.8, 1.1, 0.9};
   const Drift d = drift_of_series(rates);
   CHECK(d.rate.value == doctest::Approx(1.0));
@@ -109,9 +109,9 @@ TEST_CASE("drift of a series is the mean of its slopes against their scatter") {
   CHECK(drift_of_series(std::vector<double>{1.0, -1.1, 0.9, -1.0, 0.2}).p_value > 0.5);
 }
 
-// By hand: 9 bodies move in 27 ways less the 3 of the total momentum; atoms do not turn, linear
+// By hand: 9 bodies move in 27 ways less the 3 of the total momentum; atoms do not rotate, linear
 // bodies about two axes (J1 = 0), water about three. A single body is its own centre of mass.
-TEST_CASE("freedoms of a mixture") {
+TEST_CASE("degrees of freedom of a mixture") {
   const Topology mixture{
       {{read_molecule("argon"), 3}, {read_molecule("n2"), 2}, {read_molecule("tip4p"), 4}}};
   const DegreesOfFreedom n = degrees_of_freedom(mixture);
@@ -125,7 +125,7 @@ TEST_CASE("freedoms of a mixture") {
   CHECK(degrees_of_freedom({{{read_molecule("argon"), 2}}}).all() == 3);
 }
 
-TEST_CASE("temperature counts freedoms") {
+TEST_CASE("temperature counts degrees of freedom") {
   CHECK(temperature(0.5 * units::boltzmann * 300 * 6, 6) == doctest::Approx(300));
   CHECK(temperature(1, 0) == 0);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The extrapolation of temperatures to no step, from points whose limit is known.
+// The extrapolation of temperatures to zero step, from points with a known limit.
 #include "polhode/run/simulation/equipartition.hpp"
 
 #include <doctest/doctest.h>
@@ -24,13 +24,13 @@ const double rounding = 1e-12;
 
 }  // namespace
 
-TEST_CASE("an excess that goes with the order of the scheme leaves its known limit") {
+TEST_CASE("an excess proportional to the order of the scheme is extrapolated to its known limit") {
   for (const auto& [scheme, order] : {std::pair("hoa2", 2), {"gier4", 4}}) {
     CAPTURE(scheme);
     Curve curve{scheme, {}, 3};
     for (const double h : {0.001, 0.002, 0.004}) {
       const double x = std::pow(h, order);
-      // Errors that differ do not matter to points on a line; an atom has no rotation to tell of.
+      // Unequal errors do not matter for points on a line; an atom has no rotation.
       const double error = 10 * h;
       curve.points.push_back(
           point(scheme, h,
@@ -38,7 +38,7 @@ TEST_CASE("an excess that goes with the order of the scheme leaves its known lim
     }
     for (EfficiencyPoint& p : curve.points)  // the same lines, of other motions
       p.configurational_excess = {p.excess[1], std::nullopt, p.excess[0], std::nullopt};
-    // Beyond the end of stability nothing counts.
+    // Points beyond the stability limit do not count.
     curve.points.push_back(point(scheme, 0.008, {Estimate{1000, 0.1}, {}, Estimate{1000, 0.1}}));
     const std::vector<EquipartitionFit> fits = equipartition({curve});
     REQUIRE(fits.size() == 1);
@@ -74,12 +74,12 @@ TEST_CASE("the error of the limit is that of its two points") {
         doctest::Approx(std::hypot(4 * 0.3, 0.6) / 3).epsilon(rounding));
 }
 
-TEST_CASE("there is no limit of one step, nor of points without an error") {
+TEST_CASE("one step, or points without an error, give no limit") {
   Curve curve{"hoa2", {point("hoa2", 0.001, {Estimate{1, 0.1}, Estimate{1, 0.1}, {}})}, 1};
   CHECK(!equipartition({curve})[0].axes[0]);
   curve.points.push_back(point("hoa2", 0.002, {Estimate{2, 0}, Estimate{2, 0.1}, {}}));
   curve.usable = 2;
   const EquipartitionFit fit = equipartition({curve})[0];
-  CHECK(!fit.axes[0]);  // one run tells no error
+  CHECK(!fit.axes[0]);  // one run gives no error
   CHECK(fit.axes[1]);
 }

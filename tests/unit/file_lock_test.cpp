@@ -13,7 +13,7 @@
 using namespace polhode;
 namespace fs = std::filesystem;
 
-TEST_CASE("a file is held once, and its lock tells by whom") {
+TEST_CASE("a file is locked once, and its lock names the owner") {
   const fs::path folder =
       fs::temp_directory_path() / ("polhode-lock-" + std::to_string(::getpid()));
   fs::create_directories(folder);
@@ -23,7 +23,7 @@ TEST_CASE("a file is held once, and its lock tells by whom") {
     CHECK(lock->is_held());
     const std::string process = "process " + std::to_string(::getpid()) + " on host ";
     check_error([&] { FileLock second(path); },
-                {path.c_str(), "is held by", process.c_str(), "UTC"});
+                {path.c_str(), "is locked by", process.c_str(), "UTC"});
     lock.reset();
     CHECK(!fs::exists(path));
     FileLock third(path);
@@ -39,7 +39,7 @@ TEST_CASE("a file is held once, and its lock tells by whom") {
     CHECK(text.str().find("gone") == std::string::npos);
   }
   std::ofstream(path) << "mine";
-  check_error([&] { FileLock other(path); }, {path.c_str(), "no lock of polhode"});
+  check_error([&] { FileLock other(path); }, {path.c_str(), "not a lock file of polhode"});
   CHECK(fs::file_size(path) == 4);
   check_error([&] { FileLock other(path + "/run.lock"); }, {"folder"});
   fs::remove_all(folder);

@@ -28,17 +28,16 @@ TEST_CASE("slope and standard error of a published example") {
 }
 
 // Student's t tables: t(9) = 3.250 and t(9) = 2.262 leave 1 % and 5 % on both sides.
-TEST_CASE("the chance of an estimate follows Student's t") {
+TEST_CASE("the p-value of an estimate follows Student's t") {
   CHECK(100 * p_value({3.250, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
   CHECK(20 * p_value({-2.262, 1}, 9) == doctest::Approx(1).epsilon(1e-3));
   CHECK(p_value({0, 0}, 9) == 1);
   CHECK(p_value({1, 0}, 9) == 0);
 }
 
-// Under the null hypothesis the chance is uniform: of 2000 series, as many as a binomial count with
-// p = 0.05 allows within 4 standard deviations, √(2000 × 0.05 × 0.95) = 9.7, call themselves
-// significant at 5 %.
-TEST_CASE("noise is called significant as often as it should be") {
+// Under the null hypothesis the p-value is uniform: of 2000 series, 5 % are significant at 5 %,
+// within 4 binomial standard deviations, √(2000 × 0.05 × 0.95) = 9.7.
+TEST_CASE("noise is significant at the stated rate") {
   std::mt19937_64 random(17);
   std::normal_distribution<double> normal;
   int significant = 0;

@@ -10,8 +10,8 @@
 
 using namespace polhode;
 
-// There and back multiplies by the length, to rounding of some log₂ n additions.
-TEST_CASE("a real transform and its way back") {
+// A transform and its inverse multiply by the length, up to rounding of about log₂ n additions.
+TEST_CASE("a real transform and its inverse") {
   const RealTransform transform(97);
   CHECK(transform.size() == 98);  // 2 · 7 · 7
   Column<double> series(98), back(98);

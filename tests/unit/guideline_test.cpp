@@ -34,20 +34,20 @@ TEST_CASE("costs are interpolated along the power law, and extrapolated by the o
   CHECK(inside->cost == doctest::Approx(400).epsilon(1e-12));
   CHECK(inside->exponent == doctest::Approx(2).epsilon(1e-12));
   CHECK(!inside->extrapolated);
-  // 2 % of R between two points weighs at most 2 %/2 in the step and at least that over √2.
+  // 2 % of R between two points changes the step by at most 2 %/2 and at least that divided by √2.
   CHECK(inside->error < 400 * 0.01);
   CHECK(inside->error > 400 * 0.007);
   const auto below = cost_at(all[0], 2e-3 / 4);
   REQUIRE(below);
   CHECK(below->extrapolated);
   CHECK(below->cost == doctest::Approx(2000).epsilon(1e-12));
-  const auto above = cost_at(all[0], 1.0);  // the longest step will do
+  const auto above = cost_at(all[0], 1.0);  // the longest step suffices
   REQUIRE(above);
   CHECK(above->at_max_step);
   CHECK(above->step == 0.008);
 }
 
-TEST_CASE("a curve ends where a step drifts or blows up") {
+TEST_CASE("a curve ends at the first step that drifts or blows up") {
   auto points = law("hoa2", 3e-4, 2, 2);
   points[3].drift.p_value = 0.001;
   const auto all = curves(points);

@@ -64,7 +64,7 @@ TEST_CASE("a long box has more cells along its long edge") {
   check_error([&] { lattice(topology, {{1, 1, 0}}, 1); }, {"0.000000 nm", "longer than 0 nm"});
 }
 
-TEST_CASE("momenta follow Maxwell's distribution") {
+TEST_CASE("momenta follow the Maxwell distribution") {
   const std::size_t n = 2000;
   const Topology topology{{{bent(), n}, {rod(), n}, {atom(), n}}};
   State state = lattice(topology, {{10, 10, 10}}, 5);
@@ -103,7 +103,7 @@ TEST_CASE("momenta follow Maxwell's distribution") {
   CHECK(twice_energy / (degrees_of_freedom * kT) == doctest::Approx(1).epsilon(1e-13));
 }
 
-TEST_CASE("a single body turns in its place at its temperature") {
+TEST_CASE("a single body rotates at the temperature without translation") {
   const Topology topology{{{rod(), 1}}};
   State state = lattice(topology, {{1, 1, 1}}, 1);
   draw_momenta(state, topology, 100, 1);
@@ -117,8 +117,9 @@ TEST_CASE("a single body turns in its place at its temperature") {
   CHECK(lonely.p[0] == Vec3<double>{});
 }
 
-// Momenta of one start of one seed would be those of another of the next, were the two added.
-TEST_CASE("studies of neighbouring seeds have no momenta in common") {
+// If seed and index were added, momenta of one initial configuration would recur with the next
+// seed.
+TEST_CASE("studies with consecutive seeds share no momenta") {
   const Topology topology{{{atom(), 3}}};
   std::vector<double> seen;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

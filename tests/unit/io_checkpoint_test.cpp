@@ -43,7 +43,7 @@ void fill(Vec3Column& v, std::mt19937_64& random) {
   fill(v.x, random), fill(v.y, random), fill(v.z, random);
 }
 
-// Numbers of all kinds, each another.
+// Numbers of all kinds, all different.
 Checkpoint example(std::size_t bodies = 2) {
   std::mt19937_64 random(7);
   Checkpoint c;
@@ -63,7 +63,7 @@ Checkpoint example(std::size_t bodies = 2) {
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) c.at.integrator.load.virial[i][k] = double(3 * i + k);
   c.at.integrator.current = true;
-  c.at.integrator.evaluations = 5, c.at.integrator.measurements = 6;
+  c.at.integrator.steps = 11, c.at.integrator.evaluations = 5, c.at.integrator.measurements = 6;
   c.at.list.built_at = Vec3Column(bodies);
   fill(c.at.list.built_at, random);
   c.at.list.rebuilds = 8;
@@ -124,7 +124,7 @@ void same(const TrajectoryStatistics& a, const TrajectoryStatistics& b) {
 
 }  // namespace
 
-TEST_CASE("a checkpoint gives back every number that was put into it") {
+TEST_CASE("a checkpoint restores every number written to it") {
   const Folder folder;
   for (const std::size_t bodies : {0, 1, 2, 17}) {
     Checkpoint c = example(bodies);
@@ -150,6 +150,7 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
     for (std::size_t k = 0; k < 3; ++k) CHECK(m.load.virial[k] == n.load.virial[k]);
     CHECK(m.current);
     CHECK(!m.complete);
+    CHECK(m.steps == 11);
     CHECK(m.evaluations == 5);
     CHECK(m.measurements == 6);
     same(back.at.list.built_at, c.at.list.built_at);
@@ -180,7 +181,7 @@ TEST_CASE("a checkpoint gives back every number that was put into it") {
   }
 }
 
-TEST_CASE("a checkpoint with one wrong bit, or cut short anywhere, is refused") {
+TEST_CASE("a checkpoint with one wrong bit, or truncated anywhere, is refused") {
   const Folder folder;
   const std::string path = folder.files().newest;
   write_checkpoint(folder.files(), example(1), program);
@@ -198,7 +199,8 @@ TEST_CASE("a checkpoint with one wrong bit, or cut short anywhere, is refused") 
   }
   CHECK_THROWS_AS(CheckpointReader(intact + '\0', path, program), DamagedCheckpoint);
 
-  // Of another version, and sealed as such, it is somebody else's: the one before it is no remedy.
+  // A valid checkpoint of another version belongs to another program: the previous one is not used
+  // instead.
   std::string other = intact;
   other[16] = 99;
   const std::size_t end = other.size() - 8;
@@ -208,7 +210,8 @@ TEST_CASE("a checkpoint with one wrong bit, or cut short anywhere, is refused") 
               {"format 99", "newest.bin", "--force"});
 }
 
-TEST_CASE("a checkpoint of another program, instruction set or run is refused with what to do") {
+TEST_CASE(
+    "a checkpoint of another program version, instruction set or run is refused with a remedy") {
   const Folder folder;
   const CheckpointFiles files = folder.files();
   CHECK(!last_checkpoint(files, "of this run", program));
@@ -228,7 +231,7 @@ TEST_CASE("a checkpoint of another program, instruction set or run is refused wi
               {"newest.bin", "another run", "polhode run a.toml", "--output", "--force"});
 }
 
-TEST_CASE("the checkpoint before the newest serves where the newest is damaged or missing") {
+TEST_CASE("the previous checkpoint is used if the newest is damaged or missing") {
   const Folder folder;
   const CheckpointFiles files = folder.files();
   Checkpoint c = example();

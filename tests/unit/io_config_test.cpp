@@ -105,35 +105,35 @@ epsilon = "100 K"
   CHECK(config.study.configurational_sample == doctest::Approx(0.04));
 }
 
-TEST_CASE("unknown keys and tables meet their nearest name") {
+TEST_CASE("unknown keys and tables get suggestions") {
   check_text("[forces]\ncutof = \"1 nm\"",
              {"no key 'cutof' in forces; did you mean 'cutoff'?", "water.toml:5, forces.cutof"});
   check_text("[integratr]", {"no table 'integratr'; did you mean 'integrator'?", "water.toml:4"});
   check_text("[run]\nfoo = 1", {"no key 'foo' in run", "equilibrate, length, sample"});
 }
 
-TEST_CASE("a text that is not TOML names its line") {
+TEST_CASE("invalid TOML is refused with its line") {
   check_text("[run", {"not TOML", "water.toml:4"});
   check_text("[run]\nlength = 2 ps", {"not TOML", "water.toml:5", "in quotes"});
   check_error([] { read_config("nowhere/water.toml"); }, {"no readable file 'nowhere/water.toml'"});
 }
 
-TEST_CASE("the system is described once and in full") {
+TEST_CASE("the system is described completely and without contradictions") {
   check_error([] { parse_config("", "water.toml"); }, {"no table [system]", "water.toml"});
   check_system("", {"there are no molecules", "model = \"tip4p\"", "water.toml:1, system"});
-  check_system(two, {"neither a density nor a box nor an initial", "density = \"1 g/cm3\""});
-  check_system(two + "density = \"1 g/cm3\"\nbox = \"2 nm\"", {"beside a box", "water.toml:3"});
+  check_system(two, {"there is no density, box or initial configuration", "density = \"1 g/cm3\""});
+  check_system(two + "density = \"1 g/cm3\"\nbox = \"2 nm\"", {"with a box", "water.toml:3"});
   check_system(two + "density = \"1 g/cm3\"\ninitial_configuration = \"w512\"",
-               {"density = \"1 g/cm3\" stands beside an initial configuration"});
+               {"density = \"1 g/cm3\" cannot be combined with an initial configuration"});
   check_system(two + "box = \"1 nm\"\ninitial_configuration = \"w512\"",
-               {"box = \"1 nm\" stands beside an initial configuration"});
+               {"box = \"1 nm\" cannot be combined with an initial configuration"});
   check_system(two + "box = 2.5", {"box = 2.5 has no unit", "\"2.5 nm\""});
   check_system(two + "box = [\"1 nm\", \"2 nm\"]", {"one edge or a list of three"});
   check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 nm\"]", {"longer than 0 nm"});
   check_system(two + "box = [\"1 nm\", \"2 nm\", \"0 ps\"]", {"box[2]", "is a time"});
   check_system(two + "density = \"0 g/cm3\"", {"density = \"0 g/cm3\" must be above 0"});
   check_system(two + "initial_configuration = \"nowhere.gro\"",
-               {"initial_configuration = \"nowhere.gro\" is no file", "w512",
+               {"initial_configuration = \"nowhere.gro\" is neither", "w512",
                 "water.toml:3, system.initial_configuration"});
   check_system("molecules = [{ model = \"tip4p\" }]\nbox = \"2 nm\"", {"has no count"});
   check_system("molecules = [{ model = \"tip4p\", count = 0 }]\nbox = \"2 nm\"",
@@ -152,7 +152,7 @@ TEST_CASE("the system is described once and in full") {
             .count == 0);
 }
 
-TEST_CASE("numbers outside their domain are refused with it") {
+TEST_CASE("numbers outside their domain are refused with the domain") {
   check_text("temperature = \"0 K\"", {"temperature = \"0 K\" must be above 0 K", "water.toml:4"});
   check_text("temperature = 297", {"temperature = 297 has no unit", "\"297 K\""});
   check_text("seed = -1", {"seed = -1 must be 0 or more"});
@@ -174,7 +174,7 @@ TEST_CASE("numbers outside their domain are refused with it") {
                                         "water.toml:5, integrator.step"});
   check_text("[integrator]\nstep = \"0 fs\"", {"step = \"0 fs\" must be longer than 0 fs"});
   check_text("[integrator]\nlambda = 0", {"lambda = 0 must be above 0"});
-  check_text("[integrator]\nlambda = 1.5", {"not above 1"});
+  check_text("[integrator]\nlambda = 1.5", {"at most 1"});
   check_text("[integrator]\nscheme = \"\"", {"must name a scheme"});
   check_text("[run]\nlength = \"0 ps\"", {"length = \"0 ps\" must be longer"});
   check_text("[run]\nlength = 15", {R"(write for example "15 ps")"});
@@ -196,7 +196,7 @@ TEST_CASE("numbers outside their domain are refused with it") {
                {"must be 0 fs or longer", "no configurational temperature"});
 }
 
-TEST_CASE("electrostatics is a choice, whose default goes with the truncation") {
+TEST_CASE("the default of electrostatics depends on the truncation") {
   const auto electrostatics = [](const std::string& forces) {
     return parse_config(system_table + "[forces]\n" + forces, "x").forces.electrostatics;
   };
@@ -214,7 +214,7 @@ TEST_CASE("electrostatics is a choice, whose default goes with the truncation") 
       {"no meaning without electrostatics", "water.toml:7, forces.dielectric"});
 }
 
-TEST_CASE("the damped shifted force has a damping, and ends Lennard-Jones by a switch of sites") {
+TEST_CASE("the damped shifted force has a damping, and a site switch for Lennard-Jones") {
   const std::string law = "[forces]\nelectrostatics = \"damped-shifted-force\"\n";
   const ForceSettings forces =
       parse_config(system_table + law + "damping = \"0.15 1/A\"\n", "x").forces;
@@ -222,11 +222,11 @@ TEST_CASE("the damped shifted force has a damping, and ends Lennard-Jones by a s
   CHECK(forces.truncation == Truncation::site_switch);
   CHECK(forces.damping == doctest::Approx(1.5).epsilon(1e-15));
   check_text(law + "damping = \"-1 1/nm\"", {"must be 0 or more", "forces.damping"});
-  check_text(law + "damping = \"5 1/nm\"", {"at most 3 over the cutoff, 3 1/nm"});
+  check_text(law + "damping = \"5 1/nm\"", {"at most 3 divided by the cutoff, 3 1/nm"});
   check_text(law + "pme_accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
 }
 
-TEST_CASE("Ewald's sum has an accuracy, and ends Lennard-Jones by a switch of sites") {
+TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
   const ForceSettings pme =
       parse_config(system_table + "[forces]\nelectrostatics = \"pme\"\npme_accuracy = 1e-5\n", "x")
           .forces;
@@ -237,18 +237,19 @@ TEST_CASE("Ewald's sum has an accuracy, and ends Lennard-Jones by a switch of si
   CHECK(parse_config(system_table + "[forces]\ndispersion_correction = true", "x")
             .forces.dispersion_correction);
   const std::string with_pme = "[forces]\nelectrostatics = \"pme\"\n";
-  check_text(with_pme + "pme_accuracy = 1e-8", {"pme_accuracy = 1e-08 must lie from 1e-7 to 0.1"});
+  check_text(with_pme + "pme_accuracy = 1e-8", {"pme_accuracy = 1e-08 must be from 1e-7 to 0.1"});
   check_text(with_pme + "pme_accuracy = \"high\"", {"forces.pme_accuracy", "number"});
   check_text("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
   check_text(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
-  check_text(with_pme + "truncation = \"molecule-switch\"",
-             {"does not go with electrostatics = \"pme\"", "leave it out", "forces.truncation"});
+  check_text(
+      with_pme + "truncation = \"molecule-switch\"",
+      {"cannot be combined with electrostatics = \"pme\"", "leave it out", "forces.truncation"});
   check_text("[forces]\ndispersion_correction = 1", {"must be true or false"});
   check_text("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",
              {"differs from Lennard-Jones at all distances"});
 }
 
-TEST_CASE("unlike sites mix as the run file says, and pairs are given by molecule and site") {
+TEST_CASE("the mixing rule is read, and pairs are given by molecule and site") {
   const auto mixing = [](const std::string& more) {
     return parse_config(system_table + more, "x").forces.mixing;
   };
@@ -279,13 +280,14 @@ TEST_CASE("unlike sites mix as the run file says, and pairs are given by molecul
   check_text(pair + "sigma = \"0 A\"\nepsilon = \"1 K\"", {"needs both", "water.toml:5, pair[0]"});
   check_text(pair + numbers + "charge = \"1 e\"", {"there is no key 'charge' in pair[0]"});
   check_text("[[pair]]\nsites = [\"tip4.OW\", \"tip4p.OW\"]\n" + numbers,
-             {"no site 'tip4.OW' here; did you mean 'tip4p.OW'?", "water.toml:5, pair[0].sites"});
+             {"no site 'tip4.OW' in this system; did you mean 'tip4p.OW'?",
+              "water.toml:5, pair[0].sites"});
   check_text("[[pair]]\nsites = [\"tip4p.OW\", \"tip4p.HW1\"]\n" + numbers,
-             {"'tip4p.HW1' has no Lennard-Jones terms of its own"});
-  check_text(pair + numbers + pair + numbers, {"stands twice", "water.toml:9, pair[1].sites"});
+             {"'tip4p.HW1' has no Lennard-Jones parameters"});
+  check_text(pair + numbers + pair + numbers, {"is given twice", "water.toml:9, pair[1].sites"});
 }
 
-TEST_CASE("mixed precision has a lambda that its rounding bears") {
+TEST_CASE("the default of lambda in mixed precision is 1") {
   const auto read = [](const std::string& more) { return parse_config(system_table + more, "x"); };
   const std::string mixed = "[forces]\nprecision = \"mixed\"\n";
   CHECK(read("").forces.precision == Precision::double_precision);
@@ -299,7 +301,7 @@ TEST_CASE("mixed precision has a lambda that its rounding bears") {
               "water.toml:7, integrator.lambda"});
   check_text("[forces]\nprecision = \"single\"", {"must be one of: double, mixed"});
 
-  Config config = read("");  // an option in place of the word
+  Config config = read("");  // an option instead of the key
   set_precision(config, Precision::mixed);
   CHECK(config.forces.precision == Precision::mixed);
   CHECK(config.integrator.lambda == 1);
@@ -311,7 +313,7 @@ TEST_CASE("mixed precision has a lambda that its rounding bears") {
               {"lambda = 0.001 is below 0.1", "x:5, integrator.lambda"});
 }
 
-TEST_CASE("a run file cut anywhere is an error with its line or whole") {
+TEST_CASE("a run file truncated anywhere gives an error with its line, or is complete") {
   const std::string whole = default_config().text;
   for (std::size_t length = 0; length < whole.size(); ++length) {
     try {

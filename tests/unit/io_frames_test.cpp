@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A folder of its own that goes away afterwards.
+// A separate folder that is removed afterwards.
 struct Folder {
   fs::path path = fs::temp_directory_path() /
                   ("polhode-frames-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
@@ -33,8 +33,8 @@ State some_state(const Topology& topology, double time) {
   return state;
 }
 
-// What a format keeps: half of its last digit. A float has 24 digits in base two: coordinates are
-// below 3.2 nm = 32 Å, velocities below 8 nm/ps.
+// The rounding error of a format: half of its last digit. A float has 24 digits in base two:
+// coordinates are below 3.2 nm = 32 Å, velocities below 8 nm/ps.
 struct Kept {
   std::string format;
   double position;  // [nm]
@@ -74,7 +74,7 @@ std::pair<double, double> differences(const Frame& a, const Frame& b) {
 
 }  // namespace
 
-TEST_CASE("every format gives back what was written, to its last digit") {
+TEST_CASE("every format restores what was written, to its last digit") {
   CHECK(kept.size() == writable_formats().size());
   const Folder folder;
   const Topology topology = some_molecules();
@@ -100,7 +100,7 @@ TEST_CASE("every format gives back what was written, to its last digit") {
       const auto [r, v] = differences(frame, truth);
       // Decimal digits are rounded once more, to the nearest double.
       CHECK(r <= position * (1 + 1e-4));
-      CHECK(r > position / 2);  // and the format is not more exact than is said
+      CHECK(r > position / 2);  // and the format is not more accurate than stated
       if (velocity > 0) CHECK(v <= velocity * (1 + 1e-4));
       if (!names) continue;
       for (std::size_t i = 0; i < truth.atoms.size(); ++i)
@@ -109,7 +109,7 @@ TEST_CASE("every format gives back what was written, to its last digit") {
   }
 }
 
-TEST_CASE("a file goes on after its mark as if it had never been left") {
+TEST_CASE("appending to a file after a mark gives the same file as writing it at once") {
   const Folder folder;
   const Topology topology = some_molecules();
   for (const std::string_view format : writable_formats()) {
@@ -153,11 +153,7 @@ TEST_CASE("a file goes on after its mark as if it had never been left") {
     if (format == "h5md")
       check_error([&] { resume_frames(parts, topology, {9, 0}); }, {"must be the same file"});
     else
-      check_error(
-          [&] {
-            resume_frames(parts, topology, {9, 1u << 30});
-          },
-          {"what is missing cannot be made up"});
+      check_error([&] { resume_frames(parts, topology, {9, 1u << 30}); }, {"data are missing"});
   }
 }
 
@@ -178,13 +174,14 @@ TEST_CASE("a file of as many frames and bytes is known to be another one") {
     }
     check_frames(mine, mark);
     check_error([&] { check_frames(other, mark); },
-                {other.c_str(), "not as this run wrote it", "--force"});
+                {other.c_str(), "was changed: its checksum differs", "--force"});
     fs::remove(mine);
-    check_error([&] { check_frames(mine, mark); }, {mine.c_str(), "cannot be gone on with"});
+    check_error([&] { check_frames(mine, mark); },
+                {mine.c_str(), "cannot be opened to append to it"});
   }
 }
 
-TEST_CASE("names come from another file where a format has none") {
+TEST_CASE("names come from another file if a format has none") {
   const Folder folder;
   const Topology topology = some_molecules();
   const Frame names = frame_of(some_state(topology, 1), topology);
@@ -200,8 +197,8 @@ TEST_CASE("names come from another file where a format has none") {
   check_error([&] { all_frames(folder / "a.xtc", &fewer); }, {"244 atoms", "243"});
 }
 
-TEST_CASE("a frame of more atoms than its format can count is refused before it is written") {
-  // 2³¹ − 1 bytes are the most that a record can tell: 12 bytes an atom in TRR, 4 in DCD.
+TEST_CASE("a frame with more atoms than its format can count is refused before it is written") {
+  // A record has at most 2³¹ − 1 bytes: 12 bytes per atom in TRR, 4 in DCD.
   for (const auto& [format, most] :
        {std::pair{"trr", 178'956'970}, std::pair{"dcd", 536'870'911}}) {
     const Folder folder;
@@ -212,13 +209,14 @@ TEST_CASE("a frame of more atoms than its format can count is refused before it 
   }
 }
 
-TEST_CASE("the file's ending tells its format") {
-  check_error([] { open_frames("a.grp"); }, {"'a.grp' ends in none", "did you mean 'gro'?"});
-  check_error([] { create_frames("a", {}); }, {"'a' ends in none of the formats"});
+TEST_CASE("the extension determines the format") {
+  check_error([] { open_frames("a.grp"); },
+              {"'a.grp' has no known extension", "did you mean 'gro'?"});
+  check_error([] { create_frames("a", {}); }, {"'a' has no known extension"});
   check_error([] { open_frames("/none.xtc"); }, {"no readable file '/none.xtc'"});
 }
 
-TEST_CASE("extended XYZ of other programs reads, whatever the order of its columns") {
+TEST_CASE("extended XYZ of other programs is read, with any order of columns") {
   std::istringstream in(
       "2\n"
       "Properties=id:I:1:vel:R:3:forces:R:3:species:S:1:pos:R:3 "
@@ -237,9 +235,10 @@ TEST_CASE("extended XYZ of other programs reads, whatever the order of its colum
   CHECK(!reader->next(frame));
 }
 
-TEST_CASE("a file cut or changed anywhere is an error or frames, never anything else") {
+TEST_CASE("a truncated or changed file gives an error or frames, nothing else") {
   const Folder folder;
-  const Topology topology{{{read_molecule("tip4p"), 3}}};  // more atoms than XTC leaves unpacked
+  const Topology topology{
+      {{read_molecule("tip4p"), 3}}};  // more atoms than XTC stores uncompressed
   for (const std::string_view format : writable_formats()) {
     CAPTURE(format);
     const std::string path = folder / ("a." + std::string(format));
@@ -261,7 +260,7 @@ TEST_CASE("a file cut or changed anywhere is an error or frames, never anything 
     const std::size_t stride = std::max<std::size_t>(1, whole.size() / 300);
     for (std::size_t k = 0; k < whole.size(); k += stride) {
       attempt(whole.substr(0, k));
-      if (format == "h5md") continue;  // the HDF5 library has loops that some changes make endless
+      if (format == "h5md") continue;  // some changes cause infinite loops in the HDF5 library
       for (const char change : {'\x01', '\x80', '\xff'}) {
         std::string bytes = whole;
         bytes[k] = static_cast<char>(bytes[k] ^ change);

@@ -43,7 +43,7 @@ double largest_difference(const Vec3Column& a, const Vec3Column& b) {
 
 }  // namespace
 
-TEST_CASE("a GRO file of any number of decimals reads") {
+TEST_CASE("GRO files with any number of decimals are read") {
   const Frame frame = parse_gro(replaced(water, "water", "water in a box t=  1.500 step= 3"), "x");
   CHECK(frame.atoms.size() == 3);
   CHECK(frame.kind(frame.atoms[1]).name == "HW1");
@@ -52,7 +52,7 @@ TEST_CASE("a GRO file of any number of decimals reads") {
   CHECK(!frame.has_velocities);
   CHECK(frame.box.edge.y == 2);
   CHECK(frame.time == 1.5);
-  // GROMACS' own water box leaves out the zero in front of the point.
+  // The water box of GROMACS omits the zero before the decimal point.
   const Frame wide = parse_gro(
       "w\r\n1\r\n    1SOL     OW    1    .2301   -.6281    .1131   .10000  "
       "-.20000   .30000\r\n 1 2 3\r\n",
@@ -61,40 +61,40 @@ TEST_CASE("a GRO file of any number of decimals reads") {
   CHECK(wide.atoms[0].v == Vec3<double>{0.1, -0.2, 0.3});
 }
 
-TEST_CASE("errors in GRO files tell line, finding and expectation") {
-  check_text("", {"the file ends where the title must stand", "a.gro:1"});
-  check_text("water\n", {"the file ends where the number of atoms must stand", "a.gro:2"});
-  check_text(replaced(water, "\n3\n", "\nthree\n"), {"'three' stands where the number of", ":2"});
-  check_text(replaced(water, "\n3\n", "\n-3\n"), {"'-3' stands where the number of atoms"});
+TEST_CASE("errors in GRO files give the line, what was found and what was expected") {
+  check_text("", {"the file ends where the title must be", "a.gro:1"});
+  check_text("water\n", {"the file ends where the number of atoms must be", "a.gro:2"});
+  check_text(replaced(water, "\n3\n", "\nthree\n"), {"found 'three' where the number of", ":2"});
+  check_text(replaced(water, "\n3\n", "\n-3\n"), {"found '-3' where the number of atoms"});
   check_text(replaced(water, "\n3\n", "\n4\n"),
-             {"stands where atom 4 of the 4 that the second line tells must be", "a.gro:6"});
-  check_text(replaced(water, "\n3\n", "\n2\n"), {"further atom", "tells 2 atoms", "a.gro:5"});
-  check_text("water\n3\n" + atoms, {"the file ends where the box must stand", "a.gro:6"});
+             {"where atom 4 of the 4 that the second line gives must be", "a.gro:6"});
+  check_text(replaced(water, "\n3\n", "\n2\n"), {"another atom", "gives 2 atoms", "a.gro:5"});
+  check_text("water\n3\n" + atoms, {"the file ends where the box must be", "a.gro:6"});
   check_text("water\n3\n" + atoms.substr(0, 90),
-             {"the file ends where atom 3 of the 3 that the second line tells must", "a.gro:5"});
+             {"the file ends where atom 3 of the 3 that the second line gives must", "a.gro:5"});
   check_text("water\n3\n" + atoms.substr(0, 87),
              {"the line ends after 42 characters; three coordinates of 8 characters each",
               "need 44", "a.gro:4"});
   check_text(replaced(water, "0.200   0.300\n", "0.200   0.300  0.1\n"),
              {"ends after 49 characters; three coordinates and three velocities", "need 68"});
   check_text(replaced(water, "0.067", "  nan"), {"x coordinate is nan", "finite", "a.gro:5"});
-  check_text(replaced(water, "0.067", "0.O67"), {"'0.O67' stands where the x coordinate"});
+  check_text(replaced(water, "0.067", "0.O67"), {"found '0.O67' where the x coordinate"});
   check_text(replaced(water, "    1SOL    HW2", "    xSOL    HW2"),
-             {"'x' stands where the residue number", "a.gro:5"});
+             {"found 'x' where the residue number", "a.gro:5"});
   check_text(replaced(water, "    1SOL    HW2", "    1SOL       "), {"no atom name", "a.gro:5"});
   check_text(replaced(water, "   0.200   0.300\n", "   0.200\n"), {"before its third coordinate"});
   check_text(replaced(water, "   0.200   0.300\n", "   0.200    0.300\n"),
              {"8 and 9 characters apart", "a.gro:3"});
   check_text(replaced(water, "0.294   0.300\n", "0.294   0.300  0.1000  0.1000  0.1000\n"),
              {"velocities must be given for all atoms or for none", "a.gro:5"});
-  check_text("w\n3\n" + atoms + " 2 2\n", {"'2 2' stands where the box must be", "three edges"});
+  check_text("w\n3\n" + atoms + " 2 2\n", {"found '2 2' where the box must be", "three edges"});
   check_text("w\n3\n" + atoms + " 2 2 0\n", {"box edge is 0 nm", "longer than 0 nm"});
   check_text("w\n3\n" + atoms + " 2 2 inf\n", {"the box edge is inf", "finite"});
   check_text("w\n3\n" + atoms + " 2 2 2 0 0 1 0 0 0\n", {"triclinic", "cuboid"});
   check_error([] { read_start("w51"); }, {"no readable file 'w51'"});
 }
 
-TEST_CASE("a GRO file cut anywhere is an error or whole, never anything else") {
+TEST_CASE("a truncated GRO file gives an error or is complete") {
   const std::string whole = water;
   for (std::size_t length = 0; length < whole.size(); ++length) {
     CAPTURE(length);
@@ -104,12 +104,12 @@ TEST_CASE("a GRO file cut anywhere is an error or whole, never anything else") {
     } catch (const Error& e) {
       CHECK(e.where().find("a.gro:") == 0);
     }
-    // Only the end of the last number may be missing unseen.
+    // Only a missing end of the last number may go undetected.
     CHECK(read == (length >= whole.size() - 7));
   }
 }
 
-TEST_CASE("atoms that are not the model's molecules are refused") {
+TEST_CASE("atoms that do not match the model are refused") {
   const Molecule tip4p = read_molecule("tip4p");
   const auto check_fit = [&](const std::string& text, std::size_t count,
                              std::initializer_list<const char*> parts) {
@@ -117,22 +117,24 @@ TEST_CASE("atoms that are not the model's molecules are refused") {
   };
   check_fit(replaced(water, " OW ", "  N "), 1,
             {"atom 1 (1 SOL) is 'N' where site 'OW' of molecule 'tip4p' must be", "a.gro"});
-  check_fit(water, 2, {"the 3 atoms end after 1 of 2 molecules", "give the count"});
-  check_fit(water, 0, {"there are 3 atoms, of which the 0 molecules take 0"});
+  check_fit(water, 2, {"the 3 atoms are only 1 of 2 molecules", "give the number of molecules"});
+  check_fit(water, 0, {"there are 3 atoms, but the 0 molecules have 0"});
   check_fit(replaced(water, "0.067   0.294", "0.001   0.200"), 1,
             {"nm from its site in the rigid model 'tip4p'", "within 0.02 nm", "molecule 1"});
   check_fit(replaced(water, "2.00000   2.00000   2.00000", " 0.3 3 3"), 1,
             {"nm long", "shorter than half of the shortest box edge (0.300 nm)"});
 }
 
-TEST_CASE("three-site water files serve a model with a massless site, and count molecules") {
+TEST_CASE(
+    "three-site water files can be used for a model with a massless site, and determine the "
+    "count") {
   const Topology water1 = complete_topology({{{read_molecule("tip4p"), 0}}}, parse_gro(water, "x"));
   CHECK(water1.parts[0].count == 1);
   const FittedState fitted = fit_state(parse_gro(water, "x"), water1);
   CHECK(!fitted.has_velocities);
   CHECK(norm(fitted.state.p[0]) == 0);
-  // The file's molecule is 0.1 nm and 109.3 degrees wide, TIP4P 0.09572 nm and 104.52 degrees:
-  // the hydrogens' distance is longer by 0.012 nm, half of it for each.
+  // The file's molecule is 0.1 nm and 109.3 degrees wide, TIP4P 0.09572 nm and 104.52 degrees: the
+  // hydrogens' distance is longer by 0.012 nm, half of which applies to each.
   CHECK(fitted.deviation > 0.004);
   CHECK(fitted.deviation < 0.009);
 }
@@ -151,8 +153,8 @@ TEST_CASE("W512 is rigid TIP4P at about 297 K") {
   const Topology topology = complete_topology({{{read_molecule("tip4p"), 0}}}, frame);
   REQUIRE(topology.size() == 512);
   const FittedState fitted = fit_state(frame, topology);
-  // Positions have 10 decimals: an atom errs by at most sqrt(3)/2 units of the last, and the body
-  // it is compared with, a mean of such atoms, by as much again.
+  // Positions have 10 decimals: an atom has an error of at most sqrt(3)/2 units of the last, and
+  // the body it is compared with, a mean of such atoms, the same again.
   CHECK(fitted.deviation < std::sqrt(3.0) * 1e-10);
   CHECK(fitted.has_velocities);
   // Kinetic temperature: 6 N - 3 degrees of freedom, so T fluctuates by T sqrt(2 / 3069) = 7.6 K;
@@ -160,14 +162,14 @@ TEST_CASE("W512 is rigid TIP4P at about 297 K") {
   const double T = 2 * kinetic_energy(fitted.state, topology) / (3069 * units::boltzmann);
   CAPTURE(T);
   CHECK(std::abs(T - 297) < 4 * 7.6);
-  // Rigid bodies carry all of the atoms' kinetic energy.
+  // Rigid bodies have all of the kinetic energy of the atoms.
   double atoms_energy = 0;
   for (std::size_t i = 0; i < frame.atoms.size(); ++i)
     atoms_energy += topology.parts[0].molecule.sites[i % 4].mass * norm2(frame.atoms[i].v) / 2;
   CHECK(kinetic_energy(fitted.state, topology) == doctest::Approx(atoms_energy).epsilon(1e-3));
 }
 
-TEST_CASE("write and read of a GRO file give the same bodies") {
+TEST_CASE("writing and reading a GRO file gives the same bodies") {
   const Frame start = read_start("w512");
   const Topology topology{{{read_molecule("tip4p"), 512}}};
   const State state = fit_state(start, topology).state;

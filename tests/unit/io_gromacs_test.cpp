@@ -54,7 +54,7 @@ void refused(const std::string& text, std::initializer_list<const char*> parts,
   check_error([&] { rigid_topology(parsed(text, loader), {}, nullptr); }, parts);
 }
 
-// Molecules of these shapes, turned and far from each other.
+// Molecules of these shapes, rotated and far from each other.
 Frame start_of(const std::vector<Shape>& shapes) {
   Frame frame;
   frame.source = "conf.gro";
@@ -88,7 +88,7 @@ IncludeLoader includes(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a topology of settled water is polhode's own water") {
+TEST_CASE("a topology with SETTLE water gives the built-in water") {
   const GromacsTopology gromacs = parsed(spce);
   CHECK(gromacs.title == "a box of water");
   const RigidTopology rigid = rigid_topology(gromacs, {}, nullptr);
@@ -104,7 +104,7 @@ TEST_CASE("a topology of settled water is polhode's own water") {
   CHECK(water.sites[1].charge == 0.4238);
 }
 
-TEST_CASE("molecules in blocks that take turns become parts that take turns") {
+TEST_CASE("interleaved blocks of molecules become interleaved parts") {
   const auto parts =
       rigid_topology(parsed(spce + "NA 2\nSOL 1\nSOL 4\nNA 0\n"), {}, nullptr).topology.parts;
   REQUIRE(parts.size() == 3);
@@ -115,7 +115,7 @@ TEST_CASE("molecules in blocks that take turns become parts that take turns") {
   CHECK(parts[2].molecule.name == "SOL");
 }
 
-TEST_CASE("the preprocessor includes, defines, takes conditions and joins lines") {
+TEST_CASE("the preprocessor handles includes, macros, conditions and continuation lines") {
   const std::string text = replaced(
       replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n",
                "#ifndef FLEXIBLE\n[ settles ]\n1 1 \\\ndoh dhh ; both\n#else\n[ bonds ]\n1 2 "
@@ -131,14 +131,14 @@ TEST_CASE("the preprocessor includes, defines, takes conditions and joins lines"
               {"molecule type 'SOL' is not held rigid", "rigid = [\"SOL\"]", "topol.top:"});
   const RigidTopology declared = rigid_topology(parsed(text, good, {"FLEXIBLE"}), {"SOL"}, nullptr);
   CHECK(declared.origins[0] == "declared rigid, shape of bonds and angles");
-  const Molecule own = read_molecule("spce");  // 109.47 degrees, as the bonds and angles have it
+  const Molecule own = read_molecule("spce");  // 109.47 degrees, from the bonds and angles
   CHECK(std::abs(declared.topology.parts[0].molecule.J.x / own.J.x - 1) < 1e-9);
 }
 
-TEST_CASE("the preprocessor refuses what has no end") {
+TEST_CASE("the preprocessor refuses endless input") {
   refused("#include \"a\"\n", {"'a' includes itself", "a:1"}, includes("#include \"a\"\n"));
   int k = 0;
-  refused("#include \"a\"\n", {"files include each other 32 deep"},
+  refused("#include \"a\"\n", {"included files are nested 32 deep"},
           [&](const std::string&, const std::string&) {
             return LoadedText{fmt::format("{}", ++k), "#include \"a\"\n"};
           });
@@ -152,45 +152,45 @@ TEST_CASE("the preprocessor refuses what has no end") {
   refused(empty + "a15\n", {"longer than 65536 characters when macros are replaced"});
   std::string nested;
   for (int i = 0; i < 300; ++i) nested += "#ifdef A\n";
-  refused(nested, {"conditions lie 256 deep", "topol.top:257"});
+  refused(nested, {"conditions are nested 256 deep", "topol.top:257"});
   refused("#ifdef A\n", {"the file ends before the #endif", "topol.top:1"});
-  refused("#endif\n", {"#endif stands without an #ifdef"});
+  refused("#endif\n", {"#endif has no #ifdef"});
   refused("#if A\n", {"there is no directive '#if'"});
   refused("#error use another\n", {"#error is reached: use another", "topol.top:1"});
   refused("\n#include \"gone.itp\"\n", {"there is no file 'gone.itp'", "topol.top:2"});
 }
 
-TEST_CASE("errors in topologies tell line, finding and expectation") {
+TEST_CASE("errors in topologies give the line, what was found and what was expected") {
   refused("", {"ends without any molecule"});
-  refused("SOL 3\n", {"'SOL 3' stands before any section", "topol.top:1"});
-  refused("[ defaults\n", {"must end it with ']'"});
+  refused("SOL 3\n", {"'SOL 3' is before the first section", "topol.top:1"});
+  refused("[ defaults\n", {"must end with ']'"});
   refused("[ atomtype ]\n", {"there is no section [ atomtype ]; did you mean 'atomtypes'?"});
   refused(replaced(spce, "1 2\n", "2 1\n"), {"nbfunc is 2; it must be 1", "topol.top:2"});
   refused(replaced(spce, "1 2\n", "1 4\n"),
-          {"'4' stands where the comb-rule must be a whole number from 1 to 3"});
+          {"found '4' where the comb-rule must be a whole number from 1 to 3"});
   refused(replaced(spce, "0.650629", "-1"),
           {"epsilon = -1; both must be 0 or more", "topol.top:4"});
   refused(replaced(spce, "0.650629", "nan"), {"the epsilon is nan; it must be a finite number"});
   refused(replaced(spce, "8 15.9994 0 A", "8 15.9994 0 0"), {"there is no particle type"});
   refused(replaced(spce, "2 HW 1 SOL HW1", "5 HW 1 SOL HW1"),
-          {"atom 5 stands where atom 2 must be"});
+          {"found atom 5 where atom 2 must be"});
   refused(replaced(spce, "1 OW 1", "1 OX 1"),
-          {"there is no atom type 'OX' before this line", "topol.top:10"});
+          {"atom type 'OX' is not defined before this line", "topol.top:10"});
   refused(replaced(spce, "SOL 3\n", "SOK 3\n"),
-          {"there is no molecule type 'SOK'", "did you mean 'SOL'?"});
+          {"molecule type 'SOK' is not defined", "did you mean 'SOL'?"});
   refused(replaced(spce, "SOL 3\n", "SOL -3\n"),
-          {"'-3' stands where the count must be a whole number"});
+          {"found '-3' where the count must be a whole number"});
   refused(replaced(spce, "0.16330", "0.3"),
-          {"molecule type 'SOL' is not held rigid", "others make it"});
+          {"molecule type 'SOL' is not held rigid", "follows from the others"});
   refused(replaced(spce, "[ settles ]\n1 1", "[ settles ]\n2 1"),
-          {"atom 2 has no two hydrogen atoms behind it"});
+          {"atom 2 must be followed by two hydrogen atoms"});
   refused(replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n", "[ bonds ]\n1 2 1 0.1\n"),
-          {"not held rigid by settles or constraints: 0 distances do not fix 3 points",
+          {"not held rigid by settles or constraints: 0 distances do not determine 3 points",
            "topol.top:14"});
   refused(replaced(spce, "[ settles ]", "[ position_restraints ]\n1 1 1 1 1\n[ settles ]"),
           {"has [ position_restraints ], which no rigid body can have", "topol.top:14"});
   refused(replaced(spce, "[ settles ]", "[ virtual_sites3 ]\n3 1 2 2 1 0.1 0.1\n[ settles ]"),
-          {"two atoms that are no virtual sites"});
+          {"two different atoms, not virtual sites"});
 }
 
 TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
@@ -202,8 +202,9 @@ TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   CHECK(mixing.pairs[0].sigma == 0.31);
   CHECK(mixing.pairs[0].epsilon == 0.25);
   const auto other = parsed(replaced(text, "NA OW 1 0.31", "NA OW 1 0.3"));
-  check_error([&] { rigid_topology(other, {}, nullptr); },
-              {"the pair of atom types 'OW' and 'NA' stands in topol.top", "other parameters"});
+  check_error(
+      [&] { rigid_topology(other, {}, nullptr); },
+      {"the pair of atom types 'OW' and 'NA' is already defined in topol.top", "other parameters"});
   // Combination rule 1: C6 and C12 of sigma 0.3 and epsilon 0.5.
   std::string powers = replaced(text, "1 2\n", "1 1\n");
   const double c6 = 4 * 0.5 * std::pow(0.3, 6), c12 = c6 * std::pow(0.3, 6);
@@ -213,11 +214,11 @@ TEST_CASE("pairs of atom types become pairs of sites, in sigma and epsilon") {
   CHECK(geometric.topology.parts[0].molecule.sites[0].sigma == doctest::Approx(0.3).epsilon(1e-12));
   CHECK(geometric.topology.parts[0].molecule.sites[0].epsilon ==
         doctest::Approx(0.5).epsilon(1e-12));
-  refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"), {"one of them has none of its own"});
+  refused(replaced(text, "HW OW 1 0 0", "HW OW 1 0.3 0.1"), {"one of them has none itself"});
 }
 
-TEST_CASE("virtual sites stand where GROMACS builds them") {
-  // On a right angle of unit legs every weight shows as a coordinate.
+TEST_CASE("virtual sites have the positions that GROMACS gives them") {
+  // With a right angle of unit legs every weight is a coordinate.
   const auto site = [](const std::string& line) {
     const std::string text =
         "[ defaults ]\n1 2\n[ atomtypes ]\nA A 1 1 0 A 0 0\n[ moleculetype ]\nM 1\n[ atoms ]\n"
@@ -241,27 +242,30 @@ TEST_CASE("virtual sites stand where GROMACS builds them") {
   check("[ virtual_sites3 ]\n4 1 2 3 3 60 0.1", {0.05, 0.1 * std::sqrt(0.75), 0});
 }
 
-TEST_CASE("a type that rigid names and nothing fixes has the mean shape of those in the start") {
+TEST_CASE(
+    "a molecule declared rigid without a determined shape gets its mean shape in the initial "
+    "configuration") {
   const std::string text = replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n", "");
   const Shape truth = {{0, 0, 0}, {0.1, 0, 0}, {-0.0333, 0.0943, 0}};
   Shape longer = truth, shorter = truth;  // one bond, by 1 pm
   longer[1].x += 0.001, shorter[1].x -= 0.001;
   check_error([&] { rigid_topology(parsed(text), {"SOL"}, nullptr); },
-              {"do not fix a shape and there is no start to take it from", "topol.top:8"});
+              {"do not determine a shape and there is no initial configuration to take it from",
+               "topol.top:8"});
   const Frame start = start_of({truth, longer, shorter});
   const RigidTopology rigid = rigid_topology(parsed(text), {"SOL"}, &start);
-  CHECK(rigid.origins[0] == "declared rigid, mean shape in the start");
-  // Turning the first onto the others is off in second order: 0.001² / 0.1 nm.
+  CHECK(rigid.origins[0] == "declared rigid, mean shape in the initial configuration");
+  // The superposition of the first onto the others has a second-order error: 0.001² / 0.1 nm.
   CHECK(difference(shape_of(rigid), truth) < 1e-5);
   const double deviation = fit_state(start, rigid.topology).deviation;
   CHECK(deviation < 0.001);  // a fit spreads it over the atoms
   CHECK(deviation > 0.0003);
   const Frame one = start_of({truth});
   check_error([&] { rigid_topology(parsed(text), {"SOL"}, &one); },
-              {"the start ends after 3 atoms, within molecules 'SOL'"});
+              {"the initial configuration ends after 3 atoms, within molecules 'SOL'"});
 }
 
-TEST_CASE("of two mirror images the start's is taken") {
+TEST_CASE("of two mirror images that of the initial configuration is taken") {
   const Shape right = {{0, 0, 0}, {0.1, 0, 0}, {0.02, 0.15, 0}, {0.03, 0.04, 0.12}};
   std::string text =
       "[ defaults ]\n1 2\n[ atomtypes ]\nA A 6 12 0 A 0 0\n[ moleculetype ]\nM 1\n[ atoms ]\n";
@@ -280,10 +284,9 @@ TEST_CASE("of two mirror images the start's is taken") {
   }
 }
 
-TEST_CASE("the force fields and boxes that GROMACS brings are read") {
+TEST_CASE("force fields and boxes distributed with GROMACS are read") {
   const auto data = gromacs_data_folder();
-  if (!data)
-    return skip("GROMACS's data is not installed; on Debian: apt-get install gromacs-data");
+  if (!data) return skip("GROMACS data is not installed; on Debian: apt-get install gromacs-data");
   struct Case {
     const char *field, *water, *box;
     double oxygen;  // sigma [nm]
@@ -294,7 +297,7 @@ TEST_CASE("the force fields and boxes that GROMACS brings are read") {
   };
   for (const char* water : {"tip3p", "tip4p"})  // of types that this force field does not have
     check_error([&] { parse_gromacs(gromos(water), "topol.top", file_loader({})); },
-                {"there is no atom type 'OWT", "before this line", water, ".itp:"});
+                {"atom type 'OWT", "before this line", water, ".itp:"});
   for (const Case& c : {Case{"amber99sb-ildn", "spce", "spc216", 0.316557},
                         {"amber99sb-ildn", "tip3p", "spc216", 0.315061},
                         {"amber99sb-ildn", "tip4p", "tip4p", 0.315365},
@@ -321,15 +324,15 @@ TEST_CASE("the force fields and boxes that GROMACS brings are read") {
     const RigidTopology rigid =
         rigid_topology(parse_gromacs(text, "topol.top", file_loader({})), {}, &frame);
     const Molecule& water = rigid.topology.parts[0].molecule;
-    CHECK(water.sites.size() >= atoms);  // massless ones may be missing in the box
+    CHECK(water.sites.size() >= atoms);  // massless sites may be missing in the box
     CHECK(water.sites[0].sigma == doctest::Approx(c.oxygen).epsilon(1e-4));
     CHECK(std::abs(water.charge()) < 1e-12);
-    // Three decimals leave 0.9 pm, and the models of water differ by some pm.
+    // Three decimals leave 0.9 pm, and the models of water differ by a few pm.
     const FittedState fitted = fit_state(frame, rigid.topology);
     CHECK(fitted.deviation < 0.02);
     CHECK(fitted.deviation > 1e-4);
     if (box ==
-        "tip5p")  // its two lone pairs stand in the other order, 2 × 0.07 sin(109.47°/2) nm apart
+        "tip5p")  // its two lone pairs have the opposite order, 2 × 0.07 sin(109.47°/2) nm apart
       CHECK(std::abs(fitted.massless_deviation - 0.1143) < 0.01);
     else
       CHECK(fitted.massless_deviation < 0.02);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A file in a folder of its own that goes away afterwards; nothing is closed by its scope.
+// A file in a separate folder that is removed afterwards; nothing is closed by its scope.
 class Made {
  public:
   explicit Made(const std::string& name = "made.h5md") : path(folder_ / name) {
@@ -105,7 +105,7 @@ void add_positions(Made& made, const std::vector<const char*>& boundary = {"peri
 
 }  // namespace
 
-TEST_CASE("velocities of H5MD go with the positions of their step") {
+TEST_CASE("velocities in H5MD files are matched to positions by step") {
   SUBCASE("of every second frame") {
     Made made;
     add_positions(made);
@@ -134,7 +134,7 @@ TEST_CASE("velocities of H5MD go with the positions of their step") {
     CHECK(!frames[2].has_velocities);
     CHECK(frames[3].atoms[0].v.x == 30);
   }
-  SUBCASE("by time, where there are no steps") {
+  SUBCASE("by time, if there are no steps") {
     Made made;
     add_positions(made);
     made.numbers(all + "position/time", {4}, {0, 1, 2, 3}, "ps");
@@ -145,7 +145,7 @@ TEST_CASE("velocities of H5MD go with the positions of their step") {
     CHECK(!frames[1].has_velocities);
     CHECK(frames[2].atoms[0].v.x == 20);
   }
-  SUBCASE("and are refused where nothing tells which these are") {
+  SUBCASE("refused if they cannot be matched") {
     Made made;
     add_positions(made);
     made.numbers(all + "velocity/value", {1, 1, 3}, {20, 0, 0}, "nm ps-1");
@@ -153,7 +153,7 @@ TEST_CASE("velocities of H5MD go with the positions of their step") {
   }
 }
 
-TEST_CASE("boxes of H5MD that change go with the positions of their step") {
+TEST_CASE("changing boxes in H5MD files are matched to positions by step") {
   Made made;
   made.numbers(all + "position/value", {2, 1, 3}, {0, 0, 0, 1, 0, 0}, "nm");
   made.numbers(all + "position/step", {2}, {0, 10});
@@ -168,11 +168,11 @@ TEST_CASE("boxes of H5MD that change go with the positions of their step") {
   }
   SUBCASE("missing") {
     made.numbers(all + "box/edges/step", {3}, {0, 5, 6});
-    check_error([&] { made.frames(); }, {"frame 2 has no box of its step"});
+    check_error([&] { made.frames(); }, {"frame 2 has no box at its step"});
   }
 }
 
-TEST_CASE("times of H5MD in one interval begin at their offset") {
+TEST_CASE("evenly spaced times in H5MD files begin at their offset") {
   Made made;
   add_positions(made);
   made.numbers(all + "position/time", {}, {500}, "fs");
@@ -183,7 +183,7 @@ TEST_CASE("times of H5MD in one interval begin at their offset") {
   CHECK(frames[3].time == 3.5);
 }
 
-TEST_CASE("every boundary of an H5MD box is looked at") {
+TEST_CASE("every boundary of an H5MD box is checked") {
   for (std::size_t open = 0; open < 3; ++open) {
     Made made;
     std::vector<const char*> boundary(3, "periodic");
@@ -196,7 +196,7 @@ TEST_CASE("every boundary of an H5MD box is looked at") {
   CHECK(made.frames().size() == 4);
 }
 
-TEST_CASE("nothing of an H5MD file is looked for in another file") {
+TEST_CASE("links from an H5MD file to other files are not followed") {
   Made other("other.h5md");
   other.numbers(all + "velocity/value", {4, 1, 3}, std::vector<double>(12, 1), "nm ps-1");
   other.numbers(all + "position/value", {4, 1, 3}, std::vector<double>(12, 1), "nm");
@@ -226,11 +226,11 @@ TEST_CASE("nothing of an H5MD file is looked for in another file") {
                         made.links(), properties, H5P_DEFAULT));
     made.texts(all + "position/value", "unit", {"nm"});
     made.numbers(all + "box/edges", {3}, {9, 9, 9}, "nm");
-    check_error([&] { made.frames(); }, {"position/value", "lie in another file", "made.h5md"});
+    check_error([&] { made.frames(); }, {"position/value", "are in another file", "made.h5md"});
   }
 }
 
-TEST_CASE("an H5MD file has no more frames than its bytes can hold") {
+TEST_CASE("an H5MD file has no more frames than its size allows") {
   Made made;
   const std::array<hsize_t, 3> extents = {1'000'000'000, 1, 3}, chunk = {1, 1, 3};
   const hid_t space = H5Screate_simple(3, extents.data(), nullptr);
@@ -240,10 +240,10 @@ TEST_CASE("an H5MD file has no more frames than its bytes can hold") {
                       made.links(), properties, H5P_DEFAULT));
   made.texts(all + "position/value", "unit", {"nm"});
   made.numbers(all + "box/edges", {3}, {9, 9, 9}, "nm");
-  check_error([&] { made.frames(); }, {"2.4e+10 bytes long", "cannot hold it"});
+  check_error([&] { made.frames(); }, {"2.4e+10 bytes long", "more than the"});
 }
 
-TEST_CASE("nothing in an H5MD file of a run tells when it was made") {
+TEST_CASE("H5MD files of runs have no timestamps") {
   const Made place;  // for its folder
   const std::string path = place.path + "-run.h5md";
   const Topology topology{{{read_molecule("tip4p"), 8}}};

@@ -9,7 +9,7 @@ using namespace polhode;
 
 namespace {
 
-// Two waters, whose atoms stand in no order and cross the boundary, and a sodium ion.
+// Two waters, with unordered atoms across the boundary, and a sodium ion.
 const std::string good =
     "LAMMPS data file via write_data, units = real\n"
     "\n"
@@ -56,7 +56,7 @@ void refused(const std::string& text, std::initializer_list<const char*> parts) 
 
 }  // namespace
 
-TEST_CASE("molecule ids of a LAMMPS data file are bodies, and equal ones are of one kind") {
+TEST_CASE("molecule ids of a LAMMPS data file define bodies, and equal ones are of one kind") {
   const LammpsData read = parse_lammps_data(good, "a.data");
   REQUIRE(read.kinds.size() == 2);
   CHECK(read.kinds[0].name == "Na");  // molecule 0: an atom by itself
@@ -80,7 +80,7 @@ TEST_CASE("molecule ids of a LAMMPS data file are bodies, and equal ones are of 
   CHECK(fitted.state.p[0].x == doctest::Approx(22.99).epsilon(1e-15));
 }
 
-TEST_CASE("PairIJ Coeffs give every pair") {
+TEST_CASE("PairIJ Coeffs define every pair") {
   std::string text =
       replaced(good, "Pair Coeffs # lj/cut/coul/long\n\n1 0.1553 3.166\n2 0 0\n3 0.1 2.5\n",
                "PairIJ Coeffs\n\n1 1 0.1553 3.166\n1 2 0 0\n1 3 0.2 3\n2 2 0 0\n3 3 0.1 2.5\n");
@@ -90,28 +90,28 @@ TEST_CASE("PairIJ Coeffs give every pair") {
   CHECK(rigid.mixing.pairs[0].epsilon == doctest::Approx(0.2 * 4.184).epsilon(1e-15));
 }
 
-TEST_CASE("errors in LAMMPS data files tell line, finding and expectation") {
+TEST_CASE("errors in LAMMPS data files give the line, what was found and what was expected") {
   refused("", {"the header has no number of atoms"});
   refused(replaced(good, "real", "metal"),
           {"the units are 'metal'; they must be 'real'", "a.data:1"});
   refused(replaced(good, "0 20 zlo zhi", "0 20 zlo zhi\n1 0 0 xy xz yz"),
           {"the box is triclinic", "a.data:9"});
-  refused(replaced(good, "0 20 zlo", "20 0 zlo"), {"the box reaches from 20 to 0"});
-  refused(replaced(good, "0 20 zlo zhi\n", ""), {"atoms stand before the box is known"});
+  refused(replaced(good, "0 20 zlo", "20 0 zlo"), {"the box extends from 20 to 0"});
+  refused(replaced(good, "0 20 zlo zhi\n", ""), {"the atoms precede the box"});
   refused(replaced(good, "# full", "# molecular"),
           {"atoms are of style 'molecular'; they must be of style full"});
-  refused(replaced(good, "7 atoms", "8 atoms"), {"tells 8 atoms and the section Atoms has 7"});
+  refused(replaced(good, "7 atoms", "8 atoms"), {"gives 8 atoms and the section Atoms has 7"});
   refused(replaced(good, "1 1 1 -0.8476", "2 1 1 -0.8476"), {"two atoms with the id 2"});
   refused(replaced(good, "9 0 3 1 5 5 5 0 0 0", "9 0 4 1 5 5 5 0 0 0"),
-          {"'4' stands where the atom type must be a whole number from 1 to 3", "a.data:27"});
+          {"found '4' where the atom type must be a whole number from 1 to 3", "a.data:27"});
   refused(replaced(good, "5 5 5 0 0 0", "5 5 nan 0 0 0"), {"z coordinate is nan"});
   refused(replaced(good, "5 5 5 0 0 0", "5 5 5 0"), {"it must have 7, or 10 with image flags"});
   refused(replaced(good, "3 22.99\n", ""), {"atom type 3 has no mass"});
-  refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids' here"});
-  refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity of atom 8 and no such atom"});
+  refused(replaced(good, "Bonds", "Ellipsoids"), {"there is no section 'Ellipsoids'"});
+  refused(replaced(good, "9 0.01", "8 0.01"), {"a velocity for atom 8, but no such atom"});
   refused(replaced(good, "lj/cut/coul/long", "buck/coul/long"),
           {"the pair style is 'buck/coul/long'; it must be plain lj/cut"});
   refused(replaced(good, "lj/cut/coul/long", "lj/cut/tip4p/long"),
-          {"site M stands in no data file", "tip4p"});
+          {"site M is not in the data file", "tip4p"});
   refused(replaced(good, "3 0.1 2.5\n", ""), {"atom type 3 has no Lennard-Jones parameters"});
 }

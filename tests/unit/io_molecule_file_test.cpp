@@ -9,7 +9,7 @@
 
 using namespace polhode;
 
-TEST_CASE("every model within the program reads, under its own name, of whole charge") {
+TEST_CASE("every built-in model can be read, has the name of its file and an integer charge") {
   const auto names = molecule_names();
   CHECK(std::find(names.begin(), names.end(), "tip4p") != names.end());
   for (const std::string& name : names) {
@@ -77,7 +77,7 @@ TEST_CASE("masses, tops and moments of the models are those of their geometry") 
     CHECK(m.top == model.top);
   }
   CHECK(read_molecule("o2").J.z == doctest::Approx(31.9988 / 4 * 0.121 * 0.121).epsilon(1e-12));
-  // A tetrahedron: 8/3 m r², of which the centre has no part.
+  // A tetrahedron: 8/3 m r², to which the centre does not contribute.
   CHECK(read_molecule("ccl4").J.x ==
         doctest::Approx(8.0 / 3 * 35.453 * 0.176 * 0.176).epsilon(1e-12));
   // About the axis 3 m_H ρ², with ρ of three hydrogens.
@@ -85,8 +85,8 @@ TEST_CASE("masses, tops and moments of the models are those of their geometry") 
         doctest::Approx(3 * 1.008 * 0.0934689 * 0.0934689).epsilon(1e-12));
 }
 
-// Lone pairs and hydrogens of TIP5P: an orthogonal cross of two V, 0.07 nm and 0.09572 nm long.
-TEST_CASE("the sites of TIP5P stand as published") {
+// Lone pairs and hydrogens of TIP5P: two perpendicular V shapes, 0.07 nm and 0.09572 nm long.
+TEST_CASE("the sites of TIP5P are at the published positions") {
   const Molecule water = read_molecule("tip5p");
   REQUIRE(water.sites.size() == 5);
   const auto from_oxygen = [&](std::size_t k) { return water.sites[k].r - water.sites[0].r; };
@@ -98,7 +98,7 @@ TEST_CASE("the sites of TIP5P stand as published") {
   CHECK(norm(from_oxygen(4)) == doctest::Approx(0.07).epsilon(1e-12));
   CHECK(angle(1, 2) == doctest::Approx(104.52).epsilon(1e-12));
   CHECK(angle(3, 4) == doctest::Approx(109.47).epsilon(1e-12));
-  // Both V lie across each other, so that all four angles between them have one cosine,
+  // The two V shapes are perpendicular, so all four angles between them have the same cosine,
   // −cos(104.52°/2) cos(109.47°/2).
   for (const std::size_t h : {1, 2})
     for (const std::size_t l : {3, 4})
@@ -133,7 +133,7 @@ void check_text(const std::string& text, std::initializer_list<const char*> part
 
 }  // namespace
 
-TEST_CASE("a molecule file reads") {
+TEST_CASE("a molecule file is read") {
   const Molecule atom =
       parse_molecule(file(head, site + "epsilon = \"120 K\"\nsigma = \"3.4 A\""), "x.toml");
   CHECK(atom.top == Top::atom);

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A folder of its own that goes away afterwards.
+// A separate folder that is removed afterwards.
 struct Folder {
   fs::path path = fs::temp_directory_path() /
                   ("polhode-test-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
@@ -40,7 +40,7 @@ std::string text_of(const std::string& path) {
 
 }  // namespace
 
-TEST_CASE("an extended XYZ frame is in angstrom and says so") {
+TEST_CASE("an extended XYZ frame is in angstrom") {
   Frame frame;
   frame.box = {{1, 2, 3}};
   frame.time = 0.5;
@@ -67,7 +67,7 @@ TEST_CASE("an extended XYZ frame is in angstrom and says so") {
   CHECK(species == "X");
 }
 
-TEST_CASE("states are written as their frames are") {
+TEST_CASE("writing states equals writing their frames") {
   // More than one piece of text, two kinds of molecules, numbers of atoms beyond five digits.
   const Topology topology{{{read_molecule("tip4p"), 26000}, {read_molecule("argon"), 1000}}};
   State state = lattice(topology, {{9, 10, 11}}, 1);
@@ -88,7 +88,7 @@ TEST_CASE("states are written as their frames are") {
   CHECK(lines(xyz.str()) == 105002);
 }
 
-TEST_CASE("numbers of fixed width are those of printf") {
+TEST_CASE("numbers of fixed width equal those of printf") {
   std::vector<double> numbers{0.0,
                               -0.0,
                               0.5,
@@ -143,7 +143,7 @@ TEST_CASE("the hash of a text is FNV-1a") {
   CHECK(text_hash("foobar") == "85944171f73967e8");
 }
 
-TEST_CASE("a table keeps every digit and begins with what made it") {
+TEST_CASE("a table has all digits and begins with the command that made it") {
   const double third = 1.0 / 3;
   const Table table{{{"time", "ps"}, {"R", "%"}},
                     {{0.0, third}, {0.1, std::numeric_limits<double>::quiet_NaN()}}};
@@ -167,7 +167,7 @@ TEST_CASE("a table keeps every digit and begins with what made it") {
   CHECK(named.str().ends_with("scheme,cost [1/ps]\nhoa2,500\n\"A(1), B(1)\",1\n"));
 }
 
-TEST_CASE("a growing table gives its numbers back and goes on where it stood") {
+TEST_CASE("a growing table is read back and extended") {
   const Folder folder;
   const std::string file = folder / "a.csv";
   const std::vector<Table::Column> columns = {{"time", "ps"}, {"R", "%"}};
@@ -200,7 +200,7 @@ TEST_CASE("a growing table gives its numbers back and goes on where it stood") {
   read.clear();
   each_row(file, mark.bytes, columns, take);
   CHECK(read.size() == 2);
-  check_error([&] { each_row(file, mark.bytes - 1, columns, take); }, {"a.csv", "end of a line"});
+  check_error([&] { each_row(file, mark.bytes - 1, columns, take); }, {"a.csv", "end of line"});
   check_error([&] { each_row(file, mark.bytes + 1000, columns, take); }, {"a.csv", "bytes"});
   check_error(
       [&] {
@@ -218,19 +218,19 @@ TEST_CASE("a growing table gives its numbers back and goes on where it stood") {
   check_error([&] { each_row(file, 22, columns, take); }, {"a.csv:2", "3 numbers", "2"});
 }
 
-TEST_CASE("outputs are not overwritten unless asked for") {
+TEST_CASE("existing outputs are not overwritten without --force") {
   const Folder folder;
   const std::string file = folder / "a.csv";
   refuse_existing(file, false);
   write_file(file, [](std::ostream& out) { out << "first"; });
   CHECK(text_of(file) == "first");
-  check_error([&] { refuse_existing(file, false); }, {"a.csv' is there already", "--force"});
+  check_error([&] { refuse_existing(file, false); }, {"a.csv' exists", "--force"});
   refuse_existing(file, true);
   check_error([&] { refuse_existing(folder / "none/a.csv", false); }, {"there is no folder"});
   check_error([&] { refuse_existing(folder.path.string(), true); }, {"is a folder"});
 }
 
-TEST_CASE("a file is written whole or not at all") {
+TEST_CASE("a file is written completely or not at all") {
   const Folder folder;
   const std::string file = folder / "a.csv";
   write_file(file, [](std::ostream& out) { out << "old"; });
@@ -240,7 +240,7 @@ TEST_CASE("a file is written whole or not at all") {
   }));
   CHECK(text_of(file) == "old");
   CHECK_THROWS_AS(write_file(folder / "none/a.csv", [](std::ostream&) {}), RunError);
-  // Nothing of another's is touched, and nothing is left behind but the file itself.
+  // Other files are not touched, and nothing but the file itself remains.
   const auto touched = [&](const char* name) { return text_of(folder / name) != "mine"; };
   for (const char* name : {"b.csv.part", "unfinished-b.csv", "b.csv.old"})
     std::ofstream(folder / name) << "mine";

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A folder of its own that goes away afterwards, and the search path as it was.
+// A separate folder that is removed afterwards, and the search path is restored.
 struct Place {
   fs::path folder = fs::temp_directory_path() /
                     ("polhode-plot-" + std::to_string(reinterpret_cast<std::uintptr_t>(this)));
@@ -43,7 +43,7 @@ const std::vector<EfficiencyCurve> curves = {
 
 }  // namespace
 
-TEST_CASE("without gnuplot there is a warning, and the script stays") {
+TEST_CASE("without gnuplot there is a warning, and the script is kept") {
   const Place place;
   setenv("PATH", place.folder.c_str(), 1);
   std::ostringstream warnings;
@@ -59,7 +59,7 @@ TEST_CASE("without gnuplot there is a warning, and the script stays") {
   CHECK(script.find("200 50") == std::string::npos);
 }
 
-TEST_CASE("figures are drawn where gnuplot is installed") {
+TEST_CASE("figures are drawn if gnuplot is installed") {
   const Place place;
   std::ostringstream warnings;
   {
@@ -78,7 +78,7 @@ TEST_CASE("figures are drawn where gnuplot is installed") {
 
   std::ofstream(place.folder / "wrong.gp") << "no such command\n";
   CHECK(!run_gnuplot((place.folder / "wrong.gp").string(), warnings));
-  CHECK(warnings.str().find("gnuplot ended with code") != std::string::npos);
+  CHECK(warnings.str().find("gnuplot exited with code") != std::string::npos);
 }
 
 TEST_CASE("gnuplot evaluates nothing in a quoted text") {
@@ -90,7 +90,7 @@ TEST_CASE("gnuplot evaluates nothing in a quoted text") {
   CHECK(gnuplot_comment("a\nb\\\\") == "a\\x0ab");
 }
 
-TEST_CASE("a gnuplot that does not end is ended") {
+TEST_CASE("gnuplot is stopped if it does not end") {
   const Place place;
   const fs::path program = place.folder / "gnuplot";
   std::ofstream(program) << "#!" << shell << "\nwhile :; do :; done\n";
@@ -101,7 +101,7 @@ TEST_CASE("a gnuplot that does not end is ended") {
   CHECK(warnings.str().find("did not end within 1 s") != std::string::npos);
 }
 
-TEST_CASE("a gnuplot in a folder that is not absolute is not run") {
+TEST_CASE("gnuplot is not run from a relative search path") {
   const Place place;
   const fs::path before = fs::current_path();
   fs::current_path(place.folder);

@@ -42,7 +42,7 @@ TEST_CASE("quantities become internal units") {
   CHECK(same(r.z, -0.1));
 }
 
-TEST_CASE("a quantity without its unit says what to write") {
+TEST_CASE("a quantity without a unit is refused with an example") {
   check_error([] { quantity("2", Dimension::time, "step"); },
               {R"(step = "2" has no unit; write for example "2 fs")"});
   check_error([] { quantity("15", Dimension::time, "length", "15 ps"); }, {R"("15 ps")"});
@@ -50,7 +50,7 @@ TEST_CASE("a quantity without its unit says what to write") {
               {R"(has no unit; write for example "0 1 2 nm")"});
 }
 
-TEST_CASE("a quantity of another kind says what is wanted") {
+TEST_CASE("a quantity of the wrong dimension is refused with the right one") {
   check_error([] { quantity("2 fs", Dimension::length, "cutoff"); },
               {R"(cutoff = "2 fs" is a time; it must be a length, in one of: nm, A)", "1 nm"});
   check_error([] { quantity("2 kcal/mol", Dimension::temperature, "temperature"); },
@@ -71,7 +71,7 @@ TEST_CASE("numbers are finite and whole") {
   check_error([] { unit("parsec", Dimension::length); }, {"no unit 'parsec' of length", "nm"});
 }
 
-TEST_CASE("the nearest name is found, and none when all are far") {
+TEST_CASE("the nearest name is suggested, but none if all are too different") {
   CHECK(edit_distance("gier4", "giere4") == 1);
   CHECK(edit_distance("hoa2", "hao2") == 1);  // a swap of neighbours is one edit
   CHECK(edit_distance("", "abc") == 3);

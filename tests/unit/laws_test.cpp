@@ -14,7 +14,7 @@ using namespace polhode;
 // A polynomial of whole coefficients: its derivatives at the ends follow from Taylor's theorem.
 // Approaching an end by d, |w − limit| must fall as d^(n+1), so halving d divides it by 2^(n+1);
 // the next term changes the ratio by a relative O(d).
-TEST_CASE("the switch is of the class it says at both ends") {
+TEST_CASE("the switching function has its stated class at both ends") {
   for (const int n : {1, 2, 3}) {
     CAPTURE(n);
     const Switch<> w(0.8, 1.0, n);
@@ -53,7 +53,7 @@ TEST_CASE("slopes and forces of the laws are the derivatives of their energies")
 
 // At the cutoff the reaction field's energy vanishes by definition of c, and for an infinite
 // dielectric so does the force: 1/r² = 2 k r with k = 1/(2 r_c³).
-TEST_CASE("the reaction field ends at the cutoff") {
+TEST_CASE("the reaction field vanishes at the cutoff") {
   const double rc = 0.9;
   const auto metal = ReactionField<>::of(INFINITY, rc)(InversePowers<double>(rc * rc), rc * rc);
   CHECK(std::abs(metal.u) < 1e-15);
@@ -62,10 +62,10 @@ TEST_CASE("the reaction field ends at the cutoff") {
   CHECK(vacuum.u == doctest::Approx(1 / 0.5 - 1 / rc).epsilon(1e-15));
 }
 
-// With one term, the shift that textbooks make in r is made in r²: what is taken off erfc(α r)/r is
-// its value at a and its slope there by y, a/2 (erfc(x)/a² + 2 α/√π e^(−x²)/a) with x = α a. Powers
-// of y left out are below 1e-10/a for x ≤ 2.4.
-TEST_CASE("the damped shifted force is erfc(α r)/r less its value and slope at the cutoff") {
+// With one term, the textbook shift in r is made in r²: erfc(α r)/r minus its value at a and its
+// slope there with respect to y, a/2 (erfc(x)/a² + 2 α/√π e^(−x²)/a) with x = α a. Powers of y left
+// out are below 1e-10/a for x ≤ 2.4.
+TEST_CASE("the damped shifted force is erfc(α r)/r minus its value and slope at the cutoff") {
   const double a = 0.9;
   for (const double x : {0.0, 1.0, 1.8, 2.4}) {
     CAPTURE(x);
@@ -86,8 +86,9 @@ TEST_CASE("the damped shifted force is erfc(α r)/r less its value and slope at 
   }
 }
 
-// As with the switch, by Taylor's theorem: |u| falls as d^(n+1) where the cutoff is d away.
-TEST_CASE("the damped shifted force is of the class it says at the cutoff") {
+// As for the switching function, by Taylor's theorem: |u| falls as d^(n+1) at a distance d from the
+// cutoff.
+TEST_CASE("the damped shifted force has its stated class at the cutoff") {
   for (const double alpha : {0.0, 2.0, 3.0})
     for (const int n : {1, 2, 3}) {
       CAPTURE(n);

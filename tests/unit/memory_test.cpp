@@ -11,17 +11,17 @@
 
 using namespace polhode;
 
-TEST_CASE("what cannot fit is refused with its amount and a remedy") {
+TEST_CASE("requests beyond the memory are refused with their amount and a remedy") {
   const double limit = memory_limit();
-  CHECK(limit > 1e8);  // a computer that builds this
+  CHECK(limit > 1e8);  // more memory than any computer has
   CHECK(limit < 1e16);
   CHECK_NOTHROW(require_memory(0.9 * limit, "things", "take fewer"));
   check_error([&] { require_memory(1.1 * limit, "5 things", "take fewer of them"); },
-              {"5 things take at least", "GB of memory", "may have", "take fewer of them"});
+              {"5 things need at least", "GB of memory", "may have", "take fewer of them"});
   check_error([] { require_memory(1e300, "things", "take fewer"); }, {"1e+291 GB"});
 }
 
-TEST_CASE("counts beyond what the list can number are refused, whatever their sum") {
+TEST_CASE("counts beyond what the list can index are refused, also if their sum overflows") {
   const Molecule argon = read_molecule("argon");
   CHECK_NOTHROW(check_count({{{argon, 60'000'000}}}));
   for (const std::size_t count : {std::size_t{70'000'000}, std::size_t{1} << 40, ~std::size_t{0}})
@@ -29,11 +29,11 @@ TEST_CASE("counts beyond what the list can number are refused, whatever their su
         [&] {
           check_count({{{argon, count}}});
         },
-        {"molecules are more than the neighbour list can number (67108863)", "take fewer"});
+        {"molecules are more than the neighbour list can index (67108863)", "take fewer"});
   check_error([&] { check_count({{{argon, ~std::size_t{0}}, {argon, 2}}}); }, {"take fewer"});
 }
 
-TEST_CASE("histograms beyond all memory are refused") {
+TEST_CASE("histograms beyond the memory are refused") {
   const Topology argon{{{read_molecule("argon"), 8}}};
   check_error(
       [&] {
@@ -42,7 +42,8 @@ TEST_CASE("histograms beyond all memory are refused") {
       {"histograms of 1e+20 bins", "take wider bins"});
 }
 
-// Cells are as wide as asked for where there are few, else as wide as makes them few, to a quarter.
+// Cells have the required width if there are few, otherwise the width that limits their number,
+// within a quarter.
 TEST_CASE("cells of a large box are as wide as their number allows") {
   const auto cells = [](const Box& box, double width) {
     double n = 1;

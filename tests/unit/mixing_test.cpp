@@ -15,8 +15,8 @@ Molecule atom(const std::string& name, double sigma, double epsilon) {
   return rigid_molecule(name, {{.name = "X", .mass = 20, .sigma = sigma, .epsilon = epsilon}});
 }
 
-// Two sites of one name and one of another, at 0, 0.1 and 0.2 nm along x from the first, which
-// stands 0.1 nm left of the centre of mass.
+// Two sites of one name and one of another, at 0, 0.1 and 0.2 nm along x from the first, which is
+// 0.1 nm left of the centre of mass.
 Molecule rod() {
   return rigid_molecule(
       "rod", {{.name = "A", .mass = 10, .sigma = 0.2, .epsilon = 0.3},
@@ -44,7 +44,7 @@ double energy(const Molecule& a, const Molecule& b, double r, const Mixing& mixi
   std::vector<Pose<double>> poses;
   for (std::size_t i = 0; i < 2; ++i) poses.push_back({state.q[i], state.attitude[i]});
   const double plain = reference_load(topology, settings, state.box, poses).lennard_jones;
-  // Float: three roundings of 2⁻²⁴ in r², which r¹² feels six times, and of the strengths.
+  // Float: three roundings of 2⁻²⁴ in r², which count six times in r¹², and of the strengths.
   CHECK(load.lennard_jones ==
         doctest::Approx(plain).epsilon(precision == Precision::double_precision ? 1e-13 : 1e-5));
   return plain;
@@ -54,7 +54,7 @@ const Molecule a = atom("a", 0.3, 0.5), b = atom("b", 0.4, 0.8);
 
 }  // namespace
 
-TEST_CASE("unlike sites mix by the rule") {
+TEST_CASE("unlike sites follow the mixing rule") {
   const double r = 0.45;
   const Mixing usual, geometric{.rule = MixingRule::geometric};
   CHECK(energy(a, b, r, usual) ==
@@ -62,11 +62,11 @@ TEST_CASE("unlike sites mix by the rule") {
   CHECK(energy(a, b, r, geometric) ==
         doctest::Approx(lennard_jones(std::sqrt(0.12), std::sqrt(0.4), r)).epsilon(1e-13));
   energy(a, b, r, geometric, Precision::mixed);
-  // Alike, the rules agree.
+  // For like sites the rules agree.
   CHECK(energy(a, a, r, usual) == doctest::Approx(energy(a, a, r, geometric)).epsilon(1e-13));
 }
 
-TEST_CASE("a pair that is given takes the rule's place, in either order") {
+TEST_CASE("an explicit pair overrides the mixing rule, in either order") {
   const double r = 0.45, given = lennard_jones(0.33, 1.2, r);
   for (const Mixing& mixing : {Mixing{.pairs = {{"a.X", "b.X", 0.33, 1.2}}},
                                Mixing{.pairs = {{"b.X", "a.X", 0.33, 1.2}}}}) {
@@ -74,13 +74,13 @@ TEST_CASE("a pair that is given takes the rule's place, in either order") {
     CHECK(energy(b, a, r, mixing) == doctest::Approx(given).epsilon(1e-13));
     energy(a, b, r, mixing, Precision::mixed);
   }
-  // Like sites too, and none at all.
+  // Also like sites, and no sites at all.
   CHECK(energy(a, a, r, {.pairs = {{"a.X", "a.X", 0.33, 1.2}}}) ==
         doctest::Approx(given).epsilon(1e-13));
   CHECK(energy(a, b, r, {.pairs = {{"a.X", "b.X", 0.33, 0}}}) == 0);
 }
 
-TEST_CASE("a given pair means all sites of that name and no others") {
+TEST_CASE("an explicit pair applies to all sites of these names and no others") {
   const double r =
       0.6;  // of the centres: sites of the rod are r + 0.1, r and r − 0.1 from the atom
   const double B = lennard_jones((0.25 + 0.3) / 2, std::sqrt(0.4 * 0.5), r - 0.1);
@@ -93,7 +93,7 @@ TEST_CASE("a given pair means all sites of that name and no others") {
         doctest::Approx(A + lennard_jones(0.28, 0.9, r - 0.1)).epsilon(1e-13));
 }
 
-TEST_CASE("pairs that cannot be are refused") {
+TEST_CASE("impossible pairs are refused") {
   Molecule water =
       rigid_molecule("water", {{.name = "O", .mass = 16, .sigma = 0.3, .epsilon = 0.6},
                                {.name = "H", .r = {0.1, 0, 0}, .mass = 1, .charge = 0.4}});
@@ -105,23 +105,25 @@ TEST_CASE("pairs that cannot be are refused") {
     settings.mixing.pairs = pairs;
     check_error([&] { ForceField(topology, settings, Box{{3, 3, 3}}); }, parts);
   };
-  refuse({{"watr.O", "a.X", 0.3, 1}}, {"no site 'watr.O' here; did you mean 'water.O'?"});
-  refuse({{"a.X", "O", 0.3, 1}}, {"no site 'O' here", "by molecule and site", "water.O, a.X"});
-  refuse({{"water.H", "a.X", 0.3, 1}}, {"'water.H' has no Lennard-Jones terms", "molecule file"});
+  refuse({{"watr.O", "a.X", 0.3, 1}}, {"no site 'watr.O' in this system; did you mean 'water.O'?"});
+  refuse({{"a.X", "O", 0.3, 1}},
+         {"no site 'O' in this system", "written as molecule.site", "water.O, a.X"});
+  refuse({{"water.H", "a.X", 0.3, 1}},
+         {"'water.H' has no Lennard-Jones parameters", "molecule file"});
   refuse({{"water.O", "a.X", 0.3, -1}}, {"'water.O' and 'a.X'", "epsilon -1 kJ/mol", "0 or more"});
   refuse({{"water.O", "a.X", NAN, 1}}, {"sigma nan nm", "finite"});
   refuse({{"water.O", "a.X", 0, 1}}, {"sigma 0 nm", "needs both"});
-  refuse({{"water.O", "a.X", 0.3, 1}, {"a.X", "water.O", 0.3, 2}}, {"stands twice; delete one"});
+  refuse({{"water.O", "a.X", 0.3, 1}, {"a.X", "water.O", 0.3, 2}}, {"is given twice; delete one"});
   check_error(
       [&] {
         check({.pairs = {{"w.H", "w.H", 0.3, 1}}},
               {{{rigid_molecule("w", {{.name = "H", .mass = 1}}), 1}}});
       },
-      {"'w.H' has no Lennard-Jones terms"});
+      {"'w.H' has no Lennard-Jones parameters"});
   check({.pairs = {{"water.O", "a.X", 0.3, 1}, {"a.X", "a.X", 0.3, 0}}}, topology);
 }
 
-TEST_CASE("mixing is described where it is not the usual one") {
+TEST_CASE("mixing is described if it is not the default") {
   CHECK(description({}).empty());
   CHECK(description({.rule = MixingRule::geometric}) == "geometric mixing");
   CHECK(description({MixingRule::geometric, {{"a.X", "b.X", 0.33, 1.2}}}) ==

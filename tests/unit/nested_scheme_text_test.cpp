@@ -10,7 +10,7 @@
 
 using namespace polhode;
 
-TEST_CASE("a text names a scheme, or one within another") {
+TEST_CASE("a text is a scheme, or a scheme with an inner scheme") {
   const NestedScheme plain = nested_scheme_of("gier4");
   CHECK(!plain.inner);
   CHECK(name_of(plain) == "gier4");
@@ -45,14 +45,15 @@ TEST_CASE("a text names a scheme, or one within another") {
   CHECK(exact.near_evaluations() == 2 * 2 * 2);
   CHECK(exact.near_derivatives() == 2 * 2 + 1);
   CHECK(exact.near_cost() == 8 + 5 * derivative_cost);
-  // An inner scheme between drifts knows no forces at outer kicks.
+  // An inner scheme has no forces at outer kicks.
   CHECK(nested_scheme_of("hoa2 / position-verlet x 2 within 0.5 nm").near_evaluations() == 4 + 2);
 }
 
-TEST_CASE("what cannot be read of an inner scheme is refused") {
+TEST_CASE("incorrect inner schemes are refused") {
   for (const char* text : {"hoa2 /", "hoa2 / hoa2", "hoa2 / hoa2 x 2", "hoa2 / hoa2 x 2 within",
                            "hoa2 / hoa2 within 0.5 nm", "hoa2 / hoa2 x 2 within 0.5"})
-    check_error([&] { nested_scheme_of(text); }, {"reads like \"hoa2 x 2 within 0.35 to 0.5 nm\""});
+    check_error([&] { nested_scheme_of(text); },
+                {"write for example \"hoa2 x 2 within 0.35 to 0.5 nm\""});
   check_error([] { nested_scheme_of("hoa2 / giere4 x 2 within 0.5 nm"); }, {"'gier4'"});
   check_error([] { nested_scheme_of("hoa3 / hoa2 x 2 within 0.5 nm"); }, {"'hoa2'"});
   for (const char* steps : {"0", "-1", "1.5", "1001", "two"})
@@ -64,7 +65,7 @@ TEST_CASE("what cannot be read of an inner scheme is refused") {
                 {"kink", "0.35 to 0.5 nm"});
 }
 
-TEST_CASE("near forces are a part of all forces") {
+TEST_CASE("near forces must be part of all forces") {
   const InnerScheme inner = *nested_scheme_of("hoa2 / hoa2 x 2 within 0.35 to 0.5 nm").inner;
   ForceSettings whole;
   whole.truncation = Truncation::site_switch;
@@ -83,7 +84,7 @@ TEST_CASE("near forces are a part of all forces") {
 }
 
 // Two drifts of 1/2 with 2 steps of 1/4 each: 4 kicks of 1/4 by velocity Verlet, Σ w² = 1/4.
-TEST_CASE("kicks of an inner scheme have weights of its own step") {
+TEST_CASE("kicks of an inner scheme have the weights of the inner step") {
   const double outer = kick_weights(scheme_of("hoa2"), 1);
   CHECK(kick_weights(nested_scheme_of("hoa2 / velocity-verlet x 2 within 0.5 nm"), 1) ==
         doctest::Approx(outer + 0.25).epsilon(1e-14));

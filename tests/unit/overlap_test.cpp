@@ -16,7 +16,7 @@ using namespace polhode;
 
 namespace {
 
-// What check_overlap says of a state; empty if nothing.
+// The message of check_overlap for a state; empty if there is none.
 std::string verdict(const Topology& topology, const State& state) {
   try {
     check_overlap(topology, state);
@@ -26,7 +26,7 @@ std::string verdict(const Topology& topology, const State& state) {
   return {};
 }
 
-// The beginning of what it must say, from all pairs and all images next to the box.
+// The beginning of the expected message, from all pairs and all neighbouring images.
 std::string expected(const Topology& topology, const State& state) {
   struct Point {
     std::size_t body;
@@ -51,7 +51,7 @@ std::string expected(const Topology& topology, const State& state) {
 
 }  // namespace
 
-TEST_CASE("overlaps are those of all pairs, in boxes of any size and shape") {
+TEST_CASE("overlaps equal those of a sum over all pairs, in boxes of any size and shape") {
   const Topology topology{{{read_molecule("tip4p"), 30}, {read_molecule("argon"), 20}}};
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform(-1, 2);  // also outside of the box
@@ -82,7 +82,7 @@ TEST_CASE("overlaps are those of all pairs, in boxes of any size and shape") {
   CHECK(overlapping > 60);
 }
 
-TEST_CASE("the closest contact is seen from both sides of its length, across every face") {
+TEST_CASE("contacts just below and above the limit are distinguished, across every face") {
   const Topology two{{{read_molecule("argon"), 2}}};
   for (std::size_t d = 0; d < 3; ++d)
     for (const double factor : {1 - 1e-9, 1 + 1e-9}) {
@@ -104,9 +104,9 @@ TEST_CASE("a position that is not finite is refused with its molecule") {
   check_error([&] { check_overlap(two, state); }, {"molecule 2 has a position that is not finite"});
 }
 
-TEST_CASE("molecules that all lie in one place are refused at once") {
+TEST_CASE("coinciding molecules are refused quickly") {
   const Topology topology{{{read_molecule("tip4p"), 30000}}};
-  State state(topology.size(), Box{{1, 1, 1}});  // all in one place
+  State state(topology.size(), Box{{1, 1, 1}});  // all at the same position
   CHECK(
       verdict(topology, state).starts_with("molecules 1 and 2 overlap: two of their sites are 0"));
 }

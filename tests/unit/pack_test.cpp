@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs on every instruction set: turned to and from records, whole numbers, inverse powers.
+// Packs on every instruction set: conversion to and from records, integers, inverse powers.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -91,14 +91,14 @@ std::array<double, 3> worst_inverse_powers() {
 
 }  // namespace
 
-TEST_CASE("a square of numbers is turned") {
+TEST_CASE("a square of numbers is transposed") {
   for_each_instruction_set([] {
     check_transpose<double>();
     check_transpose<float>();
   });
 }
 
-TEST_CASE("columns are added to records, to one record from several lanes, and in sum") {
+TEST_CASE("columns are added to records, also to one record from several lanes") {
   for_each_instruction_set([] {
     check_records<double>();
     check_records<float>();
@@ -109,7 +109,7 @@ TEST_CASE("columns are added to records, to one record from several lanes, and i
 // n/2; the terms left out are below half of one u (docs of InversePowers) or 1 u for n = 3; sums
 // and products round by 1 u each. First: 1 + 2/2 + 1/2. Second: 2 + 1 + 1 + 1/2, one more for y y.
 // Third: 3 + 1 + 1 + 1 + 1. Without an estimate, in the scalar packs: y errs by 2, powers by 2 n,
-// and by 1 for each product. Never exact: an error of 0 would say that nothing was tested.
+// and by 1 for each product. Not exact: an error of 0 would mean that nothing was tested.
 TEST_CASE("inverse powers err by a few roundings") {
   for_each_instruction_set([] {
     const bool scalar = current_instruction_set() == InstructionSet::scalar;
@@ -128,7 +128,7 @@ TEST_CASE("inverse powers err by a few roundings") {
 }
 
 // Differences overflow from end to end: the shorter way around 2³² units.
-TEST_CASE("fixed-point differences are exact before they are rounded, and wrap") {
+TEST_CASE("fixed-point differences are exact before rounding, and wrap") {
   for_each_instruction_set([] {
     const std::size_t n = width<float>();
     constexpr std::int32_t end = 0x7fffffff;
@@ -156,7 +156,7 @@ TEST_CASE("fixed-point differences are exact before they are rounded, and wrap")
   });
 }
 
-TEST_CASE("doubles become the nearest floats and the nearest whole numbers, in their order") {
+TEST_CASE("doubles are converted to the nearest floats and integers, in order") {
   for_each_instruction_set([] {
     const std::size_t n = width<float>();
     Column<double> x(n);

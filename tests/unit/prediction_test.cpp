@@ -10,7 +10,7 @@
 using namespace polhode;
 
 // Student's t tables: t(0.975; 7) = 2.365, t(0.975; 4) = 2.776. Of 1 to 5: mean 3, s = √2.5.
-TEST_CASE("bounds of five numbers") {
+TEST_CASE("prediction bounds of five numbers") {
   CHECK(t_quantile(0.975, 7) == doctest::Approx(2.365).epsilon(3e-4));
   const std::vector<double> x = {1, 2, 3, 4, 5};
   const double t = t_quantile(0.975, 4), s = std::sqrt(2.5);
@@ -21,11 +21,10 @@ TEST_CASE("bounds of five numbers") {
   CHECK(std::isinf(prediction_bound(std::vector<double>{1}, 0.975)));
 }
 
-// The bound of eight values holds for a ninth in 97.5 of 100 cases: in 20000 series within 4
-// binomial standard deviations, √(20000 × 0.975 × 0.025) = 22. Without √(1 + 1/n) it would hold
-// in 96.95 of 100, 5 deviations less, and with the normal distribution's 1.96 in place of t
-// in 95.5.
-TEST_CASE("a further value stays below the prediction bound as often as it should") {
+// The bound of eight values exceeds a ninth in 97.5 of 100 cases: in 20000 series within 4 binomial
+// standard deviations, √(20000 × 0.975 × 0.025) = 22. Without √(1 + 1/n) it would do so in 96.95 of
+// 100, 5 deviations less, and with the normal distribution's 1.96 in place of t in 95.5.
+TEST_CASE("a further value is below the prediction bound at the stated rate") {
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   int kept = 0;

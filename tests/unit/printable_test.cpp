@@ -5,7 +5,7 @@
 
 using namespace polhode;
 
-TEST_CASE("what a terminal would obey is escaped, all else stays as it is") {
+TEST_CASE("control characters of terminals are escaped, all others are unchanged") {
   CHECK(printable("") == "");
   CHECK(printable("a b~`$(c)'\"\\ µ Å ω 水 𝛼") == "a b~`$(c)'\"\\ µ Å ω 水 𝛼");
   CHECK(printable("a\nb\tc\x1b[31m\x7f") == "a\\x0ab\\x09c\\x1b[31m\\x7f");
@@ -13,7 +13,7 @@ TEST_CASE("what a terminal would obey is escaped, all else stays as it is") {
   CHECK(printable("\u009b1m\u0080\u00a0") == "\\xc2\\x9b1m\\xc2\\x80\u00a0");
 }
 
-TEST_CASE("bytes that are no UTF-8 are escaped (RFC 3629)") {
+TEST_CASE("bytes that are not UTF-8 are escaped (RFC 3629)") {
   CHECK(printable("a\xff") == "a\\xff");
   CHECK(printable("\x9b[m") == "\\x9b[m");
   CHECK(printable("\xc3") == "\\xc3");

@@ -14,7 +14,7 @@ using namespace polhode;
 
 namespace {
 
-// Bodies at random places, many edges away from the box, with random attitudes.
+// Bodies at random positions, many edges away from the box, with random attitudes.
 State gas(const Topology& topology, const Vec3<double>& edge, std::uint64_t seed) {
   State state(topology.size(), Box{edge});
   Random random(seed);
@@ -32,7 +32,7 @@ struct PlainSite {
   std::string name;
 };
 
-// Pairs nearer than `reach`, by all pairs, of sites whose names begin so.
+// Pairs closer than `reach`, from all pairs, of sites whose names begin with the given words.
 double plain_count(const State& state, const Topology& topology, const std::string& a,
                    const std::string& b, double reach) {
   std::vector<PlainSite> sites;
@@ -52,8 +52,9 @@ double plain_count(const State& state, const Topology& topology, const std::stri
 
 }  // namespace
 
-// Shells of a simple cubic lattice: 6 neighbours at a, 12 at a√2, 8 at a√3, through the walls.
-TEST_CASE("a cubic lattice has its shells") {
+// Shells of a simple cubic lattice: 6 neighbours at a, 12 at a√2, 8 at a√3, across periodic
+// boundaries.
+TEST_CASE("a cubic lattice has its neighbour shells") {
   const std::size_t n = 6;
   const double a = 0.311, edge = a * n;
   const Topology topology{{{read_molecule("argon"), n * n * n}}};
@@ -79,9 +80,9 @@ TEST_CASE("a cubic lattice has its shells") {
   CHECK(radial.g(0)[k].error == doctest::Approx(0).scale(1e-9));
 }
 
-// The number of pairs of an ideal gas in a shell is Poisson's: g is 1 within four of its errors in
-// wide bins, and the scatter of the bins is what it must be: 25 bins know it to 14 %, so four times
-// that.
+// The number of pairs of an ideal gas in a shell has a Poisson distribution: g is 1 within four
+// standard errors in wide bins, and the scatter of the bins is as expected: 25 bins determine it to
+// 14 %, so four times that.
 TEST_CASE("g of a random gas is 1 within Poisson errors") {
   const Topology topology{{{read_molecule("argon"), 300}}};
   const Vec3<double> edge{3, 3.5, 4};
@@ -100,10 +101,10 @@ TEST_CASE("g of a random gas is 1 within Poisson errors") {
   CHECK(chi2 == doctest::Approx(1).epsilon(4 * std::sqrt(2.0 / 25)));
 }
 
-// Against all pairs: like and unlike words, several sites to a word, a mixture; boxes of one cell
-// along an edge, of two, of more, and of fewer than would fit where sites are few. Threads change
-// nothing.
-TEST_CASE("pairs of sites are counted as the plain sum counts them") {
+// Compared with all pairs: like and unlike names, several sites per name, a mixture; boxes of one,
+// two or more cells along an edge, and of fewer than would fit if there are few sites. Threads
+// change nothing.
+TEST_CASE("pairs of sites are counted as by a plain sum") {
   const Topology topology{{{read_molecule("tip4p"), 40}, {read_molecule("na-tip4p-ew"), 9}}};
   const std::vector<SitePair> pairs = {{"OW", "OW"}, {"OW", "HW"}, {"HW", "HW"}, {"HW1", "HW"},
                                        {"Na", "OW"}, {"MW", "Na"}, {"OW", "Na"}};
@@ -129,7 +130,7 @@ TEST_CASE("pairs of sites are counted as the plain sum counts them") {
       for (std::size_t k = 0; k < radial.bins(); ++k)
         CHECK(radial.g(p)[k].value == many.g(p)[k].value);
     }
-    // Unlike pairs: 9 sodium ions and 40 oxygens make 360 pairs.
+    // Unlike pairs: 9 sodium ions and 40 oxygens form 360 pairs.
     double counted = 0;
     for (std::size_t k = 0; k < radial.bins(); ++k) {
       const double low = reach / 50 * static_cast<double>(k), high = low + reach / 50;
@@ -140,7 +141,7 @@ TEST_CASE("pairs of sites are counted as the plain sum counts them") {
   }
 }
 
-TEST_CASE("words that name no site, and a reach beyond half of the box, are refused") {
+TEST_CASE("unknown site names, and a maximum distance above half of the box, are refused") {
   const Topology topology{{{read_molecule("tip4p"), 8}}};
   CHECK_THROWS_WITH_AS(RadialDistribution(topology, {{{"OW", "HX"}}, 0.5, 0.002}),
                        doctest::Contains("no site is named 'HX'"), Error);
@@ -148,4 +149,32 @@ TEST_CASE("words that name no site, and a reach beyond half of the box, are refu
   CHECK_THROWS_WITH_AS(radial.add(gas(topology, {1.1, 2, 2}, 1)),
                        doctest::Contains("more than half of the shortest box edge (1.1000 nm)"),
                        Error);
+}
+
+// A cubic lattice of edge a in motion, rms a/20: the first shell, of 6 sites, ends between a and
+// the next one at a√2. Within 1.05 a, g still falls.
+TEST_CASE("a shell ends at a minimum of g, and not at the end of its range") {
+  const std::size_t n = 6;
+  const double a = 0.311, edge = a * n;
+  const Topology topology{{{read_molecule("argon"), n * n * n}}};
+  for (const double cutoff : {1.05 * a, 1.45 * a}) {
+    RadialDistribution radial(topology, {site_pairs(topology), cutoff, 0.005});
+    Random random(3);
+    State state(n * n * n, Box{{edge, edge, edge}});
+    for (int frame = 0; frame < 20; ++frame) {
+      for (std::size_t i = 0; i < state.size(); ++i)
+        state.q.set(i, a * Vec3<double>{static_cast<double>(i % n) + random.normal() / 20,
+                                        static_cast<double>(i / n % n) + random.normal() / 20,
+                                        static_cast<double>(i / n / n) + random.normal() / 20});
+      radial.add(state);
+    }
+    const auto peak = radial.first_peak(0);
+    REQUIRE(peak);
+    CHECK(peak->position.value == doctest::Approx(a).epsilon(0.03));
+    REQUIRE(peak->shell.has_value() == (cutoff > 1.4 * a));
+    if (!peak->shell) continue;
+    CHECK(peak->shell->end.value > 1.1 * a);
+    CHECK(peak->shell->end.value < 1.35 * a);
+    CHECK(peak->shell->coordination.value == doctest::Approx(6).epsilon(0.02));
+  }
 }

@@ -9,7 +9,7 @@
 
 using namespace polhode;
 
-TEST_CASE("Philox gives the numbers of its authors") {
+TEST_CASE("Philox gives its authors' reference numbers") {
   // Known answers of Random123 (salmon2011): zeros, ones, and digits of pi.
   using Words = std::array<std::uint32_t, 4>;
   CHECK(philox({0, 0, 0, 0}, {0, 0}) == Words{0x6627e8d5, 0xe169c58d, 0xbc57ac4c, 0x9b00dbd8});
@@ -19,7 +19,7 @@ TEST_CASE("Philox gives the numbers of its authors") {
         Words{0xd16cfe09, 0x94fdcceb, 0x5001e420, 0x24126ea1});
 }
 
-TEST_CASE("streams of one seed differ and repeat") {
+TEST_CASE("streams of one seed differ and are reproducible") {
   Random a(1, 0), again(1, 0), other(1, 1), reseeded(2, 0);
   for (int k = 0; k < 100; ++k) {
     const auto bits = a.bits();
@@ -31,7 +31,7 @@ TEST_CASE("streams of one seed differ and repeat") {
 
 // Sums of seed and index would be equal along diagonals: (1, 1) and (2, 0). Of 4 · 10⁶ derived
 // seeds two agree by chance with (4e6)²/2/2⁶⁴ = 4e-7.
-TEST_CASE("derived seeds of neighbouring seeds and indices are all different") {
+TEST_CASE("derived seeds of consecutive seeds and indices are all different") {
   std::vector<std::uint64_t> all;
   for (std::uint64_t seed = 0; seed < 2000; ++seed)
     for (std::uint64_t index = 0; index < 2000; ++index) all.push_back(derived_seed(seed, index));

@@ -7,10 +7,10 @@
 
 using namespace polhode;
 
-// Whatever a run is when it is left, the rest is bit for bit that of a run which was not: energies,
-// the signs of configurational temperatures, the last sample, which here lies between two
+// Wherever a run is suspended, the rest equals that of an uninterrupted run bit for bit: energies,
+// the random signs of configurational temperatures, and the last sample, which here is between two
 // intervals.
-TEST_CASE("a course that was left shows what a whole one does") {
+TEST_CASE("a suspended and resumed run gives the results of an uninterrupted one") {
   const Config config = parse_config(R"([system]
 molecules = [{ model = "argon", count = 32 }]
 density = "0.9 g/cm3"

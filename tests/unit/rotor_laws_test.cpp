@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Laws that every free rotation obeys, whatever the method.
+// Laws of the free rotation, for all methods.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ struct RandomTop {
   Vec3<double> J, L;
 };
 
-/// A body of masses at random on three axes, in a random order of axes; L of length one.
+/// A body of random masses on three axes, in a random order of axes; L of length one.
 RandomTop random_top(std::mt19937_64& random) {
   std::uniform_real_distribution<double> mass(0.1, 1);
   std::normal_distribution<double> normal;
@@ -37,8 +37,8 @@ double distance(const Quaternion<double>& a, const Quaternion<double>& b) {
   return largest;
 }
 
-/// Change of the rotation, in units of ε, when each input changes by ε relatively: finite
-/// differences of the closed form, with a step whose own error, 1e-6 of k, is of no account.
+/// Change of the rotation, in units of ε, when each input has a relative change of ε: finite
+/// differences of the closed form, whose error, 1e-6 of k, is negligible.
 double conditioning(const Vec3<double>& J, const Vec3<double>& L, double t) {
   const double step = 1e-6;
   const Quaternion<double> r = closed_rotation(J, L, t).rotation;
@@ -59,8 +59,8 @@ double energy(const Vec3<double>& J, const Vec3<double>& L) {
 
 }  // namespace
 
-// Three rotations err by 16 ε (1 + k) each at most; k of the later one with respect to L(s), which
-// itself carries an error of the first, multiplies: k(t) k(s), bounded through k(s + t) + k(s)
+// Three rotations have errors of at most 16 ε (1 + k) each; the k of the second one with respect to
+// L(s), which has the error of the first, multiplies: k(t) k(s), bounded through k(s + t) + k(s)
 // k(t).
 TEST_CASE("free rotations form a group in time") {
   std::mt19937_64 random(1);
@@ -79,7 +79,7 @@ TEST_CASE("free rotations form a group in time") {
   }
 }
 
-TEST_CASE("a second-order splitting is no group in time") {
+TEST_CASE("a second-order splitting is not a group in time") {
   const Vec3<double> J{1, 2, 3}, L{0.4, 0.5, 0.6};
   const FreeRotation first = no_squish_rotation(J, L, 0.5);
   const FreeRotation second = no_squish_rotation(J, first.L, 0.5);
@@ -89,7 +89,7 @@ TEST_CASE("a second-order splitting is no group in time") {
 
 // |L| is restored by one division, 4 roundings with those of the norm. E changes by the direction's
 // error, 16 ε (1 + k) at most, times the spread of 1/J, below 1/J_min; 2E >= |L|²/J_max.
-TEST_CASE("energy and angular momentum stay along an orbit") {
+TEST_CASE("energy and angular momentum are conserved along an orbit") {
   std::mt19937_64 random(2);
   for (const RotorMethod method : exact_methods) {
     for (int n = 0; n < 300; ++n) {
@@ -109,15 +109,15 @@ TEST_CASE("energy and angular momentum stay along an orbit") {
   }
 }
 
-TEST_CASE("limits of the free rotation have their own closed forms") {
+TEST_CASE("special cases of the free rotation agree with their closed forms") {
   const Vec3<double> L{0.3, -0.4, 1.2};
   for (const RotorMethod method : exact_methods) {
     for (const double t : {0.1, 3.0, -40.0}) {
-      // 8 roundings of an angle below 100 and of its sine, as the conditioning |ω t| tells
+      // 8 roundings of an angle below 100 and of its sine, according to the condition number |ω t|
       const double bound = 8 * epsilon * (1 + 1.3 / 0.5 * std::abs(t));
       const Quaternion<double> sphere = free_rotation({0.5, 0.5, 0.5}, L, t, method).rotation;
       CHECK(distance(sphere, rotation_quaternion(L * (t / 0.5))) <= bound);
-      // symmetric: L precesses about z at L_z (1/J_z - 1/J_x), the attitude turns about L besides
+      // symmetric: L precesses about z at L_z (1/J_z - 1/J_x), the attitude also rotates about L
       const double rate = L.z * (1 / 0.8 - 1 / 0.5);
       const Quaternion<double> symmetric = free_rotation({0.5, 0.5, 0.8}, L, t, method).rotation;
       const Quaternion<double> product =
@@ -133,8 +133,8 @@ TEST_CASE("limits of the free rotation have their own closed forms") {
   }
 }
 
-// Powers of two scale without rounding, so not one bit may change; an absolute threshold anywhere
-// would show. (Powers of ten are in the truth tables.)
+// Powers of two scale without rounding, so no bit may change; any absolute threshold would be
+// detected. (Powers of ten are in the truth tables.)
 TEST_CASE("free rotations do not depend on units") {
   std::mt19937_64 random(3);
   for (const RotorMethod method : exact_methods) {
@@ -156,16 +156,16 @@ TEST_CASE("free rotations do not depend on units") {
 
 // A step's rotation and the product each round four numbers: about 2 ε of angle, without bias if
 // the method has none. After N steps that is a random walk of 2 ε √N; six standard deviations bound
-// it. A bias of one rounding a step would show as N ε, a hundred times more. E follows the angle by
-// |dE| <= |L|² (1/J_min - 1/J_max) angle; |q| is restored in every step.
-TEST_CASE("a million steps leave no linear growth in norm or energy") {
+// it. A bias of one rounding per step would appear as N ε, a hundred times more. E follows the
+// angle by |dE| <= |L|² (1/J_min - 1/J_max) angle; |q| is restored in every step.
+TEST_CASE("norm and energy do not grow linearly over a million steps") {
   const int steps = 1000000;
   const Vec3<double> ell{0.3, 0.5, -0.4};
-  // water, and a top that all but repeats one rotation, and with it one rounding, in every step
+  // water, and a top that nearly repeats the same rotation, and the same rounding, in every step
   for (const Vec3<double>& J : {Vec3<double>{0.61457, 1.15512, 1.76968}, {0.9, 0.9001, 0.9002}}) {
     const Vec3<double> inverse_J{1 / J.x, 1 / J.y, 1 / J.z};
     Quaternion<double> attitude;
-    Vec3<double> free_L = ell;  // carried in the body frame, where nothing restores its length
+    Vec3<double> free_L = ell;  // in the body frame, where its length is not restored
     const double E = energy(J, ell);
     double worst_q = 0;
     for (int n = 0; n < steps; ++n) {
@@ -179,14 +179,14 @@ TEST_CASE("a million steps leave no linear growth in norm or energy") {
     const double walk = 6 * 2 * epsilon * std::sqrt(steps);
     const double lever = norm2(ell) * (1 / J.x - 1 / J.z) / E;
     CHECK(worst_q <= 8 * epsilon);
-    // and twice the rounding of |q|², which E carries
+    // and twice the rounding of |q|², which affects E
     CHECK(std::abs(energy(J, to_body(attitude, ell)) / E - 1) <= lever * walk + 16 * epsilon);
     CHECK(std::abs(norm(free_L) / norm(ell) - 1) <= walk);
     CHECK(std::abs(energy(J, free_L) / E - 1) <= (lever + 2) * walk);
   }
 }
 
-// One flow in two representations: each rounds some 40 operations of size 1.
+// The same flow in two representations: each rounds about 40 operations of size 1.
 TEST_CASE("NO_SQUISH is the symmetric product of principal-axis rotations") {
   std::mt19937_64 random(4);
   for (int n = 0; n < 100; ++n) {
@@ -197,9 +197,9 @@ TEST_CASE("NO_SQUISH is the symmetric product of principal-axis rotations") {
   }
 }
 
-// A symmetric method of second order errs by C h³ + O(h⁵) in one step: halving h divides by 8, and
-// the next term is (ω h)² ≈ 0.002 of it.
-TEST_CASE("NO_SQUISH errs with the third power of a step") {
+// A symmetric method of second order has an error of C h³ + O(h⁵) in one step: halving h divides by
+// 8, and the next term is (ω h)² ≈ 0.002 of it.
+TEST_CASE("the error of NO_SQUISH is of third order per step") {
   const Vec3<double> J{0.7, 1.1, 1.5}, L{0.5, 0.6, -0.4};
   const auto error = [&](double h) {
     return distance(no_squish_rotation(J, L, h).rotation, closed_rotation(J, L, h).rotation);

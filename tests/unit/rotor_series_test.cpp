@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The series' own promise: what it cuts off is below rounding within its radius, for any shape.
+// The truncation error of the series is below rounding within its radius, for any shape.
 #include <doctest/doctest.h>
 
 #include <array>
@@ -14,10 +14,10 @@ namespace {
 
 using Long = long double;  // 64 bits of mantissa: ε/2048
 
-/// The rotation by a plain Taylor series of q' = q (0, ω)/2 and L' = L × ω: no idea is shared with
-/// the series under test.
+/// The rotation by a plain Taylor series of q' = q (0, ω)/2 and L' = L × ω: independent of the
+/// series under test.
 Quaternion<Long> taylor_rotation(const Vec3<Long>& inverse_J, const Vec3<Long>& L) {
-  constexpr int order = 36;  // (0.6)³⁶/36! is nothing
+  constexpr int order = 36;  // (0.6)³⁶/36! is negligible
   std::array<Quaternion<Long>, order + 1> q;
   std::array<Vec3<Long>, order + 1> l, w;
   l[0] = L;
@@ -51,7 +51,7 @@ double distance(const Quaternion<A>& a, const Quaternion<Long>& b) {
 
 /// The worst error over random bodies that all turn by |ω t| = angle. Every mass distribution is
 /// second moments (a, b, c) along the axes; some are zero or tiny (flat bodies, needles), and ω is
-/// near an axis or a plane as often as not, since the bound's worst cases lie in such corners.
+/// near an axis or a plane as often as not, since the worst cases of the bound are there.
 template <SeriesOrder order, class Real>
 double worst_error(double angle, int count) {
   std::mt19937_64 random(7);
@@ -87,9 +87,9 @@ double worst_error(double angle, int count) {
 
 }  // namespace
 
-// The bound in the doc comment. Both sides: the worst corner must also be there, within the factor
-// by which the scan of 40000 shapes may miss it, or the series would be longer than it need be.
-TEST_CASE("series cut off less than a quarter of an ulp within their radius") {
+// The bound in the doc comment. Both sides: the worst case must also be found, within the factor by
+// which the scan of 40000 shapes may miss it, otherwise the series would be longer than necessary.
+TEST_CASE("truncation of the series is below a quarter of an ulp within their radius") {
   const double long_error = worst_error<long_series, Long>(long_series.radius, 40000);
   CHECK(long_error < 3e-17);
   CHECK(long_error > 1e-18);
@@ -103,25 +103,25 @@ TEST_CASE("series cut off less than a quarter of an ulp within their radius") {
 
 // With d_n of order (ω t)^(2n+2), the first term cut off after 6 of them grows as (ω t)^15 in the
 // vector part; the sine's, (ω t)^15 as well. Past the radius the error rises with this power.
-TEST_CASE("series fail beyond their radius as their order says") {
+TEST_CASE("series deviate beyond their radius according to their order") {
   const double near = worst_error<short_series, Long>(0.3, 4000);
   const double far = worst_error<short_series, Long>(0.6, 4000);
   CHECK(std::log2(far / near) == doctest::Approx(15).epsilon(0.05));  // next term: 0.3² of it
 }
 
-// Some 12 roundings act on numbers of size |ω t|/2 <= 0.15, two on w: below 2 ε, so every component
-// is good to about one unit in the last place of w.
-TEST_CASE("series in double precision err by an ulp") {
+// About 12 roundings act on numbers of size |ω t|/2 <= 0.15, two on w: below 2 ε, so every
+// component is good to about one unit in the last place of w.
+TEST_CASE("series in double precision have an error of an ulp") {
   CHECK(worst_error<long_series, double>(0.3, 40000) < 2 * 0x1p-53);
   CHECK(worst_error<short_series, double>(0.15, 40000) < 2 * 0x1p-53);
 }
 
-TEST_CASE("series in single precision err by an ulp of float") {
+TEST_CASE("series in single precision have an error of an ulp of float") {
   CHECK(worst_error<float_series, float>(0.3, 40000) < 2 * 0x1p-24);
 }
 
-// Sub-steps: 2ⁿ of them at most twice as many as needed; each adds 4 roundings.
-TEST_CASE("series beyond their radius are cut into equal ones") {
+// Substeps: 2ⁿ, at most twice as many as needed; each adds 4 roundings.
+TEST_CASE("rotations beyond the radius of the series are split into equal ones") {
   const Vec3<double> inverse_J{1 / 0.7, 1 / 1.1, 1 / 1.5}, L{0.5, 0.6, -0.4};
   const double speed = norm(scaled(inverse_J, L));
   for (const double angle : {0.31, 0.7, 2.0, 9.0}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Free rotations against tables made by other means (reference/rotor/README.md, make_rows.py).
+// Free rotations compared with independent reference tables (reference/rotor/README.md,
+// make_rows.py).
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -32,7 +33,8 @@ std::vector<TruthRow> truth_rows(const std::string& file) {
     std::vector<std::string> cells;
     std::stringstream stream(line);
     for (std::string cell; std::getline(stream, cell, ',');) {
-      if (!cell.empty() && cell.back() == '\r') cell.pop_back();  // the table came from elsewhere
+      if (!cell.empty() && cell.back() == '\r')
+        cell.pop_back();  // the table is from another source
       cells.push_back(cell);
     }
     return cells;
@@ -52,9 +54,9 @@ std::vector<TruthRow> truth_rows(const std::string& file) {
 }
 
 // A row's tolerances are 16 · 2⁻⁵³ (1 + k), where k is the change of the truth, in units of 2⁻⁵³,
-// when every input changes by as much: no program that takes doubles can ask for less than 1 + k,
-// and 16 leaves room for some ten roundings that act like changes of inputs. The lower side, that
-// the test sees errors at all, is the last test case below.
+// when every input changes by as much: no program with double input can have an error below 1 + k,
+// and 16 allows about ten roundings that act like changes of inputs. That the test detects errors
+// at all is shown by the last test case below.
 double worst_error_over_tolerance(RotorMethod method, const std::string& file) {
   double worst = 0;
   for (const TruthRow& row : truth_rows(file)) {
@@ -85,23 +87,25 @@ double worst_error_over_tolerance(RotorMethod method, const std::string& file) {
 
 }  // namespace
 
-TEST_CASE("closed form holds the free rotor truth tables") {
+TEST_CASE("the closed form agrees with the free rotor reference tables") {
   worst_error_over_tolerance(RotorMethod::closed, "free_rotor_truth.csv");
   worst_error_over_tolerance(RotorMethod::closed, "random_rows.csv");
 }
 
-TEST_CASE("series with its fallback holds the free rotor truth tables") {
+TEST_CASE("the series with its fallback agrees with the free rotor reference tables") {
   worst_error_over_tolerance(RotorMethod::series, "free_rotor_truth.csv");
   worst_error_over_tolerance(RotorMethod::series, "random_rows.csv");
 }
 
-TEST_CASE("closed form by theta functions holds the free rotor truth tables") {
+TEST_CASE("the closed form by theta functions agrees with the free rotor reference tables") {
   worst_error_over_tolerance(RotorMethod::theta, "free_rotor_truth.csv");
   worst_error_over_tolerance(RotorMethod::theta, "random_rows.csv");
 }
 
-// The other rows keep their L, or are those of ThetaIntegral::applies().
-TEST_CASE("theta functions serve every row but symmetric tops and L within 1e-140 of an axis") {
+// The other rows have constant L, or those for which ThetaIntegral::applies().
+TEST_CASE(
+    "theta functions are applicable to every row except symmetric tops and L within 1e-140 of an "
+    "axis") {
   int served = 0;
   for (const char* file : {"free_rotor_truth.csv", "random_rows.csv"})
     for (const TruthRow& row : truth_rows(file)) {
@@ -120,14 +124,14 @@ TEST_CASE("theta functions serve every row but symmetric tops and L within 1e-14
   CHECK(served > 200);
 }
 
-TEST_CASE("recursive method holds the free rotor truth tables") {
+TEST_CASE("the recursive method agrees with the free rotor reference tables") {
   worst_error_over_tolerance(RotorMethod::recursive, "free_rotor_truth.csv");
   worst_error_over_tolerance(RotorMethod::recursive, "random_rows.csv");
 }
 
-// 2E J_y = L² to the last bit: the period is infinite, L comes to the middle axis and stays there.
-// Tolerances are those of changes that stay on the separatrix (make_separatrix_rows.py).
-TEST_CASE("tops exactly on the separatrix turn as they should for any time") {
+// 2E J_y = L² to the last bit: the period is infinite, and L approaches the middle axis. Tolerances
+// are those of changes that stay on the separatrix (make_separatrix_rows.py).
+TEST_CASE("tops exactly on the separatrix rotate correctly for any time") {
   const std::string file = "separatrix_rows.csv";
   std::size_t exact = 0, far = 0;
   for (const TruthRow& row : truth_rows(file)) {
@@ -145,6 +149,6 @@ TEST_CASE("tops exactly on the separatrix turn as they should for any time") {
     worst_error_over_tolerance(method, file);
 }
 
-TEST_CASE("truth tables tell a second-order splitting from the exact rotation") {
+TEST_CASE("the reference tables distinguish a second-order splitting from the exact rotation") {
   CHECK(worst_error_over_tolerance(RotorMethod::no_squish, "free_rotor_truth.csv") > 1e6);
 }

@@ -37,18 +37,19 @@ TEST_CASE("weights of kicks: shared evaluations add, finite differences divide b
   CHECK(kick_weights(scheme_of("A(1/2) B(1) A(1/2)"), 1e-4) == close(1));
   CHECK(kick_weights(scheme_of("hoa2"), 1) == close(4 * eta * eta + (1 - 2 * eta) * (1 - 2 * eta)));
   CHECK(kick_weights(scheme_of("gier4"), 1) == close(5.0 / 9));
+  CHECK(kick_weights(scheme_of("O(1/2) B(1/2) A(1) B(1/4) O(1/2) B(1/4)"), 1e-4) == close(1));
   // 1/9 and 4/9 [(1 − 1/λ)² + 1/λ²] with λ = 1/10
   CHECK(kick_weights(scheme_of("gier4-fd"), 0.1) == close((1 + 4 * 181) / 9.0));
 }
 
-TEST_CASE("rounding makes a walk with h and t, over a floor") {
+TEST_CASE("rounding makes a random walk that grows with h and t, on top of a floor") {
   const Scheme scheme = scheme_of("velocity-verlet");
   CHECK(rounding_fluctuation({3, 0}, scheme, 1, 0.002, 3) ==
         doctest::Approx(3 * std::sqrt(0.001)).epsilon(1e-12));
   CHECK(rounding_fluctuation({3, 0.7}, scheme, 1, 0.002, 0) == doctest::Approx(0.7));
 }
 
-TEST_CASE("a walk deviates from its own mean by a sixth of its variance at the end") {
+TEST_CASE("a random walk deviates from its mean by a sixth of its final variance") {
   constexpr int walks = 4000, steps = 200;
   Random random(7);
   double variance = 0;
@@ -70,13 +71,13 @@ TEST_CASE("in double precision there is no noise") {
   CHECK(noise.energy == 0);
 }
 
-// The same start in both precisions: truncation is the same in both until the trajectories part, so
-// the difference of the total energies is rounding alone. The potential energy is read twice along
-// the mixed run: in float, where its own noise is nearly all that there is, and in double, where
-// the walk of the trajectory is left.
-TEST_CASE("the total energy walks, and is read, as the noise says") {
+// The same initial configuration in both precisions: the truncation error is the same until the
+// trajectories diverge, so the difference of the total energies is due to rounding. The potential
+// energy is evaluated twice along the mixed run: in float, where its noise dominates, and in
+// double, where only the walk of the trajectory remains.
+TEST_CASE("the random walk of the total energy follows from the noise of the forces") {
   const Scheme scheme = scheme_of("velocity-verlet");
-  constexpr double step = 0.0005, length = 0.1;  // [ps]: 200 steps, before the trajectories part
+  constexpr double step = 0.0005, length = 0.1;  // [ps]: 200 steps, before the trajectories diverge
   System mixed = water(Precision::mixed);
   const ForceNoise noise = force_noise(mixed);
   System full = water(Precision::double_precision);
@@ -100,14 +101,16 @@ TEST_CASE("the total energy walks, and is read, as the noise says") {
                   nullptr});
   REQUIRE(walk.size() == 201);
 
-  // 201 readings and sixteen states say the deviation to 5 and 18 %: a factor 2 is four deviations.
+  // 201 samples and sixteen states determine the deviation to 5 and 18 %: a factor 2 is four
+  // deviations.
   const double read = fluctuation(reading);
   CHECK(read < 2 * noise.energy);
   CHECK(read > noise.energy / 2);
 
-  // The states lie between two halves of an evaluation's kick, so k steps hold k − 1 whole ones and
-  // two of half the weight: power² h² (k − 1/2). n increments give the deviation to 1/√(2n), and
-  // four times that is allowed either way; the power itself comes from 46080 differences.
+  // The states are between two half kicks of an evaluation, so k steps include k − 1 whole kicks
+  // and two of half the weight: power² h² (k − 1/2). n increments determine the deviation to
+  // 1/√(2n), and four times that is allowed either way; the power itself comes from 46080
+  // differences.
   for (const std::size_t lag : {1u, 2u, 8u}) {
     double variance = 0, n = 0;
     for (std::size_t i = 0; i + lag < walk.size(); i += lag, ++n)
@@ -121,7 +124,7 @@ TEST_CASE("the total energy walks, and is read, as the noise says") {
   }
 }
 
-TEST_CASE("a point is at the floor of rounding below twice its R") {
+TEST_CASE("a point below twice the R of rounding is dominated by rounding") {
   EfficiencyPoint p;
   p.ratio = {1.9e-5, 1e-7};
   p.rounding = 1e-5;
@@ -132,7 +135,7 @@ TEST_CASE("a point is at the floor of rounding below twice its R") {
   CHECK(!p.at_rounding());
 }
 
-TEST_CASE("at the floor of rounding no cost is extrapolated") {
+TEST_CASE("no cost is extrapolated where rounding dominates") {
   EfficiencyPoint p;
   p.scheme = "gier4";
   p.step = 0.002;
@@ -144,7 +147,7 @@ TEST_CASE("at the floor of rounding no cost is extrapolated") {
   CHECK(!extrapolated());
 }
 
-TEST_CASE("a figure crosses out what is rounding") {
+TEST_CASE("figures cross out points dominated by rounding") {
   const std::filesystem::path prefix =
       std::filesystem::temp_directory_path() / ("polhode-crossed-" + std::to_string(::getpid()));
   const auto script = [&](bool rounded) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows become whole packs by handing pairs to later rows.
+// Rows become whole packs by handing pairs over to later rows.
 #include "polhode/forces/pairs/row_packing.hpp"
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ std::multiset<std::uint32_t> words(const RowBuffer& row) { return {row.begin(), 
 
 }  // namespace
 
-TEST_CASE("a word of the list holds slot and image") {
+TEST_CASE("an entry of the list contains slot and image") {
   std::vector<Neighbour::Image> images = all_images();
   images.push_back(Neighbour::nowhere);
   for (const std::uint32_t slot : {0u, 1u, 77u, Neighbour::slot_mask})
@@ -37,7 +37,7 @@ TEST_CASE("a word of the list holds slot and image") {
     }
 }
 
-TEST_CASE("a row buffer has room for a pack beyond what is asked") {
+TEST_CASE("a row buffer has room for one more pack than requested") {
   RowBuffer row;
   for (std::uint32_t k = 0; k < 1000; ++k) {
     std::uint32_t* const end = row.end_with_room(3);
@@ -54,9 +54,11 @@ TEST_CASE("a row buffer has room for a pack beyond what is asked") {
   CHECK(row.begin() == row.end());
 }
 
-// The pairs of slot 10 in the chunk of slots 8 to 99: those to earlier slots were handed here,
-// those from 100 on are in no row of this chunk, the others may be handed on.
-TEST_CASE("a row hands its surplus to later rows of its chunk, seen from there, or keeps it all") {
+// The pairs of slot 10 in the chunk of slots 8 to 99: those to earlier slots were handed over to
+// this row, those from 100 on are in no row of this chunk, the others may be handed over.
+TEST_CASE(
+    "a row hands its surplus partners to later rows of its chunk, with their images, or keeps them "
+    "all") {
   const auto images = all_images();
   for (const std::size_t width : {1, 2, 4, 8, 16})
     for (std::size_t length = 0; length < 40; ++length)
@@ -88,7 +90,7 @@ TEST_CASE("a row hands its surplus to later rows of its chunk, seen from there, 
       }
 }
 
-TEST_CASE("what several rows hand to one is all there") {
+TEST_CASE("partners handed over by several rows are complete") {
   HandedPairs later(0, 64);
   for (std::uint32_t from = 0; from < 20; ++from)
     later.give(40 + from % 2, {from, {int(from % 3) - 1, 0, 1}});

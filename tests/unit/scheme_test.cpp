@@ -37,15 +37,15 @@ double worst_oscillator(double b) {
 }  // namespace
 
 // The numbers of the table in closed form; a double holds them to 2⁻⁵³ relative, and the closed
-// form loses two units more.
+// form loses two more units.
 TEST_CASE("coefficients equal their closed forms") {
   const double c = std::cbrt(2 * std::sqrt(326.0) + 36);
   CHECK(std::abs(eta - (0.5 - c / 12 + 1 / (6 * c))) < 2e-16);
   CHECK(std::abs(theta - 1 / (2 - std::cbrt(2.0))) < 5e-16);
   CHECK(std::abs(suzuki - 1 / (4 - std::cbrt(4.0))) < 2e-16);
   CHECK(std::abs(inverse_root_3 - 1 / std::sqrt(3.0)) < 2e-16);
-  // A hump of the error and its value at the end of the range are equal where their larger one is
-  // least; a change of 1e-6 in the kick moves them by 1e-5 of themselves.
+  // The maximum of the error is minimal where its inner maximum equals its value at the end of the
+  // range; a change of 1e-6 in the kick changes both by a relative 1e-5.
   CHECK(worst_oscillator(oscillator_kick) < worst_oscillator(oscillator_kick - 1e-5));
   CHECK(worst_oscillator(oscillator_kick) < worst_oscillator(oscillator_kick + 1e-5));
   // HOA2's η minimises α² + β² (omelyan2003): the derivative 48 η³ − 72 η² + 38 η − 5 vanishes, to
@@ -53,7 +53,7 @@ TEST_CASE("coefficients equal their closed forms") {
   CHECK(std::abs(((48 * eta - 72) * eta + 38) * eta - 5) < 5e-15);
 }
 
-TEST_CASE("every scheme of the table is a palindrome that makes one step") {
+TEST_CASE("every scheme of the table is a palindrome whose coefficients sum to one") {
   for (const Scheme& scheme : schemes) {
     CAPTURE(std::string(scheme.name()));
     CHECK(scheme.palindromic());
@@ -112,20 +112,42 @@ TEST_CASE("the error of second order follows from the stages") {
   }
 }
 
-TEST_CASE("a stage may have what the others of its flow leave") {
+// A bath is no part of the Hamiltonian, and forces stay valid across it.
+TEST_CASE("baths change neither the cost of a scheme nor the errors of its drifts and kicks") {
+  constexpr Scheme baoab("x", 2, {B(0.5), A(0.5), O(1)}, "");
+  static_assert(baoab.force_evaluations() == 1 && baoab.cost() == 1 && baoab.consistent());
+  static_assert(baoab.has(Flow::bath) && !schemes[1].has(Flow::bath));
+  for (const char* text :
+       {"B(1/2) A(1/2) O(1) A(1/2) B(1/2)", "O(1/2) B(1/2) A(1) B(1/2) O(1/2)"}) {
+    const ErrorTerms terms = error_terms(scheme_of(text)), verlet = error_terms(schemes[1]);
+    CHECK(std::abs(terms.alpha - verlet.alpha) < 1e-16);
+    CHECK(std::abs(terms.beta - verlet.beta) < 1e-16);
+  }
+  CHECK(scheme_of("B(1/2) O(1/2) B(1/2) A(1) O(1/2)").force_evaluations() == 1);
+  CHECK(scheme_of("O(1/2) A(1/2) B(1) A(1/2) O(1/2)").force_evaluations() == 1);
+  // Gradient kicks at the ends are one with those of the next step, unless a bath is between them.
+  CHECK(scheme_of("B(1/2, 1/48) A(1) B(1/2, 1/48)").derivatives() == 1);
+  CHECK(scheme_of("O(1) B(1/2, 1/48) A(1) B(1/2, 1/48)").derivatives() == 2);
+  CHECK(scheme_of("B(1/2, 1/48) A(1) B(1/2, 1/24)").derivatives() == 2);
+}
+
+TEST_CASE("a stage may take the remainder of the others of its flow") {
   constexpr Scheme scheme("x", 2, {B(0.1), A(0.25), B(rest), A(rest)}, "");
   CHECK(scheme.stages().size() == 7);
   CHECK(scheme.stages()[2] == B(0.4));
   CHECK(scheme.stages()[3] == A(0.5));
 }
 
-TEST_CASE("a scheme as text reads back to the same bits") {
+TEST_CASE("a scheme written as text is read back bit for bit") {
   for (const Scheme& scheme : schemes) {
     const Scheme again = scheme_of(text_of(scheme));
     REQUIRE(again.stages().size() == scheme.stages().size());
     for (std::size_t i = 0; i < scheme.stages().size(); ++i)
       CHECK(again.stages()[i] == scheme.stages()[i]);
   }
+  const Scheme bath = scheme_of("B(1/2) A(1/2) O ( 1 ) A(1/2) B(1/2)");
+  CHECK(bath.stages()[2] == O(1));
+  CHECK(text_of(bath) == "B(0.5) A(0.5) O(1) A(0.5) B(0.5)");
   const Scheme gier4 = scheme_of(" B( 1/6)A(0.5) B(2/3,xi = 1/48)\tA(1/2) B(1 / 6) ");
   CHECK(gier4.stages()[2] == B(2.0 / 3, 1.0 / 48));
   CHECK(gier4.stages()[2].has(Gradient::exact));
@@ -135,16 +157,21 @@ TEST_CASE("a scheme as text reads back to the same bits") {
   CHECK(by_difference.force_evaluations() == 3);
 }
 
-TEST_CASE("scheme texts that cannot be read say where and what is expected") {
+TEST_CASE("incorrect scheme texts are refused with the place and what is expected") {
   check_error([] { scheme_of("giere4"); }, {"no scheme 'giere4'", "did you mean 'gier4'"});
-  check_error([] { scheme_of("C(1)"); }, {"'C(1)' at character 1", "A(...) for a drift"});
+  check_error([] { scheme_of("C(1)"); },
+              {"'C(1)' at character 1", "A(...) for a drift", "O(...) for a bath"});
   check_error([] { scheme_of("B(1/2) A(1"); }, {"the end at character 11", "')'"});
   check_error([] { scheme_of("B(1/0) A(1)"); }, {"a denominator other than 0"});
   check_error([] { scheme_of("B(x) A(1)"); }, {"'x) A(1)' at character 3", "a finite number"});
-  check_error([] { scheme_of("A(1, 1/48) B(1)"); }, {"a drift has one argument"});
+  check_error([] { scheme_of("A(1, 1/48) B(1)"); },
+              {"', 1/48) B(' at", "a drift has one argument"});
+  check_error([] { scheme_of("A(1) B(1) O(1 , 2)"); }, {"', 2)' at", "a bath has one argument"});
   check_error([] { scheme_of("B(1, 1/48, exact) A(1)"); }, {"'exact) A(1'", "'fd'"});
   check_error([] { scheme_of("B(1e999) A(1)"); }, {"a finite number"});
-  check_error([] { scheme_of("B(1/2) A(1)"); }, {"kicks B to 0.5", "must sum to 1"});
+  check_error([] { scheme_of("B(1/2) A(1)"); }, {"kicks B to 0.5;", "must sum to 1"});
+  check_error([] { scheme_of("B(1) A(1) O(1/2)"); }, {"baths O to 0.5;", "must sum to 1"});
+  check_error([] { scheme_of("B(1) A(1) O(1) O(-1)"); }, {"baths O to 0;", "must sum to 1"});
   std::string longer;
   for (int i = 0; i < 70; ++i) longer += "A(1/70) ";
   check_error([&] { scheme_of(longer); }, {"more than 64 stages"});

@@ -78,7 +78,7 @@ Result whole_run() {
 
 }  // namespace
 
-TEST_CASE("a simulation runs to its length, writes its files, and tells how it went") {
+TEST_CASE("a simulation runs to its length, writes its files, and reports how it went") {
   const Folder folder;
   Simulation simulation(config_in(folder));
   std::vector<std::string> messages;
@@ -121,7 +121,7 @@ TEST_CASE("existing outputs are refused, unless they are to be replaced") {
   const std::string energies = bytes(folder / "out-energies.csv");
   check_error([&] { Simulation(config_in(folder)).run(); }, {"out-checkpoint.bin", "--force"});
   std::filesystem::remove(folder / "out-checkpoint.bin");
-  check_error([&] { Simulation(config_in(folder)).run(); }, {"is there already", "--force"});
+  check_error([&] { Simulation(config_in(folder)).run(); }, {"exists and would be overwritten", "--force"});
   CHECK(Simulation(config_in(folder)).run({.existing = ExistingFiles::replace}).end ==
         RunEnd::complete);
   CHECK(bytes(folder / "out-energies.csv") == energies);
@@ -200,7 +200,7 @@ TEST_CASE("a run continues from steps already taken") {
   CHECK(numbers(simulation.state()) == whole_run().state);
   simulation.step(1);
   check_error([&] { simulation.run({.existing = ExistingFiles::replace}); },
-              {"0.2 ps", "0.205 ps", "done already"});
+              {"0.2 ps", "0.205 ps", "already has"});
 }
 
 TEST_CASE("a saved simulation resumes to the same bits") {
@@ -255,6 +255,6 @@ TEST_CASE("a run that blows up says so and keeps its energies") {
   CHECK_THROWS_AS(
       simulation.run({}, {.message = [&](const std::string& text) { messages.push_back(text); }}),
       RunError);
-  CHECK(messages.back() == "the energies until then are in " + (folder / "out-energies.csv"));
+  CHECK(messages.back() == "the energies up to that step are in " + (folder / "out-energies.csv"));
   CHECK_FALSE(simulation.resumable_step());
 }

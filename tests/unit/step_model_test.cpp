@@ -12,14 +12,14 @@ using namespace polhode;
 
 namespace {
 
-// R = a hᵖ exp(c h²) with h in fs, as HOA2's on water bends near its end.
+// R = a hᵖ exp(c h²) with h in fs, as for HOA2 on water near its stability limit.
 constexpr int order = 2;
 constexpr double a = 2e-4, c = 0.01;
 
 double log_law(double fs) { return std::log(a) + order * std::log(fs) + c * fs * fs; }
 
-// Runs from `starts` starts, each of which is off the law by a number of its own, and each run by
-// another one.
+// Runs from `starts` initial configurations, each of which has its own deviation from the power
+// law, plus one of each run.
 std::vector<StepPoint> runs(std::mt19937_64& random, std::size_t starts, double by_start,
                             double by_run) {
   std::normal_distribution<double> normal;
@@ -36,27 +36,28 @@ std::vector<StepPoint> runs(std::mt19937_64& random, std::size_t starts, double 
 
 }  // namespace
 
-TEST_CASE("a law without noise is found as it is") {
+TEST_CASE("a power law without noise is recovered") {
   std::mt19937_64 random(1);
   const StepModel model(order, runs(random, 4, 0, 0));
   for (const double fs : {3.5, 4.2, 5.5}) {
     CHECK(model.log_ratio(fs / 1000).value == doctest::Approx(log_law(fs)).epsilon(1e-9));
     CHECK(model.exponent(fs / 1000) == doctest::Approx(2 + 2 * c * fs * fs).epsilon(1e-8));
   }
-  // Without scatter the bound is R itself: the step at R(4.4 fs) is 4.4 fs, to the search's 0.2 %.
+  // Without scatter the bound equals R: the step at R(4.4 fs) is 4.4 fs, within the 0.2 % of the
+  // search.
   const double step = model.max_step(std::exp(log_law(4.4)), 0.975, 0.005);
   CHECK(step <= 0.0044 * (1 + 1e-9));
   CHECK(step > 0.0044 * 0.997);
-  // One step: the law of the order through it.
+  // One step: the power law of the order through that point.
   const StepModel one(4, {{0.004, {0.01, 0.01}}});
   CHECK(std::exp(one.log_ratio(0.005).value) == doctest::Approx(0.01 * std::pow(1.25, 4)));
 }
 
-// Scatter of starts alone: s and the error of the line are those of six independent values, so that
-// Student's t with 5 degrees of freedom is exact: 97.5 % of fresh runs stay below the bound, and
-// the law lies in 95 % of the intervals log R ± t error. 4 binomial standard deviations of 3000 are
-// 34 and 48.
-TEST_CASE("intervals cover the truth as often as they should") {
+// Scatter between initial configurations only: s and the error of the line are those of six
+// independent values, so Student's t with 5 degrees of freedom is exact: 97.5 % of new runs are
+// below the bound, and the true law is in 95 % of the intervals log R ± t error. 4 binomial
+// standard deviations of 3000 are 34 and 48.
+TEST_CASE("intervals contain the true value at the stated rate") {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   const double t = t_quantile(0.975, 5);
@@ -71,10 +72,10 @@ TEST_CASE("intervals cover the truth as often as they should") {
   CHECK(std::abs(law - 2850) < 48);
 }
 
-// Runs that do not know of their starts: s then has 15 degrees of freedom and not 5, so the bound
-// is a careful one. Between 97.5 % and P(t₁₅ < t(0.975; 5) = 2.571) = 98.9 %, and 4 deviations (23)
-// more.
-TEST_CASE("a bound is careful where each run scatters by itself") {
+// Runs independent of their initial configurations: s then has 15 degrees of freedom instead of 5,
+// so the bound is conservative. Between 97.5 % and P(t₁₅ < t(0.975; 5) = 2.571) = 98.9 %, and 4
+// deviations (23) more.
+TEST_CASE("the bound is conservative if runs scatter independently") {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
   int fresh = 0;

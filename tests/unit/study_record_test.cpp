@@ -15,7 +15,7 @@
 
 using namespace polhode;
 
-TEST_CASE("the record of a study keeps the rounding, and knows records without it") {
+TEST_CASE("the record of a study has the R of rounding, and records without it can be read") {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("polhode-rounding-" + std::to_string(::getpid()));
   std::filesystem::create_directories(folder);
@@ -56,10 +56,10 @@ TEST_CASE("the record of a study keeps the rounding, and knows records without i
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("a record of a study is read whole, or refused with the line") {
+TEST_CASE("a record of a study is read completely, or refused with the line") {
   const Provenance provenance{"0", "", "of this test", "", 1};
   const std::string head = "# study " + text_hash(provenance.config) +
-                           "\n# polhode 0, target scalar\n"
+                           "\n# polhode 0, instruction set scalar\n"
                            "scheme;step [ps];start;stable;R;drift;total;potential;temperature\n";
   const std::string line = "hoa2;0.002;1;1;3e-05;-0.5;0.006;200;297\n";
   const auto read = [&](const std::string& lines) {
@@ -69,32 +69,32 @@ TEST_CASE("a record of a study is read whole, or refused with the line") {
   REQUIRE(read(line).size() == 1);
   CHECK(read(line)[0].drift == -0.5);
 
-  // A last line without its end may have lost digits, and a power cut may leave zeros.
+  // A last line without its line end may have lost digits, and a power failure may leave zeros.
   CHECK(read(line + "hoa2;0.004;1;1;3e-05;-0.5;0.006;200;29").size() == 1);
   CHECK(read(line + std::string(512, '\0')).size() == 1);
-  // The numbers of a run that blew up are void.
+  // The numbers of a run that blew up are ignored.
   CHECK(!read("hoa2;0.002;1;0;nan;nan;nan;nan;nan\n")[0].stable);
 
   const auto refused = [&](const char* from, const char* to, const char* what) {
     check_error([&] { read(line + replaced(line, from, to)); }, {"runs.csv:5", what, "--force"});
   };
-  refused("297", "nan", "'nan' stands where the temperature must be a finite number");
-  refused("3e-05", "inf", "'inf' stands where the R must be a finite number");
-  refused("200", "2OO", "'2OO' stands where");
-  refused("0.002", "1e999", "'1e999' stands where the step");
+  refused("297", "nan", "'nan' where the temperature must be a finite number");
+  refused("3e-05", "inf", "'inf' where the R must be a finite number");
+  refused("200", "2OO", "found '2OO' where");
+  refused("0.002", "1e999", "found '1e999' where the step");
   refused("200", "-200", "the fluctuation of the potential energy is -200");
-  refused(";1;1", ";-1;1", "'-1' stands where the start must be a whole number from 0");
-  refused(";1;1", ";1.5;1", "'1.5' stands where the start");
-  refused(";1;1", ";99999999999;1", "'99999999999' stands where the start");
-  refused(";1;1", ";1;yes", "'yes' stands where 'stable' must be 1 or 0");
+  refused(";1;1", ";-1;1", "found '-1' where the start must be a whole number from 0");
+  refused(";1;1", ";1.5;1", "found '1.5' where the start");
+  refused(";1;1", ";99999999999;1", "found '99999999999' where the start");
+  refused(";1;1", ";1;yes", "found 'yes' where 'stable' must be 1 or 0");
   refused(";297", "", "8 fields and must have 9");
   refused(";297", ";297;1", "10 fields and must have 9");
-  refused("\n", "\n", "the scheme, the step and the start of one above");
+  refused("\n", "\n", "the same scheme, step and initial configuration as");
   check_error([&] { read("scheme;step\n"); }, {"runs.csv:4", "2 columns", "--force"});
   check_error([&] { read(line + "\x01\n"); }, {"runs.csv:5", "0x01"});
   std::istringstream other("# study 0\n" + line), no_head("# study " + text_hash("") + "\n" + line);
   check_error([&] { read_study_record(other, "runs.csv", provenance); },
               {"runs.csv:1", "another study", "--force"});
   check_error([&] { read_study_record(no_head, "runs.csv", {}); },
-              {"runs.csv:2", "names the columns", "--force"});
+              {"runs.csv:2", "with the column names", "--force"});
 }

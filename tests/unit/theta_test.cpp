@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Theta functions against values from elsewhere, and the rotor's two ways to its integral of the
-// third kind against each other.
+// Theta functions compared with reference values, and the two methods for the integral of the third
+// kind with each other.
 #include "polhode/math/theta.hpp"
 
 #include <doctest/doctest.h>
@@ -61,11 +61,11 @@ TEST_CASE("theta series gives theta functions of complex argument") {
     CAPTURE(q);
     const Complex z{x, y};
     const auto [S, D] = theta_series(q * std::exp(-2.0 * i * z), q * std::exp(2.0 * i * z), q);
-    // The arguments carry 2|z| + 2 roundings into terms of at most 1, whose sums are below 2.
+    // The arguments contribute 2|z| + 2 roundings to terms of at most 1, whose sums are below 2.
     const double bound = 16 * epsilon * (1 + std::abs(z));
     CHECK(std::abs(S - theta4) <= bound);
     CHECK(std::abs(-2.0 * i * D - slope4) <= bound);
-    const Complex w = y > 0 ? -z : z;  // θ₂ is even, and the series wants |e^{−2iw}| ≤ 1
+    const Complex w = y > 0 ? -z : z;  // θ₂ is even, and the series requires |e^{−2iw}| ≤ 1
     const Complex S2 = theta_series(-std::exp(-2.0 * i * w), -q * q * std::exp(2.0 * i * w), q).S;
     const Complex found = std::pow(q, 0.25) * std::exp(i * w) * S2;
     CHECK(std::abs(found - theta2) <= bound * std::abs(std::exp(i * w)));
@@ -87,8 +87,8 @@ TEST_CASE("theta integral of the third kind is linear plus the argument of a the
   }
 }
 
-// Both ways start from the same n, k, k', K and p t. The integral is p t times a mean rate plus a
-// bounded part, and either way makes the rate of some eight rounded numbers that are at most 1
+// Both methods use the same n, k, k', K and p t. The integral is p t times a mean rate plus a
+// bounded part, and both compute the rate from about eight rounded numbers that are at most 1
 // (κ/(1+n), the largest rate, is below 1 as n and k are): hence 16 roundings of 1 + |p t|.
 TEST_CASE("theta functions and Carlson's integral agree on regular tops over many periods") {
   std::mt19937_64 random(11);
@@ -103,7 +103,7 @@ TEST_CASE("theta functions and Carlson's integral agree on regular tops over man
     const double t = std::copysign(std::pow(10, exponent(random)), normal(random)) / speed;
     const ScaledTop top(J, L, t);
     const Orbit orbit(top);
-    REQUIRE(ThetaIntegral::applies(orbit.modulus));  // no regular top is left to the other way
+    REQUIRE(ThetaIntegral::applies(orbit.modulus));  // no regular top needs the other method
     ++(orbit.modulus.k > orbit.modulus.complement ? complementary : ordinary);
 
     const PrecessionAngle phi(orbit);

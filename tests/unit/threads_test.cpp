@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many threads are allowed and wanted.
+// Number of available and requested threads.
 #include "polhode/base/threads.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of control groups, gone at the end.
+/// A folder of control groups, removed at the end.
 struct Groups {
   fs::path root = fs::temp_directory_path() / "polhode-threads-test";
   Groups() { fs::remove_all(root); }
@@ -29,7 +29,7 @@ struct Groups {
 
 }  // namespace
 
-TEST_CASE("the bandwidth of control groups is the least one up to the root, rounded up") {
+TEST_CASE("the CPU limit of control groups is the minimum up to the root, rounded up") {
   const Groups groups;
   groups.write("a/cpu.max", "250000 100000");
   groups.write("a/b/cpu.max", "max 100000");
@@ -43,7 +43,7 @@ TEST_CASE("the bandwidth of control groups is the least one up to the root, roun
   CHECK(group_bandwidth("nonsense\n0:\n", groups.root) == std::nullopt);
 }
 
-TEST_CASE("the first version of control groups is read as well") {
+TEST_CASE("version 1 of control groups is read as well") {
   const Groups groups;
   groups.write("cpu,cpuacct/a/cpu.cfs_quota_us", "400000");
   groups.write("cpu,cpuacct/a/cpu.cfs_period_us", "100000");
@@ -58,7 +58,7 @@ TEST_CASE("the first version of control groups is read as well") {
   CHECK(group_bandwidth("4:cpuset:/a\n", groups.root) == std::nullopt);
 }
 
-TEST_CASE("threads wanted are the option's, else the environment's, else all") {
+TEST_CASE("the number of threads is that of the option, else of the environment, else all cores") {
   const int all = allowed_threads();
   CHECK(all >= 1);
   const std::string bound = fmt::format("1 to {}", all);

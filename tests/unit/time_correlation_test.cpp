@@ -43,7 +43,7 @@ double product(Product p, const Vec3<double>& a, const Vec3<double>& b) {
   return 0;
 }
 
-// The mean over all origins and bodies, straight from its definition.
+// The mean over all origins and bodies, directly from its definition.
 double direct(Product p, const Series& series, std::size_t lag) {
   double sum = 0, count = 0;
   for (std::size_t t = lag; t < series.size(); ++t)
@@ -57,9 +57,9 @@ const std::vector<Product> all = {
 
 }  // namespace
 
-// Transforms give what the definition gives, to rounding of sums of numbers up to 60² (dots
-// squared) over some hundred terms. Windows that the frames fill exactly, in part, or not at all;
-// more bodies than groups, and fewer.
+// Transforms agree with the definition up to rounding of sums of numbers up to 60² (squared scalar
+// products) over about a hundred terms. Windows filled by the frames exactly, in part, or not at
+// all; more and fewer bodies than groups.
 TEST_CASE("correlations over windows are the direct sums over all origins") {
   for (const std::size_t frames : {2U, 7U, 24U, 31U, 96U})
     for (const std::size_t lags : {1U, 8U, 20U})
@@ -83,7 +83,9 @@ TEST_CASE("correlations over windows are the direct sums over all origins") {
       }
 }
 
-TEST_CASE("correlations have the same bits for any number of threads, and may be asked for early") {
+TEST_CASE(
+    "correlations have the same bits for any number of threads, and may be read during the "
+    "analysis") {
   const Series series = walk(50, 70);
   Workers workers(4);
   TimeCorrelation one(70, 12, {Product::displacement}), many(70, 12, {Product::displacement});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Workers do each task once, whatever the number of threads; more threads than cores are allowed
-// here and only slow.
+// Workers perform each task once, for any number of threads; more threads than cores are allowed
+// here, but slow.
 #include "polhode/base/workers.hpp"
 
 #include <doctest/doctest.h>
@@ -16,7 +16,7 @@ using namespace polhode;
 
 namespace {
 
-/// A place where threads wait for each other, but not for ever.
+/// A barrier at which threads wait for each other, with a time limit.
 class Meeting {
  public:
   explicit Meeting(int expected) : expected_(expected) {}
@@ -39,7 +39,7 @@ TEST_CASE("workers do each task exactly once") {
     Workers workers(threads);
     CHECK(workers.threads() == threads);
     for (const std::size_t count : {0, 1, 2, 3, 7, 1000}) {
-      std::vector<int> done(count, 0);  // not atomic: each is one task's own
+      std::vector<int> done(count, 0);  // not atomic: each belongs to one task
       workers.each(count, [&](std::size_t k) { ++done[k]; });
       CAPTURE(threads);
       CAPTURE(count);
@@ -48,8 +48,8 @@ TEST_CASE("workers do each task exactly once") {
   }
 }
 
-// Calls at all distances: while the others are awake, falling asleep (after 30 µs), and asleep.
-TEST_CASE("what tasks write is there after every one of many calls") {
+// Calls at all intervals: while the others are spinning, falling asleep (after 30 µs), and asleep.
+TEST_CASE("results of tasks are visible after each of many calls") {
   for (const int threads : {2, 3}) {
     Workers workers(threads);
     std::vector<std::size_t> value(8, 0);
@@ -62,7 +62,7 @@ TEST_CASE("what tasks write is there after every one of many calls") {
 }
 
 // The count of calls has 16 bits and wraps around.
-TEST_CASE("workers outlast their count of calls") {
+TEST_CASE("workers survive an overflow of their call counter") {
   Workers workers(2);
   std::size_t sum[2] = {0, 0};
   constexpr std::size_t calls = 70000;
@@ -71,7 +71,7 @@ TEST_CASE("workers outlast their count of calls") {
   CHECK(sum[1] == calls);
 }
 
-TEST_CASE("workers take part in the work, awake and asleep") {
+TEST_CASE("workers take part in the work, from spinning and from sleep") {
   for (const int threads : {2, 3}) {
     Workers workers(threads);
     for (const int gap : {0, 5, 0}) {  // [ms]
@@ -100,7 +100,8 @@ TEST_CASE("a call ends after the last of its tasks") {
   }
 }
 
-TEST_CASE("of two tasks that throw the smaller one is heard, whichever is the first") {
+TEST_CASE(
+    "if two tasks throw, the exception of the lower index is rethrown, whichever came first") {
   Workers workers(2);
   for (const std::size_t late : {0, 1}) {
     Meeting meeting(2);
@@ -118,7 +119,7 @@ TEST_CASE("of two tasks that throw the smaller one is heard, whichever is the fi
   }
 }
 
-TEST_CASE("tasks after one that throws are not begun") {
+TEST_CASE("tasks after one that throws are not started") {
   Workers workers(2);
   Meeting meeting(2);
   std::atomic<int> begun = 0;
@@ -133,7 +134,7 @@ TEST_CASE("tasks after one that throws are not begun") {
   CHECK(begun < 300);
 }
 
-TEST_CASE("the smallest task that throws is the one that is heard") {
+TEST_CASE("the exception of the lowest task is rethrown") {
   for (const int threads : {1, 2, 3}) {
     Workers workers(threads);
     for (int repeat = 0; repeat < 200; ++repeat) {
@@ -158,7 +159,7 @@ TEST_CASE("the smallest task that throws is the one that is heard") {
   }
 }
 
-TEST_CASE("a call from within a task is done by that task's thread") {
+TEST_CASE("a nested call is performed by the thread of its task") {
   Workers workers(3);
   std::vector<std::vector<int>> done(20, std::vector<int>(30, 0));
   std::atomic<int> strangers = 0;
@@ -174,7 +175,7 @@ TEST_CASE("a call from within a task is done by that task's thread") {
   CHECK(strangers == 0);
 }
 
-TEST_CASE("two threads may call the same workers") {
+TEST_CASE("two threads may use the same workers") {
   Workers workers(2);
   std::atomic<int> sum = 0;
   const auto calls = [&] {

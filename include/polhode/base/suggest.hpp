@@ -23,4 +23,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> nam
 /// "a, b, c".
 std::string join_names(std::span<const std::string> names);
 
+/// "must be one of: a, b, c; did you mean 'b'?"
+std::string must_be_one_of(std::span<const std::string_view> names, std::string_view word);
+
 }  // namespace polhode

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 
+#include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/forces/pairs/pair_engine.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
@@ -23,16 +25,23 @@ struct ConstantTerms {
 /// determined by the positions from which it was built.
 struct ListMemory {
   Vec3Column built_at;       ///< centre of each body at that time [nm]; empty if there is no list
-                             ///< yet
+                             ///< for the box of the state
   std::size_t rebuilds = 0;  ///< so far
 };
 
-/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box. The points of a
+/// Site-site Lennard-Jones and Coulomb forces of rigid molecules in a periodic box, which is that
+/// of the state: when it has changed since the last evaluation, the list is built again, and so is
+/// everything else that depends on it. Every result is that of a force field constructed for the
+/// box, to the last bit. An evaluation throws an Error if the box has become too small for the
+/// cutoff, or needs a mesh with too many points.
+///
+/// The points of a
 /// mesh are fixed in space, so the mesh exerts a net force. It is removed (remove_net_force()), so
 /// that the forces conserve the total momentum and are minus the gradient of the energy along every
 /// motion that leaves the centre of mass at rest, as it is while the total momentum is 0.
 class ForceField {
  public:
+  /// @param box      that of the first state: the one for which the settings are checked
   /// @param workers  threads that share an evaluation; results do not depend on their number
   /// @throws Error   if the cutoff does not fit into the box, or a setting is out of its domain
   ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
@@ -52,10 +61,12 @@ class ForceField {
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
                               Load& slope);
 
-  ListMemory list_memory() const;
+  /// @param box  that of the state
+  ListMemory list_memory(const Box& box) const;
   /// Rebuilds the list from the positions in `memory`: from then on the forces agree to the last
   /// bit with those of the force field that the memory was taken from.
-  void resume_from(const ListMemory& memory);
+  /// @param box  that of the state from which the run resumes
+  void resume_from(const ListMemory& memory, const Box& box);
 
   std::uint64_t evaluations() const { return evaluations_; }
   /// Rebuilds of the neighbour list, including those before it was restored.
@@ -64,19 +75,22 @@ class ForceField {
     return std::visit([](const auto& e) -> const NeighbourList& { return e.neighbours(); },
                       engine_);
   }
-  /// The settings in use; with PME, including the mesh that was chosen.
+  /// The settings in use; with PME, including the mesh that was chosen for the box.
   const ForceSettings& settings() const { return settings_; }
-  /// Terms that do not depend on the positions of the bodies.
+  /// Terms that do not depend on the positions of the bodies, in the box of the last state.
   const ConstantTerms& constant_terms() const { return constant_; }
   const Topology& topology() const { return topology_; }
 
  private:
+  void set_box(const Box& box);
   void evaluate(const State& state, Load& load, bool energies);
 
   Workers& workers_;
   Topology topology_;
   Bodies bodies_;
+  std::optional<MeshChoice> mesh_choice_;  // once a mesh was chosen
   ForceSettings settings_;
+  std::optional<Box> box_;  // that the rest belongs to; none after an Error
   ConstantTerms constant_;
   std::variant<PairEngine<double>, PairEngine<float>> engine_;
   std::uint64_t evaluations_ = 0;

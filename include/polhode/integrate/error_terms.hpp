@@ -14,7 +14,8 @@ struct ErrorTerms {
 };
 
 /// Works from the middle stage outwards: each pair of stages e^{X/2} · e^{X/2} is wrapped around
-/// the inner part by the symmetric Baker-Campbell-Hausdorff formula [parisi1988].
+/// the inner part by the symmetric Baker-Campbell-Hausdorff formula [parisi1988]. Baths are left
+/// out: the terms are those of the drifts and kicks alone.
 /// @param scheme  a palindrome; any other scheme has O(h) errors, which are not computed
 constexpr ErrorTerms error_terms(const Scheme& scheme) {
   const auto stages = scheme.stages();
@@ -24,13 +25,18 @@ constexpr ErrorTerms error_terms(const Scheme& scheme) {
   for (std::size_t i = middle; i < stages.size(); ++i) {
     const double t = stages[i].fraction;
     const bool pair = i > middle;
-    if (stages[i].flow == Flow::drift) {
-      if (pair) error.alpha -= t * b * (t + a) / 6, error.beta += t * b * b / 6;
-      a += pair ? 2 * t : t;
-    } else {
-      if (pair) error.alpha += t * a * a / 6, error.beta -= t * a * (t + b) / 6;
-      error.beta -= (pair ? 2 * t : t) * stages[i].xi;
-      b += pair ? 2 * t : t;
+    switch (stages[i].flow) {
+      case Flow::drift:
+        if (pair) error.alpha -= t * b * (t + a) / 6, error.beta += t * b * b / 6;
+        a += pair ? 2 * t : t;
+        break;
+      case Flow::kick:
+        if (pair) error.alpha += t * a * a / 6, error.beta -= t * a * (t + b) / 6;
+        error.beta -= (pair ? 2 * t : t) * stages[i].xi;
+        b += pair ? 2 * t : t;
+        break;
+      case Flow::bath:  // no part of the Hamiltonian
+        break;
     }
   }
   return error;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The two flows that every scheme is composed of (vanzon2008, Eqs. 2 and 3), and the displacement
-// of gradient kicks. Bodies are advanced independently, so the results are bitwise identical for
-// any number of threads.
+// Drift and kick of all bodies, the flows that every scheme is composed of (vanzon2008, Eqs. 2 and
+// 3), and the displacement of gradient kicks. Bodies are advanced independently, so the results are
+// bitwise identical for any number of threads.
 #pragma once
 
-#include <cmath>
-
-#include "polhode/base/quaternion.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
@@ -23,14 +20,6 @@ void drift(State& state, const Bodies& bodies, double t, Workers& workers = Work
 /// accumulate over the steps.
 void kick(State& state, const Bodies& bodies, const Load& load, double t,
           Workers& workers = Workers::serial());
-
-/// The rotation R(v) = exp(−[v]×) as a body → lab quaternion factor: attitude · rodrigues(v)
-/// rotates a body by the body-frame vector v (vanzon2008, below Eq. 7; S̃ = R(v) S).
-inline Quaternion<double> rodrigues(const Vec3<double>& v) {
-  const double half = norm(v) / 2;
-  const double s = half > 0 ? std::sin(half) / (2 * half) : 0.5;
-  return {std::cos(half), s * v.x, s * v.y, s * v.z};
-}
 
 /// The direction along which a gradient kick needs the derivative of the forces: f/m for each
 /// centre and J⁻¹ S τ for each attitude, body frame. ∇W is twice the derivative of f and τ along

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Applies a scheme to a state: drifts and kicks in order, with forces from any callable.
+// Applies a scheme to a state: drifts, kicks and baths in order, with forces from any callable.
 #pragma once
 
 #include <concepts>
@@ -10,25 +10,33 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/force_model.hpp"
+#include "polhode/integrate/joined_flows.hpp"
 #include "polhode/integrate/scheme.hpp"
 
 namespace polhode {
 
-/// Anything that computes the Load at a State. Optional members: forces_alone(state, load), which
-/// skips the energies when they are not needed; drift(state, t), a flow that replaces the drift, as
-/// for multiple time steps; and, if that flow keeps data between steps, forget(), memory() and
-/// resume_from(memory) with the same meaning as in Integrator.
-template <class F>
-concept ForceModel = requires(F& forces, const State& state, Load& load) {
-  {forces(state, load)};
+/// The drift of all bodies: free flight and free rotation.
+struct FreeDrift {
+  const Bodies& bodies;
+  Workers& workers;
+  void operator()(State& state, double t) const { drift(state, bodies, t, workers); }
 };
 
-/// A force model with the exact derivative of its forces and torques along a displacement of the
-/// bodies, as needed by gradient kicks.
+/// In place of a bath, for schemes that have none.
+struct NoBath {};
+
+/// What may drift a state by a time t.
 template <class F>
-concept OffersDerivative = requires(F& forces, const State& state, const Vec3Column& displacement,
-                                    Load& slope) {
-  {forces.directional_derivative(state, displacement, displacement, slope)};
+concept StateDrift = requires(F& drift, State& state, double t) {
+  {drift(state, t)};
+};
+
+/// What may change the momenta of a state over a time t; the stage's number is for random numbers.
+template <class F>
+concept StateBath = std::same_as<F, NoBath> ||
+    requires(F& bath, State& state, double t, StageNumber at) {
+  {bath(state, t, at)};
 };
 
 /// What an integrator carries from step to step: an integrator that takes it over continues bitwise
@@ -37,71 +45,71 @@ struct IntegratorMemory {
   Load load;              ///< of the last evaluation
   bool current = false;   ///< whether it belongs to the current positions
   bool complete = false;  ///< whether it includes energies
-  std::uint64_t evaluations = 0, derivatives = 0, measurements = 0;
+  std::uint64_t steps = 0, evaluations = 0, derivatives = 0, measurements = 0;
   std::vector<IntegratorMemory> inner;  ///< of the inner scheme, if there is one
 };
 
-/// Evaluates forces and torques, without energies if the model can skip them.
-/// @return  whether the Load includes energies anyway
-template <ForceModel Forces>
-bool forces_alone(Forces& forces, const State& state, Load& load) {
-  if constexpr (requires { forces.forces_alone(state, load); }) {
-    forces.forces_alone(state, load);
-    return false;
-  } else {
-    forces(state, load);
-    return true;
-  }
-}
-
+/// Plays step() on a state. It adds to it that adjacent stages are joined, that forces are kept
+/// where positions have not changed, that energies are computed only on demand, and counts.
 /// Owns its scratch space and the last Load; a step does not allocate.
-template <ForceModel Forces>
+/// @tparam Drift  of another kind than free motion, such as steps of an inner scheme
+/// @tparam Bath   for schemes that have one
+template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBath>
 class Integrator {
  public:
   /// @param forces  kept by reference
   /// @param lambda  for gradient kicks by finite difference (vanzon2008, Eq. 6)
   /// @param workers  for drifts and kicks, kept by reference; the forces have their own
-  /// @throws Error  if the scheme has exact gradients and the forces offer no derivative
+  /// @throws Error  if the scheme has exact gradients and the forces offer no derivative, or if it
+  ///                has a bath and there is none
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4,
-             Workers& workers = Workers::serial())
+             Workers& workers = Workers::serial()) requires std::same_as<Drift, FreeDrift> &&
+      std::same_as<Bath, NoBath>
+      : Integrator(scheme, bodies, forces, FreeDrift{bodies, workers}, NoBath{}, lambda, workers) {}
+
+  /// @param drift, bath  kept by value: std::ref() for one that has a state of its own
+  Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, Drift drift, Bath bath,
+             double lambda = 1e-4, Workers& workers = Workers::serial())
       : scheme_(scheme),
         bodies_(bodies),
         forces_(forces),
+        drift_(std::move(drift)),
+        bath_(std::move(bath)),
         lambda_(lambda),
         workers_(workers),
         load_(bodies.size()) {
-    if (scheme.has(Gradient::finite_difference)) shifted_ = State(bodies.size(), {});
-    if (scheme.has(Gradient::exact)) {
-      if (!OffersDerivative<Forces>)
-        throw Error(
-            "the scheme has exact gradient kicks and these forces offer no derivative; give them a "
-            "directional_derivative, or take finite differences as in \"gier4-fd\"");
-      dq_ = dtheta_ = Vec3Column(bodies.size());
-    }
-    if (scheme.has(Gradient::finite_difference) || scheme.has(Gradient::exact))
-      gradient_load_ = Load(bodies.size());
+    check_flows<StateFlows>(scheme);
+    const auto stages = scheme.stages();
+    for (std::size_t k = 0; k < stages.size(); ++k)
+      if (stages[k].flow == Flow::drift) after_last_drift_ = k + 1;
+    const bool exact = scheme.has(Gradient::exact);
+    const bool difference = scheme.has(Gradient::finite_difference);
+    if (exact && !OffersDerivative<Forces>)
+      throw Error(
+          "the scheme has exact gradient kicks and these forces have no derivative; give them a "
+          "directional_derivative, or take finite differences as in \"gier4-fd\"");
+    if (exact) dq_ = dtheta_ = Vec3Column(bodies.size());
+    if (difference) shifted_ = State(bodies.size(), {});
+    if (exact || difference) gradient_load_ = Load(bodies.size());
   }
 
-  /// Advances by `steps` steps e^{Lh} (vanzon2008, Eq. 1). The last stage of a step and the first
-  /// of the next are applied as one flow. At the end the state is synchronised: positions and
-  /// momenta belong to the same time.
+  /// Advances by `steps` steps e^{Lh} (vanzon2008, Eq. 1). Adjacent stages of one flow are applied
+  /// as one, as the last of a step and the first of the next. At the end the state is synchronised:
+  /// positions and momenta belong to the same time.
   /// @param energies  whether load() will be asked for energies at the end; otherwise they have to
   ///                  be computed at that point
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {
-    const std::span<const Stage> stages = scheme_.stages();
-    // If the model divides each drift into a number of inner steps, two drifts cannot be merged.
-    const bool mergeable = scheme_.mergeable() && (stages[0].flow == Flow::kick || !has_own_drift);
+    if (steps == 0) return;
     const double start = state.time;
-    for (std::size_t n = 0; n < steps; ++n) {
-      const bool first = n == 0, last = n + 1 == steps;
-      for (std::size_t k = 0; k < stages.size(); ++k) {
-        if (mergeable && k == 0 && !first)
-          continue;  // was merged with the last stage of the previous step
-        Stage stage = stages[k];
-        if (mergeable && k + 1 == stages.size() && !last) stage.fraction *= 2;
-        apply(stage, state, h, energies && last && k + 1 == stages.size());
-      }
-    }
+    StateFlows flows{*this, state};
+    JoinedFlows joined(flows, std::same_as<Drift, FreeDrift>);
+    for (std::size_t n = 1; n < steps; ++n) step(scheme_, joined, h, steps_++);
+
+    const std::span<const Stage> last = scheme_.stages();
+    play(last.first(after_last_drift_), joined, h, {steps_, 0});
+    flows.energies = energies;  // of the positions at the end
+    play(last.subspan(after_last_drift_), joined, h, {steps_++, after_last_drift_});
+    joined.flush();
     state.time = start + static_cast<double>(steps) * h;
   }
 
@@ -110,7 +118,7 @@ class Integrator {
   /// part of the integration.
   const Load& load(const State& state) {
     if (!current_ || !complete_) {
-      evaluate(state, load_, true);
+      evaluate(state, true);
       ++measurements_;
     }
     return load_;
@@ -121,7 +129,7 @@ class Integrator {
   /// @param energies  whether a new evaluation should include energies
   const Load& forces(const State& state, bool energies = false) {
     if (!current_) {
-      evaluate(state, load_, energies);
+      evaluate(state, energies);
       ++evaluations_;
     }
     return load_;
@@ -131,97 +139,102 @@ class Integrator {
   const Load& last_load() const { return load_; }
 
   /// To be called when the positions were changed from outside.
-  void forget() {
-    current_ = false;
-    if constexpr (requires { forces_.forget(); }) forces_.forget();
-  }
+  void forget() { current_ = false; }
 
   IntegratorMemory memory() const {
-    IntegratorMemory memory{load_,        current_,      complete_, evaluations_,
-                            derivatives_, measurements_, {}};
-    if constexpr (requires { forces_.memory(); }) memory.inner.push_back(forces_.memory());
-    return memory;
+    return {load_, current_, complete_, steps_, evaluations_, derivatives_, measurements_, {}};
   }
   void resume_from(const IntegratorMemory& memory) {
     load_ = memory.load;
     current_ = memory.current, complete_ = memory.complete;
+    steps_ = memory.steps;
     evaluations_ = memory.evaluations, derivatives_ = memory.derivatives;
     measurements_ = memory.measurements;
-    if constexpr (requires { forces_.resume_from(memory); })
-      forces_.resume_from(memory.inner.at(0));
   }
 
   const Scheme& scheme() const { return scheme_; }
+  std::uint64_t steps() const { return steps_; }                    ///< the number of the next one
   std::uint64_t force_evaluations() const { return evaluations_; }  ///< by steps
   std::uint64_t derivatives() const { return derivatives_; }        ///< of forces, by steps
   std::uint64_t measurements() const { return measurements_; }      ///< by load() only
 
  private:
-  static constexpr bool has_own_drift = requires(Forces & forces, State& state, double t) {
-    forces.drift(state, t);
+  /// The flows of one state.
+  struct StateFlows {
+    Integrator& integrator;
+    State& state;
+    bool energies = false;  // whether evaluations include them
+
+    void drift(double t) {
+      integrator.drift_(state, t);
+      integrator.current_ = false;
+    }
+    void kick(double t) {
+      const Load& load = integrator.forces(state, energies);
+      polhode::kick(state, integrator.bodies_, load, t, integrator.workers_);
+    }
+    void kick(double t, double xi_h2, Gradient gradient) {
+      kick(t);
+      switch (gradient) {
+        case Gradient::exact:
+          if constexpr (OffersDerivative<Forces>) integrator.exact_gradient_kick(state, t, xi_h2);
+          break;
+        case Gradient::finite_difference:
+          integrator.finite_difference_kick(state, t, xi_h2);
+          break;
+      }
+    }
+    void bath(double t, StageNumber at) requires(!std::same_as<Bath, NoBath>) {
+      integrator.bath_(state, t, at);
+    }
   };
 
-  void evaluate(const State& state, Load& load, bool energies) {
+  void evaluate(const State& state, bool energies) {
     complete_ = energies;
     if (energies)
-      forces_(state, load);
+      forces_(state, load_);
     else
-      complete_ = forces_alone(forces_, state, load);
+      complete_ = forces_alone(forces_, state, load_);
     current_ = true;
   }
 
-  void apply(const Stage& stage, State& state, double h, bool energies) {
-    if (stage.flow == Flow::drift) {
-      if constexpr (has_own_drift)
-        forces_.drift(state, stage.fraction * h);
-      else
-        drift(state, bodies_, stage.fraction * h, workers_);
-      current_ = false;
-      return;
-    }
-    kick(state, bodies_, forces(state, energies), stage.fraction * h, workers_);  // f, τ
-    if constexpr (OffersDerivative<Forces>)
-      if (stage.has(Gradient::exact)) exact_gradient_kick(stage, state, h);
-    if (stage.has(Gradient::finite_difference)) finite_difference_kick(stage, state, h);
-  }
-
-  /// The additional part of e^{B̂(ξ)} over e^B: ξ h² ∇W (vanzon2008, Eq. 5), where ∇W is twice the
-  /// derivative of f and τ along the displacement that they would cause (docs/theory.md, "The
-  /// gradient kick"). h in ξ h² is the full step, whatever the weight of the kick.
-  void exact_gradient_kick(const Stage& stage, State& state, double h) {
+  /// The additional part of e^{B̂(ξ)t} over e^{Bt}: ξ h² ∇W (vanzon2008, Eq. 5), where ∇W is twice
+  /// the derivative of f and τ along the displacement that they would cause (docs/theory.md, "The
+  /// gradient kick"). h in ξ h² is the full step, whatever the fraction of the kick.
+  void exact_gradient_kick(State& state, double t, double xi_h2) {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);
     ++derivatives_;
-    kick(state, bodies_, gradient_load_, stage.fraction * h * 2 * stage.xi * h * h, workers_);
+    kick(state, bodies_, gradient_load_, t * 2 * xi_h2, workers_);
   }
 
   /// The same by finite difference: Δf = [f(q̃, S̃) − f(q, S)]/λ, and likewise for τ, both in the
   /// lab frame (vanzon2008, Eqs. 6 and 7).
-  void finite_difference_kick(const Stage& stage, State& state, double h) {
+  void finite_difference_kick(State& state, double t, double xi_h2) {
     shifted_.q = state.q;
     shifted_.attitude = state.attitude;
     shifted_.box = state.box;
-    displace(shifted_, bodies_, load_, 2 * stage.xi * lambda_ * h * h, workers_);
-    const bool complete = complete_;
-    evaluate(shifted_, gradient_load_, false);
-    complete_ = complete;
+    displace(shifted_, bodies_, load_, 2 * lambda_ * xi_h2, workers_);
+    forces_alone(forces_, shifted_, gradient_load_);
     ++evaluations_;
-    const double t = stage.fraction * h / lambda_;
-    kick(state, bodies_, gradient_load_, t, workers_);
-    kick(state, bodies_, load_, -t, workers_);
+    kick(state, bodies_, gradient_load_, t / lambda_, workers_);
+    kick(state, bodies_, load_, -t / lambda_, workers_);
   }
 
   Scheme scheme_;
   const Bodies& bodies_;
   Forces& forces_;
+  Drift drift_;
+  Bath bath_;
   double lambda_;
   Workers& workers_;
+  std::size_t after_last_drift_ = 0;  // stages up to and including the last drift
   Load load_, gradient_load_;
   Vec3Column dq_, dtheta_;  // displacement along which the derivative is taken
   State shifted_;           // q̃, S̃
   bool current_ = false;    // load_ belongs to the current positions
   bool complete_ = false;   // load_ includes energies
-  std::uint64_t evaluations_ = 0, derivatives_ = 0, measurements_ = 0;
+  std::uint64_t steps_ = 0, evaluations_ = 0, derivatives_ = 0, measurements_ = 0;
 };
 
 }  // namespace polhode

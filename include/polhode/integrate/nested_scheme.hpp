@@ -32,6 +32,7 @@ struct NestedScheme {
     return inner ? std::min(outer.order(), inner->scheme.order()) : outer.order();
   }
 
+  bool has(Flow flow) const { return outer.has(flow) || (inner && inner->scheme.has(flow)); }
   bool has(Gradient gradient) const {
     return outer.has(gradient) || (inner && inner->scheme.has(gradient));
   }
@@ -41,8 +42,7 @@ struct NestedScheme {
   /// one; the displaced positions of a finite difference need one of their own.
   int near_evaluations() const {
     if (!inner) return 0;
-    const auto within = inner->scheme.stages();
-    const bool shared = !is_drift(within.front()) || !is_drift(within.back());
+    const bool shared = inner->scheme.starts_with_kick() || inner->scheme.ends_with_kick();
     const int displaced = outer.gradient_kicks() - outer.derivatives();
     return inner_steps() * inner->scheme.force_evaluations() +
            (shared ? displaced : outer.force_evaluations());
@@ -56,11 +56,10 @@ struct NestedScheme {
   double near_cost() const { return near_evaluations() + derivative_cost * near_derivatives(); }
 
  private:
-  static bool is_drift(const Stage& stage) { return stage.flow == Flow::drift; }
   /// Inner steps per step of the outer scheme.
   int inner_steps() const {
-    const auto stages = outer.stages();
-    return inner->steps * static_cast<int>(std::count_if(stages.begin(), stages.end(), is_drift));
+    const auto drifts = std::ranges::count(outer.stages(), Flow::drift, &Stage::flow);
+    return inner->steps * static_cast<int>(drifts);
   }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A splitting scheme as data: a palindrome of drifts e^{aAh} and kicks e^{bB̂(ξ)h} (vanzon2008, Eq.
-// 1).
+// 1), and of baths where there is a temperature to keep.
 #pragma once
 
 #include <array>
@@ -12,7 +12,40 @@
 
 namespace polhode {
 
-enum class Flow { drift, kick };
+/// What a stage does. Whoever looks at a flow does so in a `switch` without `default`: the compiler
+/// then names every place where a new flow has to be thought of.
+enum class Flow {
+  drift,  ///< free flight and free rotation: changes positions and attitudes
+  kick,   ///< forces and torques act: changes momenta
+  bath,   ///< a heat bath acts: changes momenta, without any forces
+};
+
+inline constexpr std::array all_flows{Flow::drift, Flow::kick, Flow::bath};
+
+/// The letter of a flow in the text of a scheme.
+constexpr char letter_of(Flow flow) {
+  switch (flow) {
+    case Flow::drift:
+      return 'A';
+    case Flow::kick:
+      return 'B';
+    case Flow::bath:
+      return 'O';
+  }
+  return '?';
+}
+
+constexpr std::string_view name_of(Flow flow) {
+  switch (flow) {
+    case Flow::drift:
+      return "drift";
+    case Flow::kick:
+      return "kick";
+    case Flow::bath:
+      return "bath";
+  }
+  return "";
+}
 
 /// How a gradient kick obtains ∇W.
 enum class Gradient {
@@ -27,6 +60,19 @@ struct Stage {
   double xi = 0;        ///< ξ of a gradient kick (vanzon2008, Eqs. 4 to 7); 0 for a plain one
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
+  /// Whether this stage and `next`, right after it, are one stage of both lengths. Baths are not:
+  /// each has random numbers of its own.
+  constexpr bool joins(const Stage& next) const {
+    switch (flow) {
+      case Flow::drift:
+        return next.flow == Flow::drift;
+      case Flow::kick:
+        return next.flow == Flow::kick && next.xi == xi && (xi == 0 || next.gradient == gradient);
+      case Flow::bath:
+        return false;
+    }
+    return false;
+  }
   friend constexpr bool operator==(const Stage&, const Stage&) = default;
 };
 
@@ -34,6 +80,7 @@ constexpr Stage A(double a) { return {Flow::drift, a, 0}; }
 constexpr Stage B(double b, double xi = 0, Gradient gradient = Gradient::exact) {
   return {Flow::kick, b, xi, gradient};
 }
+constexpr Stage O(double c) { return {Flow::bath, c, 0}; }
 
 /// Cost of the derivative of the forces, in force evaluations, as measured for 512 four-site waters
 /// with bench/micro/forces.cpp (docs/gradient.md).
@@ -43,7 +90,7 @@ inline constexpr double derivative_cost = 2.0;
 inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 
 /// A scheme. User-defined lines of the table are checked at compile time: the constructor is
-/// consteval and rejects schemes whose drifts or kicks do not sum to one step.
+/// consteval and rejects schemes whose drifts, kicks or baths do not sum to one step.
 class Scheme {
  public:
   static constexpr std::size_t max_stages = 64;
@@ -55,9 +102,9 @@ class Scheme {
                    std::string_view source)
       : name_(name), source_(source), order_(order) {
     for (const Stage& stage : half) stages_[count_++] = stage;
-    complete(Flow::drift), complete(Flow::kick);
+    for (const Flow flow : all_flows) complete(flow);
     for (std::size_t i = count_ - 1; i-- > 0;) stages_[count_++] = stages_[i];
-    if (!consistent()) throw "the drifts or the kicks of a scheme do not sum to one";
+    if (!consistent()) throw "the drifts, the kicks or the baths of a scheme do not sum to one";
   }
 
   /// A scheme of stages known at run time: see parsed_scheme().
@@ -72,32 +119,41 @@ class Scheme {
   constexpr std::span<const Stage> stages() const { return {stages_.data(), count_}; }
 
   /// Force evaluations per step in a sequence of steps: a kick at the positions of the previous
-  /// kick costs nothing; a gradient kick by finite difference costs one more.
+  /// kick costs nothing, nor does a bath; a gradient kick by finite difference costs one more.
   constexpr int force_evaluations() const { return evaluations().forces; }
   /// Evaluations of the derivative of the forces per step: one per exact gradient kick.
   constexpr int derivatives() const { return evaluations().derivatives; }
   /// Total cost of both, in force evaluations.
   constexpr double cost() const { return force_evaluations() + derivative_cost * derivatives(); }
 
-  /// Whether the last stage of a step and the first of the next are the same flow.
-  constexpr bool mergeable() const { return count_ > 1 && palindromic(); }
-
+  constexpr bool has(Flow flow) const {
+    for (const Stage& stage : stages())
+      if (stage.flow == flow) return true;
+    return false;
+  }
   constexpr bool has(Gradient gradient) const {
     for (const Stage& stage : stages())
       if (stage.has(gradient)) return true;
     return false;
   }
-  /// Gradient kicks per step.
+  /// Gradient kicks per step. The last kick of a step may be one with the first of the next.
   constexpr int gradient_kicks() const {
     int n = 0;
-    for (const Stage& stage : stages())
-      if (stage.xi != 0) ++n;
-    if (mergeable() && stages_[0].xi != 0)
-      --n;  // the last one is merged with the first one of the
-            // next step
+    for (std::size_t i = 0; i < count_; ++i) n += stages_[i].xi != 0 && !joins_next(i) ? 1 : 0;
     return n;
   }
-  constexpr bool has_gradient() const { return gradient_kicks() > 0; }
+
+  /// Whether the first stage of a step, apart from baths, is a kick; and the last one.
+  constexpr bool starts_with_kick() const {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (stages_[i].flow != Flow::bath) return stages_[i].flow == Flow::kick;
+    return false;
+  }
+  constexpr bool ends_with_kick() const {
+    for (std::size_t i = count_; i-- > 0;)
+      if (stages_[i].flow != Flow::bath) return stages_[i].flow == Flow::kick;
+    return false;
+  }
 
   constexpr bool palindromic() const {
     for (std::size_t i = 0; i < count_; ++i)
@@ -105,7 +161,7 @@ class Scheme {
     return true;
   }
 
-  /// The sum of all fractions of one flow: 1 for a consistent scheme.
+  /// The sum of all fractions of one flow: 1 for a consistent scheme, or 0 without baths.
   constexpr double total(Flow flow) const {
     double sum = 0;
     for (const Stage& stage : stages())
@@ -113,10 +169,12 @@ class Scheme {
     return sum;
   }
 
-  /// Whether both flows advance by one step, to the rounding of a sum of decimal coefficients.
+  /// Whether drifts and kicks advance by one step, and so do baths where there are any, to the
+  /// rounding of a sum of decimal coefficients.
   constexpr bool consistent() const {
     const auto one = [](double x) { return x - 1 < 1e-14 && 1 - x < 1e-14; };
-    return one(total(Flow::drift)) && one(total(Flow::kick));
+    return one(total(Flow::drift)) && one(total(Flow::kick)) &&
+           (!has(Flow::bath) || one(total(Flow::bath)));
   }
 
  private:
@@ -125,19 +183,26 @@ class Scheme {
   };
   constexpr Evaluations evaluations() const {
     Evaluations n;
-    bool known = stages_[count_ - 1].flow == Flow::kick;  // from the end of the previous step
-    for (std::size_t i = 0; i < count_; ++i) {
-      if (stages_[i].flow == Flow::drift) {
-        known = false;
-        continue;
+    bool known = ends_with_kick();  // from the end of the previous step
+    for (std::size_t i = 0; i < count_; ++i) switch (stages_[i].flow) {
+        case Flow::drift:
+          known = false;
+          break;
+        case Flow::kick:
+          n.forces += known ? 0 : 1;
+          n.forces += stages_[i].has(Gradient::finite_difference) && !joins_next(i) ? 1 : 0;
+          n.derivatives += stages_[i].has(Gradient::exact) && !joins_next(i) ? 1 : 0;
+          known = true;
+          break;
+        case Flow::bath:  // positions stay, and so do the forces
+          break;
       }
-      const bool merged = i + 1 == count_ && mergeable();  // with the first kick of the next step
-      n.forces += known ? 0 : 1;
-      n.forces += stages_[i].has(Gradient::finite_difference) && !merged ? 1 : 0;
-      n.derivatives += stages_[i].has(Gradient::exact) && !merged ? 1 : 0;
-      known = true;
-    }
     return n;
+  }
+
+  /// Whether a stage and the one after it, perhaps of the next step, are applied as one.
+  constexpr bool joins_next(std::size_t i) const {
+    return count_ > 1 && stages_[i].joins(stages_[(i + 1) % count_]);
   }
 
   /// Replaces the `rest` of a flow by its value; stages_ holds the stages up to the middle one.

@@ -96,8 +96,8 @@ struct Config {
                               ///< the cutoff fits
 };
 
-/// The smallest lambda accepted in mixed precision.
-inline constexpr double min_lambda_in_mixed = 0.1;
+/// In mixed precision: the default of lambda, and the smallest value accepted.
+inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 
 /// Sets the precision of a run, overriding that of the run file, and a suitable lambda if the run
 /// file has none.

@@ -33,11 +33,11 @@ class FrameReader {
 /// Opens a file; the format is chosen by the file extension.
 /// @param names  kinds and residues of the atoms for formats without names (XTC, TRR, DCD), in the
 ///               order of the file; if null, all such atoms are of one unnamed kind
-/// @throws Error  if the file cannot be read or its extension is not one of `readable_formats()`
+/// @throws Error  if the file cannot be read or its extension is not that of a format
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
 
 /// The same from a stream, which must outlive the reader.
-/// @param format  one of `readable_formats()`
+/// @param format  its extension, such as "gro"
 /// @param file    its name in errors
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
                                          const std::string& file, const Frame* names = nullptr);
@@ -101,16 +101,15 @@ void check_fit(const std::string& path, const State& state, const Topology& topo
                const FrameChoice& choice = {});
 
 /// What the format with a given file extension can store.
-/// @throws Error  if the extension is not one of `readable_formats()`
+/// @throws Error  if the extension is not that of a format
 struct FormatTraits {
   bool names;       ///< of atoms
   bool velocities;  ///< of atoms
 };
 FormatTraits format_traits(const std::string& path);
 
-/// File extensions without the dot: "gro", "pdb", "xyz", "xtc", "trr", "dcd", "h5md"; and, for
-/// reading only, LAMMPS data files: "data", "lmp".
-std::vector<std::string_view> readable_formats();
+/// Extensions of the formats that can be written, without the dot: "gro", "pdb", "xyz", "xtc",
+/// "trr", "dcd", "h5md".
 std::vector<std::string_view> writable_formats();
 
 /// An initial configuration: the built-in "w512", or the first frame of a file in any format that

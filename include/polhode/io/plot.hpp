@@ -3,14 +3,19 @@
 // and run again.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace polhode {
+
+/// The choices of a figure, as in run files.
+inline constexpr std::array<std::string_view, 3> plot_formats = {"svg", "png", "none"};
 
 /// Runs gnuplot on a script in the script's folder, without a shell, the user's settings or input.
 /// False, with a warning that says why and what to do, if gnuplot is not installed, refuses the

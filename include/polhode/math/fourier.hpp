@@ -13,10 +13,10 @@
 namespace polhode {
 
 /// Forward and backward transforms of one length, not normalised: together they multiply by the
-/// length. Plans are estimated, not measured, so that they are the same in every run.
+/// length. The same in every run.
 class RealTransform {
  public:
-  /// @param least  minimum length; the actual length is the next product of small primes
+  /// @param min_length  minimum length; the actual length is the next product of small primes
   explicit RealTransform(std::size_t min_length);
   ~RealTransform();
   RealTransform(RealTransform&&) noexcept;

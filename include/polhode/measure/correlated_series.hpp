@@ -34,7 +34,7 @@ struct Drift {
   bool significant() const;
 };
 
-/// A drift with a smaller chance counts as significant.
+/// A drift with a smaller p-value is significant.
 inline constexpr double significance = 0.01;
 
 /// Minimum number of blocks for an error; runs with few samples have one block per sample.
@@ -66,7 +66,8 @@ std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t t
                                          std::size_t quantity);
 
 /// The slope of the least-squares line through the block means of a quantity against those of the
-/// time.
+/// time. The significance is averaged over the spectra that the noise may have: white, with a
+/// correlated part.
 /// @param time, quantity  which of the sums
 /// @param walks  variance per time that a random walk adds to the quantity, known independently,
 ///               or its possible values, over which the significance is averaged

@@ -52,17 +52,21 @@ class RadialDistribution {
   /// bin.
   std::vector<double> coordination(std::size_t pair) const;
 
+  struct Shell {
+    SeriesEstimate end;           ///< position of the smallest g beyond the peak [nm]
+    SeriesEstimate coordination;  ///< number of neighbours up to it
+  };
   struct Peak {
-    SeriesEstimate place;         ///< [nm]
-    SeriesEstimate height;        ///< [1]
-    SeriesEstimate minimum;       ///< position of the smallest g beyond the peak [nm]
-    SeriesEstimate coordination;  ///< number of neighbours up to the minimum
+    SeriesEstimate position;     ///< [nm]
+    SeriesEstimate height;       ///< [1]
+    std::optional<Shell> shell;  ///< none if g still falls at the end of its range
   };
   /// The first peak: from where g first exceeds 0.75 of its largest value, before it falls to half
   /// of the peak. Its maximum is that of a least-squares cubic through the bins in which g is above
-  /// 0.9 of it. The minimum is found likewise, through the bins around the smallest g up to 1.6
-  /// times the peak position, a tenth of that on each side: the first shell of liquids ends between
-  /// 1.2 and 1.5 times the peak position. None if g is 0 everywhere, or largest in the last bin.
+  /// 0.9 of it. The end of its shell is found likewise, through the bins around the smallest g up
+  /// to 1.6 times the peak position, a tenth of that on each side: the first shell of liquids ends
+  /// between 1.2 and 1.5 times the peak position. None if g is 0 everywhere, or largest in the last
+  /// bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
 
  private:

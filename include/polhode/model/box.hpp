@@ -12,6 +12,7 @@ namespace polhode {
 struct Box {
   Vec3<double> edge;  ///< [nm]
 
+  friend bool operator==(const Box&, const Box&) = default;
   double volume() const { return edge.x * edge.y * edge.z; }
   double shortest_edge() const { return std::min({edge.x, edge.y, edge.z}); }
 

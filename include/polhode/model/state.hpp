@@ -12,8 +12,8 @@ struct State {
   Vec3Column p;               ///< momenta [u nm/ps], lab
   QuaternionColumn attitude;  ///< body → lab; its transposed matrix is S
   Vec3Column ell;             ///< angular momenta about the centres [u nm²/ps], lab
-  Box box;                    ///< [nm]
-  double time = 0;            ///< [ps]
+  Box box;          ///< [nm]; it may change at any time, and whoever needs it reads it here
+  double time = 0;  ///< [ps]
 
   State() = default;
   State(std::size_t bodies, const Box& box)

@@ -8,6 +8,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/model/topology.hpp"
 
 namespace polhode {
@@ -26,16 +27,16 @@ void check_site(const std::string& word, const Topology& topology) {
   if (std::find(names.begin(), names.end(), word) != names.end()) return;
   if (bare)
     throw Error(
-        fmt::format("site '{}' has no Lennard-Jones terms of its own, so that the pair loops pass "
-                    "it by; give it sigma and epsilon in its molecule file, or leave the pair out",
+        fmt::format("site '{}' has no Lennard-Jones parameters, so the pair loops skip it; give it "
+                    "sigma and epsilon in its molecule file, or leave the pair out",
                     word));
   const std::string near = did_you_mean(word, names);
   throw Error(fmt::format(
-      "there is no site '{}' here{}", word,
+      "there is no site '{}' in this system{}", word,
       !near.empty() ? near
       : names.empty()
-          ? "; no site of this system has Lennard-Jones terms, so leave the pair out"
-          : "; a site is named by molecule and site, and there are: " + join_names(names)));
+          ? "; no site of this system has Lennard-Jones parameters, so leave the pair out"
+          : "; sites are written as molecule.site, and there are: " + join_names(names)));
 }
 
 bool same_sites(const PairOverride& a, const PairOverride& b) {
@@ -52,7 +53,7 @@ void check(const Mixing& mixing, const Topology& topology) {
     const std::string what = fmt::format("pair of '{}' and '{}'", pair->first, pair->second);
     if (std::any_of(mixing.pairs.begin(), pair,
                     [&](const PairOverride& other) { return same_sites(other, *pair); }))
-      throw Error(fmt::format("the {} stands twice; delete one", what));
+      throw Error(fmt::format("the {} is given twice; delete one", what));
     for (const double x : {pair->sigma, pair->epsilon})
       if (!(x >= 0) || !std::isfinite(x))
         throw Error(
@@ -68,7 +69,8 @@ void check(const Mixing& mixing, const Topology& topology) {
 }
 
 std::string description(const Mixing& mixing) {
-  std::string text = mixing.rule == MixingRule::geometric ? "geometric mixing" : "";
+  std::string text =
+      mixing.rule == Mixing{}.rule ? "" : fmt::format("{} mixing", name_of(mixing.rule));
   for (const PairOverride& pair : mixing.pairs)
     text += fmt::format("{}{} with {}: sigma {} nm, epsilon {} kJ/mol", text.empty() ? "" : "; ",
                         pair.first, pair.second, pair.sigma, pair.epsilon);

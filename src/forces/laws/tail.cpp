@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/pairs/pair_table.hpp"
 
@@ -27,10 +26,6 @@ double tail_integral(const ForceSettings& s, int n) {
 }  // namespace
 
 double dispersion_tail(const Topology& topology, const ForceSettings& settings, const Box& box) {
-  if (settings.truncation == Truncation::site_shift)
-    throw Error(
-        "dispersion_correction is for laws that a switch ends; a shifted law differs from "
-        "Lennard-Jones at all distances: take truncation \"site-switch\", or no correction");
   const PairTables tables(topology, settings.mixing);
   const double r6 = tail_integral(settings, 6), r12 = tail_integral(settings, 12);
   double sum = 0;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Fourier transforms of a MeshGrid in both directions, in pieces that tasks can share. FFTW's plans
-// are estimated, not measured, so that they are the same in every run.
+// Fourier transforms of a MeshGrid in both directions, in pieces that tasks can share, with
+// pocketfft or FFTW (POLHODE_FFT). The result of a piece does not depend on the task that computes
+// it.
 #pragma once
 
 #include <memory>
 
+#include "../pairs/cache_lines.hpp"
 #include "polhode/forces/mesh/mesh_loops.hpp"
 
 namespace polhode {
@@ -33,8 +35,10 @@ class GridTransform {
  private:
   struct Plans;
   MeshGrid<T>& grid_;
-  std::size_t row_, plane_;  // strides of rows and planes, in numbers
-  Column<T> waves_;
+  // Strides of rows and planes of waves, in numbers.
+  std::size_t row_ = spread_lines<T>(2 * (grid_.points[0] / 2 + 1));
+  std::size_t plane_ = odd_lines<T>(row_ * grid_.points[1]);
+  Column<T> waves_{plane_ * grid_.points[2]};
   std::unique_ptr<Plans> plans_;
 };
 

@@ -15,10 +15,10 @@
 namespace polhode {
 namespace {
 
-/// The charges of a system, and ⟨|S(k)|²⟩/V for randomly placed bodies [e²/nm³].
+/// The charges of a system, and ⟨|S(k)|²⟩ for randomly placed bodies [e²].
 class ChargeDistribution {
  public:
-  ChargeDistribution(const Topology& topology, const Box& box) : volume_(box.volume()) {
+  explicit ChargeDistribution(const Topology& topology) {
     for (const auto& part : topology.parts) {
       const InteractionSites sites(part.molecule);
       const auto count = static_cast<double>(part.count);
@@ -36,26 +36,25 @@ class ChargeDistribution {
   }
   double charges() const { return charges_; }
   double mean_square() const { return squares_ / charges_; }
-  double density() const { return charges_ / volume_; }
   double form(double k) const {
     double sum = squares_;
     for (const Pair& pair : pairs_) {
       const double x = k * pair.r;
       sum += pair.strength * (x < 1e-3 ? 1 - x * x / 6 : std::sin(x) / x);
     }
-    return sum / volume_;
+    return sum;
   }
 
  private:
   struct Pair {
     double strength, r;
   };
-  double volume_, charges_ = 0, squares_ = 0;
+  double charges_ = 0, squares_ = 0;
   std::vector<Pair> pairs_;
 };
 
-/// The mean square error for given grid spacings, independent of the size of the box: the sum over
-/// waves approximates an integral, so a small grid suffices.
+/// The mean square error for given grid spacings in a box of 1 nm³; it falls as 1/V, and depends on
+/// the box in no other way: the sum over waves approximates an integral, so a small grid suffices.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
   constexpr int points = 12, half = points / 2, aliases = 3;
@@ -71,11 +70,14 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
         axis[d][n][l] = {2 * turn / spacing[d],
                          turn == 0 ? 1 : std::pow(std::sin(turn) / turn, 2 * order)};
       }
+  const bool cubic = spacing.x == spacing.y && spacing.y == spacing.z;
   double total = 0;
   for (int x = 0; x <= half; ++x)
     for (int y = 0; y <= half; ++y)
       for (int z = 0; z <= half; ++z) {
         if (x + y + z == 0) continue;
+        if (cubic && (x > y || y > z)) continue;  // once for all orders of the three
+        const int orders = !cubic || (x == y && y == z) ? 1 : x == y || y == z ? 3 : 6;
         // Sums over aliases of U², U² k², U² k² γ, and of the first and the last two times the form
         // factor.
         double u = 0, uk = 0, ukg = 0, u_form = 0, ukg_form = 0, kgg_form = 0;
@@ -91,8 +93,8 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
             }
         const double G = ukg / (u * uk);
         const auto weight = [](int n) { return n == 0 || n == half ? 1 : 2; };
-        total +=
-            weight(x) * weight(y) * weight(z) * (kgg_form - 2 * G * ukg_form + G * G * uk * u_form);
+        total += orders * weight(x) * weight(y) * weight(z) *
+                 (kgg_form - 2 * G * ukg_form + G * G * uk * u_form);
       }
   const double volume = points * points * points * spacing.x * spacing.y * spacing.z;
   return units::coulomb * units::coulomb * distribution.mean_square() * std::max(total, 0.0) /
@@ -124,61 +126,18 @@ double expected_mesh_error(const Topology& topology, const Box& box, const MeshS
   Vec3<double> spacing;
   for (std::size_t d = 0; d < 3; ++d)
     spacing[d] = box.edge[d] / static_cast<double>(settings.points[d]);
-  return std::sqrt(mean_square_error(ChargeDistribution(topology, box), spacing, settings.order,
-                                     CompactSplit(settings.cutoff, settings.exponent)));
+  return std::sqrt(mean_square_error(ChargeDistribution(topology), spacing, settings.order,
+                                     CompactSplit(settings.cutoff, settings.exponent)) /
+                   box.volume());
 }
 
 double typical_force(const Topology& topology, const Box& box) {
-  const ChargeDistribution distribution(topology, box);
+  const ChargeDistribution distribution(topology);
   return 0.75 * units::coulomb * distribution.mean_square() *
-         std::pow(distribution.density(), 2.0 / 3);
+         std::pow(distribution.charges() / box.volume(), 2.0 / 3);
 }
 
 namespace {
-
-/// The fastest mesh for one cutoff.
-MeshSettings cheapest_mesh(double relative_error, double cutoff, const Box& box,
-                           const Topology& topology) {
-  const ChargeDistribution distribution(topology, box);
-  // In water the actual error is 0.3 to 1.5 times the expected one: smaller where molecules screen
-  // each other, larger because of the coarse sum over waves. The margin covers the larger values.
-  constexpr double margin = 1.5;
-  const double wanted = relative_error * typical_force(topology, box) / margin;
-  const auto error = [&](const Vec3<double>& spacing, int order, int exponent) {
-    return std::sqrt(
-        mean_square_error(distribution, spacing, order, CompactSplit(cutoff, exponent)));
-  };
-  const auto points_of = [&](double spacing) {
-    std::array<std::size_t, 3> points{};
-    for (std::size_t d = 0; d < 3; ++d) {
-      points[d] = std::max<std::size_t>(8, static_cast<std::size_t>(box.edge[d] / spacing));
-      while (!is_fft_size(points[d]) || box.edge[d] > spacing * static_cast<double>(points[d]))
-        ++points[d];
-    }
-    return points;
-  };
-
-  MeshSettings best{{}, 0, 0, cutoff};
-  double min_seconds = std::numeric_limits<double>::infinity();
-  for (int order = MeshSettings::lowest_order; order <= MeshSettings::highest_order; ++order) {
-    // For each exponent the coarsest sufficient spacing, which has a single maximum over exponents.
-    double coarsest = 0;
-    int exponent = 0;
-    for (int m = 3; m <= CompactSplit::max_exponent; ++m) {
-      double low = cutoff / 40, high = cutoff / 2;
-      while (high / low > 1.03) {
-        const double h = std::sqrt(low * high);
-        (error({h, h, h}, order, m) < wanted ? low : high) = h;
-      }
-      if (low < coarsest) break;
-      coarsest = low, exponent = m;
-    }
-    const MeshSettings found{points_of(coarsest), order, exponent, cutoff};
-    const double seconds = expected_seconds(distribution.charges(), found);
-    if (seconds < min_seconds) min_seconds = seconds, best = found;
-  }
-  return best;
-}
 
 double points_of(const MeshSettings& mesh) {
   double points = 1;
@@ -186,42 +145,100 @@ double points_of(const MeshSettings& mesh) {
   return points;
 }
 
+/// The smallest grid of a suitable size whose points are at most `spacing` apart.
+std::array<std::size_t, 3> grid_of(const Box& box, double spacing) {
+  std::array<std::size_t, 3> points{};
+  for (std::size_t d = 0; d < 3; ++d) {
+    points[d] = std::max<std::size_t>(8, static_cast<std::size_t>(box.edge[d] / spacing));
+    while (!is_fft_size(points[d]) || box.edge[d] > spacing * static_cast<double>(points[d]))
+      ++points[d];
+  }
+  return points;
+}
+
 /// Liquids have 10 to 100 points per charge. In a sparsely filled box, a mesh with this many is
 /// wasted work: there are few pairs even up to a longer cutoff, which allows a coarser mesh.
-double max_points(double charges) { return std::max(0x1p21, 4096 * charges); }
-
-/// The remedy for a mesh that is too fine: the cutoff, increased in steps of a quarter, at which it
-/// no longer is.
-std::string remedy(double relative_error, double cutoff, const Box& box, const Topology& topology,
-                   double most) {
-  for (double longer = 1.25 * cutoff; longer < 0.45 * box.shortest_edge(); longer *= 1.25)
-    if (points_of(cheapest_mesh(relative_error, longer, box, topology)) <= most)
-      return fmt::format("take a cutoff of {:.2g} nm, up to which there are few pairs",
-                         1.05 * longer);
-  return "take a smaller box, or ask for less accuracy";
-}
+double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges); }
 
 }  // namespace
 
-MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
-                      const Topology& topology) {
+MeshChoice::MeshChoice(const Topology& topology, double relative_error, double cutoff)
+    : topology_(topology), relative_error_(relative_error), cutoff_(cutoff) {
   if (!(relative_error >= 1e-7 && relative_error <= 0.1))
     throw Error(
-        fmt::format("a relative error of the mesh's forces of {} is asked for; it must be "
-                    "from 1e-7 to 0.1",
+        fmt::format("a relative force error of {} is requested of the mesh; it must be from 1e-7 "
+                    "to 0.1",
                     relative_error));
-  const double charges = ChargeDistribution(topology, box).charges();
-  if (charges == 0)
-    throw Error("no molecule has a charge, so there is nothing for a mesh; take none");
-  const MeshSettings best = cheapest_mesh(relative_error, cutoff, box, topology);
-  const double most = max_points(charges);
-  if (points_of(best) > most)
+  if (ChargeDistribution(topology).charges() == 0)
+    throw Error(
+        "no molecule has a charge, so PME has nothing to compute; take electrostatics = "
+        "\"coulomb\"");
+}
+
+double MeshChoice::error(double spacing, int order, int exponent) {
+  const auto [found, is_new] = errors_.try_emplace({spacing, order, exponent});
+  if (is_new)
+    found->second =
+        std::sqrt(mean_square_error(ChargeDistribution(topology_), {spacing, spacing, spacing},
+                                    order, CompactSplit(cutoff_, exponent)));
+  return found->second;
+}
+
+MeshSettings MeshChoice::cheapest(const Box& box) {
+  // In water the actual error is 0.3 to 1.5 times the expected one: smaller where molecules screen
+  // each other, larger because of the coarse sum over waves. The margin covers the larger values.
+  constexpr double margin = 1.5;
+  const double wanted = relative_error_ * typical_force(topology_, box) / margin;
+  const double wanted_in_unit_box = wanted * std::sqrt(box.volume());
+  const double charges = ChargeDistribution(topology_).charges();
+  MeshSettings best{{}, 0, 0, cutoff_};
+  double min_seconds = std::numeric_limits<double>::infinity();
+  for (int order = MeshSettings::lowest_order; order <= MeshSettings::highest_order; ++order) {
+    // For each exponent the coarsest sufficient spacing, which has a single maximum over exponents.
+    double coarsest = 0;
+    int exponent = 0;
+    for (int m = 3; m <= CompactSplit::max_exponent; ++m) {
+      double low = cutoff_ / 40, high = cutoff_ / 2;
+      while (high / low > 1.03) {
+        const double h = std::sqrt(low * high);
+        (error(h, order, m) < wanted_in_unit_box ? low : high) = h;
+      }
+      if (low < coarsest) break;
+      coarsest = low, exponent = m;
+    }
+    const MeshSettings found{grid_of(box, coarsest), order, exponent, cutoff_};
+    const double seconds = expected_seconds(charges, found);
+    if (seconds < min_seconds) min_seconds = seconds, best = found;
+  }
+  return best;
+}
+
+/// What to do about a mesh that is too fine: take the cutoff, increased in steps of a quarter, at
+/// which it no longer is.
+std::string MeshChoice::remedy(const Box& box, double max_points) const {
+  for (double longer = 1.25 * cutoff_; longer < 0.45 * box.shortest_edge(); longer *= 1.25)
+    if (points_of(MeshChoice(topology_, relative_error_, longer).cheapest(box)) <= max_points)
+      return fmt::format("take a cutoff of {:.2g} nm, within which there are still few pairs",
+                         1.05 * longer);
+  return "take a smaller box, or a larger pme_accuracy";
+}
+
+MeshSettings MeshChoice::operator()(const Box& box) {
+  const MeshSettings best = cheapest(box);
+  const double charges = ChargeDistribution(topology_).charges();
+  const double max_points = max_points_for(charges);
+  if (points_of(best) > max_points)
     throw Error(fmt::format(
         "a cutoff of {:g} nm and an accuracy of {:g} need a mesh of {} x {} x {} points in this "
-        "box, for {:.0f} charges; it must have at most {:.2g}, as the box holds so little: {}",
-        cutoff, relative_error, best.points[0], best.points[1], best.points[2], charges, most,
-        remedy(relative_error, cutoff, box, topology, most)));
+        "box, for {:.0f} charges; the limit for so few bodies is {:.2g}: {}",
+        cutoff_, relative_error_, best.points[0], best.points[1], best.points[2], charges,
+        max_points, remedy(box, max_points)));
   return best;
+}
+
+MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
+                      const Topology& topology) {
+  return MeshChoice(topology, relative_error, cutoff)(box);
 }
 
 }  // namespace polhode

@@ -24,25 +24,25 @@ constexpr std::size_t slots_at_once = 4 * slot_block;  // gathered per task
 template <class T>
 void check(const MeshSettings& settings) {
   if (settings.order < MeshSettings::lowest_order || settings.order > MeshSettings::highest_order)
-    throw Error(fmt::format("the order of the mesh's splines is {}; it must be from {} to {}",
+    throw Error(fmt::format("the spline order of the mesh is {}; it must be from {} to {}",
                             settings.order, MeshSettings::lowest_order,
                             MeshSettings::highest_order));
   if (settings.exponent < 1 || settings.exponent > CompactSplit::max_exponent)
-    throw Error(fmt::format("the exponent of the split is {}; it must be from 1 to {}",
+    throw Error(fmt::format("the splitting exponent is {}; it must be from 1 to {}",
                             settings.exponent, CompactSplit::max_exponent));
   for (const std::size_t points : settings.points)
     if (points < MeshGrid<double>::overhang + 1)
       throw Error(
-          fmt::format("the mesh has {} points along an edge; it must have at least {}, so "
-                      "that a spline does not meet itself",
+          fmt::format("the mesh has {} points along an edge; it must have at least {}, so that a "
+                      "spline does not overlap with itself",
                       points, MeshGrid<double>::overhang + 1));
   const auto [nx, ny, nz] = settings.points;
   // Per grid point: the charges or their potential, and a quarter of a number each for the
   // influence function and its slope.
   const double bytes =
       1.5 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
-  require_memory(bytes, fmt::format("{} x {} x {} points of a mesh", nx, ny, nz),
-                 "ask for less accuracy, or take a longer cutoff or a smaller box");
+  require_memory(bytes, fmt::format("{} x {} x {} mesh points", nx, ny, nz),
+                 "take a larger pme_accuracy, a longer cutoff or a smaller box");
 }
 
 /// Padding of a row that stands for its periodic continuation.
@@ -97,7 +97,7 @@ struct ParticleMesh<T>::Field {
 template <class T>
 ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& settings,
                               const Box& box, Workers& workers)
-    : workers_(workers), settings_(settings), box_(box) {
+    : workers_(workers), settings_(settings) {
   check<T>(settings);
   for (const auto& part : topology.parts) {
     const InteractionSites sites(part.molecule);
@@ -106,30 +106,45 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
       parts_.back().charges.push_back(sites.sites[k].charge);
   }
   field_ = std::make_unique<Field>(settings);
-  make_influence();
-
-  // The work is divided by the number of threads, but each grid point is summed in the order of
-  // slots. Charges that touch two slabs are processed twice, so slabs should not be thin.
   const auto [nx, ny, nz] = settings.points;
+  const std::size_t row = field_->transform.row();
+  weight_ = kx_ = kx_squared_ = Column<T>(row);
+  influence_ = slope_ = Column<T>((ny / 2 + 1) * (nz / 2 + 1) * row);
+  make_slabs();
   const auto threads = static_cast<std::size_t>(workers.threads());
-  const std::size_t groups = std::min<std::size_t>(nz, 64);
-  const std::size_t thick = nz / (2 * static_cast<std::size_t>(settings.order));
+  const std::size_t tasks = threads == 1 ? 1 : std::min(ny, 4 * threads);
+  for (std::size_t k = 0; k < tasks; ++k)
+    spaces_.push_back(
+        {Column<T>(row * nz), std::vector<const T*>(2 * nz), std::vector<WaveSums>(nz)});
+  loads_.resize(ny);
+  set_box(box);
+}
+
+template <class T>
+ParticleMesh<T>::~ParticleMesh() = default;
+
+template <class T>
+void ParticleMesh<T>::set_box(const Box& box) {
+  box_ = box;
+  has_potential_ = false;
+  make_influence();
+  find_touched_planes();
+}
+
+/// The work is divided by the number of threads, but each grid point is summed in the order of
+/// slots. Charges that touch two slabs are processed twice, so slabs should not be thin.
+template <class T>
+void ParticleMesh<T>::make_slabs() {
+  const std::size_t nz = settings_.points[2];
+  const auto threads = static_cast<std::size_t>(workers_.threads());
+  const std::size_t thick = nz / (2 * static_cast<std::size_t>(settings_.order));
   const std::size_t slabs =
-      threads == 1 ? 1 : std::min(groups, std::clamp(thick, threads, 4 * threads));
-  for (Part& part : parts_) {
-    const double spacing = box.edge.z / static_cast<double>(nz);
-    const auto before = static_cast<std::size_t>(std::ceil(part.extent / spacing)) + 1;
-    const std::size_t span = 2 * before + static_cast<std::size_t>(settings.order);
-    part.touched.resize(nz + 1);  // one more, as rounding may place a centre at the upper end
-    for (std::size_t z = 0; z <= nz; ++z)
-      for (std::size_t k = 0; k < std::min(span, nz); ++k)
-        part.touched[z] |= std::uint64_t{1} << (z + k + before * (nz - 1)) % nz * groups / nz;
-  }
+      threads == 1 ? 1 : std::min(groups(), std::clamp(thick, threads, 4 * threads));
   for (std::size_t s = 0; s < slabs; ++s) {
     Slab slab{0, std::vector<std::ptrdiff_t>(nz + MeshGrid<T>::overhang, -1), nz, 0};
     for (std::size_t z = 0; z < nz; ++z) {
-      const std::size_t group = z * groups / nz;
-      if (group * slabs / groups != s) continue;
+      const std::size_t group = z * groups() / nz;
+      if (group * slabs / groups() != s) continue;
       slab.groups |= std::uint64_t{1} << group;
       slab.first = std::min(slab.first, z), slab.end = z + 1;
     }
@@ -137,26 +152,34 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
       if (z % nz >= slab.first && z % nz < slab.end) slab.plane_at[z] = field_->grid.plane_at[z];
     slabs_.push_back(std::move(slab));
   }
-  const std::size_t tasks = threads == 1 ? 1 : std::min(ny, 4 * threads);
-  for (std::size_t k = 0; k < tasks; ++k)
-    spaces_.push_back({Column<T>(field_->transform.row() * nz), std::vector<const T*>(2 * nz),
-                       std::vector<WaveSums>(nz)});
-  loads_.resize(ny);
 }
 
+/// Finds the groups of planes that charges can touch, for each plane of their centre.
 template <class T>
-ParticleMesh<T>::~ParticleMesh() = default;
+void ParticleMesh<T>::find_touched_planes() {
+  const std::size_t nz = settings_.points[2];
+  const double spacing = box_.edge.z / static_cast<double>(nz);
+  for (Part& part : parts_) {
+    const auto before = static_cast<std::size_t>(std::ceil(part.extent / spacing)) + 1;
+    const std::size_t span = 2 * before + static_cast<std::size_t>(settings_.order);
+    part.touched.assign(nz + 1, 0);  // one more, as rounding may place a centre at the upper end
+    for (std::size_t z = 0; z <= nz; ++z)
+      for (std::size_t k = 0; k < std::min(span, nz); ++k)
+        part.touched[z] |= std::uint64_t{1} << (z + k + before * (nz - 1)) % nz * groups() / nz;
+  }
+}
 
 template <class T>
 void ParticleMesh<T>::make_influence() {
   const Influence influence(settings_, box_);
   const std::size_t row = field_->transform.row(), waves_x = settings_.points[0] / 2 + 1;
-  weight_ = kx_ = kx_squared_ = Column<T>(row);
-  for (std::size_t d = 0; d < 3; ++d)
+  for (std::size_t d = 0; d < 3; ++d) {
+    axes_[d] = {};
     for (std::size_t n = 0; n < settings_.points[d]; ++n) {
       axes_[d].k.push_back(influence.k(d, n));
       axes_[d].odd.push_back(2 * n == settings_.points[d] ? 0 : influence.k(d, n));
     }
+  }
   for (std::size_t x = 0; x < waves_x; ++x)
     for (std::size_t part = 0; part < 2; ++part) {
       weight_[2 * x + part] = x == 0 || 2 * x == settings_.points[0] ? 1 : 2;
@@ -164,7 +187,6 @@ void ParticleMesh<T>::make_influence() {
       kx_squared_[2 * x + part] = static_cast<T>(axes_[0].k[x] * axes_[0].k[x]);
     }
   const std::size_t half_y = settings_.points[1] / 2 + 1, half_z = settings_.points[2] / 2 + 1;
-  influence_ = slope_ = Column<T>(half_y * half_z * row);
   workers_.each(half_y, [&](std::size_t y) {
     for (std::size_t z = 0; z < half_z; ++z)
       for (std::size_t x = 0; x < waves_x; ++x) {

@@ -23,19 +23,17 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
   if (settings.cutoff > shortest / 2)
     throw Error(
         fmt::format("cutoff {:.3f} nm is longer than half of the shortest box edge ({:.3f} nm): a "
-                    "molecule would "
-                    "meet two images of one partner; the longest cutoff for this box is {:.3f} nm",
+                    "molecule would interact with two images of the same partner; the maximum "
+                    "cutoff for this box is {:.3f} nm",
                     settings.cutoff, shortest, round_down(shortest / 2)));
   double extent = 0;
   for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
   if (settings.truncation != Truncation::molecule_switch && settings.cutoff + 2 * extent > shortest)
-    throw Error(
-        fmt::format("cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a "
-                    "site) do not fit "
-                    "the shortest box edge ({:.3f} nm): a molecule would meet its own image; take "
-                    "a larger box or "
-                    "a cutoff of at most {:.3f} nm",
-                    settings.cutoff, extent, shortest, round_down(shortest - 2 * extent)));
+    throw Error(fmt::format(
+        "cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a site) do not "
+        "fit into the shortest box edge ({:.3f} nm): a molecule would interact with its own image; "
+        "take a larger box or a cutoff of at most {:.3f} nm",
+        settings.cutoff, extent, shortest, round_down(shortest - 2 * extent)));
 }
 
 // A dense liquid has about five bodies per cell; the table of cells for each part of the topology
@@ -80,7 +78,7 @@ void check_count(const Topology& topology) {
   }
   if (slots > Neighbour::slot_mask)
     throw Error(
-        fmt::format("{:.0f} molecules are more than the neighbour list can number ({}); take fewer",
+        fmt::format("{:.0f} molecules are more than the neighbour list can index ({}); take fewer",
                     molecules, Neighbour::slot_mask));
 }
 
@@ -91,14 +89,19 @@ void check_edges(const Box& box) {
   for (std::size_t d = 0; d < 3; ++d)
     if (!(box.edge[d] <= max_range))
       throw Error(
-          fmt::format("an edge of the box is {:g} nm long; it must be at most {:g} nm, as places "
-                      "are told apart to 2^-30 of it; take a smaller box",
+          fmt::format("an edge of the box is {:g} nm long; it must be at most {:g} nm, since "
+                      "positions are resolved to 2^-30 of it; take a smaller box",
                       box.edge[d], max_range));
 }
 
 NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& settings,
                              const Box& box)
-    : box_(box), slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
+    : slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
+  set_box(topology, settings, box);
+}
+
+void NeighbourList::set_box(const Topology& topology, const ForceSettings& settings,
+                            const Box& box) {
   check_edges(box);
   check_box(topology, settings, box);
   // Two sites within the cutoff mean centres at most cutoff + reach_a + reach_b apart; centres
@@ -117,9 +120,10 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
   const double skin = std::min(settings.skin, box.shortest_edge() - max_range);
   if (skin <= 0)
     throw Error(
-        fmt::format("cutoff {:.3f} nm and the size of the molecules fill the shortest box "
+        fmt::format("the cutoff of {:.3f} nm and the size of the molecules fill the shortest box "
                     "edge ({:.3f} nm); take a larger box or a shorter cutoff",
                     settings.cutoff, box.shortest_edge()));
+  ranges_.clear();
   for (const auto& a : topology.parts)
     for (const auto& b : topology.parts) {
       const double listed = settings.cutoff + extent(a, b) + skin;
@@ -127,17 +131,24 @@ NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& sett
       ranges_.push_back({listed * listed, inside * inside});
     }
   range_ = max_range + skin;
-  for (ListChunk& chunk : chunks_) {  // room for a uniform density, so that lists need not grow
+  allowed2_ = skin * skin / 4;
+  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, most_cells(topology)));
+  box_ = box;
+  width_ = 0;
+  reserve_rows();
+}
+
+/// Makes room for the rows of a uniform density, so that they need not grow.
+void NeighbourList::reserve_rows() {
+  for (ListChunk& chunk : chunks_) {
     double row = 0;
     for (std::size_t b = chunk.part; b < slots_.parts.size(); ++b) {
       const double listed = std::sqrt(ranges_[chunk.part * slots_.parts.size() + b].listed2);
       const double sphere = 4 * std::numbers::pi / 3 * listed * listed * listed;
-      row += slots_.parts[b].count * sphere / box.volume() * (b == chunk.part ? 0.5 : 1.0);
+      row += slots_.parts[b].count * sphere / box_.volume() * (b == chunk.part ? 0.5 : 1.0);
     }
     chunk.entries.reserve(static_cast<std::size_t>(1.05 * row * (chunk.end - chunk.first)));
   }
-  allowed2_ = skin * skin / 4;
-  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, most_cells(topology)));
 }
 
 std::size_t NeighbourList::lanes() const {

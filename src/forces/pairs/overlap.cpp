@@ -87,8 +87,9 @@ void each_site(const Topology& topology, const State& state, Visit visit) {
       for (const Vec3<double>& site : sites) {
         Vec3<double> r = q + to_lab * site;
         if (!std::isfinite(norm2(r)))
-          throw Error(
-              fmt::format("molecule {} has a position that is not finite; mend the start", i + 1));
+          throw Error(fmt::format(
+              "molecule {} has a position that is not finite; correct the initial configuration",
+              i + 1));
         for (std::size_t d = 0; d < 3; ++d) {
           const double edge = state.box.edge[d];
           r[d] -= std::floor(r[d] / edge) * edge;
@@ -109,7 +110,7 @@ Buckets::Buckets(const Topology& topology, const State& state) : edge_(state.box
   std::size_t sites = 0;
   for (const auto& [molecule, count] : topology.parts) sites += count * molecule.sites.size();
   if (sites > std::numeric_limits<std::uint32_t>::max())
-    throw Error(fmt::format("{} sites are more than can be numbered ({}); run a smaller system",
+    throw Error(fmt::format("{} sites are more than can be indexed ({}); run a smaller system",
                             sites, std::numeric_limits<std::uint32_t>::max()));
   mask_ = std::bit_ceil(std::max<std::size_t>(sites, 1)) - 1;
   begin_.assign(mask_ + 2, 0);
@@ -171,8 +172,8 @@ void check_overlap(const Topology& topology, const State& state) {
   const auto found = Buckets(topology, state).first_overlap();
   if (!found) return;
   throw Error(fmt::format(
-      "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer "
-      "than {:.3f} nm, half of a hydrogen bond; take a lower density or another start",
+      "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer than {:.3f} nm, "
+      "half of a hydrogen bond; take a lower density or another initial configuration",
       found->earlier.body + 1, found->later.body + 1, found->distance, closest_contact));
 }
 

@@ -49,6 +49,19 @@ PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& setting
 }
 
 template <class T>
+void PairEngine<T>::set_box(const Topology& topology, const ForceSettings& settings,
+                            const Box& box) {
+  list_.set_box(topology, settings, box);
+  if (!mesh_) return;
+  if (mesh_->settings() == *settings.mesh) {
+    mesh_->set_box(box);
+  } else {
+    mesh_ = std::make_unique<ParticleMesh<T>>(topology, *settings.mesh, box, workers_);
+    laws_ = PairLaws<T>(settings);  // the mesh and the pairs split 1/r in the same way
+  }
+}
+
+template <class T>
 void PairEngine<T>::operator()(const State& state, Load& load, bool energies) {
   update(state);
   clear(state, load);

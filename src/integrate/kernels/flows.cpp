@@ -5,8 +5,9 @@
 
 #include "polhode/base/pack.hpp"
 #include "polhode/base/pack_column.hpp"
+#include "polhode/integrate/rodrigues.hpp"
 #include "polhode/rotor/free_rotor.hpp"
-#include "polhode/rotor/series.hpp"
+#include "polhode/rotor/small_angle.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 
@@ -56,14 +57,9 @@ Quaternion<Real> rodrigues_pack(const Vec3<Real>& v) {
     }
     return {Real::load(lane[3]), Real::load(lane[4]), Real::load(lane[5]), Real::load(lane[6])};
   }
-  Real sine(1), cosine(1);  // sin(x)/x and cos(x), innermost terms first
-  series::unroll<6>([&](auto count) {
-    constexpr double n = 6 - static_cast<double>(count);
-    sine = Real(1) - y * Real(1 / (2 * n * (2 * n + 1))) * sine;
-    cosine = Real(1) - y * Real(1 / (2 * n * (2 * n - 1))) * cosine;
-  });
-  const Real s = Real(0.5) * sine;
-  return {cosine, s * v.x, s * v.y, s * v.z};
+  const SineCosine<Real> f = taylor_sine_cosine<6, 6>(y);
+  const Real s = Real(0.5) * f.sine;
+  return {f.cosine, s * v.x, s * v.y, s * v.z};
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class AtomKinds {
   /// Begins a frame.
   explicit AtomKinds(std::vector<AtomKind>& kinds) : kinds_(kinds) { kinds_.clear(); }
 
-  /// The index of the kind that a text stands for; make() describes it where the text is met first.
+  /// The index of the kind with this text; make() creates it at the first occurrence.
   template <class Make>
   std::uint32_t of(std::string_view text, const Make& make) {
     if (const auto known = known_.find(text); known != known_.end()) return known->second;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of binary files, in either order of their bytes.
+// Numbers in binary files, in either byte order.
 #pragma once
 
 #include <fmt/core.h>
@@ -21,7 +21,7 @@
 
 namespace polhode {
 
-/// A number whose bytes stand in a given order.
+/// A number stored in a given byte order.
 template <class T>
 T decode(const std::uint8_t* from, std::endian order) {
   std::array<std::uint8_t, sizeof(T)> bytes;
@@ -30,8 +30,8 @@ T decode(const std::uint8_t* from, std::endian order) {
   return std::bit_cast<T>(bytes);
 }
 
-/// Goes through a file and knows where it is. It holds no more than it has found: a length that a
-/// hostile header tells costs no memory.
+/// Reads a file sequentially and keeps the position for errors. It allocates no more than it reads:
+/// a wrong length in an untrusted header costs no memory.
 class BinaryInput {
  public:
   BinaryInput(std::istream& in, std::string file, std::endian order)
@@ -55,7 +55,7 @@ class BinaryInput {
                static_cast<std::streamsize>(held_.size() - before));
       const auto found = static_cast<std::uint64_t>(in_.gcount());
       if (before + found < held_.size())
-        refuse(fmt::format("the file ends {} bytes into the {} bytes of {}; it was cut off",
+        refuse(fmt::format("the file ends after {} of the {} bytes of {}; it is truncated",
                            before + found, bytes, what));
     }
     offset_ += bytes;
@@ -74,7 +74,7 @@ class BinaryInput {
   std::vector<std::uint8_t> held_;
 };
 
-/// Bytes on their way into a file.
+/// Bytes to be written to a file.
 class BinaryOutput {
  public:
   explicit BinaryOutput(std::endian order) : order_(order) {}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// DCD, the trajectories of CHARMM and NAMD: records between their lengths, positions as float in Å,
-// a unit cell, and one interval of time between all frames.
+// DCD, the trajectories of CHARMM and NAMD: records enclosed by their lengths, positions as float
+// in Å, a unit cell, and one time interval for all frames.
 #include <cmath>
 #include <limits>
 
@@ -15,8 +15,8 @@ namespace {
 constexpr std::int32_t head_length = 84;
 constexpr std::int32_t head_length_swapped = head_length << 24;
 // Places in the file.
-constexpr std::size_t count_at = 8;     // the word of the number of frames
-constexpr std::size_t delta_at = 44;    // that of the interval
+constexpr std::size_t count_at = 8;     // of the number of frames
+constexpr std::size_t delta_at = 44;    // of the interval
 constexpr std::size_t title_at = 100;   // the title, which begins with the first frame's time
 constexpr std::size_t time_width = 24;  // in characters
 
@@ -34,8 +34,7 @@ class DcdReader : public FrameReader {
     if (read_ == 0) read_head();
     if (in_.at_end()) return false;
     begin_unnamed(frame, in_.file());
-    if (!has_cell_)
-      in_.refuse("the file has no unit cell; it must have one, which bodies are put into");
+    if (!has_cell_) in_.refuse("the file has no unit cell, which is needed as the box");
     frame.box = take_cell();
     for (std::size_t k = 0; k < 3; ++k) {
       const auto record = take_record("the positions");
@@ -46,7 +45,7 @@ class DcdReader : public FrameReader {
       for (std::size_t i = 0; i < count_; ++i) {
         const auto x =
             static_cast<double>(decode<float>(record.data() + sizeof(float) * i, in_.order));
-        if (!std::isfinite(x)) in_.refuse("a coordinate is not finite; it must be a number");
+        if (!std::isfinite(x)) in_.refuse("a coordinate is not finite");
         frame.atoms[i].r[k] = angstrom_ * x;
       }
       end_record(record.size());
@@ -71,7 +70,7 @@ class DcdReader : public FrameReader {
     }
     const auto head = in_.block(head_length, "the head");
     if (std::string_view(reinterpret_cast<const char*>(head.data()), 4) != "CORD")
-      in_.refuse("the head does not say CORD; a DCD file of positions must");
+      in_.refuse("the header does not contain CORD, as a DCD file of positions must");
     const auto word = [&](std::size_t k) {
       return decode<std::int32_t>(head.data() + 4 * (k + 1), in_.order);
     };
@@ -88,8 +87,8 @@ class DcdReader : public FrameReader {
     if (!std::isfinite(interval_)) in_.refuse("the time between frames is not a finite number");
     if (fixed != 0)
       in_.refuse(
-          fmt::format("{} atoms are fixed, whose positions only the first frame holds; there "
-                      "must be none: write the file without fixed atoms",
+          fmt::format("{} atoms are fixed, and only the first frame has their positions; write the "
+                      "file without fixed atoms",
                       fixed));
     end_record(take_record("the titles").size());
     const auto record = take_record("the number of atoms");
@@ -106,7 +105,7 @@ class DcdReader : public FrameReader {
     return in_.block(static_cast<std::uint64_t>(length), what);
   }
   void end_record(std::size_t length) {
-    const auto again = in_.take<std::int32_t>("the length behind a record");
+    const auto again = in_.take<std::int32_t>("the length after a record");
     if (again != static_cast<std::int64_t>(length))
       in_.refuse(fmt::format("a record of {} bytes ends with the length {}; both must be equal",
                              length, again));
@@ -124,8 +123,8 @@ class DcdReader : public FrameReader {
     for (const std::size_t k : {1, 3, 4})
       if (!(std::abs(cell[k] - 90) <= 1e-4 || std::abs(cell[k]) <= 1e-6))
         in_.refuse(
-            fmt::format("an angle of the unit cell is {} (degrees, or its cosine); it must "
-                        "be 90 degrees: a cuboid is the only box that is known here",
+            fmt::format("an angle of the unit cell is {} (degrees, or its cosine); it must be 90 "
+                        "degrees: only rectangular (orthorhombic) boxes are supported",
                         cell[k]));
     for (const std::size_t k : {0, 2, 5})
       if (!(cell[k] > 0) || !std::isfinite(cell[k]))
@@ -145,11 +144,13 @@ void put_head(BinaryOutput& out, const FrameView& frame) {
   out.put(head_length);
   out.text("CORD", 4);
   std::array<std::int32_t, 20> words{};
-  words[1] = frame.time > 0 ? 1 : 0;  // until the second frame tells the interval, the first's time
+  words[1] = frame.time > 0
+                 ? 1
+                 : 0;  // the first frame's time, until the second frame determines the interval
   words[2] = 1;
   words[9] = std::bit_cast<std::int32_t>(static_cast<float>(frame.time / time_unit()));
   words[10] = 1;   // a unit cell
-  words[19] = 24;  // as CHARMM of that version
+  words[19] = 24;  // the CHARMM version of this layout
   for (const std::int32_t word : words) out.put(word);
   out.put(head_length);
   out.put(std::int32_t{84});
@@ -163,7 +164,7 @@ void put_head(BinaryOutput& out, const FrameView& frame) {
   out.put(std::int32_t{4});
 }
 
-// The head tells the number of frames, and with the second frame the interval.
+// The header contains the number of frames and, from the second frame on, the interval.
 void fix_head(std::iostream& file, const FrameView& frame, std::uint64_t before) {
   const auto end = file.tellp();
   BinaryOutput count(std::endian::little);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a format is: how its frames are read, and how they are written.
+// Interface of the formats: readers and writers of frames.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,17 @@ struct Format {
   bool has_names;       ///< of atoms
   bool has_velocities;  ///< or can have them
 
-  /// A reader of a stream, which must outlive it; `file` is its name in errors.
+  /// Creates a reader of a stream, which must outlive it; `file` is its name in errors.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
 
-  /// Begins a file, or goes on after a mark; null where a format is read alone.
+  /// Creates a file, or appends after a mark; null if the format is read-only.
   std::unique_ptr<FrameWriter> (*write)(const std::string& path, const Topology& topology,
                                         const FrameChoice& choice, const FileMark* mark);
 
-  /// Refuses a file that is not what it was at a mark; null where a format is read alone.
+  /// Throws if a file differs from what it was at a mark; null if the format is read-only.
   void (*check)(const std::string& path, const FileMark& mark);
 
-  /// A reader of a file, for formats that are not read from its begin to its end.
+  /// Creates a reader of a file, for formats that are not read sequentially.
   std::unique_ptr<FrameReader> (*open)(const std::string& path) = nullptr;
 
   FormatLimits limits = {};
@@ -42,13 +42,13 @@ inline constexpr FormatLimits pdb_limits{
 // Coordinates are whole numbers of 0.001 nm; their differences, too, must fit in 32 bits.
 inline constexpr FormatLimits xtc_limits{
     .atoms = 2'147'483'647, .lowest = -1'073'741.8, .highest = 1'073'741.8};
-// Lengths of records have 32 bits with a sign: 12 bytes an atom in TRR, 4 in DCD.
+// Lengths of records are signed 32-bit numbers: 12 bytes per atom in TRR, 4 in DCD.
 inline constexpr FormatLimits trr_limits{.atoms = 2'147'483'647 / 12};
 inline constexpr FormatLimits dcd_limits{
     .atoms = 2'147'483'647 / 4, .same_atoms = true, .even_times = true};
 inline constexpr FormatLimits h5md_limits{.same_atoms = true, .same_velocities = true};
 
-/// The format that a file's ending names.
+/// The format with a file's extension.
 /// @throws Error  if there is none
 const Format& format_of(const std::string& path);
 
@@ -63,10 +63,11 @@ std::unique_ptr<FrameReader> lammps_data_reader(std::istream& in, const std::str
 
 std::unique_ptr<FrameReader> open_h5md(const std::string& path);
 
-/// The time that a title tells as GROMACS writes it, "water t= 20.000 step= 10000" [ps]; else 0.
+/// The time in a title as written by GROMACS, "water t= 20.000 step= 10000" [ps]; 0 if there is
+/// none.
 double title_time(std::string_view title);
 
-/// Appends a frame to a file that holds `before` frames.
+/// Appends a frame to a file with `before` frames.
 using AppendFrame = void (*)(std::iostream& file, const FrameView& frame, std::uint64_t before);
 void append_gro(std::iostream& file, const FrameView& frame, std::uint64_t before);
 void append_pdb(std::iostream& file, const FrameView& frame, std::uint64_t before);
@@ -75,12 +76,13 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
 void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t before);
 void append_dcd(std::iostream& file, const FrameView& frame, std::uint64_t before);
 
-/// How frames are appended to a file, and until which byte its head changes with each of them.
+/// How frames are appended to a file, and the end of the part of its header that changes with each
+/// frame.
 struct Appending {
   AppendFrame append;
   std::uint64_t head;
 };
-/// The record of a DCD file that counts its frames ends there.
+/// End of the record of a DCD file that contains the number of frames.
 constexpr std::uint64_t dcd_count_end = 92;
 
 /// A writer of a file to whose end frames are appended.

@@ -46,8 +46,8 @@ void FrameFit::check(const FrameExtent& frame) {
   if (!first_) first_ = frame;
   if (limits_.same_atoms && frame.atoms != first_->atoms)
     throw Error(
-        fmt::format("the frame at {:g} ps has {} atoms and the first has {}; all frames of a "
-                    ".{} file must have as many, so write GRO, PDB or XYZ",
+        fmt::format("the frame at {:g} ps has {} atoms and the first has {}; all frames of a .{} "
+                    "file must have the same number, so write GRO, PDB or XYZ",
                     frame.time, frame.atoms, first_->atoms, format_));
   if (limits_.same_velocities && frame.has_velocities != first_->has_velocities)
     throw Error(
@@ -63,23 +63,23 @@ void FrameFit::check(const FrameExtent& frame) {
 void FrameFit::check_alone(const FrameExtent& frame) const {
   if (frame.atoms > limits_.atoms)
     throw Error(fmt::format(
-        "a frame has {} atoms; a frame of a .{} file can have {} at most, so write another format",
+        "a frame has {} atoms; a frame of a .{} file can have at most {}, so write another format",
         frame.atoms, format_, limits_.atoms));
   for (const double coordinate : {frame.lowest, frame.highest})
     if (!(limits_.lowest <= coordinate && coordinate <= limits_.highest))
       throw Error(fmt::format(
-          "a coordinate is or can be {:.10g} nm; in a .{} file it must lie from {:.10g} to {:.10g} "
-          "nm, so write another format, or wrap the molecules into the box",
+          "a coordinate is or can become {:.10g} nm; in a .{} file it must be from {:.10g} to "
+          "{:.10g} nm, so write another format, or wrap the molecules into the box",
           coordinate, format_, limits_.lowest, limits_.highest));
   if (!(frame.edge <= limits_.edge))
     throw Error(
-        fmt::format("a box edge is {:.10g} nm; in a .{} file it must be {:.10g} nm at most, so "
+        fmt::format("a box edge is {:.10g} nm; in a .{} file it must be at most {:.10g} nm, so "
                     "write another format",
                     frame.edge, format_, limits_.edge));
 }
 
-// Files hold times as floats at worst: a relative rounding of 2⁻²⁴, of this time and, times the
-// number of frames, of the interval.
+// At worst, files store times as floats: the relative rounding error of 2⁻²⁴ applies to this time
+// and, multiplied by the number of frames, to the interval.
 void FrameFit::check_time(const FrameExtent& frame) const {
   if (before_ < 2) return;
   const auto n = static_cast<double>(before_);
@@ -87,9 +87,9 @@ void FrameFit::check_time(const FrameExtent& frame) const {
   const double rounding = 0x1p-22 * std::abs(frame.time) * (1 + n);
   if (std::abs(frame.time - due) <= 0.01 * std::abs(interval_) + rounding) return;
   throw Error(
-      fmt::format("frame {} is of {:g} ps where {:g} ps must be, as the first two are {:g} ps "
-                  "apart and a .{} file holds one interval for all; choose evenly spaced frames "
-                  "by --from, --to and --every, or write another format",
+      fmt::format("frame {} is at {:g} ps instead of {:g} ps: the first two are {:g} ps apart, and "
+                  "a .{} file has one interval for all frames; choose evenly spaced frames by "
+                  "--from, --to and --every, or write another format",
                   before_ + 1, frame.time, due, interval_, format_));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a format cannot hold is refused here, before any of it is written.
+// Checks before writing that a format can store a frame.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// What the frames of a file can hold.
+/// Limits of a format.
 struct FormatLimits {
   std::size_t atoms = std::numeric_limits<std::size_t>::max();
   double lowest = -std::numeric_limits<double>::infinity();  ///< coordinate [nm]
@@ -23,29 +23,30 @@ struct FormatLimits {
   bool even_times = false;       ///< one interval of time lies between all frames
 };
 
-/// What of a frame may be too much for a format.
+/// The properties of a frame that a format limits.
 struct FrameExtent {
   std::size_t atoms = 0;
   double lowest = 0, highest = 0;  ///< coordinates [nm]
   double edge = 0;                 ///< longest edge of the box [nm]
   bool has_velocities = false;
   double time = 0;        ///< [ps]
-  bool of_a_run = false;  ///< frames come in the run's own interval, but for a last one perhaps
+  bool of_a_run = false;  ///< frames have the interval of the run, except possibly the last one
 };
 
 FrameExtent extent_of(const Frame& frame);
 
-/// Of all frames that a run with this box can write: centres lie in the box, sites around them.
+/// The extent of all frames that a run with this box can write: centres are in the box, sites
+/// around them.
 FrameExtent extent_of(const State& state, const Topology& topology, const FrameChoice& choice);
 
-/// Checks frames on their way into one file.
+/// Checks the frames written to one file.
 class FrameFit {
  public:
-  /// @param format  its ending, for errors
+  /// @param format  its extension, for errors
   FrameFit(std::string_view format, const FormatLimits& limits)
       : format_(format), limits_(limits) {}
 
-  /// @throws Error  if the file cannot hold the frame after those before it
+  /// @throws Error  if the file cannot store the frame after the previous ones
   void check(const FrameExtent& frame);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A frame on its way into a file.
+// A frame to be written to a file.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// A frame that need not be held whole: its atoms are visited one after another. It refers to what
-/// it was made from.
+/// A frame that is not stored as a whole: its atoms are visited one after another. It refers to its
+/// sources.
 struct FrameView {
   std::string title;
   std::vector<AtomKind> kinds;
@@ -25,7 +25,7 @@ struct FrameView {
 
 FrameView view_of(const State& state, const Topology& topology, const FrameChoice& choice = {});
 
-/// Its atoms are all kept: which ones have no mass, a frame does not tell.
+/// All atoms are written, since a frame does not say which ones have no mass.
 FrameView view_of(const Frame& frame, const FrameChoice& choice = {});
 
 }  // namespace polhode

@@ -20,7 +20,7 @@ namespace {
 // Columns of an atom: residue number and name, atom name, atom number, five characters each.
 constexpr std::size_t first_number = 20;
 
-constexpr const char* in_columns = "; lines of atoms have columns of fixed width";
+constexpr const char* in_columns = "; atom lines have columns of fixed width";
 
 // All numbers of a line have the width between its first two decimal points.
 std::size_t column_width(std::string_view line, const Lines& lines) {
@@ -29,13 +29,12 @@ std::size_t column_width(std::string_view line, const Lines& lines) {
   const auto p3 = p2 == line.npos ? p2 : line.find('.', p2 + 1);
   if (p3 == line.npos)
     lines.refuse(
-        "a line of an atom ends before its third coordinate; it must hold x, y and z with "
-        "decimal points after 20 characters of names");
+        "an atom line ends before its third coordinate; it must have x, y and z with decimal "
+        "points after 20 characters of names");
   if (p3 - p2 != p2 - p1)
     lines.refuse(
-        fmt::format("the decimal points of x, y and z are {} and {} characters apart; "
-                    "they must be equally far, since their distance is the width of "
-                    "columns",
+        fmt::format("the decimal points of x, y and z are {} and {} characters apart; both "
+                    "distances must be equal, since they are the width of the columns",
                     p2 - p1, p3 - p2));
   return p2 - p1;
 }
@@ -49,7 +48,7 @@ struct AtomLine {
   bool has_velocity = false;
 };
 
-// By the characters that name residue and atom.
+// By the characters of the residue and atom names.
 std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& lines) {
   return kinds.of(line.substr(5, 10), [&] {
     const std::string_view name = trimmed(line.substr(10, 5));
@@ -59,7 +58,7 @@ std::uint32_t kind_of(std::string_view line, AtomKinds& kinds, const Lines& line
   });
 }
 
-// All of an atom but its kind.
+// An atom without its kind.
 AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines) {
   static constexpr std::array names = {"x coordinate", "y coordinate", "z coordinate",
                                        "x velocity",   "y velocity",   "z velocity"};
@@ -68,8 +67,7 @@ AtomLine read_atom(std::string_view line, std::size_t width, const Lines& lines)
   const auto residue = parsed<int>(line.substr(0, 5));
   if (!residue)
     lines.refuse(
-        fmt::format("'{}' stands where the residue number must be, in the first five "
-                    "characters",
+        fmt::format("found '{}' where the residue number must be, in the first five characters",
                     trimmed(line.substr(0, 5))));
   atom.residue = *residue;
   const std::size_t written = line.find_last_not_of(" \t") + 1;
@@ -94,13 +92,13 @@ Box read_box(std::string_view line, const Lines& lines) {
   for (auto word = take_word(rest); !word.empty(); word = take_word(rest))
     edges.push_back(lines.number(word, "box edge"));
   if (edges.size() != 3 && edges.size() != 9)
-    lines.refuse(fmt::format("'{}' stands where the box must be; it must be three edges in nm",
-                             trimmed(line)));
+    lines.refuse(
+        fmt::format("found '{}' where the box must be; write three edges in nm", trimmed(line)));
   for (std::size_t k = 3; k < edges.size(); ++k)
     if (edges[k] != 0)
       lines.refuse(
-          "the box is triclinic; it must be a cuboid, the only box that is known here; "
-          "convert it, with gmx trjconv -ur rect or by a new box");
+          "the box is triclinic; only rectangular (orthorhombic) boxes are supported; convert it, "
+          "for example with gmx trjconv -ur rect");
   for (std::size_t k = 0; k < 3; ++k)
     if (edges[k] <= 0)
       lines.refuse(fmt::format("a box edge is {} nm; it must be longer than 0 nm", edges[k]));
@@ -144,8 +142,8 @@ class GroLines {
   // Numbers of residues and atoms have five digits and start again at 0.
   static constexpr int digits5 = 100000;
 
-  // Sign, digits before the point, the point and decimals of the widest number, but five beside the
-  // decimals at least, as GROMACS has it. Readers take the distance between points for the width.
+  // Sign, digits, decimal point and decimals of the widest number, but at least five more than the
+  // decimals, as in GROMACS. Readers infer the width from the distance between decimal points.
   static std::size_t width_of(const FrameView& frame, int decimals) {
     double r = 0, v = 0;
     const auto widen = [](double& most, const Vec3<double>& x) {
@@ -168,7 +166,7 @@ class GroLines {
   bool velocities_;
 };
 
-// The frames of a file, one behind the other.
+// The frames of a file, one after another.
 class GroReader : public FrameReader {
  public:
   GroReader(std::istream& in, const std::string& file) : lines_(in, file) {}
@@ -182,10 +180,10 @@ class GroReader : public FrameReader {
     line = lines_.next();
     while (frame.title.empty() && line && trimmed(*line).empty()) line = lines_.next();
     if (frame.title.empty() && !line) return false;  // blank lines at the end
-    if (!line) lines_.refuse("the file ends where the number of atoms must stand");
+    if (!line) lines_.refuse("the file ends where the number of atoms must be");
     const auto count = parsed<std::size_t>(*line);
     if (!count)
-      lines_.refuse(fmt::format("'{}' stands where the number of atoms must be, in the second line",
+      lines_.refuse(fmt::format("found '{}' where the number of atoms must be, in the second line",
                                 trimmed(*line)));
     read_atoms(frame, *count);
     return true;
@@ -199,29 +197,27 @@ class GroReader : public FrameReader {
     std::size_t width = 0;
     for (std::size_t i = 0; i < count; ++i) {
       const auto here = [&] {
-        return fmt::format("atom {} of the {} that the second line tells", i + 1, count);
+        return fmt::format("atom {} of the {} that the second line gives", i + 1, count);
       };
       const std::string_view line = lines_.next(here);
       if (line.size() < first_number || line.find('.') < first_number)
-        lines_.refuse(fmt::format("'{}' stands where {} must be", trimmed(line), here()));
+        lines_.refuse(fmt::format("found '{}' where {} must be", trimmed(line), here()));
       if (i == 0) width = column_width(line, lines_);
       auto [atom, has_velocity] = read_atom(line, width, lines_);
       atom.kind = kind_of(line, kinds, lines_);
       if (i == 0) frame.has_velocities = has_velocity;
       if (has_velocity != frame.has_velocities)
         lines_.refuse(
-            fmt::format("this atom has {} velocity and the ones before have {}; velocities "
-                        "must be given for all atoms or for none",
+            fmt::format("this atom has {} velocity and the previous ones have {}; velocities must "
+                        "be given for all atoms or for none",
                         has_velocity ? "a" : "no", has_velocity ? "none" : "one"));
       frame.atoms.push_back(atom);
     }
     const std::string_view box = lines_.next([] { return "the box"; });
     const auto point = box.find('.');
     if (point != box.npos && point >= first_number)
-      lines_.refuse(
-          fmt::format("a further atom stands where the box must be; the second line tells "
-                      "{} atoms",
-                      count));
+      lines_.refuse(fmt::format(
+          "found another atom where the box must be; the second line gives {} atoms", count));
     frame.box = read_box(box, lines_);
   }
 
@@ -231,7 +227,7 @@ class GroReader : public FrameReader {
 Frame first_frame(std::istream& in, const std::string& file) {
   Frame frame;
   if (!GroReader(in, file).next(frame))
-    throw Error("the file ends where the title must stand", file + ":1");
+    throw Error("the file ends where the title must be", file + ":1");
   return frame;
 }
 

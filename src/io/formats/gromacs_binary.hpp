@@ -15,11 +15,11 @@ Box take_box(BinaryInput& in) {
   std::array<double, 9> m;
   for (double& x : m) x = static_cast<double>(in.take<Real>("the box"));
   for (std::size_t k = 0; k < 9; ++k) {
-    if (!std::isfinite(m[k])) in.refuse("the box holds a number that is not finite");
+    if (!std::isfinite(m[k])) in.refuse("the box has a number that is not finite");
     if (k % 4 != 0 && m[k] != 0)
       in.refuse(
-          "the box is triclinic; it must be a cuboid, the only box that is known here; convert "
-          "it, with gmx trjconv -ur rect or by a new box");
+          "the box is triclinic; only rectangular (orthorhombic) boxes are supported; convert it, "
+          "for example with gmx trjconv -ur rect");
     if (k % 4 == 0 && !(m[k] > 0))
       in.refuse(fmt::format("a box edge is {} nm; it must be longer than 0 nm", m[k]));
   }
@@ -31,7 +31,7 @@ inline void put_box(BinaryOutput& out, const Box& box) {
     out.put(k % 4 == 0 ? static_cast<float>(box.edge[k / 4]) : 0.0f);
 }
 
-/// The number of atoms that a header tells.
+/// The number of atoms in a header.
 inline std::size_t take_count(BinaryInput& in) {
   const auto count = in.take<std::int32_t>("the number of atoms");
   if (count < 0) in.refuse(fmt::format("the number of atoms is {}; it must be 0 or more", count));

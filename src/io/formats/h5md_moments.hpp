@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When the values of an H5MD element are: its steps, or its times.
+// The steps or times of the values of an H5MD element.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class Moments {
     return is_list_ ? numbers_[n] : offset_ + static_cast<double>(n) * numbers_[0];
   }
 
-  /// Which value is that of a moment, if one is.
+  /// The index of the value at a given step or time, if there is one.
   std::optional<std::size_t> find(double moment) const {
     if (is_list_) {
       const auto found =
@@ -53,7 +53,7 @@ class Moments {
     }
     const double place = (moment - offset_) / numbers_[0];
     const double whole = std::nearbyint(place);
-    constexpr double rounding = 1e-6;  // of times that were computed
+    constexpr double rounding = 1e-6;  // for computed times
     if (!(whole >= 0 && whole < 0x1p53 && std::abs(place - whole) <= rounding)) return std::nullopt;
     return static_cast<std::size_t>(whole);
   }

@@ -23,18 +23,18 @@ namespace {
 
 using hdf5::Handle;
 
-// A value at each moment, or one for all.
+// A value at each step or time, or one for all.
 struct Series {
   Handle values;
   std::vector<hsize_t> extents;
   bool changes = false;
   double unit = 1;
-  struct Pairing {  // of values that have steps or times of their own, with positions
+  struct Pairing {  // of values with separate steps or times, with the positions
     Moments own, of_positions;
   };
   std::optional<Pairing> pairing;
 
-  // Which value is that of a position, if one is.
+  // The index of the value that belongs to a position, if there is one.
   std::optional<hsize_t> place(hsize_t position) const {
     if (!changes) return 0;
     if (!pairing) return position;
@@ -53,7 +53,7 @@ class H5mdReader : public FrameReader {
       open_image(*bytes);
     else
       open_file();
-    if (!file_.is_open()) refuse("the file is none of HDF5, or it is damaged; name an H5MD file");
+    if (!file_.is_open()) refuse("the file is not HDF5, or it is damaged; give an H5MD file");
     try {
       find_particles();
     } catch (const Error& e) {
@@ -91,7 +91,7 @@ class H5mdReader : public FrameReader {
     bytes_ = bytes.size();
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_fapl_core(access, 1 << 16, false);
-    // The library copies the bytes, though its interface does not promise to leave them.
+    // The library copies the bytes, although its interface takes them as mutable.
     H5Pset_file_image(access, const_cast<char*>(bytes.data()), bytes.size());
     file_ = {H5Fopen("image", H5F_ACC_RDONLY, access), H5Fclose};
   }
@@ -100,7 +100,7 @@ class H5mdReader : public FrameReader {
     bytes_ = std::filesystem::file_size(name_, unknown);
     const Handle access = hdf5::reading_access();
     file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY, access), H5Fclose};
-    if (!file_.is_open())  // it is being written, or was when its program was killed
+    if (!file_.is_open())  // it is being written, or its program was killed
       file_ = {H5Fopen(name_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access), H5Fclose};
   }
 
@@ -118,22 +118,21 @@ class H5mdReader : public FrameReader {
       const std::string root = std::string("particles/") + name.data();
       if (hdf5::has(file_, root + std::string("/") + "position/value")) root_ = root + '/';
     }
-    if (root_.empty()) refuse("no group below 'particles' holds 'position/value'; one must");
+    if (root_.empty()) refuse("no group below 'particles' has 'position/value', as one must");
     position_ = series("position", {Dimension::length});
     if (position_.extents.size() != 3 || position_.extents[2] != 3)
-      refuse("'position/value' must have three extents: frames, atoms and 3");
+      refuse("'position/value' must have three dimensions: frames, atoms and 3");
     frames_ = position_.extents[0];
     const hsize_t atoms = position_.extents[1];
     if (atoms > bytes_)
-      refuse(
-          fmt::format("'position/value' tells {} atoms, in a file of {} bytes; positions of so "
-                      "many do not fit",
-                      atoms, bytes_));
+      refuse(fmt::format(
+          "'position/value' has {} atoms, whose positions do not fit into the {} bytes of the file",
+          atoms, bytes_));
     if (hdf5::has(file_, root_ + "velocity/value")) {
       velocity_ = series("velocity", {Dimension::length, Dimension::time});
       if (velocity_->extents.size() != 3 || velocity_->extents[1] != atoms ||
           velocity_->extents[2] != 3)
-        refuse("'velocity/value' must have the extents of 'position/value'");
+        refuse("'velocity/value' must have the dimensions of 'position/value'");
       pair(*velocity_, "velocity");
     }
     find_box();
@@ -157,44 +156,45 @@ class H5mdReader : public FrameReader {
     }
     if (series.extents[0] != frames_)
       refuse(
-          fmt::format("'{}' has {} frames and 'position' {}; both must have 'step' or 'time', "
-                      "which tells what belongs together",
+          fmt::format("'{}' has {} frames and 'position' {}; both must have 'step' or 'time', so "
+                      "that frames can be matched",
                       element, series.extents[0], frames_));
   }
 
   Moments moments(const std::string& name) const {
     const Handle numbers = hdf5::dataset(file_, root_ + name);
-    if (!numbers.is_open()) refuse(fmt::format("'{}' cannot be read; it must be data", name));
+    if (!numbers.is_open()) refuse(fmt::format("'{}' cannot be read; it must be a dataset", name));
     check_numbers(numbers, name);
     return {numbers, name};
   }
 
-  // Values of an element of the group, with the unit that they are in.
+  // Values of an element of the group, with their unit.
   Series series(const std::string& element, std::vector<Dimension> dimensions) const {
     Series found;
     const std::string place = root_ + element;
     found.changes = hdf5::has(file_, place + "/value");
     found.values = hdf5::dataset(file_, found.changes ? place + "/value" : place);
-    if (!found.values.is_open()) refuse(fmt::format("'{}' cannot be read; it must be data", place));
+    if (!found.values.is_open())
+      refuse(fmt::format("'{}' cannot be read; it must be a dataset", place));
     found.extents = hdf5::extents(found.values);
     check_numbers(found.values, place);
     found.unit = unit_of(found.values, element, dimensions);
     return found;
   }
 
-  // Numbers, as many as the file's bytes can hold: the library makes room for a whole chunk, and
-  // gives numbers, one like the other, for those that were never written.
+  // Numbers, limited by the size of the file: the library allocates whole chunks and returns fill
+  // values for numbers that were never written.
   void check_numbers(hid_t values, const std::string& place) const {
     const Handle type(H5Dget_type(values), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_FLOAT && kind != H5T_INTEGER)
-      refuse(fmt::format("'{}' holds no numbers; it must", place));
+      refuse(fmt::format("'{}' has no numbers, as it must", place));
     const auto check_size = [&](const char* what, std::span<const hsize_t> extents) {
       double size = static_cast<double>(H5Tget_size(type));
       for (const hsize_t extent : extents) size *= static_cast<double>(extent);
-      constexpr double deflated = 1032;  // the most that deflate makes of a byte
+      constexpr double deflated = 1032;  // the largest expansion of a byte by deflate
       if (size > deflated * static_cast<double>(bytes_))
-        refuse(fmt::format("{}'{}' is {:.3g} bytes long; the file's {} bytes cannot hold it", what,
+        refuse(fmt::format("{}'{}' is {:.3g} bytes long, more than the {} bytes of the file", what,
                            place, size, bytes_));
     };
     check_size("", hdf5::extents(values));
@@ -205,7 +205,7 @@ class H5mdReader : public FrameReader {
     check_size("a chunk of ", std::span(chunk).first(static_cast<std::size_t>(std::max(0, rank))));
   }
 
-  // The texts of an attribute, if it is there and can be read.
+  // The texts of an attribute, if it exists and can be read.
   std::vector<std::string> text_attribute(hid_t of, const char* name) const {
     if (H5Aexists(of, name) <= 0) return {};
     const Handle attribute(H5Aopen(of, name, H5P_DEFAULT), H5Aclose);
@@ -233,7 +233,7 @@ class H5mdReader : public FrameReader {
                  const std::vector<Dimension>& dimensions) const {
     const auto texts = text_attribute(values, "unit");
     if (texts.empty())
-      refuse(fmt::format("'{}' has no attribute 'unit'; it must say for example \"{}\"", element,
+      refuse(fmt::format("'{}' has no attribute 'unit'; it must be for example \"{}\"", element,
                          dimensions.front() == Dimension::time ? "ps" : "nm"));
     const std::string& text = texts.front();
     std::string first = text.substr(0, text.find_first_of(" /"));
@@ -249,13 +249,14 @@ class H5mdReader : public FrameReader {
     } catch (const Error& e) {
       throw e.at(fmt::format("{}, {}", name_, element));
     }
-    refuse(fmt::format("'{}' is in '{}'; it must be in one unit, as \"nm\"", element, text));
+    refuse(
+        fmt::format("'{}' is in '{}'; it must be in a single unit, such as \"nm\"", element, text));
   }
 
   void find_box() {
     const Handle box = hdf5::group(file_, root_ + "box");
     if (!box.is_open() || !(hdf5::has(box, "edges")))
-      refuse("the particles have no 'box/edges'; they must, as bodies are put into a box");
+      refuse("the particles have no 'box/edges', which is needed as the box");
     if (H5Aexists(box, "boundary") > 0) {
       const auto boundary = text_attribute(box, "boundary");
       if (boundary.empty() || std::any_of(boundary.begin(), boundary.end(),
@@ -287,12 +288,13 @@ class H5mdReader : public FrameReader {
 
   Box box_at(hsize_t number) {
     const auto place = edges_.place(number);
-    if (!place) refuse(fmt::format("frame {} has no box of its step or time; it must", number + 1));
+    if (!place)
+      refuse(fmt::format("frame {} has no box at its step or time, as it must", number + 1));
     take(edges_, *place, values_);
     if (values_.size() == 9) {
       for (std::size_t k = 0; k < 9; ++k)
         if (k % 4 != 0 && values_[k] != 0)
-          refuse("the box is triclinic; it must be a cuboid, the only box that is known here");
+          refuse("the box is triclinic; only rectangular (orthorhombic) boxes are supported");
       values_ = {values_[0], values_[4], values_[8]};
     }
     for (const double edge : values_)
@@ -324,12 +326,11 @@ class H5mdReader : public FrameReader {
     const Vec3<double> v =
         unit * Vec3<double>{values_[3 * i], values_[3 * i + 1], values_[3 * i + 2]};
     if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))
-      refuse(fmt::format("a number of atom {} in frame {} is not finite; it must be", i + 1,
-                         number_ + 1));
+      refuse(fmt::format("a number of atom {} in frame {} is not finite", i + 1, number_ + 1));
     return v;
   }
 
-  // Names are no part of H5MD; they are there if the file is one of ours.
+  // Names are not part of H5MD; files of this program have them.
   void name_atoms(std::size_t count) {
     atoms_.resize(count);
     kinds_.assign(1, {});

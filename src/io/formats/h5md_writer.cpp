@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// H5MD files (debuyl2014), written so that they can be read meanwhile and that a killed program
-// leaves them whole.
+// H5MD files (debuyl2014), written so that they can be read at any time and remain readable if the
+// program is killed.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -27,8 +27,8 @@ using h5md::time;
 using h5md::value_path;
 using hdf5::Handle;
 
-// Shorter rows share a chunk of so many bytes. Nothing is compressed: most bits of positions and
-// momenta are noise, so that deflate takes 7 % off a file and makes a frame three times as dear.
+// Shorter rows share a chunk of this many bytes. Nothing is compressed: most bits of positions and
+// momenta are noise, so deflate reduces a file by 7 % and triples the cost of a frame.
 constexpr hsize_t small_row = 4096;
 
 class H5mdWriter : public FrameWriter {
@@ -82,7 +82,7 @@ class H5mdWriter : public FrameWriter {
  private:
   [[noreturn]] void refuse() const {
     broken_ = true;
-    throw RunError(fmt::format("'{}' could not be written to the end; is the disk full?", path_));
+    throw RunError(fmt::format("'{}' could not be written completely; is the disk full?", path_));
   }
   template <class Result>
   Result check(Result result) const {
@@ -103,29 +103,28 @@ class H5mdWriter : public FrameWriter {
           fmt::format("'{}' cannot be written; check the folder and its permissions", path_));
   }
 
-  // Readers of a file that grows need its latest form.
+  // Reading while writing requires the latest file format.
   Handle access_properties() const {
     Handle access = make_handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
     return access;
   }
 
-  // Properties of things that do not keep when they were made: equal runs write equal bytes.
+  // Creation properties without timestamps, so that equal runs write equal bytes.
   Handle timeless(hid_t kind) const {
     Handle properties = make_handle(H5Pcreate(kind), H5Pclose);
     check(H5Pset_obj_track_times(properties, false));
     return properties;
   }
 
-  // A program that was killed leaves a file that can be read, as at any moment of its life, but not
-  // one that can be changed: room may be in use that its head does not know. So the run goes on in
-  // a copy, which takes its place at once.
+  // The file of a killed program can be read but not safely changed: it may use space that its
+  // header does not record. So a resumed run appends to a copy, which replaces the file atomically.
   void reopen(std::uint64_t frames) {
-    Draft copy(path_, Draft::Name::unique);  // the library looks for what a name means
+    Draft copy(path_, Draft::Name::unique);  // the library resolves names
     const char* const part = copy.path().c_str();
     try {
-      open_to_resume();  // or an error that tells what is missing
-      // The library (1.10) crashes where a file that it closes does not fit on the disk.
+      open_to_resume();  // or an error that names what is missing
+      // The library (1.10) crashes when it closes a file on a full disk.
       const bool copied = done_in_own_process([&] {
         Handle file = make_handle(
             H5Fcreate(part, H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access_properties()),
@@ -149,10 +148,9 @@ class H5mdWriter : public FrameWriter {
     series_ = h5md::series_of(file_);
     for (const auto& [name, series] : series_) cut(name, series, frames);
     if (!series_.contains("particles/all/position"))
-      throw Error(
-          fmt::format("'{}' holds no positions to go on with; bring the file back that the "
-                      "run wrote, or start anew",
-                      path_));
+      throw Error(fmt::format(
+          "'{}' has no positions to append to; restore the file that the run wrote, or start over",
+          path_));
     frames_ = frames;
   }
 
@@ -160,12 +158,12 @@ class H5mdWriter : public FrameWriter {
     Handle file(H5Fopen(path_.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, hdf5::reading_access()),
                 H5Fclose);
     if (!file.is_open())
-      throw Error(fmt::format(
-          "there is no H5MD file '{}' to go on with; bring it back or start anew", path_));
+      throw Error(
+          fmt::format("there is no H5MD file '{}' to append to; restore it or start over", path_));
     return file;
   }
 
-  // In one go, so that what has several names stays one thing.
+  // In one call, so that hard links are preserved.
   void copy_all(hid_t from, hid_t to) const {
     check(H5Ocopy(from, "/", to, "all", H5P_DEFAULT, H5P_DEFAULT));
     {
@@ -180,8 +178,8 @@ class H5mdWriter : public FrameWriter {
     auto extents = hdf5::extents(series.values);
     if (extents.empty() || extents[0] < frames)
       throw Error(
-          fmt::format("'{}' holds {} rows of {} and held {} when the run was interrupted; it "
-                      "must be the same file: bring it back or start anew",
+          fmt::format("'{}' has {} rows of {} and had {} when the run was interrupted; it must be "
+                      "the same file: restore it or start over",
                       path_, extents.empty() ? 0 : extents[0], name, frames));
     extents[0] = frames;
     check(H5Dset_extent(series.values, extents.data()));
@@ -278,7 +276,7 @@ class H5mdWriter : public FrameWriter {
     if (!texts.empty()) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, letters.data()));
   }
 
-  // What stays the same, and the places of what follows: none can be added while others read.
+  // The constant data, and the datasets of the series: none can be added while others read.
   void begin(const FrameView& frame, const State* state, std::span<const FrameNumber> observables) {
     attribute(new_group("h5md"), "version", std::vector<int>{1, 1});
     attribute(new_group("h5md/author"), "name", "unknown");
@@ -385,10 +383,11 @@ class H5mdWriter : public FrameWriter {
   }
 
   void append(const FrameView& frame) {
-    const auto number = static_cast<std::int64_t>(frames_);  // the step, which no frame tells
+    const auto number =
+        static_cast<std::int64_t>(frames_);  // the step, which frames do not contain
     put(series_.at(step), H5T_NATIVE_INT64, &number);
     put(series_.at(time), H5T_NATIVE_DOUBLE, &frame.time);
-    // Whole vectors: some readers know no shorter form.
+    // Full vectors: some readers support no shorter form.
     const Vec3<double> edge = frame.box.edge;
     put("particles/all/box/edges", {edge.x, 0, 0, 0, edge.y, 0, 0, 0, edge.z});
     std::vector<double> r, v;
@@ -433,7 +432,7 @@ class H5mdWriter : public FrameWriter {
   std::uint64_t frames_ = 0;
   std::uint64_t summed_ = 0, checksum_ = 0;  // of the frames until the last mark
   bool started_ = false;
-  mutable bool broken_ = false;  // something could not be written
+  mutable bool broken_ = false;  // a write failed
 };
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace polhode::hdf5 {
 
-/// An open thing of the library, closed at the end of its scope.
+/// An open HDF5 identifier, closed at the end of its scope.
 class Handle {
  public:
   Handle() = default;
@@ -31,9 +31,9 @@ class Handle {
   }
   operator hid_t() const { return id_; }  // implicit: the C interface takes it everywhere
   bool is_open() const { return id_ >= 0; }
-  /// Leaves it open for good: closing what could not be written makes the library (1.10) crash.
+  /// Never closes it: closing what could not be written makes the library (1.10) crash.
   void abandon() { id_ = -1; }
-  /// Before the end of the scope; negative if what was to be written could not be.
+  /// Closes before the end of the scope; negative if writing failed.
   herr_t close() { return close_(std::exchange(id_, -1)); }
 
  private:
@@ -41,15 +41,15 @@ class Handle {
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// Before anything else: no messages on stderr, as what goes wrong is told by errors, and nothing
-/// is written at the end of the program, where a full disk would make the library crash.
+/// Called first: turns off the library's messages on stderr, since errors are thrown, and its
+/// writing at exit, where a full disk would make it crash.
 inline void be_quiet() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// Access along links of which none leads out of the file.
-/// @param kind  H5P_LINK_ACCESS, or the one of what is opened, which is a kind of it
+/// Access that follows no link out of the file.
+/// @param kind  H5P_LINK_ACCESS, or the access class of the object, which derives from it
 inline Handle inside(hid_t kind) {
   Handle access(H5Pcreate(kind), H5Pclose);
   const auto refuse = [](const char*, const char*, const char*, const char*, unsigned*, hid_t,
@@ -58,9 +58,9 @@ inline Handle inside(hid_t kind) {
   return access;
 }
 
-/// How often the library reads metadata that another program may be writing until its checksum is
-/// right. It waits 1 ns before the second time and twice as long before each next one: 17 ms in
-/// all. With its own 100 attempts a damaged file would take it years.
+/// Number of attempts to read metadata with a valid checksum while another program writes. The
+/// library waits 1 ns before the second attempt and doubles the wait each time: 17 ms in total.
+/// With its default of 100 attempts a damaged file would take years.
 inline constexpr unsigned read_attempts = 24;
 
 /// Access to a file that another program may be writing.
@@ -70,18 +70,18 @@ inline Handle reading_access() {
   return access;
 }
 
-/// Whether there is something of that name.
-/// @throws Error  if it lies in another file
+/// Whether an object of this name exists.
+/// @throws Error  if it is in another file
 inline bool has(hid_t where, const std::string& name) {
   const Handle access = inside(H5P_LINK_ACCESS);
   for (auto end = name.find('/');; end = name.find('/', end + 1)) {
     const std::string part = name.substr(0, end);
     H5L_info_t link{};
     if (H5Lget_info(where, part.c_str(), &link, access) >= 0 && link.type >= H5L_TYPE_UD_MIN)
-      throw Error(fmt::format(
-          "'{}' is a link to another file, which is not followed; copy what it names into the "
-          "file, with h5repack or h5copy",
-          part));
+      throw Error(
+          fmt::format("'{}' is a link to another file, which is not followed; copy its data into "
+                      "the file, with h5repack or h5copy",
+                      part));
     if (H5Lexists(where, part.c_str(), access) <= 0) return false;
     if (end == name.npos) return true;
   }
@@ -91,16 +91,16 @@ inline Handle group(hid_t where, const std::string& name) {
   return {H5Gopen2(where, name.c_str(), inside(H5P_GROUP_ACCESS)), H5Gclose};
 }
 
-/// @throws Error  if its numbers lie in another file
+/// @throws Error  if its numbers are in another file
 inline Handle dataset(hid_t where, const std::string& name) {
   Handle set(H5Dopen2(where, name.c_str(), inside(H5P_DATASET_ACCESS)), H5Dclose);
   if (!set.is_open()) return set;
   const Handle properties(H5Dget_create_plist(set), H5Pclose);
   if (H5Pget_layout(properties) == H5D_VIRTUAL || H5Pget_external_count(properties) > 0)
-    throw Error(fmt::format(
-        "the numbers of '{}' lie in another file, which is not read; copy them into the file, with "
-        "h5repack",
-        name));
+    throw Error(
+        fmt::format("the numbers of '{}' are in another file, which is not read; copy them into "
+                    "the file, with h5repack",
+                    name));
   return set;
 }
 

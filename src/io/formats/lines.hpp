@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A text on its way into a frame, line by line.
+// Reads a text line by line.
 #pragma once
 
 #include <fmt/core.h>
@@ -19,7 +19,7 @@
 
 namespace polhode {
 
-/// The number that a field holds, blanks around it aside.
+/// The number in a field, without surrounding blanks.
 template <class Number>
 std::optional<Number> parsed(std::string_view field) {
   field = trimmed(field);
@@ -31,14 +31,14 @@ std::optional<Number> parsed(std::string_view field) {
   return value;
 }
 
-/// Goes through a text line by line and knows where it is.
+/// Reads a text line by line and keeps the line number for errors.
 class Lines {
  public:
   Lines(std::istream& in, std::string file) : in_(in), file_(std::move(file)) {}
 
   const std::string& file() const { return file_; }
 
-  /// The next line, without its end, until the next call; nothing where the text ends.
+  /// The next line, without its line end, valid until the next call; empty at the end of the text.
   std::optional<std::string_view> next() {
     ++number_;
     if (!std::getline(in_, line_)) return std::nullopt;
@@ -46,23 +46,22 @@ class Lines {
     if (const auto odd = odd_byte(line_, file_)) refuse(*odd);
     return number_ == 1 ? without_mark(line_) : line_;
   }
-  /// @param expected  tells what the line must be
+  /// @param expected  describes the line
   template <class Expected>
   std::string_view next(const Expected& expected) {
     const auto line = next();
-    if (!line) refuse(fmt::format("the file ends where {} must stand", expected()));
+    if (!line) refuse(fmt::format("the file ends where {} must be", expected()));
     return *line;
   }
   [[noreturn]] void refuse(const std::string& what) const {
     throw Error(what, fmt::format("{}:{}", file_, number_));
   }
   /// A finite number.
-  /// @param hint  says more about its place: "; lines of atoms have columns of fixed width"
+  /// @param hint  explains its position: "; atom lines have columns of fixed width"
   double number(std::string_view field, const char* what, const char* hint = "") const {
     const auto value = parsed<double>(field);
     if (!value)
-      refuse(
-          fmt::format("'{}' stands where the {} must be a number{}", trimmed(field), what, hint));
+      refuse(fmt::format("found '{}' where the {} must be a number{}", trimmed(field), what, hint));
     if (!std::isfinite(*value))
       refuse(fmt::format("the {} is {}; it must be a finite number", what, trimmed(field)));
     return *value;

@@ -16,19 +16,21 @@ namespace {
 __extension__ using Wide = unsigned __int128;
 
 // Ranges of small differences. Three numbers below ranges[k] take k bits: ranges[k] is about
-// 2^(k/3), with the values that are in use since the first program.
-// clang-format off
+// 2^(k/3), with the values of the original program. clang-format off
 constexpr std::array<std::int32_t, 73> ranges = {
-    0, 0, 0, 0, 0, 0, 0, 0, 0, 8, 10, 12, 16, 20, 25, 32, 40, 50, 64, 80, 101, 128, 161, 203, 256,
-    322, 406, 512, 645, 812, 1024, 1290, 1625, 2048, 2580, 3250, 4096, 5060, 6501, 8192, 10321,
-    13003, 16384, 20642, 26007, 32768, 41285, 52015, 65536, 82570, 104031, 131072, 165140, 208063,
-    262144, 330280, 416127, 524287, 660561, 832255, 1048576, 1321122, 1664510, 2097152, 2642245,
-    3329021, 4194304, 5284491, 6658042, 8388607, 10568983, 13316085, 16777216};
+    0,        0,        0,       0,       0,       0,       0,       0,       0,       8,
+    10,       12,       16,      20,      25,      32,      40,      50,      64,      80,
+    101,      128,      161,     203,     256,     322,     406,     512,     645,     812,
+    1024,     1290,     1625,    2048,    2580,    3250,    4096,    5060,    6501,    8192,
+    10321,    13003,    16384,   20642,   26007,   32768,   41285,   52015,   65536,   82570,
+    104031,   131072,   165140,  208063,  262144,  330280,  416127,  524287,  660561,  832255,
+    1048576,  1321122,  1664510, 2097152, 2642245, 3329021, 4194304, 5284491, 6658042, 8388607,
+    10568983, 13316085, 16777216};
 // clang-format on
 constexpr std::int32_t first_range = 9;
 constexpr auto last_range = static_cast<std::int32_t>(ranges.size()) - 1;
-constexpr std::uint32_t largest_joint = 0xffffff;  // above it coordinates are packed one by one
-constexpr std::size_t max_run_length = 8;          // atoms that follow as differences
+constexpr std::uint32_t largest_joint = 0xffffff;  // above this, coordinates are packed one by one
+constexpr std::size_t max_run_length = 8;          // atoms stored as differences
 
 std::int32_t range_of(std::int32_t index) { return ranges[static_cast<std::size_t>(index)]; }
 
@@ -57,7 +59,7 @@ class BitOutput {
     for (waiting_ += bits; waiting_ >= 8; waiting_ -= 8)
       bytes_.push_back(static_cast<std::uint8_t>(held_ >> (waiting_ - 8)));
   }
-  // One number made of three, the lowest byte first.
+  // Three numbers combined into one, the lowest byte first.
   void put(const std::array<std::uint32_t, 3>& numbers, const std::array<std::uint32_t, 3>& sizes,
            unsigned bits) {
     Wide joint = (Wide{numbers[0]} * sizes[1] + numbers[1]) * sizes[2] + numbers[2];
@@ -72,7 +74,7 @@ class BitOutput {
  private:
   std::vector<std::uint8_t> bytes_;
   std::uint64_t held_ = 0;
-  unsigned waiting_ = 0;  // bits of it that are not in bytes_
+  unsigned waiting_ = 0;  // bits not yet in bytes_
 };
 
 class BitInput {
@@ -116,7 +118,7 @@ class BitInput {
   std::span<const std::uint8_t> bytes_;
   std::size_t next_ = 0;
   std::uint64_t held_ = 0;
-  unsigned waiting_ = 0;  // bits of it that are not taken
+  unsigned waiting_ = 0;  // bits not yet read
 };
 
 bool within(const IntegerVector& a, const IntegerVector& b, std::int64_t bound) {
@@ -132,7 +134,7 @@ std::int64_t distance2(const IntegerVector& a, const IntegerVector& b) {
   return sum;
 }
 
-// The first range that holds the smallest step from an atom to the next.
+// The first range that can store the smallest difference between consecutive atoms.
 std::int32_t first_small_range(const std::vector<IntegerVector>& atoms) {
   std::int64_t lower = std::numeric_limits<std::int32_t>::max();
   for (std::size_t i = 1; i < atoms.size(); ++i) {
@@ -169,7 +171,7 @@ PackedIntegers pack_integers(std::vector<IntegerVector> atoms) {
     int change = small > smallest ? -1 : 0;
     if (small < largest && i > 0 && within(atoms[i], previous, range_of(largest) / 2)) change = 1;
     bool near = i + 1 < atoms.size() && within(atoms[i], atoms[i + 1], half);
-    // The second atom of a water comes first: both others are near to the oxygen.
+    // The second atom of a water is stored first, as both others are close to the oxygen.
     if (near) std::swap(atoms[i], atoms[i + 1]);
     if (!near && change < 0) change = 0;
 
@@ -216,13 +218,14 @@ std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const Int
   for (std::size_t k = 0; k < 3; ++k)
     if (upper[k] < lower[k] || std::int64_t{upper[k]} - lower[k] >= max_width)
       throw Error(
-          fmt::format("packed coordinates reach from {} to {}; the second must not be less, "
-                      "nor {} above",
+          fmt::format("packed coordinates range from {} to {}; the second must not be smaller, nor "
+                      "larger by {}",
                       lower[k], upper[k], max_width));
   const auto check_range = [](std::int32_t index) {
     if (index < first_range || index > last_range)
-      throw Error(fmt::format("the range of small differences has index {}; it must be {} to {}",
-                              index, first_range, last_range));
+      throw Error(
+          fmt::format("the range of small differences has index {}; it must be from {} to {}",
+                      index, first_range, last_range));
   };
   check_range(small_range);
   const Layout layout(lower, upper);
@@ -253,7 +256,7 @@ std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const Int
       change = static_cast<int>(code % 3) - 1;
     }
     if (run + 1 > count - atoms.size())
-      throw Error("a run of packed coordinates goes beyond the last atom; the file is damaged");
+      throw Error("a run of packed coordinates extends beyond the last atom; the file is damaged");
     atoms.push_back(previous);
     const std::int32_t half = range_of(small) / 2;
     const auto size = static_cast<std::uint32_t>(range_of(small));

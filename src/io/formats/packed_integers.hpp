@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Coordinates of XTC files: integers, packed into as few bits as their range needs. Atoms that
-// follow close behind one another are stored as small differences; each run of these tells whether
-// the next differences have a smaller or larger range. The coding is that of the XDR routine
-// xdr3dcoord (F. van Hoesel), which all programs share that read XTC files.
+// follow close behind one another are stored as small differences; each run of these contains
+// whether the next differences have a smaller or larger range. The coding is that of the XDR
+// routine xdr3dcoord (F. van Hoesel), which all programs share that read XTC files.
 #pragma once
 
 #include <array>
@@ -23,9 +23,9 @@ struct PackedIntegers {
 /// Packs the coordinates of atoms.
 PackedIntegers pack_integers(std::vector<IntegerVector> atoms);
 
-/// Unpacks `count` atoms. They are appended as they are found: memory is at most 48 bytes for a
-/// byte of `bits`.
-/// @throws Error  without a place, where the bits end early or tell what cannot be
+/// Unpacks `count` atoms. They are appended as they are read: memory is at most 48 bytes per byte
+/// of `bits`.
+/// @throws Error  without a place, if the bits end early or are inconsistent
 std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const IntegerVector& upper,
                                            std::int32_t small_range,
                                            std::span<const std::uint8_t> bits, std::size_t count);

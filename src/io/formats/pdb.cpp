@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-// Columns of the format, counted from one, as its description has them.
+// Columns of the format, counted from one as in its description.
 std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
   return line.size() < first ? std::string_view{} : line.substr(first - 1, last - first + 1);
 }
@@ -45,12 +45,12 @@ class PdbReader : public FrameReader {
       else if (record == "TITLE")
         take_title(frame, columns(*line, 11, line->size()));
       else if (record == "ENDMDL" || record == "END" || record == "MODEL")
-        ended = !frame.atoms.empty();  // MODEL: the one before has no ENDMDL
+        ended = !frame.atoms.empty();  // MODEL: the previous one has no ENDMDL
     }
     if (frame.atoms.empty()) return false;
     if (!(box_.volume() > 0))
       lines_.refuse(
-          "there is no CRYST1 record before the end of the atoms; it must tell the box, in Å and "
+          "there is no CRYST1 record before the end of the atoms; it must give the box, in Å and "
           "degrees: CRYST1   24.830   24.830   24.830  90.00  90.00  90.00 P 1           1");
     frame.box = box_;
     return true;
@@ -74,12 +74,12 @@ class PdbReader : public FrameReader {
     };
     if (is_digit(12) && columns(line, 35, 35) != ".")
       lines_.refuse(
-          "the serial of an atom reaches beyond character 11, and x has no decimal point in "
-          "character 35, so that columns are shifted; write serials of five characters: modulo "
-          "100000, or hybrid-36");
+          "the serial of an atom extends beyond character 11 and x has no decimal point in "
+          "character 35, so columns are shifted; write serials of five characters: modulo 100000, "
+          "or hybrid-36");
   }
 
-  // An atom in two places is two atoms in a file, of which one is meant.
+  // An atom with alternate locations appears more than once; only one location may remain.
   void check_location(std::string_view line) {
     const char location = columns(line, 17, 17).front();
     if (location == ' ') return;
@@ -87,7 +87,7 @@ class PdbReader : public FrameReader {
     if (location != location_)
       lines_.refuse(
           fmt::format("a residue has atoms in the alternate locations '{}' and '{}' (character "
-                      "17); each atom must have one place, so delete the others",
+                      "17); each atom must have one position, so delete the others",
                       location_, location));
   }
 
@@ -99,14 +99,13 @@ class PdbReader : public FrameReader {
   Atom atom(std::string_view line, AtomKinds& kinds) {
     Atom atom;
     if (columns(line, 47, 54).empty())
-      lines_.refuse(
-          fmt::format("the line of an atom ends after {} characters; x, y and z stand in "
-                      "characters 31 to 54",
-                      line.size()));
+      lines_.refuse(fmt::format(
+          "the atom line ends after {} characters; x, y and z are in characters 31 to 54",
+          line.size()));
     check_columns(line);
     for (std::size_t k = 0; k < 3; ++k)
       atom.r[k] = angstrom_ * lines_.number(columns(line, 31 + 8 * k, 38 + 8 * k), "coordinate",
-                                            "; x, y and z stand in characters 31 to 54");
+                                            "; x, y and z are in characters 31 to 54");
     const std::string_view named = columns(line, 13, 21);
     std::string key(named);
     key += columns(line, 77, 78);
@@ -124,7 +123,8 @@ class PdbReader : public FrameReader {
     return atom;
   }
 
-  // Numbers that do not fit are written as letters, stars or anew from 0: residues are counted.
+  // Numbers that do not fit are written as letters or stars, or start again at 0, so residues are
+  // counted.
   int residue(std::string_view field) {
     if (residue_ == 0 || field != residue_field_) {
       residue_field_ = field;
@@ -143,8 +143,8 @@ class PdbReader : public FrameReader {
     for (std::size_t k = 0; k < 3; ++k) {
       if (edges_and_angles[3 + k] != 90)
         lines_.refuse(
-            fmt::format("an angle of the box is {} degrees; it must be 90 degrees: a "
-                        "cuboid is the only box that is known here",
+            fmt::format("an angle of the box is {} degrees; it must be 90 degrees: only "
+                        "rectangular (orthorhombic) boxes are supported",
                         edges_and_angles[3 + k]));
       if (!(edges_and_angles[k] > 0))
         lines_.refuse(
@@ -152,8 +152,8 @@ class PdbReader : public FrameReader {
     }
     if (edges_and_angles[0] == 1 && edges_and_angles[1] == 1 && edges_and_angles[2] == 1)
       lines_.refuse(
-          "the box is 1 x 1 x 1 Å, which stands for no box where there is no crystal; write the "
-          "edges of the periodic box, in Å");
+          "the box is 1 x 1 x 1 Å, which means that there is none; write the edges of the periodic "
+          "box, in Å");
     return {angstrom_ *
             Vec3<double>{edges_and_angles[0], edges_and_angles[1], edges_and_angles[2]}};
   }
@@ -162,13 +162,14 @@ class PdbReader : public FrameReader {
   std::string title_, residue_field_;
   double time_ = 0;
   int residue_ = 0;
-  char location_ = ' ';  // of the residue's atoms that tell one
+  char location_ = ' ';  // of the residue's atoms that have one
   Box box_{};
   double angstrom_ = unit("A", Dimension::length);
 };
 
-// A serial in five characters: decimal up to 99999, then hybrid-36, where A0000 follows and letters
-// count as digits (cci.lbl.gov/hybrid_36). The upper case ends at ZZZZZ, the lower begins at a0000.
+// A serial in five characters: decimal up to 99999, then hybrid-36, which continues with A0000 and
+// uses letters as digits (cci.lbl.gov/hybrid_36). The upper case ends at ZZZZZ, the lower begins at
+// a0000.
 std::string serial(std::size_t number) {
   constexpr std::size_t width = 5, decimal = 100'000, digit = 36 * 36 * 36 * 36;
   if (number < decimal) return fmt::format("{:5}", number);

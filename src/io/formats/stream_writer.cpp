@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files to whose end frames are appended.
+// Files to which frames are appended.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -52,7 +52,7 @@ class StreamWriter : public FrameWriter {
     ++frames_;
   }
   [[noreturn]] void refuse() const {
-    throw RunError(fmt::format("'{}' could not be written to the end; is the disk full?", path_));
+    throw RunError(fmt::format("'{}' could not be written completely; is the disk full?", path_));
   }
 
   Appending appending_;

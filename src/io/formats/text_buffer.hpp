@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Text on its way to a stream: collected, and written in large pieces.
+// A text buffer, written to a stream in large pieces.
 #pragma once
 
 #include <fmt/format.h>
@@ -25,13 +25,13 @@ class TextBuffer {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Arguments>(arguments)...);
   }
   void append(std::string_view text) { text_.append(text); }
-  /// As "{:width.decimalsf}", to the same digits and faster.
+  /// Like "{:width.decimalsf}": the same digits, but faster.
   void fixed(double x, std::size_t width, int decimals) {
     const double power = powers_of_ten.at(static_cast<std::size_t>(decimals));
     const double scaled = x * power, whole = std::nearbyint(scaled);
     if (!(std::abs(whole) < 0x1p53)) return print("{:>{}.{}f}", x, width, decimals);
     auto digits = static_cast<std::int64_t>(whole);
-    // What the whole number lacks, and what the product lost by rounding: exact, both.
+    // The fractional part, and the rounding error of the product: both exact.
     const double lacks = scaled - whole, lost = std::fma(x, power, -scaled);
     if (lacks + lost > 0.5 || (lacks == 0.5 && lost > 0)) ++digits;
     if (lacks + lost < -0.5 || (lacks == -0.5 && lost < 0)) --digits;

@@ -9,7 +9,7 @@ namespace {
 constexpr std::int32_t magic = 1993;
 constexpr std::string_view version = "GMX_trn_file";
 
-// The head's lengths in bytes of what a frame may hold, in the file's order.
+// The lengths in bytes of the parts of a frame, in the order of the header.
 enum Part : std::size_t {
   inputs,
   energies,
@@ -36,7 +36,7 @@ class TrrReader : public FrameReader {
         read<double>(frame);
       else
         read<float>(frame);
-      if (length_[positions] > 0) return true;  // frames of velocities or forces alone are passed
+      if (length_[positions] > 0) return true;  // frames with velocities or forces only are skipped
     }
     return false;
   }
@@ -70,13 +70,13 @@ class TrrReader : public FrameReader {
                         part + 1, count_, length_[part], all));
     }
     if (length_[box] == 0 && length_[positions] > 0)
-      in_.refuse("the frame has no box; it must have one, which bodies are put into");
+      in_.refuse("the frame has no box, which is needed");
   }
 
   template <class Real>
   void read(Frame& frame) {
     frame.time = static_cast<double>(in_.take<Real>("the time"));
-    if (!std::isfinite(frame.time)) in_.refuse("the time is not finite; it must be a number");
+    if (!std::isfinite(frame.time)) in_.refuse("the time is not finite");
     in_.take<Real>("lambda");
     if (length_[box] > 0) frame.box = take_box<Real>(in_);
     in_.block(length(virial), "the virial");
@@ -91,7 +91,7 @@ class TrrReader : public FrameReader {
     in_.block(length(forces), "the forces");
   }
 
-  // Vectors of a part, which is read whole.
+  // The vectors of one part, which is read at once.
   template <class Real, class Visit>
   void each(Part part, const char* what, const Visit& visit) {
     auto block = in_.block(length(part), what);
@@ -129,7 +129,7 @@ void append_trr(std::iostream& file, const FrameView& frame, std::uint64_t befor
   length[velocities] = frame.has_velocities ? vectors : 0;
   for (const std::int32_t bytes : length) out.put(bytes);
   out.put(static_cast<std::int32_t>(frame.atoms));
-  out.put(static_cast<std::int32_t>(before));  // the step, which a frame does not tell
+  out.put(static_cast<std::int32_t>(before));  // the step, which frames do not contain
   out.put(std::int32_t{0});                    // energies
   out.put(static_cast<float>(frame.time));
   out.put(0.0f);  // lambda

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What binary files of coordinates share: atoms without names.
+// Common to binary coordinate files: atoms without names.
 #pragma once
 
 #include <cmath>
@@ -19,10 +19,10 @@ inline void begin_unnamed(Frame& frame, const std::string& file) {
   frame.has_velocities = false;
 }
 
-/// Refuses coordinates that are no numbers.
+/// Throws if a coordinate is not finite.
 inline const Vec3<double>& finite(const Vec3<double>& r, const BinaryInput& in) {
   if (!std::isfinite(r.x) || !std::isfinite(r.y) || !std::isfinite(r.z))
-    in.refuse("a coordinate or velocity is not finite; it must be a number");
+    in.refuse("a coordinate or velocity is not finite");
   return r;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// XTC, the compressed trajectories of GROMACS: positions alone, rounded to 0.001 nm.
+// XTC, the compressed trajectories of GROMACS: positions only, rounded to 0.001 nm.
 #include <limits>
 
 #include "format.hpp"
@@ -12,7 +12,7 @@ namespace {
 constexpr std::int32_t magic = 1995;
 constexpr std::int32_t magic_of_large = 2023;    // the length of packed coordinates has 64 bits
 constexpr std::size_t max_of_small = 298261617;  // atoms whose packed length fits in 32 bits
-constexpr std::size_t unpacked_count = 9;        // up to it coordinates are plain numbers
+constexpr std::size_t unpacked_count = 9;        // up to here coordinates are stored uncompressed
 constexpr float precision = 1000;                // [1/nm]
 
 class XtcReader : public FrameReader {
@@ -31,10 +31,11 @@ class XtcReader : public FrameReader {
     const std::size_t count = take_count(in_);
     in_.take<std::int32_t>("the step");
     frame.time = static_cast<double>(in_.take<float>("the time"));
-    if (!std::isfinite(frame.time)) in_.refuse("the time is not finite; it must be a number");
+    if (!std::isfinite(frame.time)) in_.refuse("the time is not finite");
     frame.box = take_box<float>(in_);
     if (const std::size_t again = take_count(in_); again != count)
-      in_.refuse(fmt::format("{} positions stand where the head tells {} atoms", again, count));
+      in_.refuse(
+          fmt::format("the frame has {} positions but its header gives {} atoms", again, count));
     if (count <= unpacked_count)
       read_plain(frame, count);
     else
@@ -102,7 +103,7 @@ void append_xtc(std::iostream& file, const FrameView& frame, std::uint64_t befor
   const auto count = static_cast<std::int32_t>(frame.atoms);
   out.put(large ? magic_of_large : magic);
   out.put(count);
-  out.put(static_cast<std::int32_t>(before));  // the step, which a frame does not tell
+  out.put(static_cast<std::int32_t>(before));  // the step, which frames do not contain
   out.put(static_cast<float>(frame.time));
   put_box(out, frame.box);
   out.put(count);

@@ -61,7 +61,7 @@ void write(std::ostream& out, const FrameView& frame) {
   frame.each_atom([&](const Atom& atom) { lines.atom(atom); });
 }
 
-// A column of the lines of atoms: what it is, and how many words it takes.
+// A column of the atom lines: its meaning and its number of words.
 struct Property {
   enum class What { species, position, velocity, residue, other } what;
   std::size_t words;
@@ -107,7 +107,7 @@ class XyzReader : public FrameReader {
     if (!count_line) return false;
     const auto count = parsed<std::size_t>(*count_line);
     if (!count)
-      lines_.refuse(fmt::format("'{}' stands where the number of atoms must be, alone in its line",
+      lines_.refuse(fmt::format("found '{}' where the number of atoms must be, alone on its line",
                                 trimmed(*count_line)));
     frame.source = lines_.file();
     frame.title.clear();
@@ -131,14 +131,14 @@ class XyzReader : public FrameReader {
     }
     if (frame.box.volume() == 0)
       lines_.refuse(
-          "the comment line has no Lattice; it must tell the box, in Å: "
-          "Lattice=\"10 0 0 0 10 0 0 0 10\"");
+          "the comment line has no Lattice; it must give the box, in Å: Lattice=\"10 0 0 0 10 0 0 "
+          "0 10\"");
     frame.has_velocities = has(Property::What::velocity);
     for (const auto& [what, name] : {std::pair{Property::What::species, "species:S:1"},
                                      std::pair{Property::What::position, "pos:R:3"}})
       if (!has(what))
         lines_.refuse(
-            fmt::format("the Properties do not hold {}; they must tell every atom's", name));
+            fmt::format("the Properties do not contain {}, which every atom must have", name));
   }
 
   bool has(Property::What what) const {
@@ -150,8 +150,8 @@ class XyzReader : public FrameReader {
     for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest))
       if (!same_word(word, "T") && !same_word(word, "true") && word != "1")
         lines_.refuse(
-            fmt::format("pbc is \"{}\"; it must be \"T T T\", as a box that is not periodic in all "
-                        "directions is not known here",
+            fmt::format("pbc is \"{}\"; it must be \"T T T\", as only boxes that are periodic in "
+                        "all directions are supported",
                         text));
   }
 
@@ -163,8 +163,8 @@ class XyzReader : public FrameReader {
     for (std::size_t k = 0; k < 9; ++k)
       if (k % 4 != 0 && m[k] != 0)
         lines_.refuse(
-            "the box is triclinic; it must be a cuboid with edges along x, y and z, the only box "
-            "that is known here");
+            "the box is triclinic; only rectangular (orthorhombic) boxes with edges along x, y and "
+            "z are supported");
     for (const std::size_t k : {0, 4, 8})
       if (!(m[k] > 0))
         lines_.refuse(fmt::format("a box edge is {} Å; it must be longer than 0 Å", m[k]));
@@ -184,8 +184,8 @@ class XyzReader : public FrameReader {
       const auto words = parsed<std::size_t>(part[2]);
       if (!words || *words == 0)
         lines_.refuse(
-            fmt::format("the Properties have '{}' where the number of columns of '{}' must "
-                        "be; they are triples as species:S:1",
+            fmt::format("the Properties have '{}' where the number of columns of '{}' must be; "
+                        "they are triples such as species:S:1",
                         part[2], part[0]));
       const auto any_of = [&](std::initializer_list<std::string_view> names) {
         return std::ranges::any_of(names, [&](auto name) { return same_word(part[0], name); });
@@ -239,13 +239,13 @@ class XyzReader : public FrameReader {
     const auto number = parsed<int>(field);
     if (!number)
       lines_.refuse(
-          fmt::format("'{}' stands where the number of the atom's molecule must be", field));
+          fmt::format("found '{}' where the number of the atom's molecule must be", field));
     return *number;
   }
   std::string_view word(std::string_view& rest) const {
     const std::string_view found = take_word(rest);
     if (found.empty())
-      lines_.refuse("the line of an atom ends early; it must have all columns of Properties");
+      lines_.refuse("the atom line is too short; it must have all columns of Properties");
     return found;
   }
   Vec3<double> vector(std::string_view& rest, const char* what) const {

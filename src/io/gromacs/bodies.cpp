@@ -12,10 +12,11 @@
 namespace polhode {
 namespace {
 
-// More atoms than a rigid molecule has: the pair loops take 64 interacting sites.
+// More atoms than a rigid molecule has: the pair loops support 64 interacting sites.
 constexpr std::size_t max_atoms = 256;
 
-// The molecules of one type in the start, as far as it has an atom for each of the topology.
+// The molecules of one type in the initial configuration, if it has an atom for each of the
+// topology.
 class Copies {
  public:
   Copies(const GromacsTopology& gromacs, std::size_t molecule, const Frame& start)
@@ -24,18 +25,17 @@ class Copies {
     for (const auto& block : gromacs.blocks) {
       const std::size_t size = gromacs.molecules[block.molecule].atoms.size();
       if (size > 0 && block.count > (start.atoms.size() - first) / size)
-        throw Error(
-            fmt::format("the start ends after {} atoms, within molecules '{}' of the topology; "
-                        "it must have all atoms of all molecules",
-                        start.atoms.size(), gromacs.molecules[block.molecule].name),
-            start.source);
+        throw Error(fmt::format("the initial configuration ends after {} atoms, within molecules "
+                                "'{}' of the topology; it must have all atoms of all molecules",
+                                start.atoms.size(), gromacs.molecules[block.molecule].name),
+                    start.source);
       if (block.molecule == molecule)
         for (std::size_t k = 0; k < block.count; ++k) firsts_.push_back(first + k * size);
       first += block.count * size;
     }
   }
   std::size_t size() const { return firsts_.size(); }
-  // Places of the real atoms of one copy, whole where the box cuts it.
+  // Positions of the real atoms of one copy, made whole across periodic boundaries.
   Shape operator()(std::size_t k) const {
     Shape shape;
     const Vec3<double> base = start_.atoms[firsts_[k] + real_.front()].r;
@@ -66,7 +66,7 @@ class Shapes {
     const bool declared = std::find(rigid_.begin(), rigid_.end(), molecule.name) != rigid_.end();
     if (atoms == 0)
       throw Error(
-          fmt::format("molecule type '{}' has no atoms; it must have one at least", molecule.name),
+          fmt::format("molecule type '{}' has no atoms; it must have at least one", molecule.name),
           text_of(molecule.place));
     if (!molecule.obstacle.empty())
       throw Error(
@@ -96,7 +96,8 @@ class Shapes {
                     std::size_t atoms) const {
     PlacedPoints found = place_points(atoms, distances);
     if (found.dimension < 3 || start_ == nullptr) return std::move(found.points);
-    // Distances do not tell a shape from its mirror image; the first molecule in the start does.
+    // Distances do not distinguish a shape from its mirror image; the first molecule in the initial
+    // configuration does.
     const Shape there = Copies(gromacs_, index, *start_)(0);
     Shape mirror = mirror_image(found.points);
     return difference(mirror, there) < difference(found.points, there) ? std::move(mirror)
@@ -107,13 +108,15 @@ class Shapes {
     const GromacsMolecule& molecule = gromacs_.molecules[index];
     if (start_ == nullptr)
       throw Error(
-          fmt::format("molecule type '{}' is declared rigid, but its bonds and angles do not fix "
-                      "a shape and there is no start to take it from; name a start",
-                      molecule.name),
+          fmt::format(
+              "molecule type '{}' is declared rigid, but its bonds and angles do not determine a "
+              "shape and there is no initial configuration to take it from; give one",
+              molecule.name),
           text_of(molecule.place));
     const Copies copies(gromacs_, index, *start_);
     Shape shape = mean_shape(copies.size(), [&](std::size_t k) { return copies(k); });
-    return {straighten(std::move(shape)), "declared rigid, mean shape in the start"};
+    return {straighten(std::move(shape)),
+            "declared rigid, mean shape in the initial configuration"};
   }
 
   static std::string by_what(const GromacsMolecule& molecule) {
@@ -123,19 +126,18 @@ class Shapes {
     return settled ? "rigid by settles" : "rigid by constraints";
   }
 
-  // Why a molecule that nobody declared rigid cannot be: what moves in it.
+  // Why a molecule that was not declared rigid is flexible.
   static Error refusal(const GromacsMolecule& molecule, const Error& reason) {
     const auto moving = std::find_if(
         molecule.relations.begin(), molecule.relations.end(), [](const GromacsRelation& r) {
           return r.kind == GromacsRelation::Kind::bond || r.kind == GromacsRelation::Kind::angle;
         });
     const bool elastic = moving != molecule.relations.end();
-    return Error(
-        fmt::format("molecule type '{0}' is not held rigid by settles or constraints: {1}{2}; "
-                    "rigid = [\"{0}\"] in the run file makes it so",
-                    molecule.name, reason.what(),
-                    elastic ? ", and bonds or angles begin here" : ""),
-        text_of(elastic ? moving->place : molecule.place));
+    return Error(fmt::format("molecule type '{0}' is not held rigid by settles or constraints: "
+                             "{1}{2}; declare it with rigid = [\"{0}\"] in the run file",
+                             molecule.name, reason.what(),
+                             elastic ? ", and it has bonds or angles from this line on" : ""),
+                 text_of(elastic ? moving->place : molecule.place));
   }
 
   const GromacsTopology& gromacs_;

@@ -12,10 +12,10 @@
 namespace polhode::gromacs {
 namespace {
 
-// Bounds that no topology comes near to, so that a hostile one ends: of files within files, of
-// files and characters read in all, of macros within macros, of conditions within conditions, and
-// of a line, in characters and in words that are looked at. Macros can make a short file long: what
-// they put into its lines is bounded in all, in words.
+// Limits far above those of any real topology, so that untrusted ones terminate: nested files,
+// total files and characters, nested macros, nested conditions, and the length of a line in
+// characters and words. Macros can make a short file long, so the total number of words they expand
+// to is limited, too.
 constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;
 constexpr std::size_t max_macro_depth = 16, max_condition_depth = 256, max_line_length = 1 << 16;
 constexpr std::size_t most_replaced = 1 << 22;
@@ -56,7 +56,7 @@ bool Preprocessor::skipped() const {
   return !conditions_.empty() && !(conditions_.back().reached && conditions_.back().taken);
 }
 
-// The next line, joined with those that it is continued by, without comments.
+// The next line, joined with its continuation lines, without comments.
 std::optional<std::string> Preprocessor::logical_line() {
   Source& source = sources_.back();
   const std::string_view text = source.text;
@@ -83,30 +83,26 @@ void Preprocessor::directive(std::string_view line) {
   const bool is_condition = word == "ifdef" || word == "ifndef";
   if (is_condition) {
     const std::string_view name = take_word(line);
-    if (name.empty()) refuse(fmt::format("#{} names no macro; write its name behind it", word));
+    if (name.empty()) refuse(fmt::format("#{} has no macro name; write one after it", word));
     if (conditions_.size() >= max_condition_depth)
-      refuse(
-          fmt::format("conditions lie {} deep in each other, which must be the deepest; end some "
-                      "with #endif",
-                      max_condition_depth));
+      refuse(fmt::format("conditions are nested {} deep, the maximum; end some with #endif",
+                         max_condition_depth));
     const bool taken = (macros_.find(name) != macros_.end()) == (word == "ifdef");
     conditions_.push_back({taken, !skipped(), false, place()});
     return;
   }
   if (word == "else" || word == "endif") {
     if (conditions_.size() == sources_.back().conditions)
-      refuse(
-          fmt::format("#{} stands without an #ifdef or #ifndef before it in this file; delete it "
-                      "or begin the condition",
-                      word));
+      refuse(fmt::format(
+          "#{} has no #ifdef or #ifndef before it in this file; delete it or begin the condition",
+          word));
     Condition& last = conditions_.back();
     if (word == "endif") {
       conditions_.pop_back();
       return;
     }
     if (last.otherwise)
-      refuse(fmt::format("#else stands twice for the condition of line {}; delete one",
-                         last.place.line));
+      refuse(fmt::format("the condition of line {} has two #else; delete one", last.place.line));
     last.otherwise = true;
     last.taken = !last.taken;
     return;
@@ -134,35 +130,31 @@ void Preprocessor::include(std::string_view name) {
     return name.size() > 2 && name.front() == open && name.back() == close;
   };
   if (!take_quoted('"', '"') && !take_quoted('<', '>'))
-    refuse(
-        fmt::format("#include is followed by '{}' where a file name in quotes must stand", name));
+    refuse(fmt::format("#include is followed by '{}' instead of a file name in quotes", name));
   const std::string wanted(name.substr(1, name.size() - 2));
   if (sources_.size() >= max_include_depth)
-    refuse(
-        fmt::format("files include each other {} deep, which must be the deepest; does one include "
-                    "itself?",
-                    max_include_depth));
+    refuse(fmt::format("included files are nested {} deep, the maximum; does one include itself?",
+                       max_include_depth));
   if (++includes_ > max_includes || characters_ > max_characters)
-    refuse(
-        fmt::format("{} files were included, {} characters; at most {} files and {} characters "
-                    "are read",
-                    includes_, characters_, max_includes, max_characters));
+    refuse(fmt::format(
+        "{} files with {} characters were included; the maximum is {} files and {} characters",
+        includes_, characters_, max_includes, max_characters));
   auto loaded = loader_(wanted, *sources_.back().file);
   if (!loaded)
     refuse(
-        fmt::format("there is no file '{}', neither beside this one nor in the folders of "
+        fmt::format("there is no file '{}', neither in the folder of this one nor in those of "
                     "'include', GMXLIB, GMXDATA or GROMACS's own data; check its path",
                     wanted));
   for (const Source& open : sources_)
     if (*open.file == loaded->file)
-      refuse(fmt::format("'{}' includes itself, which has no end; delete one #include", wanted));
+      refuse(fmt::format("'{}' includes itself without end; delete one #include", wanted));
   sources_.push_back({std::make_shared<const std::string>(std::move(loaded->file)),
                       std::move(loaded->text), 0, 0, conditions_.size()});
 }
 
 void Preprocessor::define(std::string_view definition) {
   const std::string name(take_word(definition));
-  if (name.empty()) refuse("#define names no macro; write its name behind it");
+  if (name.empty()) refuse("#define has no macro name; write one after it");
   macros_[name] = trimmed(definition);
 }
 
@@ -173,7 +165,7 @@ std::string Preprocessor::expand_macros(std::string_view text) {
   return out;
 }
 
-// Words that are macros are replaced, and macros within these, but never one by itself.
+// Replaces macros, also nested ones, but never a macro within itself.
 void Preprocessor::expand(std::string_view text, Expansion& e) {
   for (std::string_view word = take_word(text); !word.empty(); word = take_word(text)) {
     const auto macro = macros_.find(word);
@@ -186,8 +178,8 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
                       max_line_length));
     if (!e.within.empty() && ++replaced_ > most_replaced)
       refuse(
-          fmt::format("macros have put {} words into the lines of this topology, which must be the "
-                      "most; write shorter macros, or values",
+          fmt::format("macros were expanded to {} words in this topology, the maximum; write "
+                      "shorter macros, or values",
                       most_replaced));
     if (plain) {
       if (!e.out.empty()) e.out += ' ';
@@ -195,9 +187,8 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
       continue;
     }
     if (e.within.size() >= max_macro_depth)
-      refuse(
-          fmt::format("macro '{}' lies {} macros deep, which must be the deepest; write its value",
-                      word, max_macro_depth));
+      refuse(fmt::format("macro '{}' is nested {} deep, the maximum; write its value", word,
+                         max_macro_depth));
     e.within.push_back(macro->first);
     expand(macro->second, e);
     e.within.pop_back();
@@ -207,9 +198,7 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
 void Preprocessor::end_source() {
   if (conditions_.size() > sources_.back().conditions) {
     const Condition& open = conditions_.back();
-    throw Error(
-        "the file ends before the #endif of this condition; write it where the condition ends",
-        text_of(open.place));
+    throw Error("the file ends before the #endif of this condition; add it", text_of(open.place));
   }
   sources_.pop_back();
 }

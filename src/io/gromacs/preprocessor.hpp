@@ -14,13 +14,13 @@
 
 namespace polhode::gromacs {
 
-/// A line that is left when the preprocessor has done its work: without comment, not empty.
+/// A preprocessed line: without comment, not empty.
 struct Line {
   std::string text;
   TextPlace place;
 };
 
-/// Gives the lines of a text and of all that it includes, one after another.
+/// Returns the lines of a text and of all included files, one after another.
 class Preprocessor {
  public:
   Preprocessor(std::string_view text, const std::string& file, const IncludeLoader& loader,
@@ -31,19 +31,19 @@ class Preprocessor {
   struct Source {
     std::shared_ptr<const std::string> file;
     std::string text;
-    std::size_t at = 0;          // first character that is not read
+    std::size_t at = 0;          // first unread character
     std::size_t line = 0;        // number of the last line read
-    std::size_t conditions = 0;  // that were open where it begins
+    std::size_t conditions = 0;  // open conditions at its beginning
   };
   struct Condition {
-    bool taken, reached;  // whether its lines count, if those around it do; whether these do
-    bool otherwise;       // whether #else has been met
+    bool taken, reached;  // whether its lines are active, and whether the enclosing ones are
+    bool otherwise;       // whether #else was found
     TextPlace place;
   };
   struct Expansion {
-    std::vector<std::string_view> within;  // macros that are being replaced
+    std::vector<std::string_view> within;  // macros being expanded
     std::string& out;
-    std::size_t words;  // looked at so far
+    std::size_t words;  // expanded so far
   };
 
   bool skipped() const;

@@ -26,7 +26,7 @@ bool is_virtual(const GromacsRelation& r) {
   throw Error(what, text_of(place));
 }
 
-// What stands in a relation, or in the table of its types.
+// The parameters of an interaction, or those in the table of its types.
 std::optional<double> first_number(const GromacsTopology& topology, const GromacsMolecule& molecule,
                                    const GromacsRelation& r,
                                    const std::map<std::string, double>& table) {
@@ -56,17 +56,16 @@ class Distances {
   }
   void add(std::size_t a, std::size_t b, double length, const GromacsRelation& r) {
     if (index_[a] == none || index_[b] == none || a == b)
-      refuse(
-          fmt::format("atoms {} and {} are held at a distance, and must be two atoms that are no "
-                      "virtual sites",
-                      a + 1, b + 1),
-          r.place);
+      refuse(fmt::format("atoms {} and {} are constrained; they must be two different atoms, not "
+                         "virtual sites",
+                         a + 1, b + 1),
+             r.place);
     if (!(length > 0))
       refuse(fmt::format("the distance is {} nm; it must be above 0 nm", length), r.place);
     list.push_back({index_[a], index_[b], length});
     first_.try_emplace(std::minmax(index_[a], index_[b]), length);
   }
-  // Of two atoms, if it is there.
+  // Of two atoms, if it exists.
   std::optional<double> between(std::size_t a, std::size_t b) const {
     const auto found = first_.find(std::minmax(index_[a], index_[b]));
     if (found == first_.end()) return std::nullopt;
@@ -80,8 +79,8 @@ class Distances {
   std::map<std::pair<std::size_t, std::size_t>, double> first_;  // of the list, by the two
 };
 
-// The place of a virtual site from those that it is built on (GROMACS reference manual, "Virtual
-// interaction sites").
+// The position of a virtual site from those of its constructing atoms (GROMACS reference manual,
+// "Virtual interaction sites").
 Place build_virtual_site(const GromacsRelation& r, std::span<const Place> places) {
   const Place ri = places[r.atoms[1]], ij = places[r.atoms[2]] - ri;
   const auto& [a, b, c] = r.numbers;
@@ -102,7 +101,7 @@ Place build_virtual_site(const GromacsRelation& r, std::span<const Place> places
     }
     if (r.function == 4) return ri + a * ij + b * ik + c * cross(ij, ik);
   }
-  refuse(fmt::format("the function of this virtual site is {}; those that are read are {}",
+  refuse(fmt::format("the function of this virtual site is {}; the supported ones are {}",
                      r.function, r.kind == Kind::virtual2 ? "1 and 2" : "1, 2, 3 and 4"),
          r.place);
 }
@@ -133,8 +132,8 @@ std::vector<Distance> constrained_distances(const GromacsTopology& topology,
       auto length = first_number(topology, molecule, r, tables.constraints);
       if (!length) length = first_number(topology, molecule, r, tables.bonds);
       if (!length)
-        refuse(fmt::format("the constraint of atoms {} and {} has no length, here or in "
-                           "[ constrainttypes ] or [ bondtypes ]; write it behind the function",
+        refuse(fmt::format("the constraint of atoms {} and {} has no length, here or in [ "
+                           "constrainttypes ] or [ bondtypes ]; write it after the function",
                            r.atoms[0] + 1, r.atoms[1] + 1),
                r.place);
       distances.add(r.atoms[0], r.atoms[1], *length, r);
@@ -165,28 +164,26 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
   for (const GromacsRelation& r : molecule.relations) {
     if (!is_virtual(r)) continue;
     if (known[r.atoms[0]])
-      refuse(fmt::format("virtual site {} is built twice; delete one line", r.atoms[0] + 1),
+      refuse(fmt::format("virtual site {} is defined twice; delete one line", r.atoms[0] + 1),
              r.place);
     for (std::size_t k = 1; k < (r.kind == Kind::virtual2 ? 3 : 4); ++k)
       if (!known[r.atoms[k]])
-        refuse(fmt::format(
-                   "virtual site {} is built on atom {}, which has no place yet; it must be an "
-                   "atom, or a virtual site of an earlier line",
-                   r.atoms[0] + 1, r.atoms[k] + 1),
+        refuse(fmt::format("virtual site {} is constructed from atom {}, which has no position "
+                           "yet; it must be an atom, or a virtual site of an earlier line",
+                           r.atoms[0] + 1, r.atoms[k] + 1),
                r.place);
     const GromacsAtom& site = molecule.atoms[r.atoms[0]];
     if (site.mass != 0)
       refuse(fmt::format("virtual site '{}' has a mass of {} u; it must be 0 u, since the site is "
-                         "built on atoms",
+                         "constructed from atoms",
                          site.name, site.mass),
              site.place);
     const Place r0 = build_virtual_site(r, places);
     if (!std::isfinite(norm2(r0)))
-      refuse(
-          fmt::format("virtual site {} has no place: the atoms that it is built on lie on a line "
-                      "or in a point; choose others",
-                      r.atoms[0] + 1),
-          r.place);
+      refuse(fmt::format("virtual site {} has no position: the atoms from which it is constructed "
+                         "are on a line or coincide; choose others",
+                         r.atoms[0] + 1),
+             r.place);
     places[r.atoms[0]] = r0;
     known[r.atoms[0]] = true;
   }
@@ -195,10 +192,11 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
     const GromacsAtom& atom = molecule.atoms[k];
     const GromacsAtomType& type = topology.types.at(atom.type);
     if (type.one_sided)
-      refuse(fmt::format("atom type '{}' has only one of C6 and C12; sites here have sigma and "
-                         "epsilon, which need both or none",
-                         type.name),
-             type.place);
+      refuse(
+          fmt::format(
+              "atom type '{}' has only one of C6 and C12; sigma and epsilon need both or neither",
+              type.name),
+          type.place);
     std::string element;
     if (atom.mass > 0) element = element_of_number(type.atomic_number);
     if (atom.mass > 0 && element.empty()) element = element_of_mass(atom.mass);

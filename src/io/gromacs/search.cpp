@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where GROMACS looks for included files.
+// The search path of GROMACS for included files.
 #include <cstdlib>
 #include <filesystem>
 

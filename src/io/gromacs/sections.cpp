@@ -22,7 +22,7 @@ namespace {
 using gromacs::Line;
 using Kind = GromacsRelation::Kind;
 
-// More than any rigid body needs: a file cannot ask for memory without bound.
+// More than any rigid body needs: limits the memory that a file can demand.
 constexpr std::size_t max_relations = 1'000'000, max_blocks = 64;
 constexpr std::int64_t any = std::numeric_limits<std::int32_t>::max();
 
@@ -56,7 +56,7 @@ class Parser {
   void system(const FieldLine&) {}
   void block(const FieldLine&);
   void inside(const FieldLine& line) { current(line); }  // constant within a rigid body
-  void ignore(const FieldLine&) {}                       // of no meaning for rigid bodies
+  void ignore(const FieldLine&) {}                       // meaningless for rigid bodies
   void obstacle(const FieldLine&);
   void between(const FieldLine& line);
 
@@ -128,8 +128,8 @@ void Parser::take(const Line& line) {
     topology_.title = line.text;
   } else if (reader_ == nullptr) {
     fields.refuse(
-        fmt::format("'{}' stands before any section; a topology begins with [ defaults ], or with "
-                    "an #include of a force field that does",
+        fmt::format("'{}' is before the first section; a topology begins with [ defaults ], or "
+                    "with an #include of a force field that does",
                     line.text.substr(0, 40)));
   } else {
     (this->*reader_)(fields);
@@ -139,7 +139,7 @@ void Parser::take(const Line& line) {
 void Parser::begin_section(const FieldLine& line, std::string_view text) {
   const auto close = text.find(']');
   if (close == text.npos || close + 1 != text.size())
-    line.refuse("the line begins a section with '[' and must end it with ']', as in [ atoms ]");
+    line.refuse("the section name begins with '[' and must end with ']', as in [ atoms ]");
   section_ = trimmed(text.substr(1, close - 1));
   const auto known = readers().find(section_);
   if (known == readers().end()) {
@@ -151,10 +151,10 @@ void Parser::begin_section(const FieldLine& line, std::string_view text) {
   reader_ = known->second;
   if (reader_ == &Parser::between) between(line);
   if (is_of_force_field() && !topology_.molecules.empty())
-    line.refuse(fmt::format(
-        "[ {} ] stands behind [ moleculetype ] '{}', whose atoms have the parameters of "
-        "before; as in GROMACS, the force field must stand before all molecules",
-        section_, topology_.molecules.back().name));
+    line.refuse(
+        fmt::format("[ {} ] is after [ moleculetype ] '{}', whose atoms already have their "
+                    "parameters; as in GROMACS, the force field must precede all molecules",
+                    section_, topology_.molecules.back().name));
 }
 
 bool Parser::is_of_force_field() const {
@@ -165,29 +165,26 @@ bool Parser::is_of_force_field() const {
 
 void Parser::between(const FieldLine& line) {
   line.refuse(
-      "[ intermolecular_interactions ] join molecules, and rigid bodies have no such bonds; delete "
-      "the section");
+      "[ intermolecular_interactions ] are not supported for rigid bodies; delete the section");
 }
 
 void Parser::defaults(const FieldLine& line) {
   line.require(2, "nbfunc and comb-rule");
-  if (combination_ != 0)
-    line.refuse("[ defaults ] stands twice; a topology has one force field, so include one alone");
+  if (combination_ != 0) line.refuse("[ defaults ] is given twice; include one force field only");
   const auto function = line.integer(0, "nbfunc", 1, any);
   if (function != 1)
-    line.refuse(
-        fmt::format("nbfunc is {}; it must be 1, Lennard-Jones: there is no Buckingham "
-                    "potential here",
-                    function));
+    line.refuse(fmt::format(
+        "nbfunc is {}; it must be 1, Lennard-Jones: the Buckingham potential is not supported",
+        function));
   combination_ = static_cast<int>(line.integer(1, "comb-rule", 1, 3));
   topology_.rule = combination_ == 2 ? MixingRule::lorentz_berthelot : MixingRule::geometric;
 }
 
-// σ and ε from two fields: themselves, or C6 and C12 with combination rule 1. Where one of C6 and
-// C12 alone is 0, ε is negative.
+// σ and ε from two fields: themselves, or C6 and C12 with combination rule 1. If only one of C6 and
+// C12 is 0, ε is negative.
 std::pair<double, double> Parser::lennard_jones(const FieldLine& line, std::size_t first) const {
   if (combination_ == 0)
-    line.refuse("parameters stand before [ defaults ], which says what they mean; begin with it");
+    line.refuse("parameters precede [ defaults ], which defines their meaning; begin with it");
   const bool powers = combination_ == 1;
   const double a = line.number(first, powers ? "C6" : "sigma");
   const double b = line.number(first + 1, powers ? "C12" : "epsilon");
@@ -200,12 +197,11 @@ std::pair<double, double> Parser::lennard_jones(const FieldLine& line, std::size
   return {std::pow(b / a, 1.0 / 6), a * a / (4 * b)};
 }
 
-// name [bonded type] [atomic number] mass charge particle V W: the particle, a letter by itself,
-// tells which of the two are there.
+// name [bonded type] [atomic number] mass charge particle V W: the particle type, a single letter,
+// shows which of the two are present.
 void Parser::atom_type(const FieldLine& line) {
   constexpr std::string_view columns =
-      "name, bonded type and atomic number where there are any, mass, charge, particle type, and "
-      "two "
+      "name, bonded type and atomic number if there are any, mass, charge, particle type, and two "
       "Lennard-Jones parameters";
   line.require(6, columns);
   const auto is_particle = [&](std::size_t k) {
@@ -230,7 +226,7 @@ void Parser::atom_type(const FieldLine& line) {
   const auto [known, is_new] = topology_.types.try_emplace(type.name, type);
   if (!is_new && !known->second.same_parameters(type))
     line.refuse(
-        fmt::format("atom type '{}' stands in {} already, with other parameters; delete one",
+        fmt::format("atom type '{}' is already defined in {} with other parameters; delete one",
                     type.name, text_of(known->second.place)));
 }
 
@@ -255,14 +251,14 @@ void Parser::molecule_type(const FieldLine& line) {
   const auto [known, is_new] =
       molecule_index_.try_emplace(line.word(0), topology_.molecules.size());
   if (!is_new)
-    line.refuse(fmt::format("molecule type '{}' stands in {} already; rename or delete one",
+    line.refuse(fmt::format("molecule type '{}' is already defined in {}; rename or delete one",
                             line[0], text_of(topology_.molecules[known->second].place)));
   topology_.molecules.push_back({.name = line.word(0), .place = line.place()});
 }
 
 GromacsMolecule& Parser::current(const FieldLine& line) {
   if (topology_.molecules.empty())
-    line.refuse(fmt::format("[ {} ] stands before any [ moleculetype ], to which it must belong",
+    line.refuse(fmt::format("[ {} ] is before the first [ moleculetype ], to which it must belong",
                             section_));
   return topology_.molecules.back();
 }
@@ -280,14 +276,13 @@ void Parser::atom(const FieldLine& line) {
   const auto expected = static_cast<std::int64_t>(molecule.atoms.size()) + 1;
   if (line.integer(0, "atom number", 1, any) != expected)
     line.refuse(
-        fmt::format("atom {} stands where atom {} must be: atoms are numbered from 1 in their "
-                    "order",
+        fmt::format("found atom {} where atom {} must be: atoms are numbered from 1 in their order",
                     line[0], expected));
   const auto type = topology_.types.find(line.word(1));
   if (type == topology_.types.end())
     line.refuse(
-        fmt::format("there is no atom type '{}' before this line; [ atomtypes ] must have it: "
-                    "include the force field that does",
+        fmt::format("atom type '{}' is not defined before this line, in [ atomtypes ]; include the "
+                    "force field that defines it",
                     line[1].substr(0, 40)));
   GromacsAtom atom{line.word(1), line.word(4), type->second.charge, type->second.mass,
                    line.place()};
@@ -297,22 +292,22 @@ void Parser::atom(const FieldLine& line) {
   molecule.atoms.push_back(std::move(atom));
 }
 
-// atoms function numbers; more numbers than are asked for are those of a perturbed state, or force
-// constants, and have no meaning here.
+// atoms function numbers; additional numbers are those of a perturbed state, or force constants,
+// and are ignored.
 void Parser::relation(const FieldLine& line, Kind kind, std::size_t atoms, std::size_t numbers) {
   GromacsMolecule& molecule = current(line);
   line.require(atoms, fmt::format("{} atoms, a function and its parameters", atoms));
   if (++relations_ > max_relations)
     line.refuse(
-        fmt::format("there are more than {} bonds, constraints and the like, more than rigid "
-                    "molecules need; delete molecule types that are not there",
+        fmt::format("there are more than {} bonds, constraints and other interactions, more than "
+                    "rigid molecules need; delete unused molecule types",
                     max_relations));
   GromacsRelation relation{.kind = kind, .place = line.place()};
   for (std::size_t k = 0; k < atoms; ++k)
     relation.atoms[k] = static_cast<std::uint32_t>(
         line.integer(k, "atom number", 1, static_cast<std::int64_t>(molecule.atoms.size())) - 1);
   if (kind == Kind::settle && relation.atoms[0] + 3 > molecule.atoms.size())
-    line.refuse(fmt::format("atom {} has no two hydrogen atoms behind it, which [ settles ] hold",
+    line.refuse(fmt::format("atom {} must be followed by two hydrogen atoms for [ settles ]",
                             relation.atoms[0] + 1));
   if (line.size() > atoms)
     relation.function = static_cast<std::uint8_t>(line.integer(atoms, "function", 1, 255));
@@ -332,7 +327,7 @@ void Parser::block(const FieldLine& line) {
   if (known == molecule_index_.end()) {
     std::vector<std::string> names;
     for (const auto& [name, index] : molecule_index_) names.push_back(name);
-    line.refuse(fmt::format("there is no molecule type '{}' before this line{}",
+    line.refuse(fmt::format("molecule type '{}' is not defined before this line{}",
                             line[0].substr(0, 40), did_you_mean(line[0].substr(0, 40), names)));
   }
   const auto count = static_cast<std::size_t>(line.integer(1, "count", 0, 1'000'000'000));

@@ -14,8 +14,8 @@
 namespace polhode {
 namespace {
 
-// Styles whose Pair Coeffs are epsilon and sigma of plain Lennard-Jones terms, however they are
-// accelerated. Others begin alike: lj/cut/soft, lj/cut/thole/long, lj/cut/dipole/cut.
+// Styles whose Pair Coeffs are epsilon and sigma of plain Lennard-Jones terms, with any accelerator
+// suffix. Others have similar names: lj/cut/soft, lj/cut/thole/long, lj/cut/dipole/cut.
 bool is_lennard_jones(std::string_view style) {
   std::string_view name = take_word(style);
   for (const std::string_view suffix : {"/gpu", "/intel", "/kk", "/omp", "/opt"})
@@ -33,35 +33,34 @@ void check_forces(const LammpsData& data) {
   const std::string& style = data.pair_style;
   if (style.find("tip4p") != style.npos)
     throw Error(
-        fmt::format("the pair style is '{}', whose site M stands in no data file; write for "
-                    "example molecules = [{{ model = \"tip4p\", count = {} }}] beside this "
-                    "initial_configuration",
-                    style, data.kinds.front().count),
+        fmt::format(
+            "the pair style is '{}', whose site M is not in the data file; add for example "
+            "molecules = [{{ model = \"tip4p\", count = {} }}] to this initial_configuration",
+            style, data.kinds.front().count),
         data.file);
   if (!style.empty() && !is_lennard_jones(style))
     throw Error(
-        fmt::format("the pair style is '{}'; it must be plain lj/cut, alone or with charges "
-                    "(lj/cut/coul/cut, debye, dsf, long, msm or wolf): there are no other "
-                    "potentials, so take a style of these",
-                    style),
+        fmt::format(
+            "the pair style is '{}'; it must be plain lj/cut, alone or with charges "
+            "(lj/cut/coul/cut, debye, dsf, long, msm or wolf): other potentials are not supported",
+            style),
         data.file);
   for (const LammpsData::Atom& atom : data.atoms)
     if (!data.types.at(atom.type).has_pair_coefficients)
-      throw Error(
-          fmt::format("atom type {} has no Lennard-Jones parameters; the section Pair Coeffs "
-                      "must have them, as write_data puts them there",
-                      atom.type),
-          data.file);
+      throw Error(fmt::format("atom type {} has no Lennard-Jones parameters; the section Pair "
+                              "Coeffs must have them, as written by write_data",
+                              atom.type),
+                  data.file);
 }
 
-// Whether the parameters of two types that differ are left to a rule.
+// Whether parameters of unlike types follow from a mixing rule.
 bool leaves_pairs_open(const LammpsData& data) {
   std::size_t dispersive = 0;
   for (const auto& [type, t] : data.types) dispersive += t.epsilon > 0;
   return data.pairs.empty() && dispersive > 1;
 }
 
-// Residues are numbered anew, in the order in which they are met.
+// Residues are renumbered in the order of their first atoms.
 void sort_by_ids(const LammpsData& data, Frame& frame) {
   std::vector<std::size_t> order(data.atoms.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -69,7 +68,7 @@ void sort_by_ids(const LammpsData& data, Frame& frame) {
             [&](std::size_t a, std::size_t b) { return data.atoms[a].id < data.atoms[b].id; });
   std::vector<Atom> atoms;
   atoms.reserve(order.size());
-  std::vector<int> residues(order.size() + 1, 0);  // new numbers of the old ones
+  std::vector<int> residues(order.size() + 1, 0);  // new numbers by old ones
   int met = 0;
   for (const std::size_t k : order) {
     Atom atom = frame.atoms[k];

@@ -41,7 +41,7 @@ class Parser {
   static const std::map<std::string, Reader, std::less<>>& readers();
 
   TextPlace place() const { return {file_, line_}; }
-  // The next line, in two: what stands before a '#', and behind it.
+  // The next line, split at a '#'.
   std::optional<std::pair<std::string_view, std::string_view>> next();
   void begin(std::string_view name, std::string_view comment);
   void header(const FieldLine&);
@@ -109,7 +109,7 @@ void Parser::begin(std::string_view name, std::string_view comment) {
   if (known == readers().end()) {
     std::vector<std::string> names;
     for (const auto& [section, reader] : readers()) names.push_back(section);
-    here.refuse(fmt::format("there is no section '{}' here{}; those that are read are: {}",
+    here.refuse(fmt::format("there is no section '{}'{}; the supported ones are: {}",
                             name.substr(0, 40), did_you_mean(name.substr(0, 40), names),
                             join_names(names)));
   }
@@ -121,13 +121,13 @@ void Parser::begin(std::string_view name, std::string_view comment) {
   if (name == "Pair Coeffs" || name == "PairIJ Coeffs") data_.pair_style = comment;
   if (name == "Atoms" && !(edges_[0] && edges_[1] && edges_[2]))
     here.refuse(
-        "atoms stand before the box is known; its edges 'xlo xhi', 'ylo yhi' and 'zlo zhi' must "
-        "stand in the header");
+        "the atoms precede the box; its edges 'xlo xhi', 'ylo yhi' and 'zlo zhi' must be in the "
+        "header");
   section_ = name;
   reader_ = known->second;
 }
 
-// A number and what it counts; only atoms, their types and the box matter.
+// A number and its meaning; only atoms, their types and the box are used.
 void Parser::header(const FieldLine& line) {
   const auto ends_with = [&](std::initializer_list<std::string_view> words) {
     if (line.size() < words.size()) return false;
@@ -143,29 +143,33 @@ void Parser::header(const FieldLine& line) {
     line.require(6, "three tilts, and xy xz yz");
     for (std::size_t k = 0; k < 3; ++k)
       if (line.number(k, "tilt") != 0)
-        line.refuse("the box is triclinic; it must be a cuboid, with tilts of 0");
+        line.refuse(
+            "the box is triclinic; only rectangular (orthorhombic) boxes, with tilts of 0, are "
+            "supported");
     return;
   }
   if (ends_with({"avec"}) || ends_with({"bvec"}) || ends_with({"cvec"}))
-    line.refuse("the box is a general triclinic one; it must be a cuboid, given by 'xlo xhi'");
+    line.refuse(
+        "the box is general triclinic; only rectangular (orthorhombic) boxes, given by 'xlo xhi', "
+        "are supported");
   if (line.size() == 2 && line[1] == "atoms")
     atoms_ = line.integer(0, "number of atoms", 0, any);
   else if (ends_with({"atom", "types"}))
     types_ = line.integer(0, "number of atom types", 0, any);
   else if (line.size() < 2 || std::isdigit(static_cast<unsigned char>(line[0].front())) == 0)
     line.refuse(
-        fmt::format("'{}' stands in the header, where a number and what it counts must stand, "
-                    "or the name of a section",
+        fmt::format("found '{}' in the header, where a number and its meaning must be, or the name "
+                    "of a section",
                     line[0].substr(0, 40)));
 }
 
 void Parser::edge(const FieldLine& line, std::size_t axis) {
-  line.require(4, "lower and upper end, and their names");
+  line.require(4, "lower and upper bound, and their names");
   const double low = line.number(0, "lower end"), high = line.number(1, "upper end");
   const double edge = (high - low) * angstrom;
   if (!(edge > 0) || !std::isfinite(edge))
     line.refuse(
-        fmt::format("the box reaches from {} to {} Å; its edges must be longer than 0", low, high));
+        fmt::format("the box extends from {} to {} Å; its edges must be longer than 0", low, high));
   low_[axis] = low;
   data_.box.edge[axis] = edge;
   edges_[axis] = true;
@@ -240,15 +244,15 @@ void Parser::velocity(const FieldLine& line) {
                            v);
 }
 
-// What must hold of the file as a whole.
+// Checks the file as a whole.
 void Parser::finish() {
   const auto refuse = [&](const std::string& what) { throw Error(what, data_.file); };
-  if (!atoms_) refuse("the header has no number of atoms; write it as in '648 atoms'");
+  if (!atoms_) refuse("the header has no number of atoms; write for example '648 atoms'");
   auto& atoms = data_.atoms;
   if (static_cast<std::int64_t>(atoms.size()) != *atoms_)
-    refuse(fmt::format("the header tells {} atoms and the section Atoms has {}; both must be equal",
+    refuse(fmt::format("the header gives {} atoms and the section Atoms has {}; both must be equal",
                        *atoms_, atoms.size()));
-  if (atoms.empty()) refuse("there are no atoms; there must be one at least");
+  if (atoms.empty()) refuse("there are no atoms; there must be at least one");
   for (const LammpsData::Atom& atom : atoms)
     if (const auto known = data_.types.find(atom.type);
         known == data_.types.end() || known->second.mass == 0)
@@ -262,7 +266,7 @@ void Parser::finish() {
     const auto atom = std::lower_bound(atoms.begin(), atoms.end(), id,
                                        [](const auto& a, std::int64_t i) { return a.id < i; });
     if (atom == atoms.end() || atom->id != id)
-      refuse(fmt::format("there is a velocity of atom {} and no such atom; delete it", id));
+      refuse(fmt::format("there is a velocity for atom {}, but no such atom; delete it", id));
     atom->v = v;
   }
 }

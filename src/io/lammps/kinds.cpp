@@ -74,9 +74,8 @@ void sort_into_kinds(LammpsData& data) {
     if (same != first.end()) continue;
     if (first.size() == max_kinds)
       throw Error(
-          fmt::format("there are more than {} kinds of molecules, of other types, charges or "
-                      "shapes: molecule {} is one more; bodies must be rigid, and there must "
-                      "be fewer kinds",
+          fmt::format("there are more than {} kinds of molecules, which differ in types, charges "
+                      "or shapes; molecule {} is another one; are all molecules rigid?",
                       max_kinds, body.front().molecule),
           data.file);
     first.push_back(body);

@@ -6,11 +6,11 @@
 
 namespace polhode {
 
-/// Puts the atoms in the order of kinds, and names kinds and sites.
-/// @throws Error  if there are more kinds than a topology may have
+/// Sorts the atoms by kind, and names kinds and sites.
+/// @throws Error  if there are more kinds than a topology can have
 void sort_into_kinds(LammpsData& data);
 
-/// The places of one copy's atoms, relative to its first [nm].
+/// The positions of one copy's atoms, relative to its first [nm].
 Shape shape_of(const LammpsData& data, const LammpsData::Kind& kind, std::size_t copy);
 
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 #include "../study/temperature_differences.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/adviser/advice_curves.hpp"
@@ -22,7 +23,7 @@ constexpr const char* kinds[] = {"translation", "rotation_1", "rotation_2", "rot
 double in_kJ_per_ns(double power) { return power / unit("kJ/mol/ns", Dimension::power); }
 
 nlohmann::json as_json(const Candidate& candidate, const AdviserPoint& point) {
-  nlohmann::json json{{"step_fs", point.step * 1000},
+  nlohmann::json json{{"step_fs", point.step * units::fs_per_ps},
                       {"runs", point.runs.size()},
                       {"length_ps", point.length},
                       {"blew_up", blew_up(point.runs)},
@@ -46,7 +47,7 @@ nlohmann::json as_json(const Candidate& candidate, const AdviserPoint& point) {
 nlohmann::json as_json(const Candidate& candidate) {
   nlohmann::json json{{"scheme", candidate.name},
                       {"text", text_of(candidate.scheme)},
-                      {"step_fs", candidate.step * 1000},
+                      {"step_fs", candidate.step * units::fs_per_ps},
                       {"ns_per_day", candidate.ns_per_day()},
                       {"points", nlohmann::json::array()}};
   if (candidate.step > 0)
@@ -74,7 +75,7 @@ Table point_table(const Advice& advice) {
   const auto add = [&](const Candidate& candidate, const AdviserPoint& p, bool confirms) {
     const bool there = !blew_up(p.runs);
     const Estimate R = there ? p.ratio() : Estimate{}, d = there ? p.drift() : Estimate{};
-    table.rows.push_back({candidate.name, p.step * 1000, p.length,
+    table.rows.push_back({candidate.name, p.step * units::fs_per_ps, p.length,
                           static_cast<double>(p.runs.size()), p.usable ? 1.0 : 0.0, R.value,
                           R.error, in_kJ_per_ns(d.value), in_kJ_per_ns(d.error),
                           there ? p.bound : 0.0, confirms ? 1.0 : 0.0});
@@ -186,11 +187,10 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
   check_outputs(report.files.all(), options.existing);
   const Provenance made = provenance(options.command, config.text, config.system.seed);
   const System system = build_system(config);
-  callbacks.note(
-      fmt::format("polhode {}: advice for {} molecules, {}, about {:g} s, target {}, "
-                  "threads {}",
-                  made.version, system.topology.size(), config.source, settings.seconds,
-                  made.instruction_set, workers.threads()));
+  callbacks.note(fmt::format(
+      "polhode {}: advice for {} molecules, {}, about {:g} s, instruction set {}, threads {}",
+      made.version, system.topology.size(), config.source, settings.seconds, made.instruction_set,
+      workers.threads()));
   note_forces(system, callbacks);
   report.advice = advise(config, settings, callbacks, workers);
   if (!report.advice.stopped) write_advice(report, made, callbacks);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
 
@@ -47,30 +48,30 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
   for (const Candidate& candidate : advice.candidates)
     for (const AdviserPoint& point : candidate.points) consider(candidate, point);
   for (const auto& [c, point] : advice.refused) consider(advice.candidates[c], point);
-  std::string text = fmt::format("no scheme was found that keeps {} here", description(criterion));
+  std::string text =
+      fmt::format("no scheme was found that meets {} for this system", description(criterion));
   if (!reached)
     return text +
-           "; every step that was tried blew up or drifted: equilibrate longer, or look at "
-           "the start";
-  text +=
-      fmt::format("; the least bound reached is {}, with {} at {:.3g} fs",
-                  bound_text(criterion.quality, reached->bound), best->name, reached->step * 1000);
+           "; every step that was tried blew up or drifted: equilibrate longer, or check the "
+           "initial configuration";
+  text += fmt::format("; the smallest bound reached is {}, with {} at {:.3g} fs",
+                      bound_text(criterion.quality, reached->bound), best->name,
+                      reached->step * units::fs_per_ps);
   if (reached->max_rounding() > 0.5 * reached->ratio().value)
     text += fmt::format(
-        "; rounding alone makes R = {:.2g} % in mixed precision, which precision = \"double\" "
-        "takes away",
+        "; rounding alone makes R = {:.2g} % in mixed precision; take precision = \"double\" to "
+        "avoid it",
         100 * reached->max_rounding());
   if (criterion.quality != Quality::ratio)
-    text +=
-        "; the bound counts the error of the mean, which a longer --time or --length makes less";
+    text += "; the bound includes the error of the mean, which a longer --time or --length reduces";
   return text;
 }
 
 std::string answer(const Advice& advice) {
   const AdviserPoint& p = advice.confirmation;
   return fmt::format("{} at {:.3g} fs, R = {} in {} independent runs of {:.3g} ps",
-                     advice.candidates[*advice.best].name, p.step * 1000, percent(p.ratio()),
-                     p.runs.size(), p.length);
+                     advice.candidates[*advice.best].name, p.step * units::fs_per_ps,
+                     percent(p.ratio()), p.runs.size(), p.length);
 }
 
 }  // namespace polhode

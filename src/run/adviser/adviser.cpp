@@ -28,37 +28,38 @@ double since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Starts of the runs that choose, and of each set of runs that confirm.
+/// Initial configurations of the choosing runs, and of each set of confirming runs.
 constexpr std::size_t choosing = 6, confirming = 8;
-/// Sets of runs that may refuse a step before the adviser gives up.
+/// Sets of runs that may reject a step before the adviser gives up.
 constexpr std::size_t max_refusals = 10;
-constexpr double preparation = 2;  // of a start, at most [ps], in steps of 1 fs
-/// Energies at least so often: rare ones would know R less well than the run could [ps].
+constexpr double preparation = 2;  // of an initial configuration, at most [ps], in steps of 1 fs
+/// Maximum interval of energies: rarer ones would determine R less well than the run could [ps].
 constexpr double max_sample_interval = 0.004;
-/// Steps in place of ones that kept the bound with room to spare.
+/// Longer steps tried in place of ones well below the bound.
 constexpr int most_lengthenings = 4;
-/// Parts of the length of the runs that confirm, after which it is asked whether they still may.
+/// Fractions of the length of confirming runs after which hopeless sets are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
-/// The first of them after which it is asked whether they leave room for a longer step.
+/// The first of them after which a longer step may be tried instead.
 constexpr double telling = 1.0 / 3;
-/// Shares of the time: of runs that choose, of clocks, and of those that confirm at least.
+/// Fractions of the time: of choosing runs, of timings, and the minimum of confirming runs.
 constexpr double choosing_share = 0.35, clock_share = 0.1, min_confirming_share = 0.3;
-/// Of the length of runs whose step decides: that of runs that only show the way to it.
+/// Length of preliminary runs, relative to that of runs near the final step.
 constexpr double way = 0.5;
-/// Of the step that the choosing runs propose, what is tried first: short runs flatter, and all the
-/// more where R grows as a high power of the step, for there the energy begins to wander.
+/// The first step to confirm, relative to that proposed by the choosing runs: short runs
+/// underestimate R, the more so where R grows as a high power of the step, because the energy
+/// begins to wander.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
-/// A scheme waits while it is expected to cost so much more than the second cheapest, in force
-/// evaluations: what a clock may make good.
+/// A scheme is postponed while its expected number of force evaluations exceeds that of the second
+/// cheapest by this factor, which differences in speed may compensate.
 constexpr double hopeless = 1.25;
-/// Of the force evaluations of a run: what its configurational temperatures may cost, and what one
-/// of their samples does.
+/// Cost limit of configurational temperatures relative to the force evaluations of a run, and the
+/// cost of one sample in force evaluations.
 constexpr double temperature_share = 0.03, sample_cost = 2;
-/// A drift of the choosing runs ends the range of steps; a smaller chance than that of a verdict,
-/// for there are a dozen questions.
+/// p-value below which a drift of the choosing runs ends the range of steps; smaller than that of a
+/// verdict, since there are about a dozen tests.
 constexpr double significance_level = 0.001;
 
-/// One run to be done.
+/// A run to be performed.
 struct Job {
   std::size_t candidate;
   double step;
@@ -108,7 +109,7 @@ class Adviser {
     callbacks_.report({"advising", std::min(0.99, since(begin_) / settings_.seconds), what});
   }
 
-  /// The state that the run begins with.
+  /// The initial state of the run.
   bool prepare_base() {
     report("equilibrating");
     if (config_.run.equilibrate > 0) {
@@ -121,17 +122,17 @@ class Adviser {
     frequency_ = einstein_frequency(base_, workers_);
     for (const Candidate& candidate : advice_.candidates)
       if (const double first = search_of(candidate).first; config_.run.length < 10 * first)
-        throw Error(fmt::format(
-            "runs of {:g} fs are too short for advice: it begins with steps of {:.3g} fs of {}, of "
-            "which a run must hold ten; ask for longer runs",
-            1000 * config_.run.length, 1000 * first, candidate.name));
+        throw Error(
+            fmt::format("runs of {:g} fs are too short for advice: they must have at least ten "
+                        "steps of {:.3g} fs, the first step tried with {}; take longer runs",
+                        1000 * config_.run.length, 1000 * first, candidate.name));
     begin_ = Clock::now();
     return !stop();
   }
 
   double preparation_length() const { return std::min(preparation, config_.study.decorrelate); }
 
-  /// Starts with momenta that none before had.
+  /// Initial configurations with new momenta.
   std::vector<ResumableRun> fresh_starts(std::size_t count) {
     report("preparing starts");
     std::vector<ResumableRun> starts;
@@ -146,7 +147,7 @@ class Adviser {
     return starts;
   }
 
-  /// Moves a run on until the job's length.
+  /// Continues a run up to the job's length.
   Outcome advance(ResumableRun& resumable, const Job& job) const {
     const Scheme& scheme = advice_.candidates[job.candidate].scheme;
     return advance_run(
@@ -160,7 +161,7 @@ class Adviser {
         noise_, callbacks_.stop);
   }
 
-  /// Runs of every job from every start, as many at once as there are workers.
+  /// Runs every job from every initial configuration, as many at a time as there are workers.
   std::vector<AdviserPoint> measure(const std::vector<Job>& jobs) const {
     std::vector<AdviserPoint> points;
     for (const Job& job : jobs)
@@ -181,20 +182,20 @@ class Adviser {
     point.usable = !blew_up(point.runs) && !drifts(point.runs, significance_level);
   }
 
-  /// Whether nothing but the bound is in the way of an answer.
+  /// Whether only the bound prevents an answer.
   bool calm(const AdviserPoint& point) const {
     return !blew_up(point.runs) &&
            (settings_.criterion.quality == Quality::drift || !drifts(point.runs));
   }
 
-  /// Whether a run of the whole length leaves no hope for a set of them: of eight values none lies
-  /// further than 7/√8 = 2.47 standard deviations above their mean, and the bound lies 2.51.
+  /// Whether one full run already excludes that its set meets the bound: of eight values none is
+  /// more than 7/√8 = 2.47 standard deviations above their mean, and the bound is 2.51 above it.
   bool breaks(const Outcome& run) const {
     return settings_.criterion.quality == Quality::ratio &&
            (!run.failure.empty() || run.ratio > settings_.criterion.bound);
   }
 
-  /// Runs that are to confirm: over the whole length, or the part after which they no longer may.
+  /// Confirming runs: over the whole length, or the part after which they are hopeless.
   AdviserPoint confirming_runs(std::vector<ResumableRun> resumable_runs, const Job& whole) const {
     AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size()), 0,
                        false};
@@ -204,7 +205,7 @@ class Adviser {
       std::atomic<bool> broken = false;
       std::vector<char> done(resumable_runs.size(), 0);
       workers_.each(resumable_runs.size(), [&](std::size_t r) {
-        // Two are the least of which a scatter is known.
+        // Two is the minimum number for a scatter.
         if (stop() || (broken && r >= 2)) return;
         point.runs[r] = advance(resumable_runs[r], job);
         done[r] = 1;
@@ -226,8 +227,8 @@ class Adviser {
     return point;
   }
 
-  /// A longer step, if runs keep the bound with so much room that one is worth further runs. Over
-  /// a part of the length R scatters more, so its bound tells of less room than there is.
+  /// A longer step, if the runs are so far below the bound that one is worth further runs. Over a
+  /// part of the length R scatters more, so this underestimates the margin.
   std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
     const Candidate& candidate = advice_.candidates[c];
     if (settings_.criterion.quality != Quality::ratio || !candidate.model || !calm(point) ||
@@ -243,20 +244,20 @@ class Adviser {
                       candidate.model->exponent(point.step), too_long);
   }
 
-  /// Of runs that say anything [ps].
+  /// Minimum length of useful runs [ps].
   double min_length() const { return std::min(config_.run.length, 60 / frequency_); }
 
-  /// Seconds that all runs together may take, in those of one thread.
+  /// Total time of all runs, in seconds of one thread.
   double budget(double share) const { return share * settings_.seconds * workers_.threads(); }
 
-  /// The length of `runs` runs that fit into a time with so many force evaluations per ps.
+  /// The length of `runs` runs that fit into a time with this number of force evaluations per ps.
   double affordable(double seconds, double runs, double cost) const {
     return seconds / (runs * cost * evaluation_);
   }
 
   StepSearch search_of(const Candidate& candidate) const {
-    // A harmonic freedom of frequency ω is stable up to ω h = 2 for each force evaluation of a good
-    // scheme, and the fastest bodies of a liquid move twice as fast as their mean.
+    // A harmonic degree of freedom of frequency ω is stable up to ω h = 2 for each force evaluation
+    // of a good scheme, and the fastest bodies of a liquid move twice as fast as their mean.
     const double first = 0.12 * std::min(3.0, candidate.scheme.cost()) / frequency_;
     return {settings_.criterion, candidate.scheme.order(), three_digits(first)};
   }
@@ -270,8 +271,7 @@ class Adviser {
                         : max_expected_step(search_of(candidate), candidate.points));
   }
 
-  /// What a scheme costs at most to be worth further runs: there are to be an answer and a
-  /// runner-up.
+  /// The maximum cost of a scheme worth further runs, which must find an answer and a runner-up.
   double worthwhile() const {
     std::vector<double> costs;
     for (std::size_t c = 0; c < settled_.size(); ++c) costs.push_back(expected_cost(c));
@@ -281,14 +281,13 @@ class Adviser {
 
   std::string waiting(std::size_t c) const {
     return fmt::format(
-        "it is expected to need at least {:.0f} force evaluations per ps, too many to be followed",
+        "it is expected to need at least {:.0f} force evaluations per ps, too many to compete",
         expected_cost(c));
   }
 
-  /// Runs every candidate that is worth it with the steps that are still to be known.
+  /// Runs every promising candidate with the steps that are still needed.
   void search_steps() {
-    // About five steps of each scheme, with 3.3 ω force evaluations per ps where R is half a
-    // percent.
+    // About five steps of each scheme, with 3.3 ω force evaluations per ps at R of half a percent.
     const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
     const double max_length = std::min(config_.run.length, 600 / frequency_);
     const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),
@@ -305,7 +304,7 @@ class Adviser {
         }
         const StepSearch search = search_of(candidate);
         const auto step = next_step(search, candidate.points);
-        // Ten steps at least, or there is nothing to see.
+        // At least ten steps, the minimum for R.
         if (step && length >= 10 * *step)
           jobs.push_back({c, *step,
                           decides(search, candidate.points, *step)
@@ -334,11 +333,12 @@ class Adviser {
       candidate.step =
           three_digits((found.model ? reserve(found.model->exponent(found.step)) : 1) * found.step);
     else
-      candidate.obstacle = "no step that was tried keeps the bound";
+      candidate.obstacle = "no step that was tried meets the bound";
   }
 
-  /// The wall-clock time of a simulated ps, as the run will have it: all threads on one system, in
-  /// turns, so that a change of the clock rate or of other work meets all schemes alike.
+  /// The wall-clock time of a simulated ps, as the run will have it: all threads on one system,
+  /// schemes interleaved, so that changes of the clock rate or of the load affect all schemes
+  /// equally.
   void time_candidates() {
     constexpr int turns = 3;
     const double seconds =
@@ -363,7 +363,7 @@ class Adviser {
     ForceField forces(system.topology, system.forces, system.state.box, workers_);
     const Clock::time_point start = Clock::now();
     const auto over = [&] { return stop() || since(start) > seconds; };
-    // From twenty to a thousand steps at a time, a few rebuilds of the list among them.
+    // Twenty to a thousand steps at a time, including a few list rebuilds.
     const double min_duration = 20 * candidate.step;
     const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,
                                config_.run.sample, config_.integrator.lambda};
@@ -376,7 +376,7 @@ class Adviser {
     return spent / length;
   }
 
-  /// The cheapest of those that may be, by the time of a simulated ps.
+  /// The cheapest eligible candidate, by the computing time per simulated ps.
   std::optional<std::size_t> cheapest(std::optional<std::size_t> besides = {}) const {
     std::optional<std::size_t> best;
     for (std::size_t c = 0; c < advice_.candidates.size(); ++c) {
@@ -387,18 +387,18 @@ class Adviser {
     return best;
   }
 
-  /// Runs from the same starts with one step after another, until one is confirmed that leaves
-  /// little room for a longer one.
+  /// Runs from the same initial configurations with one step after another, until one is confirmed
+  /// and hardly any longer step is possible.
   void confirm() {
     std::vector<ResumableRun> starts;
     while (advice_.refused.size() < max_refusals) {
-      search_steps();  // those too that became worth it when another was refused
+      search_steps();  // including those that became promising when another was rejected
       if (stop()) return;
       time_candidates();
       if (stop()) return;
       const auto c = advice_.best ? advice_.best : cheapest();
       if (!c) return;
-      // The same ones after a refusal: fresh ones until some confirm would choose the lucky ones.
+      // The same ones after a rejection: new ones until some confirm would select lucky ones.
       if (starts.empty()) starts = fresh_starts(confirming);
       if (stop()) return;
       Candidate& candidate = advice_.candidates[*c];
@@ -422,7 +422,8 @@ class Adviser {
         advice_.surpassed.emplace_back(*c, point);
       } else {
         advice_.refused.emplace_back(*c, point);
-        if (advice_.best) {  // the longer step does not do, the shorter one did: one between them?
+        if (advice_.best) {  // the longer step was rejected, the shorter one confirmed: try one
+                             // between them
           const auto between = longer_step(*c, advice_.confirmation);
           set_step(candidate, between.value_or(advice_.confirmation.step));
           if (!between) return;
@@ -435,21 +436,21 @@ class Adviser {
     }
   }
 
-  /// Another step of a candidate, at the same time for a step.
+  /// Changes the step of a candidate, with the same time per step.
   static void set_step(Candidate& candidate, double step) {
     candidate.seconds *= candidate.step / step;
     candidate.step = step;
   }
 
-  /// After runs that did not confirm a step: as much shorter as they say.
-  /// @param part  of the whole length, over which they went
+  /// The shorter step after runs that did not confirm one.
+  /// @param part  of the whole length that they covered
   void shorten(Candidate& candidate, const AdviserPoint& point, double part) const {
     double factor = 0.85;
     if (calm(point) && candidate.model) {
       double excess = optimistic_bound(point.runs, part) / settings_.criterion.bound;
       if (point.runs.size() < confirming) {
-        // A set that was cut short knows its scatter badly; eight have their bound about twice as
-        // far beyond what was asked as the first that is beyond it.
+        // The scatter of an incomplete set is poorly known; the bound of eight runs exceeds the
+        // required one by about twice as much as that of the first one that exceeds it.
         const auto ratios = each(point.runs, [](const Outcome& run) { return run.ratio; });
         excess = std::pow(
             *std::max_element(ratios.begin(), ratios.end()) / settings_.criterion.bound, 2);
@@ -469,9 +470,9 @@ class Adviser {
   double frequency_ = 0;   // [1/ps]
   double evaluation_ = 0;  // seconds of one thread
   std::vector<ResumableRun> starts_;
-  double last_set_ = 0;        // seconds that the runs of the last set took, all of their length
-  std::vector<bool> settled_;  // candidates whose steps are known as well as wanted
-  std::size_t drawn_ = 0;      // starts so far
+  double last_set_ = 0;        // seconds that the last set of runs took
+  std::vector<bool> settled_;  // candidates whose steps are known accurately enough
+  std::size_t drawn_ = 0;      // initial configurations so far
   Clock::time_point begin_ = Clock::now();
   mutable std::mutex reporting_;
   Advice advice_;

@@ -55,8 +55,8 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
           {json.at("R_expected"), json.at("R_expected_error")}};
 } catch (const nlohmann::json::exception& e) {
   throw Error(
-      fmt::format("'{}' does not hold the promise of the run that is to go on ({}); begin "
-                  "it anew with --force",
+      fmt::format("'{}' does not contain the accuracy guarantee of the run to be resumed ({}); "
+                  "start over with --force",
                   file, e.what()));
 }
 

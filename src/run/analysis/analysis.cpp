@@ -55,10 +55,10 @@ void name_atoms(Frame& frame, const Topology& topology) {
     return;
   }
   throw Error(
-      fmt::format("there are {} atoms without names, and the molecules have {} sites, {} of them "
-                  "with mass; give the molecules of the file in its order, or names by --names",
-                  frame.atoms.size(), atom_count(topology),
-                  atom_count(topology, MasslessSites::omit)),
+      fmt::format(
+          "there are {} atoms without names, and the molecules have {} sites, {} of them with "
+          "mass; give the molecules in the order of the file, or atom names by --names",
+          frame.atoms.size(), atom_count(topology), atom_count(topology, MasslessSites::omit)),
       frame.source);
 }
 
@@ -88,18 +88,18 @@ class Assembly {
     const double window = settings_.window / result_.interval;
     if (!(window <= most_lags))
       throw Error(
-          fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; there may be {:g} at "
-                      "most, so ask for a shorter one by --window",
+          fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; the maximum is {:g}, so "
+                      "give a shorter one by --window",
                       settings_.window, window, result_.interval, most_lags));
     const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
                    fmt::format("{} lags of {:.0f} bodies", lags, bodies),
-                   "ask for a shorter --window");
+                   "take a shorter --window");
     if (wanted(Observable::msd) && result_.topology.size() == 1)
       leave_out({Observable::msd},
-                "displacements are relative to the centre of mass of all "
-                "molecules, and there is only one");
+                "displacements are relative to the centre of mass of all molecules, and there is "
+                "only one molecule");
     else if (wanted(Observable::msd))
       result_.displacement.emplace(result_.topology, lags);
     if (wanted(Observable::rotation)) result_.reorientation.emplace(result_.topology, lags);
@@ -129,15 +129,15 @@ class Assembly {
                                          // first one
       result_.interval = (result_.last - result_.first) / static_cast<double>(result_.frames - 1);
     if (result_.displacement && result_.displacement->max_step() > safe_step)
-      result_.notes.push_back(fmt::format(
-          "centres moved by up to {:.2f} of an edge from frame to frame; beyond {:g} images cannot "
-          "be told apart for sure, so displacements may be too short: write frames more often",
-          result_.displacement->max_step(), safe_step));
+      result_.notes.push_back(
+          fmt::format("centres of mass moved by up to {:.2f} of an edge between frames; beyond "
+                      "{:g} their paths across periodic boundaries are uncertain and displacements "
+                      "may be too short: write frames more often",
+                      result_.displacement->max_step(), safe_step));
     if (result_.velocity && result_.interval > 0.02)
       result_.notes.push_back(fmt::format(
-          "frames {:g} fs apart are too far for velocities of light molecules, which turn back "
-          "within 20 fs: diffusion from velocities and spectra beyond {:.3g} THz are not to be "
-          "used",
+          "frames {:g} fs apart are too far apart for velocities of light molecules, which reverse "
+          "within 20 fs: do not use diffusion from velocities or spectra beyond {:.3g} THz",
           1000 * result_.interval, 0.5 / result_.interval));
   }
 
@@ -164,8 +164,8 @@ class Assembly {
     const double cutoff = settings_.cutoff.value_or(std::min(1.0, half));
     if (!(cutoff / settings_.bin <= most_bins))
       throw Error(
-          fmt::format("bins of {:g} nm are {:g} up to {:g} nm; there may be {:g} at most, so "
-                      "ask for wider ones by --bin",
+          fmt::format("bins of {:g} nm make {:g} bins up to {:g} nm; the maximum is {:g}, so give "
+                      "wider ones by --bin",
                       settings_.bin, cutoff / settings_.bin, cutoff, most_bins));
     result_.radial.emplace(result_.topology, RadialSettings{result_.pairs, cutoff, settings_.bin});
   }
@@ -177,8 +177,8 @@ class Assembly {
     });
     if (charged != parts.end())
       leave_out({Observable::dielectric},
-                fmt::format("'{}' carries {:g} e, and the dipole of charges that move through a "
-                            "periodic box has no fixed value",
+                fmt::format("'{}' has a charge of {:g} e, and the dipole of a periodic box with "
+                            "mobile ions is not defined",
                             charged->molecule.name, charged->molecule.charge()));
     else if (std::none_of(parts.begin(), parts.end(),
                           [](const auto& part) { return has_dipole(part.molecule); }))
@@ -189,10 +189,10 @@ class Assembly {
 
   // Sets the interval between frames, or returns the reason why there is none.
   std::string no_interval(const std::vector<FittedState>& states) {
-    if (states.size() < 2) return "correlations in time need two frames at least";
+    if (states.size() < 2) return "time correlations need at least two frames";
     result_.interval = settings_.interval.value_or(states[1].state.time - states[0].state.time);
     if (result_.interval > 0) return {};
-    return fmt::format("the first frames have the times {:g} and {:g} ps; tell --interval",
+    return fmt::format("the first frames have the times {:g} and {:g} ps; give --interval",
                        states[0].state.time, states[1].state.time);
   }
 
@@ -202,10 +202,11 @@ class Assembly {
     const double due = result_.first + static_cast<double>(result_.frames) * result_.interval;
     const double rounding = 0x1p-22 * std::abs(time) * (1 + static_cast<double>(result_.frames));
     if (std::abs(time - due) <= 0.01 * result_.interval + rounding) return;
-    throw Error(fmt::format(
-        "frame {} is of {:g} ps where {:g} ps must be, as the first two are {:g} ps apart: "
-        "correlations need frames evenly spaced; choose others by --what, or tell --interval",
-        result_.frames + 1, time, due, result_.interval));
+    throw Error(
+        fmt::format("frame {} is at {:g} ps instead of {:g} ps, the first two being {:g} ps apart: "
+                    "correlations need evenly spaced frames; choose other observables by --what, "
+                    "or give --interval",
+                    result_.frames + 1, time, due, result_.interval));
   }
 
   Analysis& result_;
@@ -252,8 +253,8 @@ Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings&
     if (result.stopped || count < batch.size()) break;
   }
   if (result.frames == 0)
-    throw Error(fmt::format("there is no frame at {:g} ps or later; ask for an earlier one",
-                            settings.from));
+    throw Error(
+        fmt::format("there is no frame at {:g} ps or later; give an earlier time", settings.from));
   observables.end();
   return result;
 }

@@ -32,7 +32,7 @@ std::optional<Frame> names_of_atoms(const std::string& file) {
   if (file.empty()) return std::nullopt;
   Frame names;
   if (!open_frames(file)->next(names))
-    throw Error(fmt::format("'{}' holds no frame; name a file with one", file));
+    throw Error(fmt::format("'{}' contains no frame; give a file with at least one", file));
   return names;
 }
 
@@ -64,7 +64,7 @@ nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
   return {{"value", e.value * scale}, {"error", known_error(e) * scale}};
 }
 
-/// Numbers that there are none of without a peak are null.
+/// Null for numbers that do not exist without a peak.
 nlohmann::json peak_json(const SitePair& sites,
                          const std::optional<RadialDistribution::Peak>& peak) {
   if (!peak)
@@ -74,10 +74,10 @@ nlohmann::json peak_json(const SitePair& sites,
             {"minimum_nm", nullptr},
             {"coordination", nullptr}};
   return {{"pair", sites},
-          {"peak_nm", pair(peak->place)},
+          {"peak_nm", pair(peak->position)},
           {"peak_height", pair(peak->height)},
-          {"minimum_nm", peak->minimum.value},
-          {"coordination", pair(peak->coordination)}};
+          {"minimum_nm", peak->shell ? nlohmann::json(peak->shell->end.value) : nlohmann::json()},
+          {"coordination", peak->shell ? pair(peak->shell->coordination) : nlohmann::json()}};
 }
 
 nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {
@@ -108,10 +108,10 @@ AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& opt
   report.analysis = analyze(*reader, input.topology, input.settings, callbacks, workers);
   if (report.analysis.stopped)
     callbacks.note(
-        fmt::format("interrupted after {} frames; what they tell follows", report.analysis.frames));
+        fmt::format("interrupted after {} frames; their results follow", report.analysis.frames));
   report.summary = summary(report.analysis, input.summary, workers);
   if (report.analysis.deviation > 1e-4)
-    callbacks.note(fmt::format("note: atoms lay up to {:.4f} nm from the rigid models",
+    callbacks.note(fmt::format("note: atoms deviate by up to {:.4f} nm from the rigid models",
                                report.analysis.deviation));
   for (const std::string& note : report.summary.notes) callbacks.note("note: " + note);
   const Provenance made = provenance(options.command, input.origin, input.seed);

@@ -30,13 +30,13 @@ void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings
     s.viscosity_source = "--viscosity";
     return;
   }
-  s.viscosity_source = "no published one for these molecules; give --viscosity";
+  s.viscosity_source = "there is no published viscosity for these molecules; give --viscosity";
   if (a.topology.parts.size() != 1) return;
   for (const PublishedViscosity& known : published) {
     if (a.topology.parts.front().molecule.name != known.model) continue;
     if (!s.temperature || std::abs(*s.temperature - published_temperature) > near) {
-      s.viscosity_source =
-          fmt::format("the published one is of {:g} K; give --viscosity", published_temperature);
+      s.viscosity_source = fmt::format("the published viscosity is for {:g} K; give --viscosity",
+                                       published_temperature);
       return;
     }
     s.viscosity = quantity(known.value, Dimension::viscosity, "viscosity");
@@ -60,8 +60,8 @@ std::optional<SeriesEstimate> diffusion_of(Analysis& a, std::size_t part, Analys
   if (!std::isnan(D.value)) return D;
   if (part == 0)
     s.notes.push_back(
-        fmt::format("no diffusion: fewer than two lags between {:g} and {:g} ps; "
-                    "the longest is {:g} ps",
+        fmt::format("no diffusion coefficient: fewer than two lags between {:g} and {:g} ps; the "
+                    "maximum is {:g} ps",
                     s.fit.from, s.fit.to, max_lag));
   return std::nullopt;
 }
@@ -94,7 +94,7 @@ PartSummary part_summary(Analysis& a, std::size_t part, AnalysisSummary& s,
 void find_correction(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
   find_viscosity(s, a, settings);
   if (!cubic(a.box))
-    s.viscosity_source = "the correction for images is of a cubic box";
+    s.viscosity_source = "the finite-size correction is for cubic boxes only";
   else if (!s.temperature)
     s.viscosity_source = "no temperature: the frames have no velocities; give --temperature";
   else if (s.viscosity)
@@ -106,7 +106,7 @@ void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySetting
   if (!settings.surroundings_permittivity)
     s.notes.push_back("no dielectric: " + settings.no_surroundings);
   else if (!s.temperature)
-    s.notes.push_back("no dielectric: the frames have no velocities; give --temperature");
+    s.notes.push_back("no dielectric constant: the frames have no velocities; give --temperature");
   else
     s.dielectric = a.dipole->result(*s.temperature, *settings.surroundings_permittivity);
 }
@@ -124,8 +124,8 @@ void SummarySettings::set_surroundings(const ForceSettings& forces) {
     case Electrostatics::coulomb:
     case Electrostatics::damped_shifted_force:
       no_surroundings =
-          "fluctuations of a dipole whose charges were cut off or switched off tell no dielectric "
-          "constant; pme or a reaction field is needed";
+          "dipole fluctuations give no dielectric constant if electrostatics is truncated or "
+          "switched; pme or a reaction field is needed";
   }
 }
 

@@ -207,7 +207,7 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
   return s;
 }
 
-// All kinds of evaluations and steps for one size, in turn.
+// All kinds of evaluations and steps for one size, interleaved.
 class Measurement {
  public:
   Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,

@@ -91,8 +91,8 @@ Limit measure(Precision precision, double seconds) {
   Column<T> numbers(chains * limit.lanes, T(1));
   WaterPairs<T> pairs(build_system(default_config()), limit.lanes);
 
-  // All kinds in turn, so that changes of the clock rate affect them equally.
-  std::vector<double> times, kinds[2][2];  // [energies][ending]
+  // All kinds interleaved, so that changes of the clock rate affect them equally.
+  std::vector<double> times, kinds[2][2];  // [energies][truncated]
   const auto start = Clock::now();
   while (times.size() < 5 ||
          std::chrono::duration<double>(Clock::now() - start).count() < seconds) {

@@ -15,7 +15,7 @@
 namespace polhode {
 namespace {
 
-// The fields of a checkpoint in their order, for a writer as for a reader.
+// The fields of a checkpoint in their order, for both writer and reader.
 
 template <class Archive, class Columns>
 void vectors(Archive& archive, Columns& v) {
@@ -45,7 +45,7 @@ void list(Archive& archive, List& values, const Fields& fields) {
   std::size_t count = values.size();
   counter(archive, count);
   for (std::size_t k = 0; k < count; ++k) {
-    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // no more than are there
+    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // not more than the file has
     fields(values[k]);
   }
 }
@@ -55,7 +55,7 @@ void state(Archive& archive, Of& s) {
   vectors(archive, s.q);
   vectors(archive, s.p);
   archive(s.attitude.w), vectors(archive, s.attitude);
-  if constexpr (!std::is_const_v<Of>) {  // what pads the columns is an attitude, too
+  if constexpr (!std::is_const_v<Of>) {  // padding holds valid attitudes, too
     Column<double> w(s.attitude.w.size(), 1.0);
     for (std::size_t i = 0; i < w.size(); ++i) w[i] = s.attitude.w[i];
     s.attitude.w = std::move(w);
@@ -72,7 +72,7 @@ void memory(Archive& archive, Of& m) {
   archive(m.load.lennard_jones), archive(m.load.coulomb), archive(m.load.mesh);
   for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
   archive(m.current), archive(m.complete);
-  archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
+  archive(m.steps), archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
 }
 
 template <class Archive, class Of>
@@ -140,9 +140,9 @@ void fields(Archive& archive, Of& c) {
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
 }
 
-/// What a start file tells beside positions: attitudes, and velocities if it has them. What is
-/// drawn follows from the seed. Nine digits are more than any text format has, and fewer than
-/// differ from processor to processor.
+/// The contents of an initial configuration besides positions: attitudes, and velocities if there
+/// are any. Random velocities follow from the seed. Nine digits are more than any text format has,
+/// and fewer than differ between processors.
 std::string motion_of_start(const Config& config, const System& system) {
   std::string text;
   if (config.system.initial_configuration.empty()) return text;
@@ -159,7 +159,7 @@ std::string motion_of_start(const Config& config, const System& system) {
   return text;
 }
 
-/// What stands in trajectories: which files, of which sites by which names, velocities or none.
+/// The contents of trajectories: which files, which sites and names, with or without velocities.
 std::string outputs_of(const OutputSettings& output, const Topology& topology) {
   std::string text;
   if (output.trajectory_every == 0) return text;
@@ -171,7 +171,7 @@ std::string outputs_of(const OutputSettings& output, const Topology& topology) {
   return text;
 }
 
-/// Whether all blocks hold as many sums as those of a fresh one.
+/// Whether all blocks have as many sums as those of a new one.
 bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
   const std::size_t sums = fresh.blocks.front().sum.size();
   return blocks.samples_per_block >= 1 &&
@@ -196,7 +196,7 @@ Checkpoint read_checkpoint_from(CheckpointReader in, const std::string& path) {
   in.end();
   if (!fit(checkpoint.at.statistics))
     throw DamagedCheckpoint(
-        fmt::format("the checkpoint '{}' holds sums over samples that do not fit together", path));
+        fmt::format("the checkpoint '{}' has inconsistent sums over samples", path));
   return checkpoint;
 }
 
@@ -238,13 +238,12 @@ Checkpoint read_checkpoint_of(const std::string& path, const std::string& identi
                               const ProgramVersion& reader) {
   Checkpoint checkpoint = read_checkpoint(path, reader);
   if (checkpoint.identity != identity)
-    throw Error(fmt::format(
-        "the checkpoint '{}' belongs to another run, which began with '{}': molecules, start or "
-        "its "
-        "velocities, forces, scheme, step, equilibration, samples or what trajectories hold "
-        "differ; give that run file "
-        "with the same options, another --output, or begin anew with --force",
-        path, checkpoint.command));
+    throw Error(
+        fmt::format("the checkpoint '{}' belongs to another run, started with '{}': molecules, "
+                    "initial configuration or velocities, forces, scheme, step, equilibration, "
+                    "samples or contents of trajectories differ; give that run file with the same "
+                    "options, another --output, or start over with --force",
+                    path, checkpoint.command));
   return checkpoint;
 }
 
@@ -261,13 +260,12 @@ std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
   }
   try {
     return FoundCheckpoint{read_checkpoint_of(files.previous, identity, reader),
-                           fmt::format("{}; the one before it, '{}', is intact and is gone on "
-                                       "from, with the same results",
+                           fmt::format("{}; the previous one, '{}', is intact and the run resumes "
+                                       "from it, with the same results",
                                        damage, files.previous)};
   } catch (const DamagedCheckpoint& e) {
     throw Error(
-        fmt::format("{}; {}; begin the run anew with --force, or start another from its "
-                    "last frame",
+        fmt::format("{}; {}; start over with --force, or start another run from the last frame",
                     damage, e.what()));
   }
 }

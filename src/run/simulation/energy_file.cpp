@@ -70,11 +70,10 @@ void check_energies(const std::string& path, const FileMark& mark) {
   std::uint64_t rows = 0;
   each_row(path, mark.bytes, columns(), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
-    throw Error(
-        fmt::format("'{}' had {} rows when the checkpoint was written, and has {} in as "
-                    "many bytes: it is another file; bring the first one back, or begin "
-                    "the run anew with --force",
-                    path, mark.frames, rows));
+    throw Error(fmt::format(
+        "'{}' had {} rows when the checkpoint was written, and has {} in the same number of bytes, "
+        "so it is another file; restore the original, or start over with --force",
+        path, mark.frames, rows));
 }
 
 }  // namespace polhode

@@ -13,10 +13,10 @@ namespace polhode {
 
 ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner) {
   if (inner.cutoff > whole.cutoff)
-    throw Error(fmt::format(
-        "near forces that end at {:g} nm reach beyond the cutoff of all forces, {:g} nm, "
-        "of which they are a part; end them before, 0.5 nm is usual",
-        inner.cutoff, whole.cutoff));
+    throw Error(
+        fmt::format("the cutoff of the near forces, {:g} nm, exceeds that of all forces, {:g} nm; "
+                    "take a shorter one, 0.5 nm is usual",
+                    inner.cutoff, whole.cutoff));
   ForceSettings near = whole;
   near.truncation = Truncation::molecule_switch;
   near.electrostatics = Electrostatics::coulomb;

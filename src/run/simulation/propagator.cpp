@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "polhode/base/error.hpp"
-#include "polhode/integrate/nested_forces.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 
@@ -30,7 +30,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-/// Forces, with a clock.
+/// Forces with a stopwatch.
 struct TimedForces {
   ForceField& forces;
   double seconds = 0;  // with the list
@@ -52,22 +52,21 @@ struct TimedForces {
   }
 };
 
-/// It ends the trajectory, which keeps what was computed.
+/// Ends the trajectory but keeps its results.
 struct BlowUp : RunError {
   using RunError::RunError;
 };
 
 [[noreturn]] void throw_blow_up(const TrajectorySettings& s, std::size_t step,
                                 const std::string& what) {
-  throw BlowUp(
-      fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
-                  "{}, or the start "
-                  "is too rough: try {:g} fs, or equilibrate first",
-                  step, static_cast<double>(step) * s.step, what, s.step * 1000,
-                  name_of({s.scheme, s.inner}), s.step * 500));
+  throw BlowUp(fmt::format(
+      "the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for {}, or the "
+      "initial configuration is too far from equilibrium: try {:g} fs, or equilibrate first",
+      step, static_cast<double>(step) * s.step, what, s.step * 1000, name_of({s.scheme, s.inner}),
+      s.step * 500));
 }
 
-/// Where the time goes, added to what an earlier part of the run took.
+/// Computing time by part, added to that of an earlier part of the run.
 class Clocks {
  public:
   /// @param near  of an inner scheme, if there is one
@@ -78,7 +77,7 @@ class Clocks {
         list_before_(in_list(&whole)),
         near_list_before_(in_list(near)) {}
   double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
-  /// What has passed since the last call of this or skip() was drifts, kicks and forces.
+  /// The time since the last call of this or skip() was spent in drifts, kicks and forces.
   void add_motion() { motion_ += part_.lap(); }
   void skip() { part_.lap(); }
   void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
@@ -126,10 +125,8 @@ class TimedIntegrator {
     near_forces_.emplace(system.topology, near_settings(forces.settings(), *settings.inner),
                          system.state.box, workers);
     near.emplace(TimedForces{*near_forces_});
-    nested_.emplace(settings.inner->scheme, settings.inner->steps, system.bodies, whole, *near,
+    nested_.emplace(NestedScheme{settings.scheme, settings.inner}, system.bodies, whole, *near,
                     settings.lambda, workers);
-    nested_->integrates(system.state);
-    outer_.emplace(settings.scheme, system.bodies, *nested_, settings.lambda, workers);
   }
   TimedIntegrator(const TimedIntegrator&) = delete;
   TimedIntegrator& operator=(const TimedIntegrator&) = delete;
@@ -137,13 +134,13 @@ class TimedIntegrator {
   /// Calls f with the integrator.
   template <class F>
   decltype(auto) apply(const F& f) {
-    return single_ ? f(*single_) : f(*outer_);
+    return single_ ? f(*single_) : f(*nested_);
   }
 
   void resume_from(const RunState& state) {
     apply([&](auto& integrator) { integrator.resume_from(state.integrator); });
-    whole.forces.resume_from(state.list);
-    if (near) near->forces.resume_from(state.near_list);
+    whole.forces.resume_from(state.list, state.state.box);
+    if (near) near->forces.resume_from(state.near_list, state.state.box);
   }
 
   void count(Trajectory& trajectory) {
@@ -164,8 +161,7 @@ class TimedIntegrator {
  private:
   std::optional<Integrator<TimedForces>> single_;
   std::optional<ForceField> near_forces_;
-  std::optional<NestedForces<TimedForces, TimedForces>> nested_;
-  std::optional<Integrator<NestedForces<TimedForces, TimedForces>>> outer_;
+  std::optional<NestedIntegrator<TimedForces, TimedForces>> nested_;
 };
 
 }  // namespace
@@ -196,15 +192,16 @@ class Propagator::Impl {
 
   RunState run_state() {
     clocks_->add_motion();
-    RunState now{system_.state,
-                 std::nullopt,
-                 steps_,
-                 start_,
-                 integrator_.apply([](const auto& integrator) { return integrator.memory(); }),
-                 integrator_.whole.forces.list_memory(),
-                 integrator_.near ? integrator_.near->forces.list_memory() : ListMemory{},
-                 statistics_,
-                 clocks_->timings()};
+    RunState now{
+        system_.state,
+        std::nullopt,
+        steps_,
+        start_,
+        integrator_.apply([](const auto& integrator) { return integrator.memory(); }),
+        integrator_.whole.forces.list_memory(system_.state.box),
+        integrator_.near ? integrator_.near->forces.list_memory(system_.state.box) : ListMemory{},
+        statistics_,
+        clocks_->timings()};
     clocks_->skip();
     return now;
   }
@@ -228,7 +225,7 @@ class Propagator::Impl {
         checkpoint(watch);
         sample(watch);
       }
-      while (steps_ < last && !stopped) {  // one by one: a step that fails is known
+      while (steps_ < last && !stopped) {  // one by one, so that a failed step is identified
         sampled_step(watch);
         stopped = watch.stop && watch.stop();
         if (stopped || steps_ == last || (watch.due && watch.due())) checkpoint(watch);
@@ -287,7 +284,7 @@ class Propagator::Impl {
         [](const auto& integrator) -> const Load& { return integrator.last_load(); });
   }
 
-  /// Forces and torques of the last kick: an inner scheme leaves an outer one the slow ones.
+  /// Forces and torques of the last kick; with an inner scheme, the outer one has the slow forces.
   const Load& all_forces() {
     if (!integrator_.near) return last_load();
     integrator_.whole.forces.forces_alone(system_.state, complete_);
@@ -341,7 +338,8 @@ class Propagator::Impl {
 
   void sample_configurational() {
     if (!due(settings_.configurational_sample)) return;
-    constexpr std::uint64_t streams = std::uint64_t{1} << 32;  // those of starts are below it
+    constexpr std::uint64_t streams = std::uint64_t{1}
+                                      << 32;  // initial configurations use those below it
     statistics_.configurational.add(
         configurational_sample(system_.state, system_.bodies, all_forces(),
                                integrator_.whole.forces, Random(settings_.seed, streams + steps_)));
@@ -358,11 +356,10 @@ class Propagator::Impl {
   void check_total(const Energies& now) const {
     const Energies& first = statistics_.energies.first;
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
-      throw_blow_up(
-          settings_, steps_,
-          fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the kinetic "
-                      "energy at the start",
-                      first.total(), now.total()));
+      throw_blow_up(settings_, steps_,
+                    fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the "
+                                "initial kinetic energy",
+                                first.total(), now.total()));
   }
 
   System& system_;

@@ -75,16 +75,23 @@ double kick_weights(const Scheme& scheme, double lambda) {
     plain = shifted = 0;
   };
   for (const Stage& stage : stages) {
-    if (stage.flow == Flow::kick) {
-      const bool gradient = stage.has(Gradient::finite_difference);
-      plain += stage.fraction * (gradient ? 1 - 1 / lambda : 1);
-      shifted += gradient ? stage.fraction / lambda : 0;
-    } else if (first) {
-      first_plain = plain, first_shifted = shifted;
-      plain = shifted = 0;
-      first = false;
-    } else {
-      close();
+    const bool gradient = stage.has(Gradient::finite_difference);
+    switch (stage.flow) {
+      case Flow::drift:
+        if (first) {
+          first_plain = plain, first_shifted = shifted;
+          plain = shifted = 0;
+          first = false;
+        } else {
+          close();
+        }
+        break;
+      case Flow::kick:
+        plain += stage.fraction * (gradient ? 1 - 1 / lambda : 1);
+        shifted += gradient ? stage.fraction / lambda : 0;
+        break;
+      case Flow::bath:  // kicks before and after it are at the same positions
+        break;
     }
   }
   plain += first_plain, shifted += first_shifted;

@@ -10,7 +10,7 @@
 namespace polhode {
 namespace {
 
-/// What observers of a run see of its energies beside the atoms.
+/// The energies that trajectories contain in addition to atoms.
 std::vector<FrameNumber> observables(const Energies& e) {
   return {{"potential_energy", "kJ mol-1", e.potential()},
           {"kinetic_energy", "kJ mol-1", e.kinetic()},
@@ -69,7 +69,7 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     check_energies(names_.energies, marks.energies);
     reopen(marks);
   }
-  // The intact one is the newest from here on: the damaged one must not become its previous one.
+  // From here on the intact one is the newest: the damaged one must not become the previous one.
   if (!from.note.empty())
     std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);
 }
@@ -80,7 +80,7 @@ void RunFiles::reopen(const OutputMarks& marks) try {
     trajectories_.push_back(
         resume_frames(names_.trajectories[k], topology_, marks.frames[k], choice_));
   next_frame_ = marks.next_frame;
-} catch (const Error& e) {  // files were cut: not as if nothing had happened
+} catch (const Error& e) {  // files were truncated, so the failure must be reported
   throw RunError(e.what());
 }
 
@@ -88,7 +88,7 @@ void RunFiles::begin() try {
   energies_.emplace(names_.energies, topology_, provenance_);
   for (const std::string& path : names_.trajectories)
     trajectories_.push_back(create_frames(path, topology_, choice_));
-} catch (const Error& e) {  // there is a checkpoint: the run may resume once there is room
+} catch (const Error& e) {  // a checkpoint exists: the run can be resumed when there is room
   throw RunError(e.what());
 }
 

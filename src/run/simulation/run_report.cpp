@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode {
@@ -19,8 +20,8 @@ json number_if(bool known, double value) {
   return known && std::isfinite(value) ? json(value) : json();
 }
 
-/// Keys of a drift; the error, the chance and whether it is significant are null where they are not
-/// known, and the verdict says why.
+/// Keys of a drift; error, p-value and significance are null if they are not known, and the verdict
+/// gives the reason.
 json drift_json(const Drift& drift, std::uint64_t samples) {
   const bool known = drift.known == Known::yes;
   return {{"drift_kJ_per_mol_ps", number_if(samples >= min_samples_reported, drift.rate.value)},
@@ -34,10 +35,10 @@ json run_settings(const RunReport& r) {
   const RunSummary& s = r.summary;
   return {{"molecules", s.molecules},
           {"scheme", text_of({r.settings.scheme, r.settings.inner})},
-          {"step_fs", r.settings.step * 1000},
+          {"step_fs", r.settings.step * units::fs_per_ps},
           {"steps", s.steps},
           {"length_ps", s.length},
-          {"sample_fs", s.sample * 1000},
+          {"sample_fs", s.sample * units::fs_per_ps},
           {"interrupted", r.interrupted},
           {"samples", s.samples},
           {"files", r.files.all()}};
@@ -112,7 +113,7 @@ std::string verdict(const Drift& drift) {
     case Known::too_few_samples:
       return "too few samples";
     case Known::too_short:
-      return "too short to tell";
+      return "run too short";
   }
   return "";
 }

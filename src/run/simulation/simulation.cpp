@@ -12,6 +12,7 @@
 #include "polhode/base/version.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
@@ -115,10 +116,9 @@ void Simulation::resume(Checkpoint checkpoint) {
 
 void Simulation::check_length(std::size_t steps_done) const {
   if (steps_done > settings_->steps())
-    throw Error(
-        fmt::format("length {:g} ps is shorter than the {:g} ps that are done already; ask "
-                    "for as much or more",
-                    settings_->length, length_of(steps_done, *settings_)));
+    throw Error(fmt::format(
+        "length {:g} ps is shorter than the {:g} ps that the run already has; give a longer one",
+        settings_->length, length_of(steps_done, *settings_)));
 }
 
 // The checkpoint to resume from, if requested and if there is one. Existing files of another run
@@ -130,12 +130,12 @@ std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& n
   const bool resumes = options.existing == ExistingFiles::resume;
   if (resumes) found = last_checkpoint(names.checkpoints, identity(), this_program());
   if (!found) {
-    if (resumes) callbacks.note("note: there is no checkpoint yet; the run begins");
+    if (resumes) callbacks.note("note: there is no checkpoint; the run starts from the beginning");
     if (options.existing != ExistingFiles::replace &&
         std::filesystem::exists(names.checkpoints.newest))
       throw Error(
-          fmt::format("'{}' is there already: the run was begun before; go on with "
-                      "--continue, name another output, or give --force to begin anew",
+          fmt::format("'{}' exists: the run was started before; resume it with --continue, give "
+                      "another --output, or start over with --force",
                       names.checkpoints.newest));
     check_outputs(names.all(), options.existing);
     return found;
@@ -144,8 +144,8 @@ std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& n
   const RunState& at = found->checkpoint.at;
   check_length(at.steps);
   callbacks.note(at.equilibrated
-                     ? fmt::format("going on after {:g} ps of the equilibration", *at.equilibrated)
-                     : fmt::format("going on after {} steps, {:g} ps", at.steps,
+                     ? fmt::format("resuming after {:g} ps of the equilibration", *at.equilibrated)
+                     : fmt::format("resuming after {} steps, {:g} ps", at.steps,
                                    length_of(at.steps, *settings_)));
   return found;
 }
@@ -234,9 +234,10 @@ ExecutionSettings Simulation::execution() const {
 void Simulation::note_begin(const Callbacks& callbacks) const {
   const ExecutionSettings with = execution();
   callbacks.note(fmt::format(
-      "polhode {}: {} molecules, {}, {} in {:g} fs steps, target {}, threads {}", version(),
-      system_.topology.size(), config_.source, name_of({settings_->scheme, settings_->inner}),
-      settings_->step * 1000, with.instruction_set, with.threads));
+      "polhode {}: {} molecules, {}, {} in {:g} fs steps, instruction set {}, threads {}",
+      version(), system_.topology.size(), config_.source,
+      name_of({settings_->scheme, settings_->inner}), settings_->step * units::fs_per_ps,
+      with.instruction_set, with.threads));
   note_molecules(system_, callbacks);
   note_forces(system_, callbacks);
 }
@@ -261,7 +262,7 @@ RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbac
   const Trajectory trajectory = run_trajectory(files, callbacks);
   if (!trajectory.failure.empty()) {
     if (trajectory.statistics.energies.samples > 0)
-      callbacks.note(fmt::format("the energies until then are in {}", names.energies));
+      callbacks.note(fmt::format("the energies up to that step are in {}", names.energies));
     throw RunError(trajectory.failure);
   }
   return {trajectory.stopped ? RunEnd::interrupted : RunEnd::complete,
@@ -274,11 +275,11 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
              [&](std::ostream& out) { write_gro(out, system_.state, system_.topology); });
   if (!names.plot.empty())
     pass_messages(callbacks, [&](std::ostream& warnings) {
-      energy_plot(
-          names.energies,
-          fmt::format("{}, {} at {:g} fs", config_.source,
-                      name_of({settings_->scheme, settings_->inner}), settings_->step * 1000),
-          config_.output.plot, warnings);
+      energy_plot(names.energies,
+                  fmt::format("{}, {} at {:g} fs", config_.source,
+                              name_of({settings_->scheme, settings_->inner}),
+                              settings_->step * units::fs_per_ps),
+                  config_.output.plot, warnings);
     });
   RunReport report{polhode::summary(system_, *settings_, trajectory, noise_),
                    *settings_,

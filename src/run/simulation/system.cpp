@@ -25,8 +25,8 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   system.origins = std::move(read.origins);
   if (read.rule_matters && !config.mixing_given)
     throw Error(
-        "the file leaves pairs of unlike sites to a rule that it does not tell; write for example "
-        "mixing = \"geometric\" in [forces], which is LAMMPS's default",
+        "the file does not give the mixing rule for unlike sites; write for example mixing = "
+        "\"geometric\" in [forces], the default of LAMMPS",
         config.system.topology.file);
   if (read.rule_is_open) read.mixing.rule = config.forces.mixing.rule;
   std::vector<PairOverride>& pairs = read.mixing.pairs;
@@ -39,7 +39,7 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   }
 }
 
-// To be called before anything is allocated per molecule.
+// Call it before anything is allocated per molecule.
 void check_size(const Topology& topology) {
   check_count(topology);
   // Numbers stored by state, bodies, forces and list (without partners): per body, and per site.
@@ -66,7 +66,7 @@ State lattice_start(const Config& config, const Topology& topology) {
   return lattice(topology, box, s.seed);
 }
 
-// The centre of mass comes to rest.
+// The centre of mass is brought to rest.
 void bring_to_rest(System& system) {
   const Vec3<double> velocity = remove_total_momentum(system.state, system.bodies);
   system.removed_velocity = norm(velocity);

@@ -18,22 +18,23 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
                                molecule.sites.size(), printable(system.origins[k])));
   }
   if (system.fit_deviation > 1e-4)
-    callbacks.note(fmt::format("note: atoms of the start lay up to {:.4f} nm from the rigid models",
-                               system.fit_deviation));
+    callbacks.note(fmt::format(
+        "note: atoms of the initial configuration deviate by up to {:.4f} nm from the rigid models",
+        system.fit_deviation));
   if (system.massless_deviation > std::max(1e-3, 2 * system.fit_deviation))
-    callbacks.note(fmt::format(
-        "note: massless sites of the start lay up to {:.4f} nm from where the models have "
-        "them, and are placed there",
-        system.massless_deviation));
+    callbacks.note(
+        fmt::format("note: massless sites of the initial configuration deviate by up to {:.4f} nm "
+                    "from the models and are placed according to them",
+                    system.massless_deviation));
   if (system.removed_temperature > 1e-4)
-    callbacks.note(fmt::format(
-        "note: the start moved as a whole at {:.4g} nm/ps, which counted as {:.4g} K; its "
-        "total momentum is removed",
-        system.removed_velocity, system.removed_temperature));
+    callbacks.note(
+        fmt::format("note: the centre of mass of the initial configuration moves at {:.4g} nm/ps, "
+                    "which amounts to {:.4g} K; the total momentum is removed",
+                    system.removed_velocity, system.removed_temperature));
   if (degrees_of_freedom(system.topology).all() == 0)
-    callbacks.note(fmt::format(
-        "note: a single atom rests in its own frame and has no degrees of freedom, so it "
-        "has no temperature"));
+    callbacks.note(
+        fmt::format("note: a single atom without total momentum has no degrees of freedom, so it "
+                    "has no temperature"));
 }
 
 void note_forces(const System& system, const Callbacks& callbacks) {

@@ -26,12 +26,14 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
   if (from) {
     system.state = from->state;
     done = from->equilibrated.value();
-    forces.resume_from(from->list);
+    forces.resume_from(from->list, system.state.box);
   }
   while (done < length) {
-    RunState here;  // a piece that is not finished is done again
+    RunState here;  // an unfinished piece is repeated
     if (watch.checkpoint)
-      here = {.state = system.state, .equilibrated = done, .list = forces.list_memory()};
+      here = {.state = system.state,
+              .equilibrated = done,
+              .list = forces.list_memory(system.state.box)};
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
     const Trajectory part = run_trajectory(

@@ -13,15 +13,15 @@
 namespace polhode {
 namespace {
 
-constexpr double max_steps = 0x1p53;  // that a double counts
+constexpr double max_steps = 0x1p53;  // whose steps a double can count
 
 }  // namespace
 
 std::size_t TrajectorySettings::steps() const {
   if (!(length / step <= max_steps))
     throw Error(
-        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; there may be {:.3g} at most, as "
-                    "the time of later ones could not be told apart: ask for a shorter length",
+        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
+                    "which the times of steps could not be distinguished; take a shorter length",
                     length, step * 1000, length / step, max_steps));
   return static_cast<std::size_t>(std::llround(length / step));
 }
@@ -39,23 +39,26 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
 bool TrajectorySettings::has_shadow() const {
   constexpr double rounding = 1e-12;  // of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
-  return !inner && scheme.palindromic() && std::hypot(terms.alpha, terms.beta) > rounding;
+  return !inner && !scheme.has(Flow::bath) && scheme.palindromic() &&
+         std::hypot(terms.alpha, terms.beta) > rounding;
 }
 
 void TrajectorySettings::check_shadow() const {
   if (shadow_sample == 0 || has_shadow()) return;
   if (inner)
     throw Error(fmt::format(
-        "shadow_sample is {:g} fs, but the shadow energy of {} has brackets of near and slow "
-        "forces, which are not measured; leave it out, or take a single scheme, as hoa2",
+        "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
+        "forces, which are not measured; leave it out, or take a single scheme, such as hoa2",
         shadow_sample * 1000, name_of({scheme, inner})));
-  throw Error(fmt::format(
-      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, as "
-      "hoa2",
-      shadow_sample * 1000, scheme.name(),
-      scheme.palindromic()
+  const char* const reason =
+      scheme.has(Flow::bath) ? "a bath, which changes the energy"
+      : scheme.palindromic()
           ? "no error of order h², so its shadow energy is the energy itself to that order"
-          : "an error of order h, since its stages are no palindrome"));
+          : "an error of order h, since its stages are not a palindrome";
+  throw Error(fmt::format(
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, "
+      "such as hoa2",
+      shadow_sample * 1000, scheme.name(), reason));
 }
 
 TrajectorySettings trajectory_settings(const Config& config, double stretch) try {
@@ -70,9 +73,9 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) try
                               .seed = config.system.seed,
                               .stretch = stretch};
   if (settings.length < settings.step * (1 - 1e-9))
-    throw Error(
-        fmt::format("length {:g} fs is shorter than the step of {:g} fs; ask for one step at least",
-                    settings.length * 1000, settings.step * 1000));
+    throw Error(fmt::format(
+        "length {:g} fs is shorter than the step of {:g} fs; it must be at least one step",
+        settings.length * 1000, settings.step * 1000));
   settings.steps();
   constexpr double steps_per_shadow = 100;  // costs about 1 % of a run
   settings.shadow_sample = config.run.shadow_sample.value_or(

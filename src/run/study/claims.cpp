@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-/// Of a normal law, within which 95 % lie: an interval of two standard errors on either side.
+/// The 95 % interval of a normal distribution: two standard errors on either side.
 constexpr double two_sided = 1.96;
 
 Estimate operator*(double factor, const Estimate& x) {
@@ -30,7 +30,7 @@ Verdict worst(Verdict a, Verdict b) {
                                                             : Verdict::reproduced;
 }
 
-/// Whether R, with its error, lies above a limit: reproduced if it does, not if it lies below.
+/// Whether R, with its error, is above a limit: reproduced if it is, not reproduced if it is below.
 Verdict above(const Estimate& R, double limit) {
   if (R.value - two_sided * R.error > limit) return Verdict::reproduced;
   return R.value + two_sided * R.error < limit ? Verdict::not_reproduced : Verdict::undecided;
@@ -57,8 +57,8 @@ Verdict runs_above(const Curve& c, double limit) {
                                                                            : Verdict::undecided;
 }
 
-/// More runs see smaller drifts, so curves are compared only where the points about their ends have
-/// the same number of them.
+/// More runs see smaller drifts, so curves are compared only if the points around their ends have
+/// the same number of runs.
 bool equal_runs(const std::vector<const Curve*>& curves) {
   std::set<int> runs;
   for (const Curve* c : curves)
@@ -94,7 +94,7 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
   if (!verlet || !hoa2 || !gier4) return {};
   std::vector<Claim> claims;
 
-  // Costs are compared along the whole curves; where they end by drift is a claim of its own.
+  // Costs are compared along the whole curves; where they end by drift is a separate claim.
   const Curve v_curve = regardless_of_drift(*verlet), h_curve = regardless_of_drift(*hoa2);
   for (const double R : {0.01, 0.007, 0.004}) {
     const auto v = cost_at(v_curve, R), h = cost_at(h_curve, R);

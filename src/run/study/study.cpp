@@ -80,14 +80,13 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
   return run;
 }
 
-// A record knows runs by scheme and step: each once.
+// Records identify runs by scheme and step, so each must be unique.
 void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   for (const StudyPoint& other : points)
     if (other.name == point.name && same(other.step, point.step))
-      throw Error(
-          fmt::format("the study has {} with a step of {:g} fs twice; name each scheme and each "
-                      "step once",
-                      point.name, 1000 * point.step));
+      throw Error(fmt::format(
+          "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
+          point.name, 1000 * point.step));
   points.push_back(point);
 }
 
@@ -107,7 +106,7 @@ class StudyJobs {
     for (const StudyPoint& point : study_points(config.study))
       for (int r = 0; r < config.study.runs; ++r)
         if (!contains(steps_done[{point.name, r}], point.step)) add({point, r});
-    // The most expensive first, so that the last ones to end are short.
+    // The most expensive first, so that the last ones are short.
     std::stable_sort(jobs_.begin(), jobs_.end(),
                      [](const Job& a, const Job& b) { return a.work() > b.work(); });
   }
@@ -141,7 +140,7 @@ class StudyJobs {
     work_ += job.work() * config_.study.length;
   }
 
-  /// Force evaluations for a start, in steps of 1 fs.
+  /// Force evaluations for an initial configuration, in steps of 1 fs.
   double preparation() const { return 1000 * config_.study.decorrelate; }
 
   void prepare_starts(const System& base) {
@@ -158,7 +157,7 @@ class StudyJobs {
     const auto start = static_cast<std::size_t>(job.start);
     const StudyRun run = one_run(starts_[start], start, job.point, config_,
                                  near_weights_.at(job.point.name), callbacks_);
-    if (callbacks_.stopped()) return;  // the run may have been cut short
+    if (callbacks_.stopped()) return;  // the run may be incomplete
     {
       const std::lock_guard lock(guard_);
       finished_(run);

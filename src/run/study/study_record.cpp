@@ -56,13 +56,13 @@ std::size_t columns(std::string_view head, const Lines& lines) {
       count == fourth_fields || count == fields)
     return count;
   lines.refuse(
-      fmt::format("the record has {} columns, but records of runs have {}, {}, {}, {} or {}; it "
-                  "is of a later version, so give another --output, or --force to start anew",
+      fmt::format("the record has {} columns, but records of runs have {}, {}, {}, {} or {}; it is "
+                  "of a later version, so give another --output, or start over with --force",
                   count, first_fields, second_fields, third_fields, fourth_fields, fields));
 }
 
 constexpr const char* remedy =
-    "; delete the line, and its run is done again, or give --force to start anew";
+    "; delete the line, so that its run is repeated, or start over with --force";
 
 /// The fields of a line, separated by semicolons.
 class Fields {
@@ -81,7 +81,7 @@ class Fields {
   double number(std::size_t k, const char* what) const {
     const auto value = parsed<double>(field_[k]);
     if (!value || !std::isfinite(*value))
-      refuse(fmt::format("'{}' stands where the {} must be a finite number", field_[k], what));
+      refuse(fmt::format("found '{}' where the {} must be a finite number", field_[k], what));
     return *value;
   }
   double amount(std::size_t k, const char* what) const {
@@ -92,13 +92,12 @@ class Fields {
   int index(std::size_t k, const char* what) const {
     const auto value = parsed<int>(field_[k]);
     if (!value || *value < 0)
-      refuse(
-          fmt::format("'{}' stands where the {} must be a whole number from 0", field_[k], what));
+      refuse(fmt::format("found '{}' where the {} must be a whole number from 0", field_[k], what));
     return *value;
   }
   bool yes(std::size_t k, const char* what) const {
     if (field_[k] != "0" && field_[k] != "1")
-      refuse(fmt::format("'{}' stands where {} must be 1 or 0", field_[k], what));
+      refuse(fmt::format("found '{}' where {} must be 1 or 0", field_[k], what));
     return field_[k] == "1";
   }
 
@@ -120,7 +119,7 @@ StudyRun record_run(const Fields& line, std::size_t count) {
   run.drift = line.number(5, "drift");
   run.total = line.amount(6, "fluctuation of the total energy");
   run.potential = line.amount(7, "fluctuation of the potential energy");
-  // Without forces there is no R to read: nothing over nothing.
+  // Without forces R is 0/0 and is not read.
   run.ratio = run.potential > 0 ? line.amount(4, "R") : std::nan("");
   run.temperature = line.amount(8, "temperature");
   if (count >= second_fields) run.rounding = line.amount(9, "R of rounding");
@@ -160,11 +159,12 @@ std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
       continue;
     }
     if (count == 0)
-      lines.refuse("the line that names the columns is missing; give --force to start anew");
+      lines.refuse("the line with the column names is missing; start over with --force");
     const Fields fields(*line, count, lines);
     StudyRun run = record_run(fields, count);
     if (!met.emplace(run.scheme, run.step, run.start).second)
-      fields.refuse("the line has the scheme, the step and the start of one above");
+      fields.refuse(
+          "the line has the same scheme, step and initial configuration as an earlier one");
     runs.push_back(std::move(run));
   }
   return runs;
@@ -182,10 +182,11 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
                                         const Provenance& provenance) {
   return read_runs(in, path, [&](std::string_view head, Lines& lines) {
     if (head != identity_line(provenance))
-      lines.refuse(fmt::format(
-          "'{}' holds the runs of another study, or of a version of polhode with other starts; "
-          "give another --output, --force to start anew, or --from-record for its tables",
-          path));
+      lines.refuse(
+          fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
+                      "other initial configurations; give another --output, --force to start over, "
+                      "or --from-record for its tables",
+                      path));
   });
 }
 
@@ -204,7 +205,7 @@ StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, 
     known_ = read_study_record(in, path, provenance);
   }
   write_file(path, [&](std::ostream& out) {
-    out << fmt::format("{}\n# polhode {}, target {}\n{}\n", identity_line(provenance),
+    out << fmt::format("{}\n# polhode {}, instruction set {}\n{}\n", identity_line(provenance),
                        provenance.version, provenance.instruction_set, record_head);
     for (const StudyRun& run : known_) out << record_line(run) << '\n';
   });
@@ -213,7 +214,7 @@ StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, 
 
 void StudyRecord::add(const StudyRun& run) {
   out_ << record_line(run) << std::endl;
-  if (!out_) throw RunError("'" + path_ + "' could not be written to; is the disk full?");
+  if (!out_) throw RunError("'" + path_ + "' could not be written; is the disk full?");
 }
 
 }  // namespace polhode

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
@@ -43,22 +44,23 @@ Table point_table(const StudyReport& report) {
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      table.rows.push_back({p.scheme, p.step * 1000, p.cost, static_cast<double>(p.runs),
-                            p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value,
-                            p.ratio.error, p.drift.rate.value, p.drift.rate.error, p.drift.p_value,
-                            p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
+      table.rows.push_back({p.scheme, p.step * units::fs_per_ps, p.cost,
+                            static_cast<double>(p.runs), p.stable ? 1.0 : 0.0,
+                            i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
+                            p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.temperature,
+                            p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
       add_excesses(table.rows.back(), p);
     }
   return table;
 }
 
 nlohmann::json as_json(const EfficiencyPoint& p, bool usable) {
-  const auto error_of = [&](const Estimate& e) {  // one run tells none
+  const auto error_of = [&](const Estimate& e) {  // not known from one run
     return p.runs > 1 && std::isfinite(e.error) ? nlohmann::json(e.error) : nlohmann::json();
   };
   nlohmann::json json{
       {"scheme", p.scheme},
-      {"step_fs", p.step * 1000},
+      {"step_fs", p.step * units::fs_per_ps},
       {"force_evaluations_per_ps", p.cost},
       {"runs", p.runs},
       {"stable", p.stable},
@@ -82,7 +84,7 @@ nlohmann::json as_json(const Guideline& line, const std::vector<Curve>& curves) 
     if (line.costs[c])
       row["costs"][curves[c].scheme] = {{"force_evaluations_per_ps", line.costs[c]->cost},
                                         {"error", line.costs[c]->error},
-                                        {"step_fs", line.costs[c]->step * 1000},
+                                        {"step_fs", line.costs[c]->step * units::fs_per_ps},
                                         {"extrapolated", line.costs[c]->extrapolated},
                                         {"max_step_without_drift", line.costs[c]->at_max_step}};
   if (line.best) row["best"] = curves[*line.best].scheme;
@@ -123,9 +125,9 @@ void check_lengths(const Config& config, const std::vector<StudyPoint>& points) 
   for (const StudyPoint& point : points)
     if (config.study.length < 10 * point.step)
       throw Error(
-          fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs; R needs "
-                      "more, so ask for longer runs, or leave out long steps",
-                      config.study.length * 1000, point.step * 1000),
+          fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs, too few "
+                      "for R; take longer runs, or leave out long steps",
+                      config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
           config.source);
 }
 
@@ -135,10 +137,10 @@ StudyReport report_of(Config config, const System& system, const std::vector<Stu
                       const Callbacks& callbacks) {
   const std::vector<StudyRun> counted = runs_of_starts(runs, config.study.runs);
   if (counted.size() < runs.size())
-    callbacks.note(
-        fmt::format("the tables are of the first {} starts; {} runs from later ones are left out",
-                    config.study.runs, runs.size() - counted.size()));
-  config.forces.mixing = system.forces.mixing;  // a topology file tells it
+    callbacks.note(fmt::format(
+        "the tables use the first {} initial configurations; {} runs from later ones are left out",
+        config.study.runs, runs.size() - counted.size()));
+  config.forces.mixing = system.forces.mixing;  // known after the topology file is read
   StudyReport report(config, efficiency_points(study_points(config.study), counted));
   write_study(files, report, provenance, callbacks);
   return report;
@@ -150,11 +152,10 @@ std::string conditions(const Config& config) {
   const ForceSettings& f = config.forces;
   const std::string mixing = description(f.mixing);
   return fmt::format(
-      "{}, switched from {:g} to {:g} nm (class C{}){}, start {}; at most {} "
-      "runs of {:g} ps from starts prepared for {:g} ps at {:g} K, the same for every scheme; "
-      "energies at least every 2.5 fs or every "
-      "step; "
-      "drift significant below a chance of {:g}",
+      "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
+      "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
+      "every scheme; energies at least every 2.5 fs or every step; drift significant below a "
+      "p-value of {:g}",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,
@@ -174,11 +175,11 @@ StudyReport::StudyReport(const Config& config_used,
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
   if (!line.best)
-    return fmt::format("no scheme reaches R = {:g} % here without drift", 100 * ratio);
+    return fmt::format("no scheme reaches R = {:g} % for this system without drift", 100 * ratio);
   const CostAtRatio& best = *line.costs[*line.best];
-  std::string text =
-      fmt::format("for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps",
-                  100 * ratio, report.curves[*line.best].scheme, best.step * 1000, best.cost);
+  std::string text = fmt::format(
+      "for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps", 100 * ratio,
+      report.curves[*line.best].scheme, best.step * units::fs_per_ps, best.cost);
   for (std::size_t c = 0; c < report.curves.size(); ++c)
     if (report.curves[c].scheme == "velocity-verlet" && line.costs[c] && c != *line.best)
       text +=
@@ -209,20 +210,21 @@ StudyReport run_study(const Config& config, const std::string& prefix, const Out
 
   const StudyFiles files(prefix);
   const OutputLock lock(files.prefix + "-study.lock", callbacks);
-  // Results of a study that goes on are written again; those of another one are not touched.
+  // Results of a resumed study are overwritten; those of another one are not.
   if (!std::filesystem::exists(files.runs)) check_outputs(files.all(), options.existing);
   const Provenance made =
       provenance(options.command, study_identity(config, system), config.system.seed);
   StudyRecord record(files.runs, made, options.existing == ExistingFiles::replace);
   std::vector<StudyRun> runs = record.known();
-  callbacks.note(fmt::format(
-      "polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, target {}, threads {}",
-      made.version, system.topology.size(), points.size(), config.study.runs, config.study.length,
-      made.instruction_set, workers.threads()));
+  callbacks.note(
+      fmt::format("polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, instruction "
+                  "set {}, threads {}",
+                  made.version, system.topology.size(), points.size(), config.study.runs,
+                  config.study.length, made.instruction_set, workers.threads()));
   note_molecules(system, callbacks);
   note_forces(system, callbacks);
   if (!runs.empty())
-    callbacks.note(fmt::format("{} runs are known from {}", runs.size(), files.runs));
+    callbacks.note(fmt::format("{} runs are read from {}", runs.size(), files.runs));
 
   const auto keep = [&](const StudyRun& run) {
     record.add(run);

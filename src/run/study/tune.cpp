@@ -15,6 +15,7 @@
 #include "polhode/base/version.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
@@ -208,10 +209,10 @@ TuneSettings complete(TuneSettings settings, const Config& config) {
   if (settings.step == 0) settings.step = config.integrator.step;
   constexpr double min_repeats = 20;  // for covariances of three quantities
   if (settings.length < min_repeats * settings.sample)
-    throw Error(
-        fmt::format("length {:g} fs holds fewer than {:g} samples of the brackets, {:g} fs "
-                    "apart; ask for longer runs, or for a shorter --sample",
-                    settings.length * 1000, min_repeats, settings.sample * 1000));
+    throw Error(fmt::format(
+        "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; take "
+        "longer runs, or a shorter --sample",
+        settings.length * units::fs_per_ps, min_repeats, settings.sample * units::fs_per_ps));
   return settings;
 }
 
@@ -244,10 +245,10 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
   const TuneSettings settings = complete(given, config);
   const System base = build_system(config);
   callbacks.note(fmt::format(
-      "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure "
-      "and {} that confirm, target {}, threads {}",
-      version(), base.topology.size(), settings.step * 1000, settings.runs, settings.length,
-      settings.runs, name(current_instruction_set()), workers.threads()));
+      "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and {} that "
+      "confirm, instruction set {}, threads {}",
+      version(), base.topology.size(), settings.step * units::fs_per_ps, settings.runs,
+      settings.length, settings.runs, name(current_instruction_set()), workers.threads()));
   note_molecules(base, callbacks);
   note_forces(base, callbacks);
   Series series(config, settings, callbacks, workers, base);
@@ -264,7 +265,7 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
 
 std::string tune_json(const TuneResult& r) {
   return nlohmann::json{{"molecules", r.molecules},
-                        {"step_fs", r.settings.step * 1000},
+                        {"step_fs", r.settings.step * units::fs_per_ps},
                         {"runs", r.settings.runs},
                         {"length_ps", r.settings.length},
                         {"rms_first_bracket_kJ_per_mol", rms_bracket(r.covariance.aa, r.settings)},

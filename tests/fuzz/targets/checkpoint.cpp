@@ -10,7 +10,8 @@ namespace {
 
 const polhode::ProgramVersion program{"1", "scalar"};
 
-// Bytes as what a checkpoint holds, below its seal: the checksum refuses nearly all other changes.
+// The bytes are the contents of a checkpoint with a valid checksum, which would reject nearly all
+// other changes.
 std::string sealed(std::string_view bytes) {
   std::ostringstream out;
   polhode::CheckpointWriter writer(out, program);
@@ -23,7 +24,7 @@ std::string sealed(std::string_view bytes) {
   return std::move(out).str();
 }
 
-// Errors of checkpoints name the file in their text: they are told one after the other.
+// Errors of checkpoints name the file in their text.
 void parse(std::string bytes) {
   const std::string file = "fuzz.bin";
   try {

@@ -8,7 +8,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/table_file.hpp"
 
-// A table that is gone on with: a file, here one in memory.
+// A table that is extended: a file, here one in memory.
 void polhode::fuzz::read(std::string_view text) {
   const int descriptor = memfd_create("fuzz", 0);
   const std::string path = "/proc/self/fd/" + std::to_string(descriptor);

@@ -7,6 +7,7 @@
 
 #include "polhode/forces/laws/mixing.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
+#include "polhode/model/box.hpp"
 
 namespace polhode {
 
@@ -49,8 +50,11 @@ struct ForceSettings {
   /// For PME: rms error of the electrostatic forces relative to their rms.
   double pme_accuracy = 1e-4;
   double damping = 2;  ///< of the damped shifted force: α [1/nm]
-  /// For PME: the mesh; if not set, the cheapest one of that accuracy.
+  /// For PME: the mesh; if not set, the cheapest one of that accuracy is chosen for each box.
   std::optional<MeshSettings> mesh{};
+  /// The box for which the mesh was chosen; not set for a mesh that was given, which is kept in
+  /// every box.
+  std::optional<Box> mesh_chosen_for{};
   /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
   /// density of sites.
   bool dispersion_correction = false;

@@ -11,8 +11,7 @@ namespace polhode {
 /// The Lennard-Jones energy missing beyond the switch [kJ/mol], for a uniform density of sites
 /// there: Σ 2π N_a N_b/V ∫ (1 − w(r)) u(r) r² dr over ordered pairs of sites [allen2017, section
 /// 2.8]. It scales as 1/V, so its virial is isotropic.
-///
-/// @throws Error  for a shifted law, which changes the energy at short distances as well
+/// Meaningless for a shifted law, which changes the energy at short distances as well.
 double dispersion_tail(const Topology& topology, const ForceSettings& settings, const Box& box);
 
 }  // namespace polhode

@@ -14,6 +14,8 @@ struct MeshSettings {
   int order = 5;                                  ///< of the B-splines
   int exponent = 6;                               ///< m of the split
   double cutoff = 1.0;                            ///< a of the split [nm]
+
+  friend bool operator==(const MeshSettings&, const MeshSettings&) = default;
 };
 
 }  // namespace polhode

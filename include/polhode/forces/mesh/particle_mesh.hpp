@@ -5,6 +5,7 @@
 // force does.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -44,6 +45,9 @@ class ParticleMesh {
                Workers& workers = Workers::serial());
   ~ParticleMesh();
 
+  /// Sets another box, for the same grid points, and forgets the potential.
+  void set_box(const Box& box);
+
   /// Adds forces and torques to `sums`, one record per slot as in ChunkSums; computes the energy
   /// and the virial if requested. Bitwise identical for any number of threads. Does not allocate.
   MeshLoad operator()(const Slots& slots, const SiteRecords<T>& records, T* sums, bool energies);
@@ -74,11 +78,15 @@ class ParticleMesh {
     std::vector<std::uint64_t> touched;  // for each plane of the centre: groups of planes its
                                          // charges can touch
   };
+  // Planes are tracked in groups, each of them a bit of a word.
+  std::size_t groups() const { return std::min<std::size_t>(settings_.points[2], 64); }
   struct Axis {
     std::vector<double> k, odd;  // wave number; odd: the same, but 0 where k and −k are the same
                                  // wave
   };
+  void make_slabs();
   void make_influence();
+  void find_touched_planes();
   void find_extents(const Slots& slots, const SiteRecords<T>& records);
   // With displacements, spreads the derivative of the charges.
   void spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
@@ -92,7 +100,7 @@ class ParticleMesh {
 
   Workers& workers_;
   MeshSettings settings_;
-  Box box_;
+  Box box_{};
   std::vector<Part> parts_;
   std::unique_ptr<Field> field_;
   std::unique_ptr<Field> derivative_;  // of the field; allocated when it is first requested

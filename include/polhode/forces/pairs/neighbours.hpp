@@ -87,6 +87,11 @@ class NeighbourList {
   ///                  has more bodies than the list can address
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box);
 
+  /// Sets another box, with the topology and settings of the constructor. The list has to be built
+  /// before it is used again.
+  /// @throws Error  if the box is too small; the list is then unchanged
+  void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
+
   /// Rebuilds the list from the positions, with rows in packs of `width` pairs.
   /// @throws RunError  if a position is not finite
   void build(const State& state, std::size_t width, Workers& workers = Workers::serial());
@@ -97,7 +102,7 @@ class NeighbourList {
 
   /// Squared displacement since the last build up to which the list is valid [nm²].
   double allowed2() const { return allowed2_; }
-  /// The pack width it was built for; 0 before the first build.
+  /// The pack width it was built for; 0 before the first build in the present box.
   std::size_t width() const { return width_; }
 
   std::size_t rebuilds() const { return rebuilds_; }
@@ -105,7 +110,9 @@ class NeighbourList {
   double seconds() const { return seconds_; }  ///< wall-clock time spent in build()
 
  private:
-  Box box_;
+  void reserve_rows();
+
+  Box box_{};
   std::vector<PairRange> ranges_;  // [part a, part b]
   double range_ = 0;               // largest listed distance [nm]
   double allowed2_ = 0;

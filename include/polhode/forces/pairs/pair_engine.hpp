@@ -23,7 +23,13 @@ class PairEngine {
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers);
 
-  /// Forces and torques of a state; energies and virial too if `energies`, otherwise 0. With PME
+  /// Sets another box, with the topology and settings of the constructor, of which only the mesh
+  /// may differ.
+  /// @throws Error  if the box is too small
+  void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
+
+  /// Forces and torques of a state, whose box must be the one that was set; energies and virial too
+  /// if `energies`, otherwise 0. With PME
   /// the settings must contain a mesh; terms that do not depend on positions are not included.
   void operator()(const State& state, Load& load, bool energies);
 

@@ -6,33 +6,15 @@
 #include <cmath>
 
 #include "polhode/rotor/scaled_top.hpp"
+#include "polhode/rotor/small_angle.hpp"
 
 namespace polhode {
-
-/// sin x and cos x.
-template <class Real>
-struct SineCosine {
-  Real sine, cosine;
-};
 
 /// sin and cos for |x| ≤ 0.3 by Taylor series with a truncation error below 3e-17; used by packs.
 template <class Real>
 SineCosine<Real> small_sine_cosine(Real x) {
-  const Real x2 = x * x;
-  const auto c = [](double divisor) { return constant<Real>(1 / divisor); };
-  const Real one(1);
-  const Real sine =
-      one - x2 * c(2 * 3) *
-                (one - x2 * c(4 * 5) *
-                           (one - x2 * c(6 * 7) * (one - x2 * c(8 * 9) * (one - x2 * c(10 * 11)))));
-  const Real cosine =
-      one -
-      x2 * c(1 * 2) *
-          (one - x2 * c(3 * 4) *
-                     (one - x2 * c(5 * 6) *
-                                (one - x2 * c(7 * 8) *
-                                           (one - x2 * c(9 * 10) * (one - x2 * c(11 * 12))))));
-  return {x * sine, cosine};
+  const SineCosine<Real> f = taylor_sine_cosine<5, 6>(x * x);
+  return {x * f.sine, f.cosine};
 }
 
 /// The free rotation of quaternion q and its conjugate momentum p = 2 q (0, L) over a step t: e^{z

@@ -45,7 +45,7 @@ std::string bound_text(Quality quality, double bound);
 /// "an R of at most 0.5 %".
 std::string description(const Criterion& criterion);
 
-/// Why there is no answer, and what to ask for instead.
+/// Why no scheme was found, and what to change.
 std::string unreachable(const Advice& advice, const Criterion& criterion);
 
 /// "hoa2 at 4.52 fs, R = 0.44 ± 0.01 % in 8 independent runs of 15 ps"

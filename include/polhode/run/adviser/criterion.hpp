@@ -41,13 +41,13 @@ struct Criterion {
 };
 
 /// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
-/// meet it. With a chance of 0.975 for each, fewer than 95 of 100 do so once in 20 times.
+/// meet it. With a probability of 0.975 for each, fewer than 95 of 100 do so once in 20 times.
 inline constexpr double guarantee_probability = 0.975;
 
 /// What the quality stays below with guarantee_probability. For R it is that of a fresh run; a
 /// drift or a bias is a property of scheme and step that a single run is too noisy to show, so it
 /// is that of the mean over all runs that there could be. The bias is the largest of several, and
-/// each has its share of the chance to be wrong. Infinite if a run blew up.
+/// each has its share of the error probability. Infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
 /// The least upper_bound() of R that runs over a part of their length leave to hope for over the
@@ -60,7 +60,7 @@ double optimistic_bound(const std::vector<Outcome>& runs, double part);
 /// drift and a bias parts of runs say too little.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
-/// Whether a run blew up, or the energies drift: as in a study, by a chance below
+/// Whether a run blew up, or the energies drift: as in a study, with a p-value below
 /// `significance_level`.
 bool drifts(const std::vector<Outcome>& runs, double significance_level = significance);
 bool blew_up(const std::vector<Outcome>& runs);

@@ -43,8 +43,6 @@ class StepModel {
   /// The largest step, up to `longest`, with a bound of at most that R.
   double max_step(double ratio, double probability, double limit) const;
 
-  double scatter() const { return scatter_; }  ///< of log R of a single run
-
  private:
   struct Line {
     double at_mean = 0, slope = 0;  ///< of log R − p log h at the mean h², and as a function of h²

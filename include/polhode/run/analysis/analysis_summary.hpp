@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/forces/laws/settings.hpp"
+#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/run/analysis/analysis.hpp"
 
 namespace polhode {

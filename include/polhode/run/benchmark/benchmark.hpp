@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/io/output_units.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/run/benchmark/peak_performance.hpp"
 #include "polhode/run/callbacks.hpp"
@@ -38,7 +39,7 @@ struct StepTiming {
                                                                ///< parts
   double forces = 0, list = 0, drift = 0, kick = 0, rest = 0;  ///< [s]
   double rebuilds = 0;                                         ///< of the list, per step
-  double ns_per_day() const { return step / 1000 / all.best * 86400; }
+  double ns_per_day() const { return step / units::ps_per_ns / all.best * units::seconds_per_day; }
 };
 
 /// One system size in one precision with one number of threads.

@@ -36,7 +36,7 @@ struct TrajectorySettings {
 };
 
 /// The trajectory of a run file.
-/// @param stretch  over which R is found as well [ps]; 0: none
+/// @param stretch  length of the stretches for which R is computed as well [ps]; 0: none
 /// @throws Error  with the run file: if the length is shorter than a step, or of too many steps, or
 ///                if a shadow energy is wanted of a scheme that has none
 TrajectorySettings trajectory_settings(const Config& config, double stretch = 0);

@@ -3,24 +3,14 @@
 
 #include <fftw3.h>
 
-#include <algorithm>
-
 #include "fourier_plans.hpp"
+#include "smooth_size.hpp"
 
 namespace polhode {
 namespace {
 
 fftw_complex* library(std::complex<double>* waves) {
   return reinterpret_cast<fftw_complex*>(waves);
-}
-
-std::size_t smooth_size(std::size_t min_length) {
-  for (std::size_t n = min_length;; ++n) {
-    std::size_t rest = n;
-    for (const std::size_t prime : {2U, 3U, 5U, 7U})
-      while (rest % prime == 0) rest /= prime;
-    if (rest == 1) return n;
-  }
 }
 
 }  // namespace
@@ -44,8 +34,7 @@ struct RealTransform::Plans {
 };
 
 RealTransform::RealTransform(std::size_t min_length)
-    : size_(smooth_size(std::max<std::size_t>(min_length, 1))),
-      plans_(std::make_unique<Plans>(size_)) {}
+    : size_(smooth_size(min_length)), plans_(std::make_unique<Plans>(size_)) {}
 
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// With FFTW. Its plans are estimated, not measured, so that they are the same in every run.
 #include "grid_transform.hpp"
 
 #include <fftw3.h>
@@ -6,7 +7,6 @@
 #include <mutex>
 
 #include "../../math/fourier_plans.hpp"
-#include "../pairs/cache_lines.hpp"
 
 namespace polhode {
 namespace {
@@ -85,9 +85,6 @@ struct GridTransform<T>::Plans {
 template <class T>
 GridTransform<T>::GridTransform(MeshGrid<T>& grid)
     : grid_(grid),
-      row_(spread_lines<T>(2 * (grid.points[0] / 2 + 1))),
-      plane_(odd_lines<T>(row_ * grid.points[1])),
-      waves_(plane_ * grid.points[2]),
       plans_(std::make_unique<Plans>(grid, grid.values.data(), row_, plane_, waves_.data())) {}
 
 template <class T>

@@ -1,8 +1,8 @@
-# Restyle this and run it again: gnuplot draws family.svg.
+# Restyle this and run it again: gnuplot draws all-schemes.svg.
 set encoding utf8
 set minussign
 set terminal svg size 1350,460 dynamic enhanced font "Helvetica,13" background "white"
-set output "family.svg"
+set output "all-schemes.svg"
 set border 3 linewidth 1 linecolor "#404040"
 set tics nomirror out scale 0.6 textcolor "#404040"
 set grid linewidth 0.5 linecolor "#e4e4e4"

@@ -44,20 +44,20 @@ class PaperFigure(unittest.TestCase):
         else:
             self.assertEqual(a, b, what)
 
-    def test_the_kept_table(self):
-        kept = rows(FIGURE / "figure1.csv")
-        self.assertEqual(len(kept), len(self.points))
-        for old, new in zip(kept, self.points):
+    def test_the_stored_table(self):
+        stored = rows(FIGURE / "figure1.csv")
+        self.assertEqual(len(stored), len(self.points))
+        for old, new in zip(stored, self.points):
             for column, value in old.items():
                 if column == "scheme" or value == "":
                     self.assertEqual(value, new[column])
                 else:
                     self.close(float(value), float(new[column]), column)
 
-    def test_the_kept_claims(self):
-        kept = json.loads((FIGURE / "figure1.json").read_text(encoding="utf-8"))
-        self.assertEqual(len(kept["claims"]), len(self.report["claims"]))
-        for old, new in zip(kept["claims"], self.report["claims"]):
+    def test_the_stored_claims(self):
+        stored = json.loads((FIGURE / "figure1.json").read_text(encoding="utf-8"))
+        self.assertEqual(len(stored["claims"]), len(self.report["claims"]))
+        for old, new in zip(stored["claims"], self.report["claims"]):
             self.assertEqual(old["verdict"], new["verdict"], old["claim"])
             self.assertEqual(old["claim"], new["claim"])
 
@@ -79,15 +79,15 @@ class PaperFigure(unittest.TestCase):
         self.assertEqual(said, [re.match("not reproduced|reproduced|not decided", c["verdict"])[0] for c in self.report["claims"]])
 
 
-class Family(unittest.TestCase):
+class AllSchemes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.kept = json.loads((ROOT / "bench/results/2026-11-21-family.json").read_text(encoding="utf-8"))
-        cls.page = (ROOT / "docs/family.md").read_text(encoding="utf-8")
+        cls.stored = json.loads((ROOT / "bench/results/2026-11-21-all-schemes.json").read_text(encoding="utf-8"))
+        cls.page = (ROOT / "docs/all-schemes.md").read_text(encoding="utf-8")
 
     def test_the_record_and_the_page_name_the_number_of_runs_that_the_points_have(self):
-        for system, of in self.kept["systems"].items():
-            command, = (c for c in self.kept["conditions"] if f"--systems {system} " in c)
+        for system, of in self.stored["systems"].items():
+            command, = (c for c in self.stored["conditions"] if f"--systems {system} " in c)
             self.assertTrue(command in self.page, command)
             runs = int(re.search(r"--runs (\d+)", command)[1])
             self.assertEqual({p["runs"] for p in of["points"]}, {runs}, system)
@@ -95,9 +95,9 @@ class Family(unittest.TestCase):
     def test_the_ranking_and_the_page_are_what_the_points_say(self):
         listed = subprocess.run([PROGRAM, "schemes", "--json"], text=True, capture_output=True, check=True).stdout
         orders = {s["name"]: s["order"] for s in json.loads(listed)}
-        again = {system: {"ranking": all_schemes.ranking(of["points"], orders)} for system, of in self.kept["systems"].items()}
-        self.assertEqual(all_schemes.tables({"systems": again}), all_schemes.tables(self.kept))
-        self.assertTrue(all_schemes.tables(self.kept).strip() in self.page, "docs/family.md has other tables")
+        again = {system: {"ranking": all_schemes.ranking(of["points"], orders)} for system, of in self.stored["systems"].items()}
+        self.assertEqual(all_schemes.tables({"systems": again}), all_schemes.tables(self.stored))
+        self.assertTrue(all_schemes.tables(self.stored).strip() in self.page, "docs/all-schemes.md has other tables")
 
 
 if __name__ == "__main__":
@@ -105,4 +105,4 @@ if __name__ == "__main__":
     parser.add_argument("--program", type=Path, required=True)
     options, rest = parser.parse_known_args()
     PROGRAM = options.program.resolve()
-    unittest.main(argv=["kept_results", *rest])
+    unittest.main(argv=["stored_results", *rest])

@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: MIT
+# The library: polhode::library.
+set(CMAKE_FIND_PACKAGE_TARGETS_GLOBAL ON)  # a project that this one is a part of links with them, too
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+find_package(hwy REQUIRED)
+find_package(Eigen3 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(nlohmann_json REQUIRED)
+include(cmake/hdf5.cmake)
+if(NOT TARGET polhode::hdf5)
+  message(FATAL_ERROR "hdf5.h and its library are not there; install them (Debian: libhdf5-dev)")
+endif()
+include(cmake/fft.cmake)
+include(cmake/kernels.cmake)
+include(cmake/embed.cmake)
+
+file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
+polhode_choose_fft(sources)
+set(kernel_sources ${sources})
+list(FILTER sources EXCLUDE REGEX "/kernels/")
+list(FILTER kernel_sources INCLUDE REGEX "/kernels/")
+file(GLOB embedded CONFIGURE_DEPENDS data/molecules/*.toml data/start/*.gro data/runs/*.toml)
+polhode_embed(embedded_source ${embedded})
+
+add_library(polhode STATIC ${sources} ${embedded_source})
+add_library(polhode::library ALIAS polhode)
+target_compile_definitions(polhode PUBLIC ${missing_sets})
+# What is only headers has served when the library is built.
+target_link_libraries(polhode PUBLIC polhode_headers
+                      PRIVATE Threads::Threads fmt::fmt hwy::hwy tomlplusplus::tomlplusplus
+                              polhode::hdf5 ${fft_library}
+                              $<BUILD_INTERFACE:polhode_flags> $<BUILD_INTERFACE:Eigen3::Eigen>
+                              $<BUILD_INTERFACE:Boost::headers>
+                              $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+set_source_files_properties(src/base/version.cpp PROPERTIES
+                            COMPILE_DEFINITIONS POLHODE_VERSION="${PROJECT_VERSION}")
+polhode_compile_kernels(polhode ${kernel_sources})

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Flows for step() in an engine of your own: rigid bodies one by one, with nothing to write but the
+// forces. Header-only.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "polhode/integrate/rodrigues.hpp"
+#include "polhode/integrate/step.hpp"
+#include "polhode/rotor/free_rotation.hpp"
+
+namespace polhode {
+
+/// A rigid body. Any consistent units will do; ours are nm, ps, u.
+struct RigidBody {
+  double m = 1;                   ///< mass [u]
+  Vec3<double> J{1, 1, 1};        ///< principal moments of inertia [u nm²]; no two of them 0
+  Vec3<double> q{}, p{};          ///< centre of mass [nm] and momentum [u nm/ps], lab
+  Quaternion<double> attitude{};  ///< body → lab
+  Vec3<double> ell{};             ///< angular momentum about the centre [u nm²/ps], lab
+
+  /// Of translation and rotation [kJ/mol].
+  double kinetic_energy() const {
+    const Vec3<double> L = to_body(attitude, ell);
+    return norm2(p) / (2 * m) + dot(L, over_J(L)) / 2;
+  }
+  /// J⁻¹ v for a vector in the body frame; 0 along an axis without inertia.
+  Vec3<double> over_J(const Vec3<double>& v) const {
+    const auto over = [](double x, double moment) { return moment > 0 ? x / moment : 0; };
+    return {over(v.x, J.x), over(v.y, J.y), over(v.z, J.z)};
+  }
+};
+
+/// Force on a body [kJ/mol/nm] and torque about its centre of mass [kJ/mol], lab.
+struct BodyLoad {
+  Vec3<double> f{}, tau{};
+};
+
+/// The flows of some bodies. Forces are kept from one kick to the next where positions have not
+/// changed in between.
+/// @tparam Forces  callable as forces(std::span<const RigidBody>, std::span<BodyLoad>), which sets
+///                 the force and torque of every body
+template <class Forces>
+class BodyFlows {
+ public:
+  /// @param bodies  kept by reference; to be moved by the flows alone
+  /// @param lambda  for gradient kicks (vanzon2008, Eq. 6)
+  BodyFlows(std::span<RigidBody> bodies, Forces forces, double lambda = 1e-4)
+      : bodies_(bodies),
+        forces_(std::move(forces)),
+        lambda_(lambda),
+        load_(bodies.size()),
+        displaced_load_(bodies.size()),
+        displaced_(bodies.size()) {}
+
+  /// e^{At}: free flight and the exact free rotation (vanzon2008, Eq. 2).
+  void drift(double t) {
+    for (RigidBody& b : bodies_) {
+      b.q += (t / b.m) * b.p;
+      const Vec3<double> L = to_body(b.attitude, b.ell);
+      b.attitude = normalized(b.attitude * free_rotation(b.J, L, t).rotation);
+    }
+    current_ = false;
+  }
+
+  /// e^{Bt}: forces and torques act (vanzon2008, Eq. 3).
+  void kick(double t) {
+    if (!current_) {
+      forces_(std::span<const RigidBody>(bodies_), std::span(load_));
+      ++evaluations_;
+    }
+    current_ = true;
+    kick(t, load_);
+  }
+
+  /// e^{B̂(ξ)t}, always by finite difference (vanzon2008, Eqs. 4 to 7).
+  /// @param xi_h2  ξ h²
+  void kick(double t, double xi_h2, Gradient) {
+    kick(t);
+    const double c = 2 * xi_h2 * lambda_;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const RigidBody& b = displaced_[i] = bodies_[i];
+      const Vec3<double> turn = c * b.over_J(to_body(b.attitude, load_[i].tau));
+      displaced_[i].q += (c / b.m) * load_[i].f;
+      displaced_[i].attitude = normalized(b.attitude * rodrigues(turn));
+    }
+    forces_(std::span<const RigidBody>(displaced_), std::span(displaced_load_));
+    ++evaluations_;
+    kick(t / lambda_, displaced_load_);
+    kick(-t / lambda_, load_);
+  }
+
+  int evaluations() const { return evaluations_; }  ///< of the forces, so far
+
+ private:
+  void kick(double t, std::span<const BodyLoad> load) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      bodies_[i].p += t * load[i].f;
+      bodies_[i].ell += t * load[i].tau;
+    }
+  }
+
+  std::span<RigidBody> bodies_;
+  Forces forces_;
+  double lambda_;
+  std::vector<BodyLoad> load_, displaced_load_;
+  std::vector<RigidBody> displaced_;
+  bool current_ = false;  // load_ belongs to the current positions
+  int evaluations_ = 0;
+};
+
+}  // namespace polhode

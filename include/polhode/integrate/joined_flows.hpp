@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Flows that apply adjacent stages of one flow as one, within a step and from step to step.
+#pragma once
+
+#include <optional>
+
+#include "polhode/integrate/step.hpp"
+
+namespace polhode {
+
+/// Holds each drift or kick back until another flow follows, so that the last kick of a step and
+/// the first of the next are one: e^{Bs} e^{Bt} = e^{B(s + t)}. The state is synchronised after
+/// flush() only.
+template <Flows F>
+class JoinedFlows {
+ public:
+  /// @param flows        kept by reference
+  /// @param join_drifts  false for drifts that depend on how a time is divided, such as inner steps
+  explicit JoinedFlows(F& flows, bool join_drifts = true)
+      : flows_(flows), join_drifts_(join_drifts) {}
+
+  void drift(double t) {
+    hold(A(t));
+    if (!join_drifts_) flush();
+  }
+  void kick(double t) { hold(B(t)); }
+  void kick(double t, double xi_h2, Gradient gradient) requires OffersGradientKick<F> {
+    hold(B(t, xi_h2, gradient));
+  }
+  void bath(double t, StageNumber at) requires OffersBath<F> {
+    flush();
+    flows_.bath(t, at);
+  }
+
+  /// Applies what is held back.
+  void flush() {
+    if (held_) play(*held_, flows_, 1, {});
+    held_.reset();
+  }
+
+ private:
+  void hold(const Stage& stage) {
+    if (held_ && held_->joins(stage)) {
+      held_->fraction += stage.fraction;
+      return;
+    }
+    flush();
+    held_ = stage;
+  }
+
+  F& flows_;
+  bool join_drifts_;
+  std::optional<Stage> held_;  // its fraction is a time, its ξ is ξ h²: a stage of a step of 1
+};
+
+}  // namespace polhode

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// One step of a scheme, played on flows: any object with drift(t) and kick(t). Header-only, so that
+// another engine writes the flows that it has and takes the schemes from here.
+#pragma once
+
+#include <cstdint>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+/// Which stage of which step of a trajectory. The random numbers of a bath are a function of it, so
+/// that they do not depend on threads or on where a run was suspended.
+struct StageNumber {
+  std::uint64_t step = 0;
+  std::size_t stage = 0;
+  friend constexpr bool operator==(const StageNumber&, const StageNumber&) = default;
+};
+
+/// What every scheme needs: drift(t) and kick(t), t in the unit of the step h.
+template <class F>
+concept Flows = requires(F& flows, double t) {
+  {flows.drift(t)};
+  {flows.kick(t)};
+};
+
+/// Flows for schemes with gradient kicks: kick(t, ξh², gradient).
+template <class F>
+concept OffersGradientKick = requires(F& flows, double t, Gradient gradient) {
+  {flows.kick(t, t, gradient)};
+};
+
+/// Flows for schemes with a bath: bath(t, number) changes momenta alone.
+template <class F>
+concept OffersBath = requires(F& flows, double t, StageNumber at) {
+  {flows.bath(t, at)};
+};
+
+/// @throws Error  if the scheme has a stage that flows of this type do not offer
+template <Flows F>
+void check_flows(const Scheme& scheme) {
+  if (!OffersGradientKick<F> &&
+      (scheme.has(Gradient::exact) || scheme.has(Gradient::finite_difference)))
+    throw Error(
+        "the scheme has gradient kicks and these flows do not; give them a kick(t, xi_h2, "
+        "gradient), or take a scheme without xi");
+  if (!OffersBath<F> && scheme.has(Flow::bath))
+    throw Error(
+        "the scheme has a bath and these flows do not; give them a bath(t, number), or leave the "
+        "stages O out of the scheme");
+}
+
+/// Plays one stage.
+/// @param h  the whole step, whatever the fraction of the stage
+template <Flows F>
+void play(const Stage& stage, F& flows, double h, StageNumber at) {
+  switch (stage.flow) {
+    case Flow::drift:
+      flows.drift(stage.fraction * h);
+      break;
+    case Flow::kick:
+      if constexpr (OffersGradientKick<F>)
+        if (stage.xi != 0) {
+          flows.kick(stage.fraction * h, stage.xi * h * h, stage.gradient);
+          break;
+        }
+      flows.kick(stage.fraction * h);
+      break;
+    case Flow::bath:
+      if constexpr (OffersBath<F>) flows.bath(stage.fraction * h, at);
+      break;
+  }
+}
+
+/// Plays stages in their order.
+/// @param at  the number of the first one
+template <Flows F>
+void play(std::span<const Stage> stages, F& flows, double h, StageNumber at) {
+  for (const Stage& stage : stages) {
+    play(stage, flows, h, at);
+    ++at.stage;
+  }
+}
+
+/// Plays one step e^{Lh} of a scheme (vanzon2008, Eq. 1): flows.drift(t), flows.kick(t),
+/// flows.kick(t, ξh², gradient) and flows.bath(t, number) in the order of its stages.
+/// @param number  of this step in the trajectory, for the random numbers of a bath
+/// @throws Error  if the scheme has a stage that the flows do not offer
+template <Flows F>
+void step(const Scheme& scheme, F& flows, double h, std::uint64_t number = 0) {
+  check_flows<F>(scheme);
+  play(scheme.stages(), flows, h, {number, 0});
+}
+
+}  // namespace polhode

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// Factors from internal units to those of messages, tables and reports.
+#pragma once
+
+namespace polhode::units {
+
+inline constexpr double fs_per_ps = 1000, ps_per_ns = 1000;
+inline constexpr double us_per_s = 1e6, seconds_per_day = 86400;
+
+}  // namespace polhode::units

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "config_tables.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/io/embedded.hpp"
+#include "polhode/io/molecule_file.hpp"
+
+namespace polhode {
+namespace {
+
+using std::filesystem::path;
+
+std::string resolve(const path& folder, const std::string& name) {
+  return (folder / name).lexically_normal().string();
+}
+
+SystemSettings::Component read_component(TomlTable table, const path& folder, bool from_file) {
+  SystemSettings::Component component;
+  const auto model = table.text("model");
+  if (!model) table.refuse("model", "a molecule has no model; write for example model = \"tip4p\"");
+  component.model = is_molecule_path(*model) ? resolve(folder, *model) : *model;
+  const auto count = table.integer("count");
+  table.refuse_unknown();
+  if (!count && !from_file)
+    table.refuse("count",
+                 "a molecule has no count and there is no initial configuration from which to "
+                 "count; write for example count = 512");
+  table.require(count.value_or(0) >= (from_file ? 0 : 1), "count",
+                from_file ? "must be 0 or more; 0 means as many as the initial configuration has"
+                          : "must be 1 or more");
+  component.count = static_cast<std::size_t>(count.value_or(0));
+  try {
+    read_molecule(component.model);
+  } catch (const Error& e) {
+    throw e.at(table.where("model"));
+  }
+  return component;
+}
+
+Vec3<double> read_box(TomlTable& table) {
+  if (table.holds_text("box")) {
+    const double edge = *table.quantity("box", Dimension::length, "2.5 nm");
+    return {edge, edge, edge};
+  }
+  if (!table.holds_list("box"))  // reports a bare number, or a value of the wrong type
+    table.quantity("box", Dimension::length, "2.5 nm");
+  const auto edges = table.texts("box");
+  table.require(edges->size() == 3, "box", "must be one edge or a list of three");
+  Vec3<double> box;
+  for (std::size_t k = 0; k < 3; ++k) {
+    try {
+      box[k] = quantity((*edges)[k], Dimension::length, fmt::format("box[{}]", k), "2.5 nm");
+    } catch (const Error& e) {
+      throw e.at(table.where("box"));
+    }
+  }
+  return box;
+}
+
+void read_extent(TomlTable& table, SystemSettings& system) {
+  system.density = table.quantity("density", Dimension::density);
+  table.require(system.density.value_or(1) > 0, "density", "must be above 0 g/cm3");
+  if (table.has("box")) system.box = read_box(table);
+  if (system.box)
+    table.require(std::min({system.box->x, system.box->y, system.box->z}) > 0, "box",
+                  "must have edges longer than 0 nm");
+  const bool start = !system.initial_configuration.empty();
+  if (system.density && system.box)
+    table.refuse("density",
+                 "cannot be combined with a box, which already fixes the density; leave one out");
+  if (start && (system.density || system.box))
+    table.refuse(
+        system.box ? "box" : "density",
+        "cannot be combined with an initial configuration, which has its own box; leave one out");
+  if (!start && !system.density && !system.box)
+    table.refuse("",
+                 "there is no density, box or initial configuration; write for example density = "
+                 "\"1 g/cm3\"");
+}
+
+void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
+  table.renamed("start", "initial_configuration");
+  system.initial_configuration = table.text("initial_configuration").value_or("");
+  if (system.initial_configuration.empty()) return;
+  if (embedded_text("start/" + system.initial_configuration + ".gro")) return;
+  std::string file = resolve(folder, system.initial_configuration);
+  table.require(std::filesystem::is_regular_file(file), "initial_configuration",
+                fmt::format("is neither an embedded initial configuration, such as \"w512\", nor a "
+                            "file: '{}' does not exist",
+                            file));
+  system.initial_configuration = std::move(file);
+}
+
+std::vector<std::string> resolved(const path& folder, std::vector<std::string> names) {
+  for (std::string& name : names) name = resolve(folder, name);
+  return names;
+}
+
+// "NAME" or "NAME=VALUE", where the name is one that #ifdef accepts.
+bool is_macro(std::string_view text) {
+  const std::string_view name = text.substr(0, text.find('='));
+  return !name.empty() && name.front() != '-' && name.find_first_of(" \t") == name.npos;
+}
+
+// The topology file. A LAMMPS data file is both topology and initial configuration.
+void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& system) {
+  TopologySettings& topology = system.topology;
+  topology.file = table.text("topology").value_or("");
+  const bool given = !topology.file.empty();
+  if (given) {
+    topology.file = resolve(folder, topology.file);
+    table.require(!table.has("molecules"), "topology",
+                  "cannot be combined with molecules, which it defines itself; leave one out");
+    table.require(std::filesystem::is_regular_file(topology.file), "topology",
+                  fmt::format("is not a file: '{}' does not exist", topology.file));
+  } else if (is_data_file(system.initial_configuration) && !table.has("molecules")) {
+    topology.file = system.initial_configuration;
+  }
+  if (given && system.initial_configuration.empty() && is_data_file(topology.file))
+    system.initial_configuration = topology.file;
+  if (given && system.initial_configuration.empty())
+    table.refuse("topology",
+                 "needs an initial configuration with its atoms in the same order; write for "
+                 "example initial_configuration = \"conf.gro\"");
+  const bool gromacs = given && !is_data_file(topology.file);
+  for (const char* key : {"include", "define", "rigid"})
+    table.require(gromacs || !table.has(key), key,
+                  "has no meaning without a GROMACS topology; leave it out");
+  take(topology.include, table.texts("include"));
+  take(topology.define, table.texts("define"));
+  for (const std::string& macro : topology.define)
+    table.require(is_macro(macro), "define",
+                  fmt::format("has '{}', which is not a macro name; write names, \"NAME\" or "
+                              "\"NAME=VALUE\", without -D",
+                              macro));
+  take(topology.rigid, table.texts("rigid"));
+  topology.include = resolved(folder, std::move(topology.include));
+}
+
+void read_molecules(TomlTable& table, const path& folder, SystemSettings& system) {
+  const auto components = table.tables("molecules");
+  if (!components || components->empty())
+    table.refuse("",
+                 "there are no molecules; write for example "
+                 "molecules = [{ model = \"tip4p\", count = 512 }]");
+  for (const TomlTable& component : *components)
+    system.molecules.push_back(
+        read_component(component, folder, !system.initial_configuration.empty()));
+  const auto open = [](const auto& component) { return component.count == 0; };
+  if (system.molecules.size() > 1 &&
+      std::any_of(system.molecules.begin(), system.molecules.end(), open))
+    table.refuse("molecules",
+                 "has several models, one of them without a count; only a single model can be "
+                 "counted in the initial configuration");
+}
+
+}  // namespace
+
+void read_system(TomlTable table, const path& folder, SystemSettings& system) {
+  read_start(table, folder, system);
+  read_topology_keys(table, folder, system);
+  if (system.topology.file.empty()) read_molecules(table, folder, system);
+  read_extent(table, system);
+  take(system.temperature, table.quantity("temperature", Dimension::temperature));
+  table.require(system.temperature > 0, "temperature", "must be above 0 K");
+  const auto seed = table.integer("seed");
+  table.require(seed.value_or(0) >= 0, "seed", "must be 0 or more");
+  if (seed) system.seed = static_cast<std::uint64_t>(*seed);
+  table.refuse_unknown();
+}
+
+}  // namespace polhode

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The tables of a run file, each read into its settings. Keys that are absent leave the defaults.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/base/enum_names.hpp"
+#include "polhode/io/config.hpp"
+#include "toml_table.hpp"
+
+namespace polhode {
+
+/// @param folder  of the run file, to which its paths are relative
+void read_system(TomlTable table, const std::filesystem::path& folder, SystemSettings& system);
+void read_forces(TomlTable table, ForceSettings& forces);
+/// The tables [[pair]]; the names of sites are checked against the molecules.
+void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system, Mixing& mixing);
+void read_integrator(TomlTable table, IntegratorSettings& integrator);
+void read_run(TomlTable table, RunSettings& run);
+void read_output(TomlTable table, OutputSettings& output);
+void read_study(TomlTable table, StudySettings& study);
+
+template <class T>
+void take(T& value, const std::optional<T>& found) {
+  if (found) value = *found;
+}
+
+inline void take_time(TomlTable& table, std::string_view key, double& value,
+                      std::string_view example) {
+  take(value, table.quantity(key, Dimension::time, example));
+}
+
+/// A text that must be one of the names.
+std::string one_of(TomlTable& table, std::string_view key, std::string_view fallback,
+                   std::span<const std::string_view> names);
+
+/// The value of a named enumeration.
+template <NamedEnum Enum>
+Enum one_of(TomlTable& table, std::string_view key, Enum fallback) {
+  return *value_of<Enum>(one_of(table, key, name_of(fallback), enum_names<Enum>));
+}
+
+}  // namespace polhode
