@@ -7,14 +7,11 @@
 #include <vector>
 
 #include "advise_report.hpp"
-#include "interrupt.hpp"
+#include "console.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
-#include "progress.hpp"
 #include "streams.hpp"
-#include "system_notes.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -52,52 +49,33 @@ Criterion criterion(const Options& o, const Config& config) {
 }
 
 Config make_config(const Options& o) {
-  Config config = o.file.empty() ? default_config() : read_config(o.file);
-  if (!o.precision.empty()) set_precision(config, precision_option(o.precision));
+  Config config = read_config_option(o.file, o.precision);
   if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
   for (const std::string& scheme : o.schemes) scheme_option(scheme, "--schemes");
   if (!o.schemes.empty()) config.integrator.candidates = o.schemes;
   return config;
 }
 
-int run_advise(const Options& o) {
+int advise(const Options& o) {
   const Config config = make_config(o);
   const AdviserSettings settings{criterion(o, config), config.integrator.candidates, o.seconds};
   Workers workers(requested_threads(o.threads));
-  const AdviceFiles files(o.output, config.output.plot);
-  for (const std::string& file : files.all()) refuse_existing(file, o.force);
-  const Provenance provenance{
-      POLHODE_VERSION,
+  const OutputOptions output{
+      existing_files(false, o.force),
       typed_command("polhode advise", {{"", o.file},
                                        {"--accuracy", o.accuracy},
                                        {"--drift", o.drift},
-                                       {"--temperature-bias", o.temperature_bias}}),
-      config.text, name(current_instruction_set()), config.system.seed};
-  const System system = build_system(config);
-  catch_interrupts();
-  log("polhode {}: advice for {} molecules, {}, about {:g} s, instruction set {}, threads {}\n",
-      POLHODE_VERSION, system.topology.size(), config.source, o.seconds, provenance.instruction_set,
-      workers.threads());
-  note_forces(system);
-
-  Advice advice;
-  {
-    Progress progress("advising");
-    advice = advise(
-        config, settings,
-        {[&](double done, const std::string& what) { progress.show(done, what); }, interrupted},
-        workers);
-  }
-  if (advice.stopped) {
+                                       {"--temperature-bias", o.temperature_bias}})};
+  const AdviceReport report = run_adviser(config, settings, o.output, output, console(), workers);
+  if (report.advice.stopped) {
     log("interrupted before the search ended; no file was written\n");
     return 130;
   }
-  write_advice(files, advice, settings.criterion, provenance);
   if (o.json)
-    fmt::print("{}\n", advice_json(advice, settings.criterion, workers.threads()));
+    fmt::print("{}\n", advice_json(report));
   else
-    print_advice(advice, settings.criterion, workers.threads());
-  if (!advice.best) throw RunError(unreachable(advice, settings.criterion));
+    print_advice(report);
+  if (!report.advice.best) throw RunError(unreachable(report.advice, settings.criterion));
   return 0;
 }
 
@@ -129,7 +107,7 @@ Action advise_verb(CLI::App& app) {
                  "number of simultaneous runs; default: one for each available core");
   app.add_flag("--force", o->force, "overwrite output files that exist");
   app.add_flag("--json", o->json, "print the advice as JSON");
-  return [o] { return run_advise(*o); };
+  return [o] { return advise(*o); };
 }
 
 }  // namespace polhode::cli

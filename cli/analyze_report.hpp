@@ -1,33 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Output of polhode analyze.
+// The results of an analysis as a page of text.
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
-
-#include "polhode/io/plot.hpp"
-#include "polhode/io/table_file.hpp"
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "polhode/run/analysis/analysis_report.hpp"
 
 namespace polhode::cli {
 
-/// A table with its figure.
-struct AnalysisFile {
-  std::string name;  ///< between the prefix and the extension: "rdf"
-  Table table;
-  CurvesFigure figure;
-};
-
-/// The names of the files of each observable, in the order of `analysis_files`.
-std::vector<std::string> file_names(const std::set<Observable>& what);
-
-/// Curves of all observables that were computed.
-std::vector<AnalysisFile> analysis_files(Analysis& analysis, const AnalysisSummary& summary,
-                                         Workers& workers);
-
-void print_summary(const Analysis& analysis, const AnalysisSummary& summary);
-
-nlohmann::json as_json(const Analysis& analysis, const AnalysisSummary& summary);
+void print_analysis(const AnalysisReport& report);
 
 }  // namespace polhode::cli

@@ -11,7 +11,7 @@
 #include "option_values.hpp"
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
-#include "progress.hpp"
+#include "progress_line.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -37,7 +37,8 @@ BenchmarkSettings make_settings(const Options& o) {
   settings.quick = o.quick;
   if (o.quick) settings.sizes = {512};
   if (!o.sizes.empty()) settings.sizes = o.sizes;
-  if (!o.precision.empty()) settings.precisions = {precision_option(o.precision)};
+  if (!o.precision.empty())
+    settings.precisions = {named_option<Precision>(o.precision, "--precision")};
   const int threads = requested_threads(o.threads);
   if (threads > 1) settings.threads.push_back(threads);
   return settings;
@@ -46,12 +47,10 @@ BenchmarkSettings make_settings(const Options& o) {
 int bench(const Options& o) {
   const BenchmarkSettings settings = make_settings(o);
   const Computer computer{processor(), name(current_instruction_set()), settings.threads};
-  Benchmark result;
-  {
-    Progress progress("bench");
-    result = run_benchmark(
-        settings, [&](double done, const std::string& what) { progress.show(done, what); });
-  }
+  const Benchmark result = [&] {
+    ProgressLine line;
+    return run_benchmark(settings, {.progress = [&](const Progress& now) { line.show(now); }});
+  }();
   if (o.json)
     fmt::print("{}\n", benchmark_json(result, computer));
   else

@@ -8,6 +8,7 @@
 
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/base/version.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
@@ -234,7 +235,7 @@ std::string benchmark_json(const Benchmark& b, const Computer& computer) {
     instruction_sets.push_back(name(instruction_set));
   for (const Limit& limit : b.limits) limits.push_back(as_json(limit));
   for (const SystemTiming& s : b.systems) systems.push_back(as_json(s));
-  return json{{"version", POLHODE_VERSION},
+  return json{{"version", version()},
               {"processor", computer.processor},
               {"instruction_set", computer.instruction_set},
               {"instruction_sets", instruction_sets},

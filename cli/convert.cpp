@@ -7,13 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "interrupt.hpp"
+#include "console.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/draft.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/table_file.hpp"
-#include "progress.hpp"
 #include "streams.hpp"
 #include "verbs.hpp"
 
@@ -64,18 +63,17 @@ int convert(const Options& o) {
   Draft draft(o.out, Draft::Name::unique);
   auto writer = create_frames(draft.path(), {});
 
-  catch_interrupts();
-  Progress progress("converting");
+  const Callbacks callbacks = console();
   std::size_t read = 0, written = 0;
   bool lost = false;
   // Times in files are rounded, to floats or to some decimals.
   const auto slack = [](double time) { return 1e-6 * std::max(1.0, std::abs(time)); };
   for (Frame frame; reader->next(frame);) {
-    if (interrupted()) {
+    if (callbacks.stopped()) {
       log("interrupted; no file was written\n");
       return 130;
     }
-    progress.show(reader->fraction_read());
+    callbacks.report({"converting", reader->fraction_read()});
     if (frame.time > to + slack(to)) break;
     if (frame.time < from - slack(from) || read++ % o.every != 0) continue;
     if (written == 0) check_names(frame, o);

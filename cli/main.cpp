@@ -14,6 +14,7 @@
 #include "polhode/base/memory.hpp"
 #include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/base/version.hpp"
 #include "streams.hpp"
 #include "verbs.hpp"
 
@@ -61,7 +62,7 @@ void check_verb(const std::string& word) {
 int run(int argc, char** argv) {
   CLI::App app{"polhode: molecular dynamics of rigid molecules with the exact free rotor",
                "polhode"};
-  app.set_version_flag("--version", "polhode " POLHODE_VERSION);
+  app.set_version_flag("--version", fmt::format("polhode {}", version()));
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Action>> actions;
   for (const Verb& verb : verbs) {

@@ -1,27 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The results of a run, as text and as JSON.
+// What a run reports at its end.
 #pragma once
 
-#include <optional>
-#include <string>
-
-#include "guarantee.hpp"
-#include "polhode/run/simulation/run_files.hpp"
-#include "polhode/run/simulation/summary.hpp"
+#include "polhode/run/simulation/simulation.hpp"
 
 namespace polhode::cli {
 
-/// Execution settings of a run.
-struct ExecutionSettings {
-  int threads;
-  std::string instruction_set;
-};
+/// Prints the results of a run as text or JSON, and on standard error whether it was interrupted.
+/// @return  the exit code
+int print_run(const RunResult& result, const Simulation& simulation, bool json);
 
-void print_summary(const RunSummary& summary, const TrajectorySettings& settings,
-                   const ExecutionSettings& execution);
-
-void print_json(const RunSummary& summary, const TrajectorySettings& settings,
-                const ExecutionSettings& execution, const RunFileNames& files,
-                const std::optional<GuaranteeCheck>& check, bool stopped);
+/// On standard error: where a run resumes that ended with an error, if it can be resumed.
+void note_resumable(const Simulation& simulation);
 
 }  // namespace polhode::cli

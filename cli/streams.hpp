@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace polhode::cli {
 
@@ -17,6 +18,9 @@ void prepare_streams();
 /// The exit code of a program that ends with `code`: 1 instead of 0, with a message, if standard
 /// output could not be written completely.
 int exit_code(int code);
+
+/// Prints the names of the files that were written.
+void print_files(const std::vector<std::string>& files);
 
 /// Prints to standard error. Write errors are ignored: no run ends because of its log.
 template <class... Args>

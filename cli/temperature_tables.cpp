@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "polhode/io/output_units.hpp"
 
@@ -48,11 +46,6 @@ void print_excesses(const std::vector<Curve>& curves, const std::vector<Equipart
   }
 }
 
-nlohmann::json estimate_json(const std::optional<Estimate>& e) {
-  if (!e) return {};
-  return {{"value", e->value}, {"error", e->error}};
-}
-
 }  // namespace
 
 void print_temperatures(const std::vector<Curve>& curves,
@@ -67,52 +60,6 @@ void print_temperatures(const std::vector<Curve>& curves,
       {"translation", "axis 1", "axis 2", "axis 3"},
       [](const EfficiencyPoint& p) -> const auto& { return p.configurational_excess; },
       [](const EquipartitionFit& fit) -> const auto& { return fit.configurational; });
-}
-
-void add_excesses(nlohmann::json& json, const EfficiencyPoint& point) {
-  for (const auto& excess : point.excess) json["excess_K"].push_back(estimate_json(excess));
-  for (const auto& excess : point.configurational_excess)
-    json["configurational_excess_K"].push_back(estimate_json(excess));
-}
-
-void add_limits(nlohmann::json& json, const std::vector<EquipartitionFit>& fits) {
-  const auto add = [&](const char* kind, const EquipartitionFit& fit, nlohmann::json motion,
-                       const std::optional<Line>& line) {
-    if (!line) return;
-    json[kind].push_back({{"scheme", fit.scheme},
-                          {"axis", std::move(motion)},
-                          {"order", fit.order},
-                          {"without_step_K", line->intercept.value},
-                          {"without_step_error", line->intercept.error},
-                          {"slope_K_per_ps_to_the_order", line->slope.value},
-                          {"slope_error", line->slope.error}});
-  };
-  for (const EquipartitionFit& fit : fits) {
-    for (std::size_t k = 0; k < fit.axes.size(); ++k) add("equipartition", fit, k + 1, fit.axes[k]);
-    for (std::size_t k = 0; k < fit.configurational.size(); ++k)
-      add("configurational", fit, k == 0 ? nlohmann::json() : nlohmann::json(k),
-          fit.configurational[k]);
-  }
-}
-
-void add_excess_columns(std::vector<Table::Column>& columns) {
-  for (const char* axis : {"1", "2", "3"}) {
-    columns.push_back({fmt::format("excess_{}", axis), "K"});
-    columns.push_back({fmt::format("excess_{}_error", axis), "K"});
-  }
-  for (const char* motion : {"translation", "1", "2", "3"}) {
-    columns.push_back({fmt::format("configurational_excess_{}", motion), "K"});
-    columns.push_back({fmt::format("configurational_excess_{}_error", motion), "K"});
-  }
-}
-
-void add_excesses(std::vector<Cell>& row, const EfficiencyPoint& point) {
-  const auto add = [&](const std::optional<Estimate>& excess) {
-    const Estimate known = excess.value_or(Estimate{std::nan(""), std::nan("")});
-    row.insert(row.end(), {known.value, known.error});
-  };
-  for (const auto& excess : point.excess) add(excess);
-  for (const auto& excess : point.configurational_excess) add(excess);
 }
 
 }  // namespace polhode::cli

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Differences between the temperatures of translation and rotation, kinetic and configurational, as
-// functions of the step and for zero step: as text, as JSON, and as tables of a study and of the
-// adviser.
+// functions of the step and for zero step, as text.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "polhode/io/table_file.hpp"
 #include "polhode/run/simulation/equipartition.hpp"
 
 namespace polhode::cli {
@@ -16,15 +13,5 @@ namespace polhode::cli {
 /// @param fits  of the curves, in the same order
 void print_temperatures(const std::vector<Curve>& curves,
                         const std::vector<EquipartitionFit>& fits);
-
-/// The differences at a point: "excess_K", rotation about each axis minus translation, and
-/// "configurational_excess_K" of each kind of motion.
-void add_excesses(nlohmann::json& json, const EfficiencyPoint& point);
-/// Their limits for zero step: "equipartition" and "configurational".
-void add_limits(nlohmann::json& json, const std::vector<EquipartitionFit>& fits);
-
-/// The differences as table columns, and as fields of a row.
-void add_excess_columns(std::vector<Table::Column>& columns);
-void add_excesses(std::vector<Cell>& row, const EfficiencyPoint& point);
 
 }  // namespace polhode::cli

@@ -160,11 +160,10 @@ std::string data_text(const Vec3<double>& J, const Vec3<double>& L, double twice
   return text;
 }
 
-std::string script_text(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
-                        double twice_E) {
-  const double max_omega = std::sqrt(twice_E / std::min({J.x, J.y, J.z}));
+/// Settings of the plot, whose axes end at 1.22 of the largest omega.
+std::string settings_text(const TopFigure& figure, double max_omega) {
   const double plot_range = 1.22 * max_omega;
-  std::string text = fmt::format(
+  return fmt::format(
       R"(# Drawn by: gnuplot {}
 set view {}, {}, 1.72
 set origin 0,-0.03
@@ -189,7 +188,12 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
 )",
       gnuplot_comment(fs::path(figure.script).filename().string()), tilt, turn, -plot_range,
       -plot_range, plot_range, -plot_range, plot_range, -plot_range, plot_range);
-  std::string marks;  // axes and title, drawn with the lines
+}
+
+/// Axes and title.
+std::string marks_text(const Vec3<double>& J, const Vec3<double>& L, double twice_E,
+                       double max_omega) {
+  std::string marks;
   const std::array<const char*, 3> names{"1", "2", "3"};
   for (std::size_t k = 0; k < 3; ++k) {
     Vec3<double> from, to, label;
@@ -202,12 +206,17 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
         "set label '{{/:Italic ω}}_{}' at {:.6g},{:.6g},{:.6g} center front tc rgb '#333333'\n",
         from.x, from.y, from.z, to.x, to.y, to.z, names[k], label.x, label.y, label.z);
   }
-  const std::string data = gnuplot_file(figure.data);
   marks += fmt::format(
       "set label \"{{/:Italic J}} = ({:.5g}, {:.5g}, {:.5g})   {{/:Italic L}} = ({:.5g}, {:.5g}, "
       "{:.5g})   {{/:Italic L}}²/2{{/:Italic E}} = {:.5g}\" at screen 0.5,0.955 center tc rgb "
       "'#333333'\n",
       J.x, J.y, J.z, L.x, L.y, L.z, norm2(L) / twice_E);
+  return marks;
+}
+
+std::string script_text(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
+                        double twice_E) {
+  const double max_omega = std::sqrt(twice_E / std::min({J.x, J.y, J.z}));
   // Lines are drawn after the surface, which would otherwise hide them.
   const std::string plot = fmt::format(
       "set multiplot\n"
@@ -217,8 +226,8 @@ set palette defined (0 '#e9eef5', 1 '#cfdbe8')
       "      {0} index 4 with lines lc rgb '#c8352b' lw 3.4, \\\n"
       "      {0} index 5 with points pt 7 ps 2 lc rgb '#8e1f18'\n"
       "unset multiplot\nunset label\nunset arrow\n",
-      data, marks);
-  return text +
+      gnuplot_file(figure.data), marks_text(J, L, twice_E, max_omega));
+  return settings_text(figure, max_omega) +
          fmt::format(
              "set terminal svg size 900,820 enhanced font 'Helvetica,17' background '#ffffff'\n"
              "set output {}\n{}",

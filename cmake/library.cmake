@@ -34,6 +34,6 @@ target_link_libraries(polhode PUBLIC polhode_headers
                               $<BUILD_INTERFACE:polhode_flags> $<BUILD_INTERFACE:Eigen3::Eigen>
                               $<BUILD_INTERFACE:Boost::headers>
                               $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
-set_source_files_properties(src/io/formats/h5md_writer.cpp PROPERTIES
+set_source_files_properties(src/base/version.cpp PROPERTIES
                             COMPILE_DEFINITIONS POLHODE_VERSION="${PROJECT_VERSION}")
 polhode_compile_kernels(polhode ${kernel_sources})

@@ -154,9 +154,9 @@ TEST_CASE(
   const Topology brine{{{read_molecule("tip4p"), 20}, {read_molecule("na-tip4p-ew"), 2}}};
   Frames file(free_flight(brine, 20, MasslessSites::keep));
   std::size_t batches = 0;
-  Analysis a = analyze(file, brine, {},
-                       {.each_batch = [&](std::size_t, double) { ++batches; },
-                        .stop = [&] { return batches == 3; }});
+  Analysis a = analyze(
+      file, brine, {},
+      {.progress = [&](const Progress&) { ++batches; }, .stop = [&] { return batches == 3; }});
   CHECK(a.stopped);
   CHECK(a.frames == 6);
   CHECK(!a.dipole);

@@ -13,6 +13,7 @@
 #include "hdf5.hpp"
 #include "own_process.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/base/version.hpp"
 #include "polhode/io/disk.hpp"
 #include "polhode/io/draft.hpp"
 
@@ -281,7 +282,7 @@ class H5mdWriter : public FrameWriter {
     attribute(new_group("h5md/author"), "name", "unknown");
     const Handle creator = new_group("h5md/creator");
     attribute(creator, "name", "polhode");
-    attribute(creator, "version", POLHODE_VERSION);
+    attribute(creator, "version", version());
     attribute(new_group("h5md/modules/units"), "version", std::vector<int>{1, 0});
     new_group("particles/all");
     begin_series(step, H5T_STD_I64LE, {}, "");

@@ -69,11 +69,11 @@ struct Job {
 
 class Adviser {
  public:
-  Adviser(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch,
+  Adviser(const Config& config, const AdviserSettings& settings, const Callbacks& callbacks,
           Workers& workers)
       : config_(config),
         settings_(settings),
-        watch_(watch),
+        callbacks_(callbacks),
         workers_(workers),
         base_(build_system(config)) {
     for (const std::string& text : settings.schemes)
@@ -97,7 +97,7 @@ class Adviser {
   }
 
  private:
-  bool stop() const { return watch_.stop && watch_.stop(); }
+  bool stop() const { return callbacks_.stopped(); }
 
   Advice stopped_advice() {
     advice_.stopped = true;
@@ -107,7 +107,7 @@ class Adviser {
 
   void report(const std::string& what) const {
     const std::lock_guard lock(reporting_);
-    if (watch_.report) watch_.report(std::min(0.99, since(begin_) / settings_.seconds), what);
+    callbacks_.report({"advising", std::min(0.99, since(begin_) / settings_.seconds), what});
   }
 
   /// The initial state of the run.
@@ -115,7 +115,8 @@ class Adviser {
     report("equilibrating");
     if (config_.run.equilibrate > 0) {
       ForceField forces(base_.topology, base_.forces, base_.state.box, workers_);
-      if (!equilibrate(base_, forces, config_.run.equilibrate, {nullptr, watch_.stop}, workers_))
+      if (!equilibrate(base_, forces, config_.run.equilibrate, {nullptr, callbacks_.stop},
+                       workers_))
         return false;
     }
     noise_ = force_noise(base_, workers_);
@@ -134,14 +135,14 @@ class Adviser {
 
   /// Initial configurations with new momenta.
   std::vector<ResumableRun> fresh_starts(std::size_t count) {
-    report("preparing starts");
+    report("preparing initial configurations");
     std::vector<ResumableRun> starts;
     for (std::size_t k = 0; k < count; ++k)
       starts.push_back({base_, start_seed(config_, drawn_ + k)});
     workers_.each(count, [&](std::size_t k) {
       if (!stop())
         starts[k].system =
-            prepare_start(base_, config_, drawn_ + k, preparation_length(), watch_.stop);
+            prepare_start(base_, config_, drawn_ + k, preparation_length(), callbacks_.stop);
     });
     drawn_ += count;
     return starts;
@@ -158,7 +159,7 @@ class Adviser {
          .sample = std::min(config_.run.sample, max_sample_interval),
          .lambda = config_.integrator.lambda,
          .configurational_sample = sample_cost / temperature_share * job.step / scheme.cost()},
-        noise_, watch_.stop);
+        noise_, callbacks_.stop);
   }
 
   /// Runs every job from every initial configuration, as many at a time as there are workers.
@@ -463,7 +464,7 @@ class Adviser {
 
   const Config& config_;
   const AdviserSettings& settings_;
-  const AdviserWatch& watch_;
+  const Callbacks& callbacks_;
   Workers& workers_;
   System base_;
   ForceNoise noise_;
@@ -480,9 +481,9 @@ class Adviser {
 
 }  // namespace
 
-Advice advise(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch,
+Advice advise(const Config& config, const AdviserSettings& settings, const Callbacks& callbacks,
               Workers& workers) {
-  return Adviser(config, settings, watch, workers).advice();
+  return Adviser(config, settings, callbacks, workers).advice();
 }
 
 }  // namespace polhode

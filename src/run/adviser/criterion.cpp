@@ -81,4 +81,13 @@ Estimate AdviserPoint::drift() const {
   return mean(each(runs, [](const Outcome& run) { return run.drift; }));
 }
 
+Estimate AdviserPoint::bias(std::size_t kind) const {
+  return mean(each(runs, [kind](const Outcome& run) { return run.bias[kind]; }));
+}
+
+double AdviserPoint::max_rounding() const {
+  const auto values = each(runs, [](const Outcome& run) { return run.rounding; });
+  return *std::max_element(values.begin(), values.end());
+}
+
 }  // namespace polhode

@@ -232,7 +232,7 @@ Observable observable(const std::string& name) {
 }
 
 Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
-                 const AnalysisWatch& watch, Workers& workers) {
+                 const Callbacks& callbacks, Workers& workers) {
   Analysis result;
   result.topology = std::move(topology);
   Assembly observables(result, settings);
@@ -248,8 +248,9 @@ Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings&
     });
     if (result.frames == 0) observables.begin(states);
     for (const FittedState& fitted : states) observables.add(fitted, workers);
-    watch.each_batch(result.frames, result.last);
-    result.stopped = watch.stop();
+    callbacks.report(
+        {"reading", {}, fmt::format("{} frames, {:g} ps", result.frames, result.last)});
+    result.stopped = callbacks.stopped();
     if (result.stopped || count < batch.size()) break;
   }
   if (result.frames == 0)

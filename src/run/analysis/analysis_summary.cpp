@@ -50,7 +50,90 @@ bool cubic(const Box& box) {
   return std::max({e.x, e.y, e.z}) <= box.shortest_edge() * (1 + 1e-4);
 }
 
+std::optional<SeriesEstimate> diffusion_of(Analysis& a, std::size_t part, AnalysisSummary& s,
+                                           const SummarySettings& settings, Workers& workers) {
+  if (!a.displacement || a.topology.parts[part].count == 0) return std::nullopt;
+  const BlockMeans squared = a.displacement->mean_square(part, workers);
+  const double max_lag = static_cast<double>(squared.mean().size() - 1) * a.interval;
+  s.fit = settings.fit.value_or(FitWindow{max_lag / 5, max_lag});
+  const SeriesEstimate D = diffusion(squared, a.interval, s.fit);
+  if (!std::isnan(D.value)) return D;
+  if (part == 0)
+    s.notes.push_back(
+        fmt::format("no diffusion coefficient: fewer than two lags between {:g} and {:g} ps; the "
+                    "maximum is {:g} ps",
+                    s.fit.from, s.fit.to, max_lag));
+  return std::nullopt;
+}
+
+std::vector<AxisRelaxation> relaxations_of(Analysis& a, std::size_t part, Workers& workers) {
+  std::vector<AxisRelaxation> axes;
+  if (!a.reorientation || a.topology.parts[part].count == 0) return axes;
+  for (std::size_t axis = 0; axis < a.reorientation->axes(part).size(); ++axis) {
+    AxisRelaxation r{a.reorientation->axes(part)[axis].name, {}};
+    for (const int rank : {1, 2})
+      r.rank[static_cast<std::size_t>(rank - 1)] =
+          relaxation_times(a.reorientation->legendre(part, axis, rank, workers), a.interval);
+    axes.push_back(std::move(r));
+  }
+  return axes;
+}
+
+PartSummary part_summary(Analysis& a, std::size_t part, AnalysisSummary& s,
+                         const SummarySettings& settings, Workers& workers) {
+  const auto& [molecule, count] = a.topology.parts[part];
+  PartSummary p{molecule.name, count, diffusion_of(a, part, s, settings, workers), {}, {}};
+  if (a.velocity && count > 0 && a.topology.size() > 1) {
+    const BlockMeans integral = running_integral(a.velocity->linear(part, workers), a.interval);
+    p.green_kubo = series_estimates(integral).back();
+  }
+  p.axes = relaxations_of(a, part, workers);
+  return p;
+}
+
+void find_correction(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
+  find_viscosity(s, a, settings);
+  if (!cubic(a.box))
+    s.viscosity_source = "the finite-size correction is for cubic boxes only";
+  else if (!s.temperature)
+    s.viscosity_source = "no temperature: the frames have no velocities; give --temperature";
+  else if (s.viscosity)
+    s.finite_size_correction = yeh_hummer_correction(*s.temperature, *s.viscosity,
+                                                     std::cbrt(a.conditions->volume().value));
+}
+
+void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
+  if (!settings.surroundings_permittivity)
+    s.notes.push_back("no dielectric: " + settings.no_surroundings);
+  else if (!s.temperature)
+    s.notes.push_back("no dielectric constant: the frames have no velocities; give --temperature");
+  else
+    s.dielectric = a.dipole->result(*s.temperature, *settings.surroundings_permittivity);
+}
+
 }  // namespace
+
+void SummarySettings::set_surroundings(const ForceSettings& forces) {
+  switch (forces.electrostatics) {
+    case Electrostatics::pme:
+      surroundings_permittivity = tin_foil;
+      break;
+    case Electrostatics::reaction_field:
+      surroundings_permittivity = forces.dielectric;
+      break;
+    case Electrostatics::coulomb:
+    case Electrostatics::damped_shifted_force:
+      no_surroundings =
+          "dipole fluctuations give no dielectric constant if electrostatics is truncated or "
+          "switched; pme or a reaction field is needed";
+  }
+}
+
+std::optional<SeriesEstimate> PartSummary::corrected(const AnalysisSummary& summary) const {
+  if (!diffusion || !summary.finite_size_correction) return std::nullopt;
+  return SeriesEstimate{diffusion->value + *summary.finite_size_correction, diffusion->error,
+                        diffusion->known};
+}
 
 AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& workers) {
   AnalysisSummary s;
@@ -60,58 +143,12 @@ AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& w
     s.temperature = settings.temperature;
   else if (kinetic > 0)
     s.temperature = kinetic;
-
   if (a.radial)
     for (std::size_t k = 0; k < a.pairs.size(); ++k) s.peaks.push_back(a.radial->first_peak(k));
-
-  for (std::size_t part = 0; part < a.topology.parts.size(); ++part) {
-    const auto& [molecule, count] = a.topology.parts[part];
-    PartSummary p{molecule.name, count, {}, {}, {}};
-    if (a.displacement && count > 0) {
-      const BlockMeans squared = a.displacement->mean_square(part, workers);
-      const double max_lag = static_cast<double>(squared.mean().size() - 1) * a.interval;
-      s.fit = settings.fit.value_or(FitWindow{max_lag / 5, max_lag});
-      const SeriesEstimate D = diffusion(squared, a.interval, s.fit);
-      if (!std::isnan(D.value))
-        p.diffusion = D;
-      else if (part == 0)
-        s.notes.push_back(
-            fmt::format("no diffusion coefficient: fewer than two lags between {:g} and {:g} ps; "
-                        "the maximum is {:g} ps",
-                        s.fit.from, s.fit.to, max_lag));
-    }
-    if (a.velocity && count > 0 && a.topology.size() > 1) {
-      const BlockMeans integral = running_integral(a.velocity->linear(part, workers), a.interval);
-      p.green_kubo = series_estimates(integral).back();
-    }
-    if (a.reorientation && count > 0)
-      for (std::size_t axis = 0; axis < a.reorientation->axes(part).size(); ++axis) {
-        AxisRelaxation r{a.reorientation->axes(part)[axis].name, {}};
-        for (const int rank : {1, 2})
-          r.rank[static_cast<std::size_t>(rank - 1)] =
-              relaxation_times(a.reorientation->legendre(part, axis, rank, workers), a.interval);
-        p.axes.push_back(std::move(r));
-      }
-    s.parts.push_back(std::move(p));
-  }
-
-  if (a.displacement) {
-    find_viscosity(s, a, settings);
-    if (!cubic(a.box))
-      s.viscosity_source = "the finite-size correction is for cubic boxes only";
-    else if (!s.temperature)
-      s.viscosity_source = "no temperature: the frames have no velocities; give --temperature";
-    else if (s.viscosity)
-      s.finite_size_correction = yeh_hummer_correction(*s.temperature, *s.viscosity,
-                                                       std::cbrt(a.conditions->volume().value));
-  }
-
-  if (a.dipole && !settings.surroundings_permittivity)
-    s.notes.push_back("no dielectric: " + settings.no_surroundings);
-  else if (a.dipole && !s.temperature)
-    s.notes.push_back("no dielectric constant: the frames have no velocities; give --temperature");
-  else if (a.dipole)
-    s.dielectric = a.dipole->result(*s.temperature, *settings.surroundings_permittivity);
+  for (std::size_t part = 0; part < a.topology.parts.size(); ++part)
+    s.parts.push_back(part_summary(a, part, s, settings, workers));
+  if (a.displacement) find_correction(s, a, settings);
+  if (a.dipole) find_dielectric(s, a, settings);
   return s;
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numeric>
 
@@ -319,8 +320,7 @@ std::size_t pairs_within(const State& state, double distance) {
                                       // itself
 }
 
-Benchmark run_benchmark(const BenchmarkSettings& settings,
-                        const std::function<void(double, const std::string&)>& report) {
+Benchmark run_benchmark(const BenchmarkSettings& settings, const Callbacks& callbacks) {
   const Effort& effort = settings.quick ? quick : normal;
   std::vector<std::unique_ptr<Workers>> workers;
   for (const int threads : settings.threads) workers.push_back(std::make_unique<Workers>(threads));
@@ -331,8 +331,8 @@ Benchmark run_benchmark(const BenchmarkSettings& settings,
   for (std::size_t k = 0; k < settings.sizes.size(); ++k) {
     const std::size_t molecules = settings.sizes[k];
     const auto tell = [&](double done) {
-      if (report)
-        report((static_cast<double>(k) + done) / sizes, fmt::format("{} waters", molecules));
+      callbacks.report(
+          {"bench", (static_cast<double>(k) + done) / sizes, fmt::format("{} waters", molecules)});
     };
     tell(0);
     Measurement measurement(molecules, settings, effort, result.limits, workers);

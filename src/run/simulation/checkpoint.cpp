@@ -200,19 +200,6 @@ Checkpoint read_checkpoint_from(CheckpointReader in, const std::string& path) {
   return checkpoint;
 }
 
-Checkpoint of_this_run(const std::string& path, const std::string& identity,
-                       const ProgramVersion& reader) {
-  Checkpoint checkpoint = read_checkpoint(path, reader);
-  if (checkpoint.identity != identity)
-    throw Error(
-        fmt::format("the checkpoint '{}' belongs to another run, started with '{}': molecules, "
-                    "initial configuration or velocities, forces, scheme, step, equilibration, "
-                    "samples or contents of trajectories differ; give that run file with the same "
-                    "options, another --output, or start over with --force",
-                    path, checkpoint.command));
-  return checkpoint;
-}
-
 }  // namespace
 
 std::string run_identity(const Config& config, const System& system) {
@@ -247,6 +234,19 @@ Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
   return read_checkpoint_from(CheckpointReader(std::move(bytes), path, reader), path);
 }
 
+Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
+                              const ProgramVersion& reader) {
+  Checkpoint checkpoint = read_checkpoint(path, reader);
+  if (checkpoint.identity != identity)
+    throw Error(
+        fmt::format("the checkpoint '{}' belongs to another run, started with '{}': molecules, "
+                    "initial configuration or velocities, forces, scheme, step, equilibration, "
+                    "samples or contents of trajectories differ; give that run file with the same "
+                    "options, another --output, or start over with --force",
+                    path, checkpoint.command));
+  return checkpoint;
+}
+
 std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
                                                const std::string& identity,
                                                const ProgramVersion& reader) {
@@ -254,12 +254,12 @@ std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
     return std::nullopt;
   std::string damage;
   try {
-    return FoundCheckpoint{of_this_run(files.newest, identity, reader), {}};
+    return FoundCheckpoint{read_checkpoint_of(files.newest, identity, reader), {}};
   } catch (const DamagedCheckpoint& e) {
     damage = e.what();
   }
   try {
-    return FoundCheckpoint{of_this_run(files.previous, identity, reader),
+    return FoundCheckpoint{read_checkpoint_of(files.previous, identity, reader),
                            fmt::format("{}; the previous one, '{}', is intact and the run resumes "
                                        "from it, with the same results",
                                        damage, files.previous)};

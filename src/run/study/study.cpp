@@ -46,7 +46,7 @@ constexpr double typical_near_weight = 0.3;
 bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 
 StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point,
-                 const Config& config, double near_weight, const StudyProgress& progress) {
+                 const Config& config, double near_weight, const Callbacks& callbacks) {
   StudyRun run{.scheme = point.name,
                .step = point.step,
                .start = static_cast<int>(index),
@@ -63,7 +63,7 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
                       .inner = point.scheme.inner,
                       .configurational_sample = config.study.configurational_sample,
                       .seed = start_seed(config, index)},
-                     {nullptr, progress.stop});
+                     {nullptr, callbacks.stop});
   run.stable = t.failure.empty();
   if (!run.stable) return run;
   const EnergyStatistics& energies = t.statistics.energies;
@@ -91,7 +91,108 @@ void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   points.push_back(point);
 }
 
+/// The runs of a study that are still to be done.
+class StudyJobs {
+ public:
+  StudyJobs(const Config& config, const std::vector<StudyRun>& known,
+            const std::function<void(const StudyRun&)>& finished, const Callbacks& callbacks,
+            Workers& workers)
+      : config_(config),
+        finished_(finished),
+        callbacks_(callbacks),
+        workers_(workers),
+        needed_(static_cast<std::size_t>(config.study.runs), false) {
+    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // of scheme and start
+    for (const StudyRun& run : known) steps_done[{run.scheme, run.start}].push_back(run.step);
+    for (const StudyPoint& point : study_points(config.study))
+      for (int r = 0; r < config.study.runs; ++r)
+        if (!contains(steps_done[{point.name, r}], point.step)) add({point, r});
+    // The most expensive first, so that the last ones are short.
+    std::stable_sort(jobs_.begin(), jobs_.end(),
+                     [](const Job& a, const Job& b) { return a.work() > b.work(); });
+  }
+
+  void perform() {
+    if (jobs_.empty()) return;
+    work_ += preparation() * static_cast<double>(std::count(needed_.begin(), needed_.end(), true));
+    const System base = build_system(config_);
+    prepare_starts(base);
+    if (callbacks_.stopped()) return;
+    for (const Job& job : jobs_)  // measured while nothing else runs
+      if (!near_weights_.contains(job.point.name))
+        near_weights_[job.point.name] = near_weight(base, job.point.scheme.inner);
+    workers_.each(jobs_.size(), [&](std::size_t k) { perform(jobs_[k]); });
+  }
+
+ private:
+  struct Job {
+    StudyPoint point;
+    int start;
+    double work() const { return point.cost(typical_near_weight); }  // per ps
+  };
+
+  static bool contains(const std::vector<double>& steps, double step) {
+    return std::any_of(steps.begin(), steps.end(), [&](double one) { return same(one, step); });
+  }
+
+  void add(const Job& job) {
+    jobs_.push_back(job);
+    needed_[static_cast<std::size_t>(job.start)] = true;
+    work_ += job.work() * config_.study.length;
+  }
+
+  /// Force evaluations for an initial configuration, in steps of 1 fs.
+  double preparation() const { return 1000 * config_.study.decorrelate; }
+
+  void prepare_starts(const System& base) {
+    starts_.assign(needed_.size(), base);
+    workers_.each(starts_.size(), [&](std::size_t r) {
+      if (!needed_[r] || callbacks_.stopped()) return;
+      starts_[r] = prepare_start(base, config_, r, config_.study.decorrelate, callbacks_.stop);
+      advance(preparation(), "preparing initial configurations");
+    });
+  }
+
+  void perform(const Job& job) {
+    if (callbacks_.stopped()) return;
+    const auto start = static_cast<std::size_t>(job.start);
+    const StudyRun run = one_run(starts_[start], start, job.point, config_,
+                                 near_weights_.at(job.point.name), callbacks_);
+    if (callbacks_.stopped()) return;  // the run may be incomplete
+    {
+      const std::lock_guard lock(guard_);
+      finished_(run);
+    }
+    advance(job.work() * config_.study.length, run.scheme);
+  }
+
+  void advance(double by, const std::string& what) {
+    const std::lock_guard lock(guard_);
+    done_ += by;
+    callbacks_.report({"study", done_ / work_, what});
+  }
+
+  const Config& config_;
+  const std::function<void(const StudyRun&)>& finished_;
+  const Callbacks& callbacks_;
+  Workers& workers_;
+  std::vector<bool> needed_;  // starts
+  std::vector<Job> jobs_;
+  std::vector<System> starts_;
+  std::map<std::string, double> near_weights_;  // of schemes
+  std::mutex guard_;
+  double work_ = 0, done_ = 0;  // in force evaluations
+};
+
 }  // namespace
+
+StudySettings quick(StudySettings settings) {
+  settings.runs = 4;
+  settings.length = 8;
+  settings.decorrelate = 2;
+  settings.coarse = true;
+  return settings;
+}
 
 std::vector<StudyPoint> study_points(const StudySettings& settings) {
   std::vector<StudyPoint> points;
@@ -121,75 +222,10 @@ System prepare_start(const System& base, const Config& config, std::size_t index
   return start;
 }
 
-void run_study(const Config& config, const std::vector<StudyRun>& known,
-               const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
-               Workers& workers) {
-  struct Job {
-    StudyPoint point;
-    int start;
-    double work() const { return point.cost(typical_near_weight); }  // per ps
-  };
-  std::vector<Job> jobs;
-  std::vector<bool> needed(static_cast<std::size_t>(config.study.runs), false);
-  double work = 0;
-  std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // of scheme and start
-  for (const StudyRun& run : known) steps_done[{run.scheme, run.start}].push_back(run.step);
-  for (const StudyPoint& point : study_points(config.study))
-    for (int r = 0; r < config.study.runs; ++r) {
-      const auto steps = steps_done.find({point.name, r});
-      if (steps != steps_done.end() &&
-          std::any_of(steps->second.begin(), steps->second.end(),
-                      [&](double step) { return same(step, point.step); }))
-        continue;
-      jobs.push_back({point, r});
-      needed[static_cast<std::size_t>(r)] = true;
-      work += jobs.back().work() * config.study.length;
-    }
-  if (jobs.empty()) return;
-  // The most expensive first, so that the last ones are short.
-  std::stable_sort(jobs.begin(), jobs.end(),
-                   [](const Job& a, const Job& b) { return a.work() > b.work(); });
-
-  const double preparation =
-      1000 * config.study.decorrelate *
-      static_cast<double>(std::count(needed.begin(), needed.end(), true));  // 1 fs steps
-  work += preparation;
-  std::mutex guard;
-  double done = 0;
-  const auto advance = [&](double by, const std::string& what) {
-    const std::lock_guard lock(guard);
-    done += by;
-    if (progress.report) progress.report(done / work, what);
-  };
-
-  const System base = build_system(config);
-  std::vector<System> starts(needed.size(), base);
-  const auto stopped = [&] { return progress.stop && progress.stop(); };
-  workers.each(starts.size(), [&](std::size_t r) {
-    if (!needed[r] || stopped()) return;
-    starts[r] = prepare_start(base, config, r, config.study.decorrelate, progress.stop);
-    advance(1000 * config.study.decorrelate, "preparing initial configurations");
-  });
-  if (stopped()) return;
-
-  std::map<std::string, double> near_weights;  // measured while nothing else runs
-  for (const Job& job : jobs)
-    if (!near_weights.contains(job.point.name))
-      near_weights[job.point.name] = near_weight(base, job.point.scheme.inner);
-
-  workers.each(jobs.size(), [&](std::size_t k) {
-    if (stopped()) return;
-    const Job& job = jobs[k];
-    const auto start = static_cast<std::size_t>(job.start);
-    const StudyRun run =
-        one_run(starts[start], start, job.point, config, near_weights.at(job.point.name), progress);
-    if (stopped()) return;  // the run may be incomplete
-    {
-      const std::lock_guard lock(guard);
-      finished(run);
-    }
-    advance(job.work() * config.study.length, run.scheme);
-  });
+void perform_study_runs(const Config& config, const std::vector<StudyRun>& known,
+                        const std::function<void(const StudyRun&)>& finished,
+                        const Callbacks& callbacks, Workers& workers) {
+  StudyJobs(config, known, finished, callbacks, workers).perform();
 }
 
 std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts) {
@@ -199,56 +235,80 @@ std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int star
   return counted;
 }
 
+namespace {
+
+/// A difference of temperatures over the runs that have it; nothing if fewer than two do.
+template <class Difference>
+std::optional<Estimate> mean_difference(const std::vector<StudyRun>& runs,
+                                        const Difference& difference) {
+  std::vector<double> values;
+  for (const StudyRun& run : runs)
+    if (const std::optional<double> value = run.stable ? difference(run) : std::nullopt)
+      values.push_back(*value);
+  if (values.size() < 2) return std::nullopt;
+  return mean(values);
+}
+
+void add_excesses(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
+  for (std::size_t k = 0; k < point.excess.size(); ++k)
+    point.excess[k] = mean_difference(runs, [k](const StudyRun& run) -> std::optional<double> {
+      if (!run.parts || !(run.parts->rotation[k] > 0 && run.parts->translation > 0)) return {};
+      return run.parts->rotation[k] - run.parts->translation;
+    });
+  for (std::size_t k = 0; k < point.configurational_excess.size(); ++k)
+    point.configurational_excess[k] =
+        mean_difference(runs, [k](const StudyRun& run) -> std::optional<double> {
+          if (!run.configurational || !run.parts || (*run.configurational)[k] == 0) return {};
+          const Temperatures& T = *run.parts;
+          return (*run.configurational)[k] - (k == 0 ? T.translation : T.rotation[k - 1]);
+        });
+}
+
+/// Means over the runs that did not blow up.
+void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
+  std::vector<double> ratios, drifts, temperatures, roundings;
+  for (const StudyRun& run : runs) {
+    if (!run.stable) continue;
+    ratios.push_back(run.ratio);
+    drifts.push_back(run.drift);
+    temperatures.push_back(run.temperature);
+    roundings.push_back(run.rounding);
+  }
+  point.stable = ratios.size() == runs.size();
+  if (ratios.empty()) return;
+  point.ratio = mean(ratios);
+  point.drift = drift_of_series(drifts);
+  point.temperature = mean(temperatures).value;
+  point.rounding = mean(roundings).value;
+}
+
+/// The runs of a point by initial configuration: sums do not depend on which run ended first.
+std::vector<StudyRun> runs_of(const StudyPoint& point, const std::vector<StudyRun>& runs) {
+  std::vector<StudyRun> own;
+  for (const StudyRun& run : runs)
+    if (run.scheme == point.name && same(run.step, point.step)) own.push_back(run);
+  std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.start < b.start; });
+  return own;
+}
+
+}  // namespace
+
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
                                                const std::vector<StudyRun>& runs) {
   std::vector<EfficiencyPoint> result;
   for (const StudyPoint& point : points) {
+    const std::vector<StudyRun> own = runs_of(point, runs);
+    if (own.empty()) continue;
     EfficiencyPoint e;
     e.scheme = point.name;
     e.step = point.step;
-    std::vector<StudyRun> own;  // sorted by initial configuration: sums do not depend on which run
-                                // ended first
-    for (const StudyRun& run : runs)
-      if (run.scheme == e.scheme && same(run.step, e.step)) own.push_back(run);
-    std::sort(own.begin(), own.end(),
-              [](const auto& a, const auto& b) { return a.start < b.start; });
-    std::vector<double> ratios, drifts, temperatures, roundings, weights;
-    for (const StudyRun& run : own) {
-      ++e.runs;
-      weights.push_back(run.near_weight);
-      if (!run.stable) {
-        e.stable = false;
-        continue;
-      }
-      ratios.push_back(run.ratio);
-      drifts.push_back(run.drift);
-      temperatures.push_back(run.temperature);
-      roundings.push_back(run.rounding);
-    }
-    if (e.runs == 0) continue;
+    e.runs = static_cast<int>(own.size());
+    std::vector<double> weights;
+    for (const StudyRun& run : own) weights.push_back(run.near_weight);
     e.near_weight = mean(weights).value;
     e.cost = point.cost(e.near_weight);
-    for (std::size_t k = 0; k < 3; ++k) {
-      std::vector<double> excess;
-      for (const StudyRun& run : own)
-        if (run.stable && run.parts && run.parts->rotation[k] > 0 && run.parts->translation > 0)
-          excess.push_back(run.parts->rotation[k] - run.parts->translation);
-      if (excess.size() > 1) e.excess[k] = mean(excess);
-    }
-    for (std::size_t k = 0; k < e.configurational_excess.size(); ++k) {
-      std::vector<double> excess;
-      for (const StudyRun& run : own)
-        if (run.stable && run.configurational && run.parts && (*run.configurational)[k] != 0)
-          excess.push_back((*run.configurational)[k] -
-                           (k == 0 ? run.parts->translation : run.parts->rotation[k - 1]));
-      if (excess.size() > 1) e.configurational_excess[k] = mean(excess);
-    }
-    if (!ratios.empty()) {
-      e.ratio = mean(ratios);
-      e.drift = drift_of_series(drifts);
-      e.temperature = mean(temperatures).value;
-      e.rounding = mean(roundings).value;
-    }
+    add_means(e, own);
+    add_excesses(e, own);
     result.push_back(e);
   }
   return result;

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/study/tune.hpp"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
 #include <mutex>
+#include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/instruction_set.hpp"
+#include "polhode/base/version.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/run/simulation/system_notes.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
 namespace polhode {
@@ -100,19 +108,18 @@ struct Runs {
 /// Distributes runs, and reports how many are done.
 class Series {
  public:
-  Series(const Config& config, const TuneSettings& settings, const StudyProgress& progress,
-         Workers& workers)
-      : config_(config), settings_(settings), progress_(progress), workers_(workers) {
-    const System base = build_system(config);
+  Series(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
+         Workers& workers, const System& base)
+      : config_(config), settings_(settings), callbacks_(callbacks), workers_(workers) {
     starts_.assign(2 * static_cast<std::size_t>(settings.runs), base);
     workers.each(starts_.size(), [&](std::size_t r) {
       if (stopped()) return;
-      starts_[r] = prepare_start(base, config, r, settings.decorrelate, progress.stop);
-      advance("preparing starts");
+      starts_[r] = prepare_start(base, config, r, settings.decorrelate, callbacks.stop);
+      advance("preparing initial configurations");
     });
   }
 
-  bool stopped() const { return progress_.stop && progress_.stop(); }
+  bool stopped() const { return callbacks_.stopped(); }
 
   /// Runs a scheme: the first half of the initial configurations measures brackets, the second
   /// confirms.
@@ -125,7 +132,7 @@ class Series {
       System system = starts_[brackets ? r : n + r];
       ForceField forces(system.topology, system.forces, system.state.box);
       std::vector<BracketSample> samples;
-      const Watch watch{.stop = progress_.stop, .brackets = [&](const BracketSample& sample) {
+      const Watch watch{.stop = callbacks_.stop, .brackets = [&](const BracketSample& sample) {
                           samples.push_back(sample);
                         }};
       const Trajectory t =
@@ -149,12 +156,12 @@ class Series {
     const std::lock_guard lock(guard_);
     const double all = 8 * settings_.runs;  // initial configurations of both halves, two families
                                             // of 3 series each
-    if (progress_.report) progress_.report(++done_ / all, what);
+    callbacks_.report({"tuning", ++done_ / all, what});
   }
 
   const Config& config_;
   const TuneSettings& settings_;
-  const StudyProgress& progress_;
+  const Callbacks& callbacks_;
   Workers& workers_;
   std::vector<System> starts_;
   std::mutex guard_;
@@ -192,11 +199,59 @@ Tuned tuned(Series& series, const Scheme& reference, const Runs& measured, const
   return t;
 }
 
+/// The settings, with the run file's step unless they have one.
+TuneSettings complete(TuneSettings settings, const Config& config) {
+  try {
+    single_scheme_of(config.integrator.scheme);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  if (settings.step == 0) settings.step = config.integrator.step;
+  constexpr double min_repeats = 20;  // for covariances of three quantities
+  if (settings.length < min_repeats * settings.sample)
+    throw Error(fmt::format(
+        "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; take "
+        "longer runs, or a shorter --sample",
+        settings.length * units::fs_per_ps, min_repeats, settings.sample * units::fs_per_ps));
+  return settings;
+}
+
+nlohmann::json as_json(const Tuned& t) {
+  return {{"reference", t.reference.name()},
+          {"scheme", text_of(t.scheme)},
+          {"eta", t.member.eta},
+          {"eta_error", t.error.eta},
+          {"xi", t.member.xi},
+          {"xi_error", t.error.xi},
+          {"predicted_gain", t.predicted_gain},
+          {"R_reference", t.reference_ratio.value},
+          {"R_reference_error", t.reference_ratio.error},
+          {"R", t.ratio.value},
+          {"R_error", t.ratio.error},
+          {"gain", t.gain.value},
+          {"gain_error", t.gain.error}};
+}
+
 }  // namespace
 
-TuneResult tune(const Config& config, const TuneSettings& settings, const StudyProgress& progress,
+double correlation(const ErrorCovariance& c) { return c.ab / std::sqrt(c.aa * c.bb); }
+
+double rms_bracket(double squares, const TuneSettings& settings) {
+  return std::sqrt(squares / settings.runs);
+}
+
+TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks& callbacks,
                 Workers& workers) {
-  Series series(config, settings, progress, workers);
+  const TuneSettings settings = complete(given, config);
+  const System base = build_system(config);
+  callbacks.note(fmt::format(
+      "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and {} that "
+      "confirm, instruction set {}, threads {}",
+      version(), base.topology.size(), settings.step * units::fs_per_ps, settings.runs,
+      settings.length, settings.runs, name(current_instruction_set()), workers.threads()));
+  note_molecules(base, callbacks);
+  note_forces(base, callbacks);
+  Series series(config, settings, callbacks, workers, base);
   const Scheme hoa2 = scheme_of("hoa2"), gier4 = scheme_of("gier4");
   const Runs plain = series.runs(hoa2, true);
   const ErrorCovariance sum = sum_without(plain.covariances, plain.covariances.size());
@@ -205,7 +260,21 @@ TuneResult tune(const Config& config, const TuneSettings& settings, const StudyP
       tuned(series, hoa2, plain, [&](const ErrorCovariance& c) { return best_plain(c, hoa2); });
   const Tuned second = tuned(series, gier4, series.runs(gier4, true),
                              [&](const ErrorCovariance& c) { return best_gradient(c, gier4); });
-  return {sum, short_steps, first, second};
+  return {settings, base.topology.size(), sum, short_steps, first, second, callbacks.stopped()};
+}
+
+std::string tune_json(const TuneResult& r) {
+  return nlohmann::json{{"molecules", r.molecules},
+                        {"step_fs", r.settings.step * units::fs_per_ps},
+                        {"runs", r.settings.runs},
+                        {"length_ps", r.settings.length},
+                        {"rms_first_bracket_kJ_per_mol", rms_bracket(r.covariance.aa, r.settings)},
+                        {"rms_second_bracket_kJ_per_mol", rms_bracket(r.covariance.bb, r.settings)},
+                        {"correlation", correlation(r.covariance)},
+                        {"eta_of_short_steps", r.short_steps},
+                        {"plain", as_json(r.plain)},
+                        {"gradient", as_json(r.gradient)}}
+      .dump(2);
 }
 
 }  // namespace polhode

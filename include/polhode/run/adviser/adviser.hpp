@@ -4,7 +4,6 @@
 // confirm the answer.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,6 +14,7 @@
 #include "polhode/io/config.hpp"
 #include "polhode/run/adviser/criterion.hpp"
 #include "polhode/run/adviser/step_model.hpp"
+#include "polhode/run/callbacks.hpp"
 
 namespace polhode {
 
@@ -48,11 +48,6 @@ struct Advice {
   bool stopped = false;
 };
 
-struct AdviserWatch {
-  std::function<void(double done, const std::string& what)> report;  ///< fraction of the work
-  std::function<bool()> stop;
-};
-
 /// The frequency of the fastest degrees of freedom [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
 /// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, each molecule's mean of its own: Einstein's
 /// frequency of a liquid, from the forces at one moment.
@@ -62,7 +57,7 @@ double einstein_frequency(const System& system, Workers& workers = Workers::seri
 /// length, where the time allows, else of as much as it does. As many runs at once as there are
 /// workers. What is computed depends on the clock: it determines how long runs may be, and what
 /// schemes cost.
-Advice advise(const Config& config, const AdviserSettings& settings, const AdviserWatch& watch = {},
-              Workers& workers = Workers::serial());
+Advice advise(const Config& config, const AdviserSettings& settings,
+              const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
 }  // namespace polhode

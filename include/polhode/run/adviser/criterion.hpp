@@ -75,6 +75,10 @@ struct AdviserPoint {
 
   Estimate ratio() const;  ///< R, mean over the runs
   Estimate drift() const;  ///< per molecule, mean over the runs [kJ/mol/ps]
+  /// T_k/T − 1 of translation (0) or of rotation about an axis (1 to 3), mean over the runs; error
+  /// 0 without such motion.
+  Estimate bias(std::size_t kind) const;
+  double max_rounding() const;  ///< largest R of rounding alone, estimated
 };
 
 /// One number of each run.

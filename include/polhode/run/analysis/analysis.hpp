@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,6 +17,7 @@
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/measure/reorientation.hpp"
 #include "polhode/measure/velocity_correlation.hpp"
+#include "polhode/run/callbacks.hpp"
 
 namespace polhode {
 
@@ -59,17 +59,12 @@ struct Analysis {
   std::optional<TotalDipole> dipole;
 };
 
-struct AnalysisWatch {
-  std::function<void(std::size_t frames, double time)> each_batch = [](std::size_t, double) {};
-  std::function<bool()> stop = [] { return false; };
-};
-
 /// Reads all frames. Memory holds one batch of frames, one per thread, and the windows of the
 /// correlation functions. Bodies are fitted to several frames in parallel; observables are computed
 /// in parallel over bodies.
 /// @throws Error  if frames do not fit the topology, or do not allow what was requested
 Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
-                 const AnalysisWatch& watch = {}, Workers& workers = Workers::serial());
+                 const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
 /// The names of observables, as used in options.
 const std::vector<std::string>& observable_names();

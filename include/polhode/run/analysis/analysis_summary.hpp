@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/run/analysis/analysis.hpp"
 
 namespace polhode {
@@ -20,7 +21,13 @@ struct SummarySettings {
   std::optional<double> surroundings_permittivity;  ///< permittivity of the surroundings:
                                                     ///< `tin_foil`, or that of the reaction field
   std::string no_surroundings;                      ///< why there is none
+
+  /// Takes the permittivity of the surroundings from the forces of the run.
+  void set_surroundings(const ForceSettings& forces);
 };
+
+/// Factor of diffusion coefficients in nm²/ps to those in 10⁻⁹ m²/s.
+inline constexpr double in_1e9_m2_per_s = 1000;
 
 struct AxisRelaxation {
   std::string axis;
@@ -34,6 +41,9 @@ struct PartSummary {
   std::optional<SeriesEstimate> diffusion;   ///< from displacements, in this box [nm²/ps]
   std::optional<SeriesEstimate> green_kubo;  ///< from velocities, integrated over all lags [nm²/ps]
   std::vector<AxisRelaxation> axes;
+
+  /// D in an infinite box; empty where it or its correction is unknown.
+  std::optional<SeriesEstimate> corrected(const struct AnalysisSummary& summary) const;
 };
 
 struct AnalysisSummary {

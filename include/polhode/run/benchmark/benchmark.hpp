@@ -3,13 +3,13 @@
 // and the time of each part of a step.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "polhode/io/output_units.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/run/benchmark/peak_performance.hpp"
+#include "polhode/run/callbacks.hpp"
 
 namespace polhode {
 
@@ -61,10 +61,8 @@ struct Benchmark {
 
 /// Measures TIP4P water at 297 K: n³ copies of the built-in configuration for 512 n³ molecules,
 /// otherwise molecules on a lattice that were simulated for 0.1 ps.
-/// @param report  called with the fraction of the work done, and the current size
 /// @throws Error  if a size is too small for a cutoff of 0.9 nm
-Benchmark run_benchmark(const BenchmarkSettings& settings,
-                        const std::function<void(double, const std::string&)>& report = {});
+Benchmark run_benchmark(const BenchmarkSettings& settings, const Callbacks& callbacks = {});
 
 /// Number of pairs of bodies closer than a distance, which is below half of the shortest box edge.
 std::size_t pairs_within(const State& state, double distance);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/base/instruction_set.hpp"
-#include "polhode/forces/laws/settings.hpp"
+#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode {

@@ -49,6 +49,11 @@ Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
                             const ProgramVersion& reader);
 
+/// The same of one run.
+/// @throws Error  if another run wrote it
+Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
+                              const ProgramVersion& reader);
+
 struct FoundCheckpoint {
   Checkpoint checkpoint;
   std::string note;  ///< why it is the previous one; empty if it is the newest

@@ -9,34 +9,11 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/integrator.hpp"
-#include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/measure/energy_statistics.hpp"
 #include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/trajectory_settings.hpp"
 
 namespace polhode {
-
-struct TrajectorySettings {
-  Scheme scheme;
-  double step = 0;                     ///< [ps]
-  double length = 0;                   ///< [ps]
-  double sample = 0;                   ///< between energies [ps]; at least one step
-  double lambda = 1e-4;                ///< of finite-difference gradients
-  double shadow_sample = 0;            ///< between error brackets [ps], at some samples; 0: none
-  std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
-  double configurational_sample = 0;   ///< as shadow_sample, of configurational temperatures [ps]
-  std::uint64_t seed = 0;              ///< of the signs that these take
-  double stretch = 0;                  ///< R is also found over stretches so long [ps]; 0: none
-
-  std::size_t steps() const;
-  std::size_t steps_per_sample() const;
-  /// How many samples of the energies there are to one that is taken every `interval` [ps].
-  std::size_t samples_per(double interval) const;
-
-  /// Whether the scheme has a shadow energy of order h² that can be measured.
-  bool has_shadow() const;
-  /// @throws Error  if a shadow energy is requested for a scheme that has none
-  void check_shadow() const;
-};
 
 /// Seconds of wall-clock time by part.
 struct Timings {

@@ -14,6 +14,7 @@
 #include "polhode/io/config.hpp"
 #include "polhode/measure/configurational_temperature.hpp"
 #include "polhode/measure/correlated_series.hpp"
+#include "polhode/run/callbacks.hpp"
 #include "polhode/run/simulation/rounding.hpp"
 #include "polhode/run/simulation/system.hpp"
 
@@ -79,13 +80,10 @@ struct StudyPoint {
   /// @param near_weight  cost of a near-force evaluation relative to a full one
   double cost(double near_weight) const;
 };
-std::vector<StudyPoint> study_points(const StudySettings& settings);
+/// A reduced version of a study: fewer and shorter runs, fewer steps.
+StudySettings quick(StudySettings settings);
 
-struct StudyProgress {
-  std::function<void(double done, const std::string& what)> report;  ///< called with the fraction
-                                                                     ///< of the work done
-  std::function<bool()> stop;
-};
+std::vector<StudyPoint> study_points(const StudySettings& settings);
 
 /// Seed of the random numbers of one initial configuration in a series, and of the runs from it:
 /// the run file's seed + 1 + index.
@@ -98,9 +96,9 @@ System prepare_start(const System& base, const Config& config, std::size_t index
 
 /// Performs the runs that are not in `known` yet, as many in parallel as there are workers, and
 /// reports each run when it ends. Each run uses one thread.
-void run_study(const Config& config, const std::vector<StudyRun>& known,
-               const std::function<void(const StudyRun&)>& finished, const StudyProgress& progress,
-               Workers& workers = Workers::serial());
+void perform_study_runs(const Config& config, const std::vector<StudyRun>& known,
+                        const std::function<void(const StudyRun&)>& finished,
+                        const Callbacks& callbacks, Workers& workers = Workers::serial());
 
 /// The runs from the first `starts` initial configurations. Drifts are compared between points, and
 /// more runs detect smaller drifts, so a report uses the same initial configurations at every

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
@@ -42,7 +43,7 @@ FamilyMember best_plain_at_short_steps(const ErrorCovariance& covariance);
 FamilyMember best_gradient(const ErrorCovariance& covariance, const Scheme& reference);
 
 struct TuneSettings {
-  double step = 0;         ///< [ps]
+  double step = 0;         ///< [ps]; 0: that of the run file
   int runs = 4;            ///< for the measurement, and as many from other initial configurations
                            ///< for confirmation
   double length = 2;       ///< of each [ps]
@@ -62,14 +63,27 @@ struct Tuned {
 };
 
 struct TuneResult {
+  TuneSettings settings;
+  std::size_t molecules = 0;
   ErrorCovariance covariance;  ///< from runs of hoa2, summed
   double short_steps = 0;      ///< η of best_plain_at_short_steps
   Tuned plain, gradient;
+  bool interrupted = false;  ///< the numbers are meaningless
 };
 
+/// Correlation coefficient of the two brackets.
+double correlation(const ErrorCovariance& covariance);
+/// rms of a bracket, from the sum of its mean squares over the runs [kJ/mol].
+double rms_bracket(double squares, const TuneSettings& settings);
+
+/// The step of the settings is that of the run file unless it is given.
 /// @throws RunError  if a run blows up
-/// @throws Error     if the forces have no directional derivative
-TuneResult tune(const Config& config, const TuneSettings& settings, const StudyProgress& progress,
+/// @throws Error     if the forces have no directional derivative, the run file has multiple time
+///                   steps, or the runs hold fewer than 20 brackets
+TuneResult tune(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
                 Workers& workers = Workers::serial());
+
+/// Names with units, as "step_fs".
+std::string tune_json(const TuneResult& result);
 
 }  // namespace polhode

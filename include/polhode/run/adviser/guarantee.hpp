@@ -3,12 +3,14 @@
 // the bound, and at the end of the run it is reported whether R was below it.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
 
-#include "polhode/run/adviser/adviser.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/measure/energy_statistics.hpp"
+#include "polhode/run/callbacks.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 struct Guarantee {
   double accuracy = 0;  ///< bound on R [1]
@@ -16,18 +18,21 @@ struct Guarantee {
   Estimate expected;    ///< R, mean of the confirming runs
 };
 
-/// Whether a suspended run is resumed, and whether existing files may be overwritten.
-struct StartMode {
-  bool resume = false, force = false;
-};
-
-/// If the run file has an accuracy guarantee, chooses the step, and the scheme unless the run file
-/// has one, and reports them on standard error. Empty otherwise, and after an interrupt. The choice
-/// is saved in PREFIX-guarantee.json, from which a resumed run takes it: it must continue with the
-/// same scheme and step.
+/// Chooses the step that meets the accuracy of a run file, and the scheme unless the run file has
+/// one, and sets both. Empty if it was interrupted.
+/// @param config  with integrator.accuracy
 /// @throws RunError  if no scheme meets the bound
-std::optional<Guarantee> choose_guaranteed_step(Config& config, StartMode start_mode,
+std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks& callbacks,
                                                 Workers& workers);
+
+/// Writes a guarantee with the scheme and step that were chosen, for a run that is resumed: it must
+/// continue with the same ones.
+void write_guarantee(const std::string& file, const Guarantee& guarantee,
+                     const IntegratorSettings& integrator);
+
+/// Reads such a file, and sets scheme and step.
+/// @throws Error  if it contains anything else
+Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator);
 
 struct GuaranteeCheck {
   Guarantee guarantee;
@@ -38,7 +43,5 @@ struct GuaranteeCheck {
 };
 
 GuaranteeCheck check_guarantee(const Guarantee& guarantee, const TrajectoryStatistics& statistics);
-void print_guarantee(const GuaranteeCheck& check);
-nlohmann::json as_json(const GuaranteeCheck& check);
 
-}  // namespace polhode::cli
+}  // namespace polhode

@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace polhode {
+
+/// The version of the library, "0.1.0".
+const char* version();
+
+}  // namespace polhode

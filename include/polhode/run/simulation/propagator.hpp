@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// A trajectory under way: a scheme that advances a system, and the statistics of its energies.
+#pragma once
+
+#include <memory>
+
+#include "polhode/run/simulation/trajectory.hpp"
+
+namespace polhode {
+
+/// Advances a system step by step. How the steps are divided among calls makes no difference, to
+/// the last bit: samples are taken at the same steps.
+class Propagator {
+ public:
+  /// @param system, forces, workers  kept by reference
+  /// @throws Error  if the near forces of an inner scheme do not fit the forces
+  Propagator(System& system, ForceField& forces, const TrajectorySettings& settings,
+             Workers& workers = Workers::serial());
+  ~Propagator();
+  Propagator(const Propagator&) = delete;
+  Propagator& operator=(const Propagator&) = delete;
+
+  /// Resumes from there, bit for bit as if it had never been suspended.
+  void resume_from(const RunState& state);
+  /// All that the rest of the trajectory depends on.
+  RunState run_state();
+
+  /// Takes steps, with samples where they are due, the first one at the start.
+  /// @throws RunError  if the trajectory blows up
+  void advance(std::size_t steps);
+  /// Continues to the length of the settings and takes a last sample there, or where the watch
+  /// stops it. A trajectory that blows up ends there and says so in `failure`.
+  Trajectory run(const Watch& watch = {});
+
+  /// Steps done since the start of the trajectory.
+  std::size_t steps() const;
+  /// Statistics, counts and times so far.
+  Trajectory trajectory();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace polhode

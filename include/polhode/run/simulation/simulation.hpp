@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// A simulation of a run file: in memory, step by step, or as a whole with its files.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/run/adviser/guarantee.hpp"
+#include "polhode/run/callbacks.hpp"
+#include "polhode/run/outputs.hpp"
+#include "polhode/run/simulation/propagator.hpp"
+#include "polhode/run/simulation/rounding.hpp"
+#include "polhode/run/simulation/run_report.hpp"
+#include "polhode/run/simulation/system.hpp"
+
+namespace polhode {
+
+/// How Simulation::run() ended. What was interrupted resumes from a checkpoint, except the choice
+/// of a step, which leaves no file.
+enum class RunEnd {
+  complete,
+  interrupted,                ///< in the trajectory
+  interrupted_equilibrating,  ///< before the trajectory
+  interrupted_choosing_step   ///< before the equilibration
+};
+
+struct RunResult {
+  RunEnd end;
+  std::optional<RunReport> report;  ///< of the trajectory, if it started
+};
+
+/// The system of a run file and its trajectory: an equilibration, if the run file has one, and
+/// steps of its scheme. The trajectory has the same bits whether it is computed by step(), by
+/// run(), or resumed, and with any number of threads.
+class Simulation {
+ public:
+  /// Builds the system; nothing is computed and no file is written.
+  /// @param workers  kept by reference
+  /// @throws Error  with its place, if a setting or the initial configuration does not fit
+  explicit Simulation(const Config& config, Workers& workers = Workers::serial());
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// The run file's settings, with scheme and step as chosen by choose_step().
+  const Config& config() const { return config_; }
+  const System& system() const { return system_; }
+  const State& state() const { return system_.state; }
+  /// Steps of the trajectory done so far.
+  std::size_t steps() const;
+  /// Energies of the current state, from a force evaluation of its own that leaves the trajectory
+  /// as it is.
+  Energies energies() const;
+  /// Statistics of the trajectory so far.
+  RunSummary summary();
+
+  /// If the run file asks for an accuracy, lets the adviser choose the step, and the scheme unless
+  /// the run file has one. run() does so itself.
+  /// @return  false if it was interrupted
+  /// @throws RunError  if no scheme meets the accuracy
+  bool choose_step(const Callbacks& callbacks = {});
+  /// Equilibrates as the run file asks, unless that is done. step() and run() do so themselves.
+  /// @return  false if it was interrupted; another call resumes it
+  /// @throws RunError  if it blows up
+  bool equilibrate(const Callbacks& callbacks = {});
+  /// Advances the trajectory.
+  /// @throws Error     if the run file asks for an accuracy whose step is not chosen yet
+  /// @throws RunError  if it blows up
+  void step(std::size_t steps = 1);
+
+  /// Writes a checkpoint of the simulation.
+  /// @throws RunError  if the file cannot be written
+  void save(const std::string& path);
+  /// Resumes a checkpoint of the same run, written by save() or by run(), by the same version of
+  /// the program with the same instruction set.
+  /// @throws Error  if it is damaged, or of another run or program
+  void resume(const std::string& path);
+
+  /// Continues to the length of the run file and writes all of its outputs: energies, trajectories,
+  /// checkpoints, the final state, a figure. Files and names are those of [output]; a lock keeps
+  /// other processes from them.
+  /// @throws Error     before anything is computed, if outputs exist or cannot be resumed
+  /// @throws RunError  if the trajectory blows up, or a file cannot be written
+  RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});
+  /// The step of the last checkpoint if run() threw an error that does not keep the run from being
+  /// resumed there, such as a full disk.
+  std::optional<std::size_t> resumable_step() const { return resumable_step_; }
+
+ private:
+  void set_guarantee(const Guarantee& guarantee);
+  bool choose_step(const OutputOptions& options, const Callbacks& callbacks);
+  const std::string& identity();
+  std::optional<FoundCheckpoint> find_checkpoint(const RunFileNames& names,
+                                                 const OutputOptions& options,
+                                                 const Callbacks& callbacks);
+  void check_length(std::size_t steps_done) const;
+  RunState run_state();
+  void resume(Checkpoint checkpoint);
+  void note_begin(const Callbacks& callbacks) const;
+  bool equilibrate(const Callbacks& callbacks, RunFiles* files);
+  bool trajectory_started() const;
+  Propagator& propagator();
+  Trajectory run_trajectory(RunFiles& files, const Callbacks& callbacks);
+  RunReport report(const Trajectory& trajectory, const RunFileNames& names,
+                   const Callbacks& callbacks) const;
+  ExecutionSettings execution() const;
+
+  Config config_;
+  Workers& workers_;
+  std::optional<TrajectorySettings> settings_;  // none while a step is to be chosen
+  std::optional<Guarantee> guarantee_;
+  System system_;
+  ForceField forces_;
+  std::string identity_;
+  ForceNoise noise_;            // of the forces at the start of the trajectory
+  std::optional<RunState> at_;  // where it stands, until the propagator has taken it over
+  std::optional<Propagator> propagator_;
+  std::optional<std::size_t> resumable_step_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What a user should know of a system before it is simulated, in lines of text.
+#pragma once
+
+#include "polhode/run/callbacks.hpp"
+#include "polhode/run/simulation/system.hpp"
+
+namespace polhode {
+
+/// The molecules of a topology file, and how their rigid shapes were determined; the distance of
+/// atoms in the initial configuration from the rigid bodies, if it exceeds rounding, and of
+/// massless sites, if it exceeds what that of the atoms explains.
+void note_molecules(const System& system, const Callbacks& callbacks);
+
+/// The mixing rule and explicit pairs, unless all pairs follow the default rule; grid, order and
+/// split of a mesh; a net charge.
+void note_forces(const System& system, const Callbacks& callbacks);
+
+}  // namespace polhode

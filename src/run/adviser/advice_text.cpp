@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include "polhode/io/output_units.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/run/adviser/advice_report.hpp"
+
+namespace polhode {
+namespace {
+
+std::string percent(const Estimate& x) {
+  return fmt::format("{:.3g} ± {:.2g} %", 100 * x.value, 100 * x.error);
+}
+
+}  // namespace
+
+const char* name(Quality quality) {
+  switch (quality) {
+    case Quality::ratio:
+      return "R";
+    case Quality::drift:
+      return "drift";
+    case Quality::temperature_bias:
+      return "temperature bias";
+  }
+  return "";
+}
+
+std::string bound_text(Quality quality, double bound) {
+  return quality == Quality::drift
+             ? fmt::format("{:.3g} kJ/mol/ns", bound / unit("kJ/mol/ns", Dimension::power))
+             : fmt::format("{:.3g} %", 100 * bound);
+}
+
+std::string description(const Criterion& criterion) {
+  return fmt::format("{} {} of at most {}", criterion.quality == Quality::ratio ? "an" : "a",
+                     name(criterion.quality), bound_text(criterion.quality, criterion.bound));
+}
+
+std::string unreachable(const Advice& advice, const Criterion& criterion) {
+  const Candidate* best = nullptr;
+  const AdviserPoint* reached = nullptr;
+  const auto consider = [&](const Candidate& candidate, const AdviserPoint& point) {
+    if (!point.usable || (reached && reached->bound <= point.bound)) return;
+    best = &candidate;
+    reached = &point;
+  };
+  for (const Candidate& candidate : advice.candidates)
+    for (const AdviserPoint& point : candidate.points) consider(candidate, point);
+  for (const auto& [c, point] : advice.refused) consider(advice.candidates[c], point);
+  std::string text =
+      fmt::format("no scheme was found that meets {} for this system", description(criterion));
+  if (!reached)
+    return text +
+           "; every step that was tried blew up or drifted: equilibrate longer, or check the "
+           "initial configuration";
+  text += fmt::format("; the smallest bound reached is {}, with {} at {:.3g} fs",
+                      bound_text(criterion.quality, reached->bound), best->name,
+                      reached->step * units::fs_per_ps);
+  if (reached->max_rounding() > 0.5 * reached->ratio().value)
+    text += fmt::format(
+        "; rounding alone makes R = {:.2g} % in mixed precision; take precision = \"double\" to "
+        "avoid it",
+        100 * reached->max_rounding());
+  if (criterion.quality != Quality::ratio)
+    text += "; the bound includes the error of the mean, which a longer --time or --length reduces";
+  return text;
+}
+
+std::string answer(const Advice& advice) {
+  const AdviserPoint& p = advice.confirmation;
+  return fmt::format("{} at {:.3g} fs, R = {} in {} independent runs of {:.3g} ps",
+                     advice.candidates[*advice.best].name, p.step * units::fs_per_ps,
+                     percent(p.ratio()), p.runs.size(), p.length);
+}
+
+}  // namespace polhode

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/adviser/guarantee.hpp"
+
+#include <fmt/core.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/run/adviser/advice_report.hpp"
+#include "polhode/run/adviser/adviser.hpp"
+
+namespace polhode {
+
+std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks& callbacks,
+                                                Workers& workers) {
+  IntegratorSettings& integrator = config.integrator;
+  AdviserSettings settings{{Quality::ratio, integrator.accuracy.value()}, integrator.candidates};
+  if (integrator.scheme_given) settings.schemes = {integrator.scheme};
+  callbacks.note(fmt::format("choosing a step for {}", description(settings.criterion)));
+  Callbacks renamed = callbacks;
+  if (callbacks.progress)
+    renamed.progress = [&](Progress now) {
+      now.job = "choosing the step";
+      callbacks.progress(now);
+    };
+  const Advice advice = advise(config, settings, renamed, workers);
+  if (advice.stopped) return std::nullopt;
+  if (!advice.best) throw RunError(unreachable(advice, settings.criterion));
+  const AdviserPoint& point = advice.confirmation;
+  integrator.scheme = advice.candidates[*advice.best].name;
+  integrator.step = point.step;
+  callbacks.note(fmt::format("for {}: {}", description(settings.criterion), answer(advice)));
+  return Guarantee{*integrator.accuracy, point.length, point.ratio()};
+}
+
+void write_guarantee(const std::string& file, const Guarantee& guarantee,
+                     const IntegratorSettings& integrator) {
+  const nlohmann::json json{{"accuracy", guarantee.accuracy},
+                            {"length_ps", guarantee.length},
+                            {"R_expected", guarantee.expected.value},
+                            {"R_expected_error", guarantee.expected.error},
+                            {"scheme", integrator.scheme},
+                            {"step_ps", integrator.step}};
+  write_file(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
+}
+
+Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator) try {
+  const auto json = nlohmann::json::parse(std::ifstream(file));
+  integrator.scheme = json.at("scheme");
+  integrator.step = json.at("step_ps");
+  return {json.at("accuracy"),
+          json.at("length_ps"),
+          {json.at("R_expected"), json.at("R_expected_error")}};
+} catch (const nlohmann::json::exception& e) {
+  throw Error(
+      fmt::format("'{}' does not contain the accuracy guarantee of the run to be resumed ({}); "
+                  "start over with --force",
+                  file, e.what()));
+}
+
+GuaranteeCheck check_guarantee(const Guarantee& guarantee, const TrajectoryStatistics& statistics) {
+  const SeriesEstimate whole = statistics.energies.ratio_with_error();
+  const Estimate ratio = statistics.stretches.ratio().value_or(Estimate{whole.value, whole.error});
+  return {guarantee, ratio};
+}
+
+}  // namespace polhode

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/outputs.hpp"
+
+#include <sstream>
+
+#include "polhode/base/instruction_set.hpp"
+#include "polhode/base/version.hpp"
+
+namespace polhode {
+
+Provenance provenance(const std::string& command, const std::string& config, std::uint64_t seed) {
+  return {version(), command, config, name(current_instruction_set()), seed};
+}
+
+void check_outputs(const std::vector<std::string>& files, ExistingFiles existing) {
+  for (const std::string& file : files) refuse_existing(file, existing == ExistingFiles::replace);
+}
+
+OutputLock::OutputLock(const std::string& path, const Callbacks& callbacks) : lock_(path) {
+  if (!lock_.is_held())
+    callbacks.note(
+        "note: the file system does not support locks; do not start a second process with the same "
+        "output");
+}
+
+void pass_messages(const Callbacks& callbacks, const std::function<void(std::ostream&)>& write) {
+  std::stringstream text;
+  write(text);
+  for (std::string line; std::getline(text, line);) callbacks.note(line);
+}
+
+}  // namespace polhode

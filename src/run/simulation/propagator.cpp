@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/propagator.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "polhode/base/error.hpp"
+#include "polhode/forces/laws/law_range.hpp"
+#include "polhode/integrate/nested_integrator.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+
+namespace polhode {
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const double seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+    return seconds;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+/// Forces with a stopwatch.
+struct TimedForces {
+  ForceField& forces;
+  double seconds = 0;  // with the list
+  void operator()(const State& state, Load& load) {
+    Stopwatch watch;
+    forces(state, load);
+    seconds += watch.lap();
+  }
+  void forces_alone(const State& state, Load& load) {
+    Stopwatch watch;
+    forces.forces_alone(state, load);
+    seconds += watch.lap();
+  }
+  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
+                              Load& slope) {
+    Stopwatch watch;
+    forces.directional_derivative(state, dq, dtheta, slope);
+    seconds += watch.lap();
+  }
+};
+
+/// Ends the trajectory but keeps its results.
+struct BlowUp : RunError {
+  using RunError::RunError;
+};
+
+[[noreturn]] void throw_blow_up(const TrajectorySettings& s, std::size_t step,
+                                const std::string& what) {
+  throw BlowUp(fmt::format(
+      "the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for {}, or the "
+      "initial configuration is too far from equilibrium: try {:g} fs, or equilibrate first",
+      step, static_cast<double>(step) * s.step, what, s.step * units::fs_per_ps,
+      name_of({s.scheme, s.inner}), s.step * 500));
+}
+
+/// Computing time by part, added to that of an earlier part of the run.
+class Clocks {
+ public:
+  /// @param near  of an inner scheme, if there is one
+  Clocks(const TimedForces& whole, const TimedForces* near, const Timings& earlier)
+      : whole_(whole),
+        near_(near),
+        earlier_(earlier),
+        list_before_(in_list(&whole)),
+        near_list_before_(in_list(near)) {}
+  double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
+  /// The time since the last call of this or skip() was spent in drifts, kicks and forces.
+  void add_motion() { motion_ += part_.lap(); }
+  void skip() { part_.lap(); }
+  void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
+  /// What has passed since the last call of timings() was not the trajectory's.
+  void skip_pause() {
+    run_.lap();
+    skip();
+  }
+  Timings timings() {
+    all_ += run_.lap();
+    const double list = in_list(&whole_) - list_before_;
+    const double near_list = in_list(near_) - near_list_before_;
+    const double motion = motion_ - (in_forces() - forces_of_samples_);
+    return {earlier_.forces + whole_.seconds - list, earlier_.list + list + near_list,
+            earlier_.motion + motion,
+            earlier_.measurement + std::max(0.0, all_ - in_forces() - motion),
+            earlier_.near + (near_ ? near_->seconds : 0) - near_list};
+  }
+
+ private:
+  static double in_list(const TimedForces* timed) {
+    return timed ? timed->forces.neighbours().seconds() : 0;
+  }
+
+  const TimedForces& whole_;
+  const TimedForces* near_;
+  Timings earlier_;
+  double list_before_, near_list_before_;
+  double all_ = 0, motion_ = 0;
+  double forces_of_samples_ = 0;  // schemes that end with a drift need forces for the energy
+  Stopwatch run_, part_;
+};
+
+/// The integrator of a trajectory with its forces: of one scheme, or of two for multiple time
+/// steps.
+class TimedIntegrator {
+ public:
+  TimedIntegrator(System& system, ForceField& forces, const TrajectorySettings& settings,
+                  Workers& workers)
+      : whole{forces} {
+    if (!settings.inner) {
+      single_.emplace(settings.scheme, system.bodies, whole, settings.lambda, workers);
+      return;
+    }
+    near_forces_.emplace(system.topology, near_settings(forces.settings(), *settings.inner),
+                         system.state.box, workers);
+    near.emplace(TimedForces{*near_forces_});
+    nested_.emplace(NestedScheme{settings.scheme, settings.inner}, system.bodies, whole, *near,
+                    settings.lambda, workers);
+  }
+  TimedIntegrator(const TimedIntegrator&) = delete;
+  TimedIntegrator& operator=(const TimedIntegrator&) = delete;
+
+  /// Calls f with the integrator.
+  template <class F>
+  decltype(auto) apply(const F& f) {
+    return single_ ? f(*single_) : f(*nested_);
+  }
+
+  void resume_from(const RunState& state) {
+    apply([&](auto& integrator) { integrator.resume_from(state.integrator); });
+    whole.forces.resume_from(state.list, state.state.box);
+    if (near) near->forces.resume_from(state.near_list, state.state.box);
+  }
+
+  void count(Trajectory& trajectory) {
+    apply([&](const auto& integrator) {
+      trajectory.force_evaluations = integrator.force_evaluations();
+      trajectory.derivatives = integrator.derivatives();
+      trajectory.measurements = integrator.measurements();
+    });
+    trajectory.list_rebuilds = whole.forces.list_rebuilds();
+    if (!nested_) return;
+    trajectory.near_evaluations = nested_->near_evaluations();
+    trajectory.near_derivatives = nested_->near_derivatives();
+  }
+
+  TimedForces whole;
+  std::optional<TimedForces> near;  // of an inner scheme
+
+ private:
+  std::optional<Integrator<TimedForces>> single_;
+  std::optional<ForceField> near_forces_;
+  std::optional<NestedIntegrator<TimedForces, TimedForces>> nested_;
+};
+
+}  // namespace
+
+class Propagator::Impl {
+ public:
+  Impl(System& system, ForceField& forces, const TrajectorySettings& settings, Workers& workers)
+      : system_(system),
+        settings_(settings),
+        workers_(workers),
+        terms_(error_terms(settings.scheme)),
+        interval_(settings.steps_per_sample()),
+        integrator_(system, forces, settings, workers),
+        start_(system.state.time) {
+    start_clocks({});
+  }
+
+  std::size_t steps() const { return steps_; }
+
+  void resume_from(const RunState& from) {
+    system_.state = from.state;
+    start_ = from.start;
+    steps_ = from.steps;
+    statistics_ = from.statistics;
+    integrator_.resume_from(from);
+    start_clocks(from.timings);
+  }
+
+  RunState run_state() {
+    clocks_->add_motion();
+    RunState now{
+        system_.state,
+        std::nullopt,
+        steps_,
+        start_,
+        integrator_.apply([](const auto& integrator) { return integrator.memory(); }),
+        integrator_.whole.forces.list_memory(system_.state.box),
+        integrator_.near ? integrator_.near->forces.list_memory(system_.state.box) : ListMemory{},
+        statistics_,
+        clocks_->timings()};
+    clocks_->skip();
+    return now;
+  }
+
+  void advance(std::size_t steps) {
+    leave_last_sample();
+    clocks_->skip_pause();
+    if (statistics_.energies.samples == 0) sample({});
+    for (std::size_t k = 0; k < steps; ++k) sampled_step({});
+    clocks_->add_motion();
+    clocks_->timings();
+  }
+
+  Trajectory run(const Watch& watch) {
+    leave_last_sample();
+    const std::size_t last = settings_.steps();
+    bool stopped = false;
+    std::string failure;
+    try {
+      if (statistics_.energies.samples == 0) {
+        checkpoint(watch);
+        sample(watch);
+      }
+      while (steps_ < last && !stopped) {  // one by one, so that a failed step is identified
+        sampled_step(watch);
+        stopped = watch.stop && watch.stop();
+        if (stopped || steps_ == last || (watch.due && watch.due())) checkpoint(watch);
+      }
+      if (steps_ % interval_ != 0) last_sample(watch);
+    } catch (const BlowUp& e) {
+      failure = e.what();
+    }
+    clocks_->add_motion();
+    Trajectory result = trajectory();
+    result.stopped = stopped;
+    result.failure = std::move(failure);
+    return result;
+  }
+
+  Trajectory trajectory() {
+    Trajectory result;
+    result.statistics = statistics_;
+    result.steps = steps_;
+    integrator_.count(result);
+    result.timings = clocks_->timings();
+    return result;
+  }
+
+ private:
+  void start_clocks(const Timings& earlier) {
+    clocks_.emplace(integrator_.whole, integrator_.near ? &*integrator_.near : nullptr, earlier);
+  }
+
+  void checkpoint(const Watch& watch) {
+    if (watch.checkpoint) watch.checkpoint(run_state());
+  }
+
+  void sampled_step(const Watch& watch) {
+    const bool sampled = (steps_ + 1) % interval_ == 0;
+    step(sampled);
+    if (sampled) sample(watch);
+  }
+
+  void step(bool energies) {
+    try {
+      integrator_.apply([&](auto& integrator) {
+        integrator.advance(system_.state, settings_.step, 1, energies);
+      });
+    } catch (const RunError& e) {
+      throw_blow_up(settings_, steps_ + 1, e.what() + inner_limit_note(system_.topology));
+    }
+    ++steps_;
+    system_.state.time = start_ + static_cast<double>(steps_) * settings_.step;
+    if (!std::isfinite(last_load().potential()))
+      throw_blow_up(
+          settings_, steps_,
+          "the potential energy is no longer a finite number" + inner_limit_note(system_.topology));
+  }
+
+  const Load& last_load() {
+    return integrator_.apply(
+        [](const auto& integrator) -> const Load& { return integrator.last_load(); });
+  }
+
+  /// Forces and torques of the last kick; with an inner scheme, the outer one has the slow forces.
+  const Load& all_forces() {
+    if (!integrator_.near) return last_load();
+    integrator_.whole.forces.forces_alone(system_.state, complete_);
+    return complete_;
+  }
+
+  /// A sample between two intervals is none of those of a longer trajectory.
+  void last_sample(const Watch& watch) {
+    before_last_sample_ = run_state();
+    sample(watch);
+  }
+  void leave_last_sample() {
+    if (before_last_sample_) resume_from(*std::exchange(before_last_sample_, std::nullopt));
+  }
+
+  void sample(const Watch& watch) {
+    clocks_->add_motion();
+    const Energies now = energies_now();
+    if (watch.sample) watch.sample(steps_, system_.state, now);
+    sample_configurational();
+    sample_shadow(now, watch);
+    statistics_.energies.add(now);
+    if (settings_.stretch > 0)
+      statistics_.stretches.add(now, statistics_.energies.first,
+                                settings_.samples_per(settings_.stretch));
+    check_total(now);
+    clocks_->skip();
+  }
+
+  Energies energies_now() try {
+    const double before = clocks_->in_forces();
+    const Energies now = energies(system_.state, system_.bodies,
+                                  integrator_.apply([&](auto& integrator) -> const Load& {
+                                    return integrator.load(system_.state);
+                                  }),
+                                  workers_);
+    clocks_->forces_of_sample(clocks_->in_forces() - before);
+    if (!std::isfinite(now.total()))
+      throw_blow_up(
+          settings_, steps_,
+          "the total energy is no longer a finite number" + inner_limit_note(system_.topology));
+    return now;
+  } catch (const BlowUp&) {
+    throw;
+  } catch (const RunError& e) {
+    throw_blow_up(settings_, steps_, e.what() + inner_limit_note(system_.topology));
+  }
+
+  /// Whether this sample is one of those that are taken every `every` [ps]; 0: never.
+  bool due(double every) const {
+    return every > 0 && statistics_.energies.samples % settings_.samples_per(every) == 0;
+  }
+
+  void sample_configurational() {
+    if (!due(settings_.configurational_sample)) return;
+    constexpr std::uint64_t streams = std::uint64_t{1}
+                                      << 32;  // initial configurations use those below it
+    statistics_.configurational.add(
+        configurational_sample(system_.state, system_.bodies, all_forces(),
+                               integrator_.whole.forces, Random(settings_.seed, streams + steps_)));
+  }
+
+  void sample_shadow(const Energies& now, const Watch& watch) {
+    if (!due(settings_.shadow_sample)) return;
+    const BracketSample both{
+        now, error_brackets(system_.state, system_.bodies, last_load(), integrator_.whole.forces)};
+    statistics_.shadow.add(now.time, shadow_energy(both, terms_, settings_.step));
+    if (watch.brackets) watch.brackets(both);
+  }
+
+  void check_total(const Energies& now) const {
+    const Energies& first = statistics_.energies.first;
+    if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
+      throw_blow_up(settings_, steps_,
+                    fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the "
+                                "initial kinetic energy",
+                                first.total(), now.total()));
+  }
+
+  System& system_;
+  TrajectorySettings settings_;
+  Workers& workers_;
+  ErrorTerms terms_;
+  std::size_t interval_;  // steps between samples
+  TimedIntegrator integrator_;
+  Load complete_;  // of all forces, where the integrator has the slow ones
+  double start_;   // time of the state at step 0 [ps]
+  std::size_t steps_ = 0;
+  TrajectoryStatistics statistics_;
+  std::optional<Clocks> clocks_;
+  std::optional<RunState> before_last_sample_;
+};
+
+Propagator::Propagator(System& system, ForceField& forces, const TrajectorySettings& settings,
+                       Workers& workers)
+    : impl_(std::make_unique<Impl>(system, forces, settings, workers)) {}
+
+Propagator::~Propagator() = default;
+
+void Propagator::resume_from(const RunState& state) { impl_->resume_from(state); }
+
+RunState Propagator::run_state() { return impl_->run_state(); }
+
+void Propagator::advance(std::size_t steps) { impl_->advance(steps); }
+
+Trajectory Propagator::run(const Watch& watch) { return impl_->run(watch); }
+
+std::size_t Propagator::steps() const { return impl_->steps(); }
+
+Trajectory Propagator::trajectory() { return impl_->trajectory(); }
+
+}  // namespace polhode

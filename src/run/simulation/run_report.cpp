@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/run_report.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+using nlohmann::json;
+
+double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+
+/// A number where it is known.
+json number_if(bool known, double value) {
+  return known && std::isfinite(value) ? json(value) : json();
+}
+
+/// Keys of a drift; error, p-value and significance are null if they are not known, and the verdict
+/// gives the reason.
+json drift_json(const Drift& drift, std::uint64_t samples) {
+  const bool known = drift.known == Known::yes;
+  return {{"drift_kJ_per_mol_ps", number_if(samples >= min_samples_reported, drift.rate.value)},
+          {"drift_error", number_if(known, drift.rate.error)},
+          {"drift_p_value", number_if(known, drift.p_value)},
+          {"drift_significant", known ? json(drift.significant()) : json()},
+          {"drift_verdict", verdict(drift)}};
+}
+
+json run_settings(const RunReport& r) {
+  const RunSummary& s = r.summary;
+  return {{"molecules", s.molecules},
+          {"scheme", text_of({r.settings.scheme, r.settings.inner})},
+          {"step_fs", r.settings.step * units::fs_per_ps},
+          {"steps", s.steps},
+          {"length_ps", s.length},
+          {"sample_fs", s.sample * units::fs_per_ps},
+          {"interrupted", r.interrupted},
+          {"samples", s.samples},
+          {"files", r.files.all()}};
+}
+
+json energies_json(const RunSummary& s) {
+  const auto error = [](const SeriesEstimate& e, double value) {
+    return number_if(e.known == Known::yes, value);
+  };
+  return {{"R", number_if(s.samples >= min_samples_reported, s.ratio.value)},
+          {"R_error", error(s.ratio, s.ratio.error)},
+          {"R_rounding", s.rounding},
+          {"rms_total_kJ_per_mol", s.total_fluctuation},
+          {"rms_potential_kJ_per_mol", s.potential_fluctuation},
+          {"potential_kJ_per_mol", s.potential},
+          {"total_kJ_per_mol", s.total},
+          {"temperature_K", s.temperatures.all},
+          {"temperature_translation_K", s.temperatures.translation},
+          {"temperature_rotation_K", s.temperatures.rotation},
+          {"degrees_of_freedom_translation", s.degrees_of_freedom.translation},
+          {"degrees_of_freedom_rotation", s.degrees_of_freedom.rotation},
+          {"pressure_bar", in_bar(s.pressure.value)},
+          {"pressure_error_bar", error(s.pressure, in_bar(s.pressure.error))},
+          {"momentum", s.momentum},
+          {"walk_of_rounding_known", s.walk_known}};
+}
+
+json costs_json(const RunReport& r) {
+  const RunSummary& s = r.summary;
+  return {{"force_evaluations", s.force_evaluations},
+          {"derivative_evaluations", s.derivatives},
+          {"near_evaluations", s.near_evaluations},
+          {"near_derivative_evaluations", s.near_derivatives},
+          {"force_evaluations_for_energies", s.measurements},
+          {"list_rebuilds", s.list_rebuilds},
+          {"seconds",
+           {{"all", s.timings.all()},
+            {"forces", s.timings.forces},
+            {"near", s.timings.near},
+            {"list", s.timings.list},
+            {"motion", s.timings.motion},
+            {"energies_and_output", s.timings.measurement}}},
+          {"ns_per_day", s.ns_per_day},
+          {"threads", r.execution.threads},
+          {"instruction_set", r.execution.instruction_set}};
+}
+
+json shadow_json(const ShadowSummary& shadow) {
+  json report = drift_json(shadow.drift, shadow.samples);
+  report["samples"] = shadow.samples;
+  report["rms_kJ_per_mol"] = shadow.fluctuation;
+  report["time_gain"] = shadow.time_gain ? json(*shadow.time_gain) : json();
+  return report;
+}
+
+json guarantee_json(const std::optional<GuaranteeCheck>& k) {
+  if (!k) return {};
+  return {{"accuracy", k->guarantee.accuracy},
+          {"length_ps", k->guarantee.length},
+          {"R_expected", k->guarantee.expected.value},
+          {"R", k->ratio.value},
+          {"R_error", k->ratio.error},
+          {"met", k->met()}};
+}
+
+}  // namespace
+
+std::string verdict(const Drift& drift) {
+  switch (drift.known) {
+    case Known::yes:
+      return drift.significant() ? "significant" : "not significant";
+    case Known::too_few_samples:
+      return "too few samples";
+    case Known::too_short:
+      return "run too short";
+  }
+  return "";
+}
+
+std::string run_json(const RunReport& r) {
+  json report = run_settings(r);
+  report.update(energies_json(r.summary));
+  report.update(costs_json(r));
+  report.update(drift_json(r.summary.drift, r.summary.samples));
+  if (r.summary.shadow) report["shadow"] = shadow_json(*r.summary.shadow);
+  if (r.summary.configurational[0])
+    for (const auto& known : r.summary.configurational)
+      report["temperature_configurational_K"].push_back(
+          known ? json{{"value", known->value},
+                       {"error", number_if(known->known == Known::yes, known->error)}}
+                : json());
+  report["guarantee"] = guarantee_json(r.guarantee);
+  return report.dump(2);
+}
+
+}  // namespace polhode

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/simulation.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/instruction_set.hpp"
+#include "polhode/base/version.hpp"
+#include "polhode/io/gro.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/io/plot.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/system_notes.hpp"
+
+namespace polhode {
+namespace {
+
+ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
+
+double length_of(std::size_t steps, const TrajectorySettings& settings) {
+  return static_cast<double>(steps) * settings.step;
+}
+
+}  // namespace
+
+Simulation::Simulation(const Config& config, Workers& workers)
+    : config_(config),
+      workers_(workers),
+      settings_(config.integrator.accuracy ? std::nullopt
+                                           : std::optional(trajectory_settings(config))),
+      system_(build_system(config)),
+      forces_(system_.topology, system_.forces, system_.state.box, workers) {
+  if (settings_) check_near(system_.forces, {settings_->scheme, settings_->inner}, config.source);
+}
+
+std::size_t Simulation::steps() const {
+  return propagator_ ? propagator_->steps() : at_ ? at_->steps : 0;
+}
+
+Energies Simulation::energies() const {
+  ForceField forces(system_.topology, system_.forces, system_.state.box, workers_);
+  Load load;
+  forces(system_.state, load);
+  return polhode::energies(system_.state, system_.bodies, load, workers_);
+}
+
+RunSummary Simulation::summary() {
+  if (!trajectory_started()) throw Error("there is no trajectory yet; take a step first");
+  const Trajectory trajectory = propagator().trajectory();
+  return polhode::summary(system_, *settings_, trajectory, noise_);
+}
+
+// Accuracy.
+
+void Simulation::set_guarantee(const Guarantee& guarantee) {
+  guarantee_ = guarantee;
+  settings_ = trajectory_settings(config_, guarantee.length);
+  check_near(system_.forces, {settings_->scheme, settings_->inner}, config_.source);
+}
+
+bool Simulation::choose_step(const Callbacks& callbacks) {
+  if (!config_.integrator.accuracy || guarantee_) return true;
+  const auto chosen = choose_guaranteed_step(config_, callbacks, workers_);
+  if (chosen) set_guarantee(*chosen);
+  return chosen.has_value();
+}
+
+bool Simulation::choose_step(const OutputOptions& options, const Callbacks& callbacks) {
+  if (!config_.integrator.accuracy) return true;
+  const std::string file = config_.output.prefix + "-guarantee.json";
+  if (options.existing == ExistingFiles::resume && std::filesystem::exists(file)) {
+    if (!guarantee_) set_guarantee(read_guarantee(file, config_.integrator));
+    return true;
+  }
+  check_outputs({file}, options.existing);
+  if (!choose_step(callbacks)) return false;
+  write_guarantee(file, *guarantee_, config_.integrator);
+  return true;
+}
+
+// Checkpoints.
+
+// To be called before the state changes.
+const std::string& Simulation::identity() {
+  if (identity_.empty()) identity_ = run_identity(config_, system_);
+  return identity_;
+}
+
+// At the very start it is an equilibration of no length.
+RunState Simulation::run_state() {
+  if (trajectory_started()) return propagator().run_state();
+  return at_ ? *at_ : RunState{.state = system_.state, .equilibrated = 0.0};
+}
+
+void Simulation::save(const std::string& path) {
+  const Checkpoint checkpoint{
+      .identity = identity(), .command = "Simulation::save", .at = run_state(), .noise = noise_};
+  write_checkpoint({path, ""}, checkpoint, this_program());
+}
+
+void Simulation::resume(const std::string& path) {
+  resume(read_checkpoint_of(path, identity(), this_program()));
+}
+
+void Simulation::resume(Checkpoint checkpoint) {
+  noise_ = checkpoint.noise;
+  at_ = std::move(checkpoint.at);
+  system_.state = at_->state;
+  propagator_.reset();
+}
+
+void Simulation::check_length(std::size_t steps_done) const {
+  if (steps_done > settings_->steps())
+    throw Error(fmt::format(
+        "length {:g} ps is shorter than the {:g} ps that the run already has; give a longer one",
+        settings_->length, length_of(steps_done, *settings_)));
+}
+
+// The checkpoint to resume from, if requested and if there is one. Existing files of another run
+// are refused.
+std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& names,
+                                                           const OutputOptions& options,
+                                                           const Callbacks& callbacks) {
+  std::optional<FoundCheckpoint> found;
+  const bool resumes = options.existing == ExistingFiles::resume;
+  if (resumes) found = last_checkpoint(names.checkpoints, identity(), this_program());
+  if (!found) {
+    if (resumes) callbacks.note("note: there is no checkpoint; the run starts from the beginning");
+    if (options.existing != ExistingFiles::replace &&
+        std::filesystem::exists(names.checkpoints.newest))
+      throw Error(
+          fmt::format("'{}' exists: the run was started before; resume it with --continue, give "
+                      "another --output, or start over with --force",
+                      names.checkpoints.newest));
+    check_outputs(names.all(), options.existing);
+    return found;
+  }
+  if (!found->note.empty()) callbacks.note("note: " + found->note);
+  const RunState& at = found->checkpoint.at;
+  check_length(at.steps);
+  callbacks.note(at.equilibrated
+                     ? fmt::format("resuming after {:g} ps of the equilibration", *at.equilibrated)
+                     : fmt::format("resuming after {} steps, {:g} ps", at.steps,
+                                   length_of(at.steps, *settings_)));
+  return found;
+}
+
+// Trajectory.
+
+bool Simulation::trajectory_started() const {
+  return propagator_.has_value() || (at_ && !at_->equilibrated);
+}
+
+bool Simulation::equilibrate(const Callbacks& callbacks) { return equilibrate(callbacks, nullptr); }
+
+bool Simulation::equilibrate(const Callbacks& callbacks, RunFiles* files) {
+  if (trajectory_started()) return true;
+  identity();
+  const double length = config_.run.equilibrate;
+  double now = 0;
+  Watch watch{.sample =
+                  [&](std::size_t, const State& state, const Energies&) {
+                    now = std::max(now, state.time);
+                    callbacks.report({"equilibrating", now / length});
+                  },
+              .stop = callbacks.stop,
+              .checkpoint =
+                  [&](RunState at) {
+                    at_ = at;
+                    if (files) files->checkpoint(std::move(at));
+                  }};
+  if (files) watch.due = [files] { return files->due(); };
+  if (length > 0 &&
+      !polhode::equilibrate(system_, forces_, length, watch, workers_, at_ ? &*at_ : nullptr))
+    return false;
+  at_.reset();
+  noise_ = force_noise(system_, workers_);
+  propagator();
+  return true;
+}
+
+Propagator& Simulation::propagator() {
+  if (!settings_)
+    throw Error(
+        fmt::format("the run asks for R of at most {:g} %, and its step is not chosen yet; choose "
+                    "it first, or give a step in place of an accuracy",
+                    100 * *config_.integrator.accuracy),
+        config_.source);
+  identity();
+  if (!propagator_) {
+    propagator_.emplace(system_, forces_, *settings_, workers_);
+    if (at_) propagator_->resume_from(*std::exchange(at_, std::nullopt));
+  }
+  return *propagator_;
+}
+
+void Simulation::step(std::size_t steps) {
+  if (settings_) equilibrate();
+  propagator().advance(steps);
+}
+
+Trajectory Simulation::run_trajectory(RunFiles& files, const Callbacks& callbacks) try {
+  const auto last = static_cast<double>(settings_->steps());
+  const Watch watch{.sample =
+                        [&](std::size_t step, const State& state, const Energies& energies) {
+                          callbacks.report({"running", static_cast<double>(step) / last});
+                          if (callbacks.sample) callbacks.sample(step, state, energies);
+                          files.sample(step, state, energies);
+                        },
+                    .stop = callbacks.stop,
+                    .due = [&] { return files.due(); },
+                    .checkpoint = [&](RunState at) { files.checkpoint(std::move(at)); }};
+  if (steps() > 0 && !files.last_checkpoint_step())  // they begin within the trajectory
+    files.checkpoint(propagator().run_state());
+  const Trajectory trajectory = propagator().run(watch);
+  files.flush();
+  return trajectory;
+} catch (const RunError&) {
+  resumable_step_ = files.last_checkpoint_step();
+  throw;
+}
+
+// A run with its files.
+
+ExecutionSettings Simulation::execution() const {
+  return {workers_.threads(), this_program().instruction_set};
+}
+
+void Simulation::note_begin(const Callbacks& callbacks) const {
+  const ExecutionSettings with = execution();
+  callbacks.note(fmt::format(
+      "polhode {}: {} molecules, {}, {} in {:g} fs steps, instruction set {}, threads {}",
+      version(), system_.topology.size(), config_.source,
+      name_of({settings_->scheme, settings_->inner}), settings_->step * units::fs_per_ps,
+      with.instruction_set, with.threads));
+  note_molecules(system_, callbacks);
+  note_forces(system_, callbacks);
+}
+
+RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbacks) {
+  resumable_step_.reset();
+  const OutputLock lock(config_.output.prefix + "-run.lock", callbacks);
+  if (!choose_step(options, callbacks)) return {RunEnd::interrupted_choosing_step, {}};
+  const RunFileNames names(config_.output);
+  for (const std::string& file : names.trajectories)
+    check_fit(file, system_.state, system_.topology, config_.output.choice());
+  check_length(steps());
+  auto found = find_checkpoint(names, options, callbacks);
+  RunFiles files(names, system_.topology, config_,
+                 provenance(options.command, config_.text, config_.system.seed), identity(),
+                 found ? &*found : nullptr);
+  if (found) resume(std::move(found->checkpoint));
+  note_begin(callbacks);
+
+  if (!equilibrate(callbacks, &files)) return {RunEnd::interrupted_equilibrating, {}};
+  files.keep(noise_);
+  const Trajectory trajectory = run_trajectory(files, callbacks);
+  if (!trajectory.failure.empty()) {
+    if (trajectory.statistics.energies.samples > 0)
+      callbacks.note(fmt::format("the energies up to that step are in {}", names.energies));
+    throw RunError(trajectory.failure);
+  }
+  return {trajectory.stopped ? RunEnd::interrupted : RunEnd::complete,
+          report(trajectory, names, callbacks)};
+}
+
+RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& names,
+                             const Callbacks& callbacks) const {
+  write_file(names.final_state,
+             [&](std::ostream& out) { write_gro(out, system_.state, system_.topology); });
+  if (!names.plot.empty())
+    pass_messages(callbacks, [&](std::ostream& warnings) {
+      energy_plot(names.energies,
+                  fmt::format("{}, {} at {:g} fs", config_.source,
+                              name_of({settings_->scheme, settings_->inner}),
+                              settings_->step * units::fs_per_ps),
+                  config_.output.plot, warnings);
+    });
+  RunReport report{polhode::summary(system_, *settings_, trajectory, noise_),
+                   *settings_,
+                   execution(),
+                   names,
+                   {},
+                   trajectory.stopped};
+  if (guarantee_ && !trajectory.stopped)
+    report.guarantee = check_guarantee(*guarantee_, trajectory.statistics);
+  return report;
+}
+
+}  // namespace polhode

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/system_notes.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/printable.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
+
+namespace polhode {
+
+void note_molecules(const System& system, const Callbacks& callbacks) {
+  for (std::size_t k = 0; k < system.origins.size(); ++k) {
+    const auto& [molecule, count] = system.topology.parts[k];
+    callbacks.note(fmt::format("{}: {} of {} sites, {}", molecule.name, count,
+                               molecule.sites.size(), printable(system.origins[k])));
+  }
+  if (system.fit_deviation > 1e-4)
+    callbacks.note(fmt::format(
+        "note: atoms of the initial configuration deviate by up to {:.4f} nm from the rigid models",
+        system.fit_deviation));
+  if (system.massless_deviation > std::max(1e-3, 2 * system.fit_deviation))
+    callbacks.note(
+        fmt::format("note: massless sites of the initial configuration deviate by up to {:.4f} nm "
+                    "from the models and are placed according to them",
+                    system.massless_deviation));
+  if (system.removed_temperature > 1e-4)
+    callbacks.note(
+        fmt::format("note: the centre of mass of the initial configuration moves at {:.4g} nm/ps, "
+                    "which amounts to {:.4g} K; the total momentum is removed",
+                    system.removed_velocity, system.removed_temperature));
+  if (degrees_of_freedom(system.topology).all() == 0)
+    callbacks.note(
+        fmt::format("note: a single atom without total momentum has no degrees of freedom, so it "
+                    "has no temperature"));
+}
+
+void note_forces(const System& system, const Callbacks& callbacks) {
+  const ForceSettings& forces = system.forces;
+  if (const std::string mixing = description(forces.mixing); !mixing.empty())
+    callbacks.note(fmt::format("Lennard-Jones: {}", mixing));
+  if (forces.mesh)
+    callbacks.note(fmt::format(
+        "PME: grid {} x {} x {}, order {}, split exponent {}, for a relative force error of "
+        "{:g}",
+        forces.mesh->points[0], forces.mesh->points[1], forces.mesh->points[2], forces.mesh->order,
+        forces.mesh->exponent, forces.pme_accuracy));
+  double net = 0;
+  for (const auto& part : system.topology.parts)
+    net += static_cast<double>(part.count) * part.molecule.charge();
+  if (std::abs(net) > 1e-6)
+    callbacks.note(fmt::format("net charge {:+.6g} e{}", net,
+                               forces.mesh ? ", neutralised by a uniform background" : ""));
+}
+
+}  // namespace polhode

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/trajectory_settings.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/error_terms.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double max_steps = 0x1p53;  // whose steps a double can count
+
+}  // namespace
+
+std::size_t TrajectorySettings::steps() const {
+  if (!(length / step <= max_steps))
+    throw Error(
+        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
+                    "which the times of steps could not be distinguished; take a shorter length",
+                    length, step * units::fs_per_ps, length / step, max_steps));
+  return static_cast<std::size_t>(std::llround(length / step));
+}
+
+std::size_t TrajectorySettings::steps_per_sample() const {
+  const double every = std::min(sample / step * (1 + 1e-12), max_steps);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(every));
+}
+
+std::size_t TrajectorySettings::samples_per(double interval) const {
+  const double samples = interval / (static_cast<double>(steps_per_sample()) * step) * (1 + 1e-12);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::min(samples, max_steps)));
+}
+
+bool TrajectorySettings::has_shadow() const {
+  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
+  const ErrorTerms terms = error_terms(scheme);
+  return !inner && !scheme.has(Flow::bath) && scheme.palindromic() &&
+         std::hypot(terms.alpha, terms.beta) > rounding;
+}
+
+void TrajectorySettings::check_shadow() const {
+  if (shadow_sample == 0 || has_shadow()) return;
+  if (inner)
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
+        "forces, which are not measured; leave it out, or take a single scheme, such as hoa2",
+        shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
+  const char* const reason =
+      scheme.has(Flow::bath) ? "a bath, which changes the energy"
+      : scheme.palindromic()
+          ? "no error of order h², so its shadow energy is the energy itself to that order"
+          : "an error of order h, since its stages are not a palindrome";
+  throw Error(fmt::format(
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, "
+      "such as hoa2",
+      shadow_sample * units::fs_per_ps, scheme.name(), reason));
+}
+
+TrajectorySettings trajectory_settings(const Config& config, double stretch) try {
+  const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
+  TrajectorySettings settings{.scheme = scheme.outer,
+                              .step = config.integrator.step,
+                              .length = config.run.length,
+                              .sample = config.run.sample,
+                              .lambda = config.integrator.lambda,
+                              .inner = scheme.inner,
+                              .configurational_sample = config.run.configurational_sample,
+                              .seed = config.system.seed,
+                              .stretch = stretch};
+  if (settings.length < settings.step * (1 - 1e-9))
+    throw Error(fmt::format(
+        "length {:g} fs is shorter than the step of {:g} fs; it must be at least one step",
+        settings.length * units::fs_per_ps, settings.step * units::fs_per_ps));
+  settings.steps();
+  constexpr double steps_per_shadow = 100;  // costs about 1 % of a run
+  settings.shadow_sample = config.run.shadow_sample.value_or(
+      settings.has_shadow() ? steps_per_shadow * settings.step : 0);
+  settings.check_shadow();
+  return settings;
+} catch (const Error& e) {
+  throw e.at(config.source);
+}
+
+}  // namespace polhode

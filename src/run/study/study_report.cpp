@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/study/study_report.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/io/plot.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/system_notes.hpp"
+#include "polhode/run/study/study_record.hpp"
+#include "temperature_differences.hpp"
+
+namespace polhode {
+namespace {
+
+// Values of R for which the guideline table lists costs, including those of the paper.
+const std::vector<double> table_ratios = {0.03, 0.015, 0.01, 0.007, 0.004, 0.002, 0.001, 0.0001};
+
+Table point_table(const StudyReport& report) {
+  Table table;
+  table.columns = {{"scheme", ""},
+                   {"step", "fs"},
+                   {"cost", "1/ps"},
+                   {"runs", "1"},
+                   {"stable", "1"},
+                   {"usable", "1"},
+                   {"R", "1"},
+                   {"R_error", "1"},
+                   {"drift", "kJ/mol/ps"},
+                   {"drift_error", "kJ/mol/ps"},
+                   {"drift_p_value", "1"},
+                   {"temperature", "K"},
+                   {"R_rounding", "1"},
+                   {"rounded", "1"},
+                   {"near_weight", "1"}};
+  add_excess_columns(table.columns);
+  for (const Curve& curve : report.curves)
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const EfficiencyPoint& p = curve.points[i];
+      table.rows.push_back({p.scheme, p.step * units::fs_per_ps, p.cost,
+                            static_cast<double>(p.runs), p.stable ? 1.0 : 0.0,
+                            i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
+                            p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.temperature,
+                            p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
+      add_excesses(table.rows.back(), p);
+    }
+  return table;
+}
+
+nlohmann::json as_json(const EfficiencyPoint& p, bool usable) {
+  const auto error_of = [&](const Estimate& e) {  // not known from one run
+    return p.runs > 1 && std::isfinite(e.error) ? nlohmann::json(e.error) : nlohmann::json();
+  };
+  nlohmann::json json{
+      {"scheme", p.scheme},
+      {"step_fs", p.step * units::fs_per_ps},
+      {"force_evaluations_per_ps", p.cost},
+      {"runs", p.runs},
+      {"stable", p.stable},
+      {"usable", usable},
+      {"R", p.ratio.value},
+      {"R_error", error_of(p.ratio)},
+      {"drift_kJ_per_mol_ps", p.drift.rate.value},
+      {"drift_error", error_of(p.drift.rate)},
+      {"drift_p_value", p.runs > 1 ? nlohmann::json(p.drift.p_value) : nlohmann::json()},
+      {"temperature_K", p.temperature},
+      {"R_rounding", p.rounding},
+      {"rounded", p.at_rounding()},
+      {"near_weight", p.near_weight}};
+  add_excesses(json, p);
+  return json;
+}
+
+nlohmann::json as_json(const Guideline& line, const std::vector<Curve>& curves) {
+  nlohmann::json row{{"R", line.ratio}};
+  for (std::size_t c = 0; c < line.costs.size(); ++c)
+    if (line.costs[c])
+      row["costs"][curves[c].scheme] = {{"force_evaluations_per_ps", line.costs[c]->cost},
+                                        {"error", line.costs[c]->error},
+                                        {"step_fs", line.costs[c]->step * units::fs_per_ps},
+                                        {"extrapolated", line.costs[c]->extrapolated},
+                                        {"max_step_without_drift", line.costs[c]->at_max_step}};
+  if (line.best) row["best"] = curves[*line.best].scheme;
+  return row;
+}
+
+nlohmann::json as_json(const Claim& claim) {
+  nlohmann::json row{{"claim", claim.text}, {"verdict", in_words(claim.verdict)}};
+  if (claim.value) row["value"] = claim.value->value, row["error"] = claim.value->error;
+  return row;
+}
+
+std::vector<EfficiencyCurve> figure_curves(const StudyReport& report) {
+  std::vector<EfficiencyCurve> figure_data;
+  for (const Curve& curve : report.curves) {
+    figure_data.push_back({curve.scheme, {}});
+    for (std::size_t i = 0; i < curve.points.size(); ++i) {
+      const EfficiencyPoint& p = curve.points[i];
+      figure_data.back().marks.push_back(
+          {p.cost, p.ratio.value, p.ratio.error, i < curve.usable, p.at_rounding()});
+    }
+  }
+  return figure_data;
+}
+
+void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance,
+                 const Callbacks& callbacks) {
+  write_file(files.points,
+             [&](std::ostream& out) { write_csv(out, point_table(report), provenance); });
+  write_file(files.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
+  pass_messages(callbacks, [&](std::ostream& warnings) {
+    for (const char* format : {"svg", "png"})
+      efficiency_plot(files.prefix, figure_curves(report), format, warnings);
+  });
+}
+
+void check_lengths(const Config& config, const std::vector<StudyPoint>& points) {
+  for (const StudyPoint& point : points)
+    if (config.study.length < 10 * point.step)
+      throw Error(
+          fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs, too few "
+                      "for R; take longer runs, or leave out long steps",
+                      config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
+          config.source);
+}
+
+/// The report of the runs that count, in its files.
+StudyReport report_of(Config config, const System& system, const std::vector<StudyRun>& runs,
+                      const StudyFiles& files, const Provenance& provenance,
+                      const Callbacks& callbacks) {
+  const std::vector<StudyRun> counted = runs_of_starts(runs, config.study.runs);
+  if (counted.size() < runs.size())
+    callbacks.note(fmt::format(
+        "the tables use the first {} initial configurations; {} runs from later ones are left out",
+        config.study.runs, runs.size() - counted.size()));
+  config.forces.mixing = system.forces.mixing;  // known after the topology file is read
+  StudyReport report(config, efficiency_points(study_points(config.study), counted));
+  write_study(files, report, provenance, callbacks);
+  return report;
+}
+
+}  // namespace
+
+std::string conditions(const Config& config) {
+  const ForceSettings& f = config.forces;
+  const std::string mixing = description(f.mixing);
+  return fmt::format(
+      "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
+      "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
+      "every scheme; energies at least every 2.5 fs or every step; drift significant below a "
+      "p-value of {:g}",
+      f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
+      f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
+      config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,
+      config.study.runs, config.study.length, config.study.decorrelate, config.system.temperature,
+      significance);
+}
+
+StudyReport::StudyReport(const Config& config_used,
+                         const std::vector<EfficiencyPoint>& points_found)
+    : config(config_used),
+      points(points_found),
+      curves(polhode::curves(points)),
+      guidelines(polhode::guidelines(curves, table_ratios)),
+      claims(paper_claims(curves)),
+      equipartition(polhode::equipartition(curves)) {}
+
+std::string advice(const StudyReport& report, double ratio) {
+  const Guideline line = guidelines(report.curves, {ratio})[0];
+  if (!line.best)
+    return fmt::format("no scheme reaches R = {:g} % for this system without drift", 100 * ratio);
+  const CostAtRatio& best = *line.costs[*line.best];
+  std::string text = fmt::format(
+      "for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps", 100 * ratio,
+      report.curves[*line.best].scheme, best.step * units::fs_per_ps, best.cost);
+  for (std::size_t c = 0; c < report.curves.size(); ++c)
+    if (report.curves[c].scheme == "velocity-verlet" && line.costs[c] && c != *line.best)
+      text +=
+          fmt::format(", {:.2f} times fewer than velocity Verlet", line.costs[c]->cost / best.cost);
+  return text;
+}
+
+std::string study_json(const StudyReport& report) {
+  nlohmann::json json;
+  json["conditions"] = conditions(report.config);
+  for (const Curve& curve : report.curves)
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+      json["points"].push_back(as_json(curve.points[i], i < curve.usable));
+  add_limits(json, report.equipartition);
+  for (const Guideline& line : report.guidelines)
+    json["guidelines"].push_back(as_json(line, report.curves));
+  for (const Claim& claim : report.claims) json["claims"].push_back(as_json(claim));
+  json["advice"] = advice(report, 0.005);
+  return json.dump(2);
+}
+
+StudyReport run_study(const Config& config, const std::string& prefix, const OutputOptions& options,
+                      const Callbacks& callbacks, Workers& workers) {
+  const std::vector<StudyPoint> points = study_points(config.study);
+  check_lengths(config, points);
+  const System system = build_system(config);
+  for (const StudyPoint& point : points) check_near(system.forces, point.scheme, config.source);
+
+  const StudyFiles files(prefix);
+  const OutputLock lock(files.prefix + "-study.lock", callbacks);
+  // Results of a resumed study are overwritten; those of another one are not.
+  if (!std::filesystem::exists(files.runs)) check_outputs(files.all(), options.existing);
+  const Provenance made =
+      provenance(options.command, study_identity(config, system), config.system.seed);
+  StudyRecord record(files.runs, made, options.existing == ExistingFiles::replace);
+  std::vector<StudyRun> runs = record.known();
+  callbacks.note(
+      fmt::format("polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, instruction "
+                  "set {}, threads {}",
+                  made.version, system.topology.size(), points.size(), config.study.runs,
+                  config.study.length, made.instruction_set, workers.threads()));
+  note_molecules(system, callbacks);
+  note_forces(system, callbacks);
+  if (!runs.empty())
+    callbacks.note(fmt::format("{} runs are read from {}", runs.size(), files.runs));
+
+  const auto keep = [&](const StudyRun& run) {
+    record.add(run);
+    runs.push_back(run);
+  };
+  perform_study_runs(config, record.known(), keep, callbacks, workers);
+  StudyReport report = report_of(config, system, runs, files, made, callbacks);
+  report.files = files.all();
+  report.interrupted = callbacks.stopped();
+  return report;
+}
+
+StudyReport report_study_record(const Config& config, const std::string& record,
+                                const std::string& prefix, const OutputOptions& options,
+                                const Callbacks& callbacks) {
+  std::ifstream in(record, std::ios::binary);
+  if (!in) throw Error(fmt::format("there is no file '{}'", record), "--from-record");
+  const std::vector<StudyRun> runs = read_any_study_record(in, record);
+  const StudyFiles files(prefix);
+  check_outputs(files.tables(), options.existing);
+  const System system = build_system(config);
+  const Provenance made =
+      provenance(options.command, study_identity(config, system), config.system.seed);
+  StudyReport report = report_of(config, system, runs, files, made, callbacks);
+  report.files = files.tables();
+  return report;
+}
+
+}  // namespace polhode
