@@ -37,7 +37,7 @@ std::map<std::pair<std::string, int>, EfficiencyPoint> measured(
     config.study.steps = steps;
     for (const StudyPoint& p : study_points(config.study)) points.push_back(p);
     Workers workers(allowed_threads());
-    run_study(
+    perform_study_runs(
         config, {}, [&](const StudyRun& run) { runs.push_back(run); }, {}, workers);
   }
   std::map<std::pair<std::string, int>, EfficiencyPoint> by_fs;
