@@ -18,7 +18,7 @@ struct ShortRangeKeys {
 /// A site may have no law, a pair must have one.
 enum class LawOwner { site, pair };
 
-/// @param file  which the table stands in; names of potential tables are relative to it
+/// @param file  that contains the table; names of potential tables are relative to it
 /// @throws Error  with file, line and key
 ShortRangeKeys read_short_range(TomlTable& table, LawOwner owner, const std::string& file);
 

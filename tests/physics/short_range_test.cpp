@@ -102,7 +102,7 @@ constexpr double charge_force = units::coulomb * 0.5 / (0.2 * 0.2);
 
 // In double, sums of some 10³ terms that agree but for the order of sums and the last digits of
 // powers: 20 roundings of 2⁻⁵³ each and their sum. In float, powers of up to 43 respond to the
-// rounding of r² and of the logarithm some 100 times: 100 × 2⁻²⁴ of the largest force. Forces of
+// rounding of r² and of the logarithm about 100 times: 100 × 2⁻²⁴ of the largest force. Forces of
 // charges have some ten roundings each and add up in a random walk: 20 × 2⁻²⁴ of one of them.
 TEST_CASE("forces of all short-range laws over the list equal plain sums, on every target") {
   for (const Example& system : systems())
@@ -123,7 +123,7 @@ TEST_CASE("forces of all short-range laws over the list equal plain sums, on eve
           const Load load = load_of(scene.topology, settings, scene.state);
           CHECK(largest_difference(load.f, exact.f) < scale);
           CHECK(largest_difference(load.tau, exact.tau) < scale);
-          CHECK(largest_difference(load.virial, exact.virial) < 10 * scale);  // some 10 nm in all
+          CHECK(largest_difference(load.virial, exact.virial) < 10 * scale);  // about 10 nm in all
           CHECK(std::abs(load.lennard_jones - exact.lennard_jones) < 10 * scale);
         });
       }

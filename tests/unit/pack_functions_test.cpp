@@ -53,7 +53,7 @@ Errors largest_errors(double low, double high) {
 
 // exp: the product by r and the last sum of the series round by half a unit each, the terms before
 // by 0.35 of that and less, and r errs by 2⁻⁵⁵: below 1.5 units. log: s errs by a quotient and a
-// sum, one unit, and the sum of two terms rounds; beside k ln 2 less. Never exact: an error of 0
+// sum, one unit, and the sum of two terms rounds; next to k ln 2 less. Never exact: an error of 0
 // would say that nothing was tested.
 TEST_CASE("exponentials and logarithms of packs err by less than 1.5 and 2.5 units") {
   for_each_instruction_set([] {

@@ -53,9 +53,10 @@ Fault fault_of_truncation(const ForceSettings& s) {
         "smoothness", fmt::format("{}", s.smoothness),
         "must be 1, 2 or 3, the number of continuous derivatives of the switching function"};
   if (s.dispersion_correction && s.truncation == Truncation::site_shift)
-    return SettingFault{"dispersion_correction", "true",
-                        "cannot be combined with truncation = \"site-shift\", which changes the law at "
-                        "all distances; leave it out, or take \"site-switch\""};
+    return SettingFault{
+        "dispersion_correction", "true",
+        "cannot be combined with truncation = \"site-shift\", which changes the law at "
+        "all distances; leave it out, or take \"site-switch\""};
   return std::nullopt;
 }
 
