@@ -72,7 +72,7 @@ class Analyze(Sandbox):
                               (("--molecules", "tip4p 27", "--fit", "3 ps"), "must be two lags"),
                               (("--molecules", "tip4p 27", "--window", "10"), "has no unit"),
                               (("--molecules", "tip4p 27", "--from", "9 ps"), "no frame at 9 ps"),
-                              (("--molecules", "tip4p 27", "--plot", "pdf"), "svg, png or none")):
+                              (("--molecules", "tip4p 27", "--plot", "pdf"), "svg, png, none")):
             process = self.analyze(*options)
             self.assertEqual(process.returncode, 2, (options, process.err))
             self.assertIn(said, process.err)

@@ -249,7 +249,7 @@ class Checkpoints(Sandbox):
         self.refused("--force", "--continue", options=("--continue", "--force"))
 
     def test_equilibration(self):
-        self.write("run.toml", edited(WATER, ('"0.1 ps"', '"1 ps"'), ('"0.602 ps"', '"0.05 ps"')))
+        self.write("run.toml", edited(WATER, ('"0.1 ps"', '"20 ps"'), ('"0.602 ps"', '"0.05 ps"')))
         summary, files = self.whole()
         checkpoint = self.folder / "out-checkpoint.bin"
         for signal_number, code in ((signal.SIGINT, 130), (signal.SIGKILL, -signal.SIGKILL)):

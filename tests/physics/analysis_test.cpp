@@ -160,7 +160,7 @@ TEST_CASE(
   CHECK(a.stopped);
   CHECK(a.frames == 6);
   CHECK(!a.dipole);
-  CHECK(a.notes.front().find("carries 1 e") != std::string::npos);
+  CHECK(a.notes.front().find("has a charge of 1 e") != std::string::npos);
   CHECK(a.reorientation->axes(1).empty());
   CHECK(a.displacement->mean_square(1).mean().size() == 4);
 }
