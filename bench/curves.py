@@ -27,15 +27,15 @@ def by_scheme(points):
     return result
 
 
-# A curve ends above this R, whatever its drift: ten times the R that such a study is for, and above every point at
-# which longer runs detected no drift (docs/efficiency.md: velocity Verlet, 8.9 %).
+# A curve ends above this R, whatever its energy drift: ten times the R that such a study is for, and above every point at
+# which longer runs detected no energy drift (docs/efficiency.md: velocity Verlet, 8.9 %).
 LOST = 0.1
 
 
 def usable(own):
-    """The points of a curve before the first one with a blow-up or with R above LOST. A drift does not end a curve here: with
-    two to four runs, that is one to three degrees of freedom, the test has almost no power. With two runs, a drift of twenty
-    times its error has a p-value of 3 %; and at a level of 1 %, two of 200 points without a drift would end their curves."""
+    """The points of a curve before the first one with a blow-up or with R above LOST. An energy drift does not end a curve here: with
+    two to four runs, that is one to three degrees of freedom, the test has almost no power. With two runs, an energy drift of twenty
+    times its error has a p-value of 3 %; and at a level of 1 %, two of 200 points without energy drift would end their curves."""
     good = []
     for p in own:
         if not p["stable"] or p["R"] > LOST:

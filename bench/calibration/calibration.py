@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calibration of the errors and drift tests of a run: many runs without a drift, as reported by the program.
+"""Calibration of the errors and of the test for an energy drift: many runs without energy drift, as reported by the program.
 
 Every run is suspended and resumed: the program reports on its first part, then on the first two together, then on the whole."""
 
@@ -82,7 +82,7 @@ def fired(reports, level):
 
 
 def row(system, scheme, length, reports):
-    """Fractions of runs with a significant drift are divided by the nominal ones."""
+    """Fractions of runs with a significant energy drift are divided by the nominal ones."""
     shadow = [r["shadow"] for r in reports if r["shadow"]]
     return {"system": system, "scheme": scheme, "length_ps": length, "runs": len(reports),
             "told": sum(r["drift_p_value"] is not None for r in reports) / len(reports),

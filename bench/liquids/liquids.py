@@ -68,10 +68,10 @@ def report(result):
     """The report stored with the JSON file: conditions, the table, each run, and how errors grow with the block length."""
     text = [f"# {', '.join(result['conditions'][:2])}", "", f"`{result['conditions'][2]}`", "",
             "At 298.15 K, with errors by the jackknife over blocks:", "", table(result), "",
-            "Each run: mean temperature, of translation and of rotation about the principal axes; R and drift of the "
+            "Each run: mean temperature, of translation and of rotation about the principal axes; R and energy drift of the "
             "total energy:", "",
             "| | run | T [K] | of translation | of rotation | potential [kJ/mol] | pressure [bar] | R [%] "
-            "| drift [kJ/mol/ps] |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+            "| energy drift [kJ/mol/ps] |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
     for w in result["waters"]:
         for k, r in enumerate(w["runs"], 1):
             axes = " ".join(f"{t:.2f}" for t in r["temperature_rotation_K"])

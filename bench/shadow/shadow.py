@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Drift of the energy and of the shadow energy in the same runs of water, by `polhode run`: the table of
+"""Energy drift, from the energy and from the shadow energy of the same runs of water, by `polhode run`: the table of
 docs/shadow-and-bias.md."""
 
 import argparse
@@ -37,7 +37,7 @@ def sample(step):
 
 
 def run(o, scheme, step):
-    """What one run says of both drifts; the start has velocities, so the run is the same for every seed."""
+    """What one run reports about both; the start has velocities, so the run is the same for every seed."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "run.toml").write_text(
             RUN_FILE.format(system=o.system, forces=o.forces, equilibrate=o.equilibrate, length=o.length,

@@ -56,8 +56,8 @@ constexpr double hopeless = 1.25;
 /// Cost limit of configurational temperatures relative to the force evaluations of a run, and the
 /// cost of one sample in force evaluations.
 constexpr double temperature_share = 0.03, sample_cost = 2;
-/// p-value below which a drift of the choosing runs ends the range of steps; smaller than that of a
-/// verdict, since there are about a dozen tests.
+/// p-value below which an energy drift of the choosing runs ends the range of steps; smaller than
+/// that of a verdict, since there are about a dozen tests.
 constexpr double significance_level = 0.001;
 
 /// A run to be performed.

@@ -53,7 +53,7 @@ double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double
 /// every energy, 2⁻⁵³ of its size each.
 double double_walk(const Energies& energies, double step);
 
-/// The largest drift of the energy that rounding in double precision can make [kJ/mol/ps]: all of
+/// The largest energy drift that rounding in double precision can make [kJ/mol/ps]: all of
 /// these roundings of one sign.
 double double_drift(const Energies& energies, double step);
 
