@@ -109,7 +109,7 @@ def main():
     parser.add_argument("--runs", type=int, default=200)
     parser.add_argument("--first", type=int, default=1, help="seed of the first run")
     parser.add_argument("--systems", nargs="+", default=list(SYSTEMS), choices=list(SYSTEMS))
-    parser.add_argument("--lengths", nargs="+", type=float, help="of the runs [ps]; default: those of the system")
+    parser.add_argument("--lengths", nargs="+", type=float, help="lengths of the runs [ps]; default: those of the system")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--output", type=Path, required=True)
     options = parser.parse_args()

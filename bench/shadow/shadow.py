@@ -70,11 +70,11 @@ def table(runs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default="polhode", help="the built program")
-    parser.add_argument("--system", default=WATER, help="lines of the run file's table [system]")
-    parser.add_argument("--forces", default="", help="lines of its table [forces]")
-    parser.add_argument("--length", type=float, default=12, help="of each run [ps]")
-    parser.add_argument("--equilibrate", type=float, default=2, help="before it [ps]")
+    parser.add_argument("--program", default="polhode", help="path of polhode")
+    parser.add_argument("--system", default=WATER, help="lines for the table [system] of the run file")
+    parser.add_argument("--forces", default="", help="lines for the table [forces] of the run file")
+    parser.add_argument("--length", type=float, default=12, help="length of each run [ps]")
+    parser.add_argument("--equilibrate", type=float, default=2, help="length of the equilibration [ps]")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path(f"{date.today()}-shadow.json"))
     o = parser.parse_args()

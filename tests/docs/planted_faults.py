@@ -17,7 +17,7 @@ step = "2 fs"
 ```sh
 grep fs water.toml
 polhode run water.toml > out.txt
-./polhode run
+polhode run
 ```
 ```sh
 grep run out.txt
@@ -46,6 +46,15 @@ FAULTS = [  # test, text added to the document, what the output must name
     ("bibliography", "As in [one1990].\n", "README.md:20: one1990 is not linked"),
     ("bibliography", "As in one1990.\n", "README.md:20: one1990 is not linked"),
     ("bibliography", "As in [[two1990]].\n", "README.md lacks links"),
+    ("stated_values", "```sh no-run\npolhode study --quick  # two minutes; without --quick, three hours\npolhode study  # 2 hours\n```\n",
+     "time of study has several values, correct all but one: 3 hour (README.md:21); 2 hour (README.md:22)"),
+    ("stated_values", "<!-- help: bench -->\n```text\n  --quick   a few seconds\n```\nTake `polhode bench --quick`, a minute.\n",
+     "a few second (README.md:22); 1 minute (README.md:24)"),
+    ("stated_values", "| key | value | default |\n| --- | --- | --- |\n| `skin` | length | `\"0.1 nm\"` |\n\nThe `skin` (default: 0.2 nm).\n",
+     "README.md:24: the default of skin is 0.2nm, elsewhere 0.1nm"),
+    ("stated_values", "A derivative counts as two; a derivative\ncounts as three.\n", "2 (README.md:20); three (README.md:20)"),
+    ("stated_values", "| GROMACS | 870 |\n", "README.md:20: name the instruction set"),
+    ("stated_values", "./polhode run\n", "README.md:20: write polhode"),
     ("equations", "By Eqs. (1) and (3),\n", "README.md:20: there is no Eq. (3)"),
     ("equations", "By Eq. (R2),\n", "README.md:20: there is no Eq. (R2)"),
 ]
