@@ -59,7 +59,7 @@ void print_best(const AdviceReport& r) {
   fmt::print("  R                   {}, mean of {} independent runs of {:.3g} ps\n",
              percent(p.ratio()), p.runs.size(), p.length);
   fmt::print("  {}{}\n",
-             criterion.quality == Quality::ratio   ? "a fresh run         has R below "
+             criterion.quality == Quality::ratio   ? "a new run           has R below "
              : criterion.quality == Quality::drift ? "energy drift        is smaller than "
                                                    : "temperature bias    is smaller than ",
              fmt::format("{} with a probability of {:g} %, {:.2g} of what was requested",

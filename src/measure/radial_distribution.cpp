@@ -34,8 +34,8 @@ struct WrappedSite {
   std::uint32_t body, kind;
 };
 
-// Sites sorted by cells that are at least `reach` wide, or one cell along an edge, and not more
-// than sites.
+// Sites sorted by cells that are at least as wide as the cutoff; one cell along a short edge, and
+// at most as many cells as sites.
 struct CellSort {
   std::array<std::size_t, 3> cells;
   std::vector<WrappedSite> sites;

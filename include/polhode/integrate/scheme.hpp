@@ -61,7 +61,7 @@ struct Stage {
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
   /// Whether this stage and `next`, right after it, are one stage of both lengths. Baths are not:
-  /// each has random numbers of its own.
+  /// each has separate random numbers.
   constexpr bool joins(const Stage& next) const {
     switch (flow) {
       case Flow::drift:

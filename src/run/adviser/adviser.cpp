@@ -288,7 +288,7 @@ class Adviser {
 
   /// Runs every promising candidate with the steps that are still needed.
   void search_steps() {
-    // About five steps of each scheme, with 3.3 ω force evaluations per ps at R of half a percent.
+    // Runs with about five steps per scheme; R of 0.5 % costs about 3.3 ω force evaluations per ps.
     const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
     const double max_length = std::min(config_.run.length, 600 / frequency_);
     const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),
@@ -437,7 +437,7 @@ class Adviser {
     }
   }
 
-  /// Changes the step of a candidate, with the same time per step.
+  /// Changes the step of a candidate; the computing time per step stays the same.
   static void set_step(Candidate& candidate, double step) {
     candidate.seconds *= candidate.step / step;
     candidate.step = step;

@@ -18,7 +18,7 @@ struct AdviceFiles {
   std::vector<std::string> all() const;
 };
 
-/// Advice with what it answers.
+/// The advice, and the requirement that it answers.
 struct AdviceReport {
   Advice advice;
   Criterion criterion;

@@ -50,7 +50,7 @@ StudyReport run_study(const Config& config, const std::string& prefix = "study",
                       const OutputOptions& options = {}, const Callbacks& callbacks = {},
                       Workers& workers = Workers::serial());
 
-/// Tables and figure of an existing record, by whichever version, without new runs.
+/// Tables and figure of an existing record, made by any version, without new runs.
 /// @throws Error  as run_study(), or if there is no such record
 StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix = "study",
