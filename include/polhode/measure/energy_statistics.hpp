@@ -58,7 +58,7 @@ struct StretchStatistics {
   std::optional<Estimate> ratio() const;
 };
 
-/// All that is kept of the samples along a trajectory.
+/// Statistics of the samples of a trajectory; the samples are not stored.
 struct TrajectoryStatistics {
   EnergyStatistics energies;
   ShadowStatistics shadow;

@@ -42,7 +42,7 @@ constexpr int most_lengthenings = 4;
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
 /// The first of them after which a longer step may be tried instead.
 constexpr double telling = 1.0 / 3;
-/// Fractions of the time: of choosing runs, of timings, and the minimum of confirming runs.
+/// Fractions of the time: for choosing runs, for timings, and at least for confirming runs.
 constexpr double choosing_share = 0.35, clock_share = 0.1, min_confirming_share = 0.3;
 /// Length of preliminary runs, relative to that of runs near the final step.
 constexpr double way = 0.5;

@@ -61,7 +61,7 @@ struct Trajectory {
   std::uint64_t measurements = 0;  ///< force evaluations for energies alone
   bool stopped = false;            ///< by the watch
   std::string failure;             ///< why it blew up; empty if it did not
-  std::size_t list_rebuilds = 0;   ///< of the neighbour list, with those before the start
+  std::size_t list_rebuilds = 0;   ///< of the neighbour list, including those before the first step
   Timings timings;
 };
 
@@ -76,8 +76,8 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
                           const RunState* from = nullptr);
 
 /// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
-/// the total momentum removed. The step is at most 1 fs, so that rough starts relax.
-/// Checkpoints are taken between two rescalings.
+/// the total momentum removed. The step is at most 1 fs, so that rough initial configurations
+/// relax. Checkpoints are taken between two rescalings.
 /// @return  false if the watch stopped it
 /// @throws RunError  if it blows up
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {},
