@@ -71,7 +71,7 @@ void print_ratio(const RunSummary& s) {
 double percent(double x) { return 100 * x; }
 
 void print_drift(const RunSummary& s) {
-  fmt::print("drift                 {}{}\n", drift_text(s.drift, s.samples),
+  fmt::print("energy drift          {}{}\n", drift_text(s.drift, s.samples),
              s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision");
   if (s.shadow)
     fmt::print("shadow energy drift   {}{}; rms fluctuation {:.3g} kJ/mol\n",

@@ -69,7 +69,7 @@ int study(const Options& o) {
 Action study_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
-  app.add_flag("--quick", o->quick, "a small version: about three minutes on two cores");
+  app.add_flag("--quick", o->quick, "a small version: one to three minutes on two cores");
   app.add_option("--schemes", o->schemes, "names, or stages as text");
   app.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
   app.add_option("--runs", o->runs, "independent runs at each point")->check(CLI::Range(2, 1000));

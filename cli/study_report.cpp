@@ -23,12 +23,12 @@ std::string with_error(const Estimate& e, int digits, int runs) {
 
 void print_points(const StudyReport& report) {
   fmt::print("{:<18} {:>8} {:>10} {:>5} {:>18} {:>24}  {}\n", "scheme", "step fs", "cost 1/ps",
-             "runs", "R %", "drift kJ/mol/ps", "");
+             "runs", "R %", "energy drift kJ/mol/ps", "");
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
       const std::string note = !p.stable               ? "blew up"
-                               : p.drift.significant() ? "drift significant"
+                               : p.drift.significant() ? "significant energy drift"
                                : i >= curve.usable     ? "unstable"
                                : p.at_rounding()
                                    ? fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding)
@@ -56,7 +56,7 @@ void print_costs(const StudyReport& report) {
   fmt::print(
       "\nminimum cost for an R at or below the given one, in force evaluations per ps (ratio to "
       "velocity Verlet);\n* extrapolated by the scheme's order, + the maximum step without "
-      "drift\n{:>8}",
+      "energy drift\n{:>8}",
       "R %");
   for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
   fmt::print("  best\n");

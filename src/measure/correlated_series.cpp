@@ -283,7 +283,7 @@ struct Slope {
   }
 };
 
-/// The drift with its significance, averaged over the posterior.
+/// The energy drift with its significance, averaged over the posterior.
 Drift drift_of(const Slope& slope, const std::vector<Hypothesis>& all) {
   Drift drift{{slope.rate, std::sqrt(mean_variance(all)) / slope.spread}, 0, Known::yes};
   for (const Hypothesis& h : all)

@@ -55,7 +55,7 @@ SeriesEstimate diffusion(const BlockMeans& squared, double interval, const FitWi
     }
     return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
   });
-  constexpr double stretches = 8;  // minimum length for an error, in units of the longest lag
+  constexpr double stretches = 8;  // minimum length for an error, in units of the maximum lag
   const double length = squared.sum().weight * interval;
   if (D.known == Known::yes && length < stretches * window.to)
     return {D.value, 0, Known::too_short};

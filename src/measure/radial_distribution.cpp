@@ -34,8 +34,8 @@ struct WrappedSite {
   std::uint32_t body, kind;
 };
 
-// Sites sorted by cells that are at least `reach` wide, or one cell along an edge, and not more
-// than sites.
+// Sites sorted by cells that are at least as wide as the cutoff; one cell along a short edge, and
+// at most as many cells as sites.
 struct CellSort {
   std::array<std::size_t, 3> cells;
   std::vector<WrappedSite> sites;
@@ -257,7 +257,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
 
 void RadialDistribution::add(const State& state, Workers& workers) {
   const Vec3<double> edge = state.box.edge, half = edge / 2.0;
-  // Half an edge, as rounded by text files, still counts as half.
+  // A cutoff of half an edge is accepted if the edge was rounded in a text file.
   if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
     throw Error(
         fmt::format("the maximum distance of {:g} nm is more than half of the shortest box edge "

@@ -56,6 +56,7 @@ FAULTS = [
     ("words", "tests/reference/a.cpp", "int x; // goes on\n", 3),
     ("words", "src/io/file.cpp", 'auto text = "a run that goes "\n            "on";\n', 5),
     ("words", "tests/reference/a.py", "x = 1  # goes on\n", 3),
+    ("words", "tests/reference/a.py", 'option(help="it "\n       "goes on")\n', 4),
     ("words", "tests/reference/a.py", 'def f():\n    """A run.\n\n    It goes on."""\n', 6),
 ]
 

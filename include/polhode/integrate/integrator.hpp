@@ -39,8 +39,8 @@ concept StateBath = std::same_as<F, NoBath> ||
   {bath(state, t, at)};
 };
 
-/// What an integrator carries from step to step: an integrator that takes it over continues bitwise
-/// identically.
+/// What an integrator keeps from step to step: another integrator that is given it continues bit
+/// for bit as the first.
 struct IntegratorMemory {
   Load load;              ///< of the last evaluation
   bool current = false;   ///< whether it belongs to the current positions
@@ -67,7 +67,7 @@ class Integrator {
       std::same_as<Bath, NoBath>
       : Integrator(scheme, bodies, forces, FreeDrift{bodies, workers}, NoBath{}, lambda, workers) {}
 
-  /// @param drift, bath  kept by value: std::ref() for one that has a state of its own
+  /// @param drift, bath  kept by value: std::ref() for one that has a state
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, Drift drift, Bath bath,
              double lambda = 1e-4, Workers& workers = Workers::serial())
       : scheme_(scheme),

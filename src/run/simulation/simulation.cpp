@@ -91,7 +91,7 @@ const std::string& Simulation::identity() {
   return identity_;
 }
 
-// At the very start it is an equilibration of no length.
+// Before the first step: an equilibration of length zero.
 RunState Simulation::run_state() {
   if (trajectory_started()) return propagator().run_state();
   return at_ ? *at_ : RunState{.state = system_.state, .equilibrated = 0.0};

@@ -41,14 +41,14 @@ Verdict opposite(Verdict v) {
   return v == Verdict::reproduced ? Verdict::not_reproduced : Verdict::reproduced;
 }
 
-/// The R of the longest step without a significant drift; 0 if every step drifts.
+/// The R of the longest step without a significant energy drift; 0 if there is none.
 Estimate last_without(const Curve& c) {
   return c.usable == 0 ? Estimate{} : c.points[c.usable - 1].ratio;
 }
 
-/// Whether a curve has steps without a drift above R = `limit`. It has none where the first step
-/// that drifts lies below it; between the last step without and the first with a drift nothing is
-/// known.
+/// Whether a curve has steps without an energy drift above R = `limit`. It has none where the first
+/// step with an energy drift lies below it; between the last step without and the first with one
+/// nothing is known.
 Verdict runs_above(const Curve& c, double limit) {
   if (c.usable > 0 && above(last_without(c), limit) == Verdict::reproduced)
     return Verdict::reproduced;
@@ -57,8 +57,8 @@ Verdict runs_above(const Curve& c, double limit) {
                                                                            : Verdict::undecided;
 }
 
-/// More runs see smaller drifts, so curves are compared only if the points around their ends have
-/// the same number of runs.
+/// More runs detect a smaller energy drift, so curves are compared only if the points around their
+/// ends have the same number of runs.
 bool equal_runs(const std::vector<const Curve*>& curves) {
   std::set<int> runs;
   for (const Curve* c : curves)
@@ -94,7 +94,7 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
   if (!verlet || !hoa2 || !gier4) return {};
   std::vector<Claim> claims;
 
-  // Costs are compared along the whole curves; where they end by drift is a separate claim.
+  // Costs are compared along the whole curves; where they end by energy drift is a separate claim.
   const Curve v_curve = regardless_of_drift(*verlet), h_curve = regardless_of_drift(*hoa2);
   for (const double R : {0.01, 0.007, 0.004}) {
     const auto v = cost_at(v_curve, R), h = cost_at(h_curve, R);
@@ -119,10 +119,11 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
 
   constexpr double limit = 0.015;
   Claim end{
-      fmt::format("above R = 1.5 % only Verlet runs without significant drift (here the largest "
-                  "such R: Verlet {:.2f} %, HOA2 {:.2f} %, GIER4 {:.2f} %)",
-                  100 * last_without(*verlet).value, 100 * last_without(*hoa2).value,
-                  100 * last_without(*gier4).value),
+      fmt::format(
+          "above R = 1.5 % only Verlet runs without significant energy drift (here the largest "
+          "such R: Verlet {:.2f} %, HOA2 {:.2f} %, GIER4 {:.2f} %)",
+          100 * last_without(*verlet).value, 100 * last_without(*hoa2).value,
+          100 * last_without(*gier4).value),
       std::nullopt, Verdict::undecided};
   if (equal_runs({verlet, hoa2, gier4}))
     end.verdict = worst(runs_above(*verlet, limit), worst(opposite(runs_above(*hoa2, limit)),

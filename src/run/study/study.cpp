@@ -102,7 +102,7 @@ class StudyJobs {
         callbacks_(callbacks),
         workers_(workers),
         needed_(static_cast<std::size_t>(config.study.runs), false) {
-    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // of scheme and start
+    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // by scheme and run
     for (const StudyRun& run : known) steps_done[{run.scheme, run.start}].push_back(run.step);
     for (const StudyPoint& point : study_points(config.study))
       for (int r = 0; r < config.study.runs; ++r)
@@ -176,7 +176,7 @@ class StudyJobs {
   const std::function<void(const StudyRun&)>& finished_;
   const Callbacks& callbacks_;
   Workers& workers_;
-  std::vector<bool> needed_;  // starts
+  std::vector<bool> needed_;  // initial configurations
   std::vector<Job> jobs_;
   std::vector<System> starts_;
   std::map<std::string, double> near_weights_;  // of schemes

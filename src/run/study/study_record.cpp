@@ -150,7 +150,7 @@ std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
   auto line = lines.next();
   check_head(line.value_or(""), lines);
   std::vector<StudyRun> runs;
-  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and start
+  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and initial configuration
   std::size_t count = 0;
   while ((line = lines.next())) {
     if (line->starts_with('#')) continue;

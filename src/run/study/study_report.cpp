@@ -154,7 +154,8 @@ std::string conditions(const Config& config) {
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
-      "every scheme; energies at least every 2.5 fs or every step; drift significant below a "
+      "every scheme; energies at least every 2.5 fs or every step; energy drift significant below "
+      "a "
       "p-value of {:g}",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
@@ -175,7 +176,8 @@ StudyReport::StudyReport(const Config& config_used,
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
   if (!line.best)
-    return fmt::format("no scheme reaches R = {:g} % for this system without drift", 100 * ratio);
+    return fmt::format("no scheme reaches R = {:g} % for this system without energy drift",
+                       100 * ratio);
   const CostAtRatio& best = *line.costs[*line.best];
   std::string text = fmt::format(
       "for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps", 100 * ratio,

@@ -57,7 +57,7 @@ struct EfficiencyPoint {
   int runs = 0;
   bool stable = true;      ///< no run blew up
   Estimate ratio;          ///< R with its standard error over the runs
-  Drift drift;             ///< of the series of runs, as defined in the paper
+  Drift drift;             ///< of the energy, over the series of runs, as defined in the paper
   double temperature = 0;  ///< [K]
   double rounding = 0;     ///< R due to rounding alone, mean; 0 in double precision
   /// T of rotation about each principal axis minus that of translation, over the runs that have
@@ -65,7 +65,7 @@ struct EfficiencyPoint {
   std::array<std::optional<Estimate>, 3> excess;
   /// Configurational minus kinetic temperature of each kind of motion, likewise [K].
   ByMotion<std::optional<Estimate>> configurational_excess;
-  /// No run blew up, and the drift is not significant.
+  /// No run blew up, and the energy drift is not significant.
   bool usable() const { return stable && drift.p_value >= significance; }
   /// R is dominated by rounding.
   bool at_rounding() const { return stable && ratio.value < rounding_margin * rounding; }
@@ -100,9 +100,9 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
                         const std::function<void(const StudyRun&)>& finished,
                         const Callbacks& callbacks, Workers& workers = Workers::serial());
 
-/// The runs from the first `starts` initial configurations. Drifts are compared between points, and
-/// more runs detect smaller drifts, so a report uses the same initial configurations at every
-/// point, even if its record contains more.
+/// The runs from the first `starts` initial configurations. Points are compared by their energy
+/// drift, and more runs detect a smaller one, so a report uses the same initial configurations at
+/// every point, even if its record contains more.
 std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts);
 
 /// Points from runs, in the order of schemes and steps.

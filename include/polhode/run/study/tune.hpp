@@ -56,10 +56,10 @@ struct Tuned {
   Scheme reference, scheme;
   FamilyMember member;
   FamilyMember error;               ///< standard errors by the jackknife over runs
-  double predicted_gain = 1;        ///< R of the reference over R, from the covariances
+  double predicted_gain = 1;        ///< R of the reference divided by R, from the covariances
   Estimate reference_ratio, ratio;  ///< R of both in the confirming runs
-  Estimate gain;                    ///< R of the reference over R, in runs from the same initial
-                                    ///< configurations
+  Estimate gain;                    ///< R of the reference divided by R, in runs from the same
+                                    ///< initial configurations
 };
 
 struct TuneResult {
