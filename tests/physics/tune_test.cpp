@@ -25,13 +25,13 @@ ErrorCovariance oscillators(double in_V, double in_W, double beside) {
     BracketSample sample{};
     for (const double omega : {3.0, 4.7}) {
       const double q = std::cos(omega * t), p = -omega * std::sin(omega * t);
-      sample.energies.lennard_jones += omega * omega * q * q / 2;
+      sample.energies.van_der_waals += omega * omega * q * q / 2;
       sample.brackets.second_derivative += omega * omega * p * p;
       sample.brackets.W += std::pow(omega, 4) * q * q;
     }
     sample.energies.translation =
         h * h * (in_V * sample.brackets.second_derivative + in_W * sample.brackets.W) +
-        beside * std::cos(11.3 * t) - sample.energies.lennard_jones;
+        beside * std::cos(11.3 * t) - sample.energies.van_der_waals;
     samples.push_back(sample);
   }
   return error_covariance(samples, h);
