@@ -20,7 +20,7 @@ struct Options {
 
 std::string text_of(const SinglePoint& p) {
   std::string text = fmt::format("molecules         {}\n", p.system.topology.size());
-  text += fmt::format("Lennard-Jones     {:.17g} kJ/mol\n", p.load.lennard_jones);
+  text += fmt::format("van der Waals     {:.17g} kJ/mol\n", p.load.van_der_waals);
   text += fmt::format("Coulomb           {:.17g} kJ/mol\n", p.load.coulomb);
   for (const auto& [name, value] : p.terms)
     text += fmt::format("  {:<16}{:.17g} kJ/mol\n", name, value + 0.0);

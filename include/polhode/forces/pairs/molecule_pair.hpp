@@ -21,7 +21,7 @@ template <class Real>
 struct PairLoad {
   Vec3<Real> f{};                   ///< force on b [kJ/mol/nm]
   Vec3<Real> tau_b{};               ///< torque on b about its centre [kJ/mol]
-  Real lennard_jones{}, coulomb{};  ///< [kJ/mol]; only if requested
+  Real van_der_waals{}, coulomb{};  ///< [kJ/mol]; only if requested
 
   /// Torque on a about its centre [kJ/mol]. Every force acts along the line between two sites or
   /// between the centres, so the torques about any common point cancel: tau_a + tau_b + R × f = 0.
@@ -41,9 +41,9 @@ class MoleculeSwitch {
   }
   [[gnu::always_inline]] void apply_to(PairLoad<Real>& load) const {
     load.f =
-        at_R_.w * load.f - (at_R_.slope * (load.lennard_jones + load.coulomb) * inverse_R_) * R_;
+        at_R_.w * load.f - (at_R_.slope * (load.van_der_waals + load.coulomb) * inverse_R_) * R_;
     load.tau_b = at_R_.w * load.tau_b;
-    load.lennard_jones = at_R_.w * load.lennard_jones;
+    load.van_der_waals = at_R_.w * load.van_der_waals;
     load.coulomb = at_R_.w * load.coulomb;
   }
 
@@ -171,8 +171,8 @@ template <bool need_u, class Shape, class Real, class Coulomb, class ShortRange>
   };
   return !shape.short_range(a, b) ? add(coulomb(), load.coulomb)
          : !shape.coulomb(a, b)
-             ? add(short_range(), load.lennard_jones)
-             : add(coulomb(), load.coulomb) + add(short_range(), load.lennard_jones);
+             ? add(short_range(), load.van_der_waals)
+             : add(coulomb(), load.coulomb) + add(short_range(), load.van_der_waals);
 }
 
 /// Adds the forces and energies of a group of pairs, as described at molecule_pair().

@@ -26,7 +26,7 @@ inline constexpr double max_sample_interval = 0.0025;
 
 /// One run: a scheme with a step from one of the initial configurations.
 struct StudyRun {
-  std::string scheme;
+  std::string scheme;      ///< as in StudyPoint::record_name()
   double step = 0;         ///< [ps]
   int start = 0;           ///< index of the initial configuration; the same ones are used for every
                            ///< scheme
@@ -49,6 +49,7 @@ struct StudyRun {
 /// A point of the figure: all runs of a scheme with one step.
 struct EfficiencyPoint {
   std::string scheme;
+  int order = 0;    ///< of the scheme; 0 if unknown
   double step = 0;  ///< [ps]
   /// Force evaluations per ps; with an inner scheme, evaluations of all forces plus those of the
   /// near forces times their weight.
@@ -73,9 +74,12 @@ struct EfficiencyPoint {
 
 /// The (scheme, step) pairs that a study measures.
 struct StudyPoint {
-  std::string name;  ///< of the scheme, or its text, as in the run file
+  std::string name;  ///< of the scheme in tables and figures, see label_of()
   NestedScheme scheme;
   double step;  ///< [ps]
+  /// The scheme in a record of runs: its name, with its stages if the name is its own, so that runs
+  /// of other stages under the same name are not mistaken for its own.
+  std::string record_name() const;
   /// Force evaluations per ps.
   /// @param near_weight  cost of a near-force evaluation relative to a full one
   double cost(double near_weight) const;
