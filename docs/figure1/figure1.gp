@@ -2,7 +2,7 @@
 set encoding utf8
 set minussign
 set terminal pngcairo size 1440,1080 fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11" background "white"
-set output "figure1.png"
+set output './figure1.png'
 set border 3 linewidth 1 linecolor "#404040"
 set tics nomirror out scale 0.6 textcolor "#404040"
 set grid linewidth 0.5 linecolor "#e4e4e4"
@@ -22,7 +22,9 @@ EOD
 
 # hoa2: force evaluations per ps, R [%], its standard error, last stable, rounded
 $curve1 << EOD
-400 0.5357535 0.015 1 0
+285.71429 1.7961859 0.127 1 0
+333.33333 0.82927351 0.0234 0 0
+400 0.5357535 0.015 0 0
 500 0.34538951 0.0115 0 0
 666.66667 0.18539679 0.00304 0 0
 1000 0.083632331 0.00202 0 0
@@ -54,20 +56,20 @@ plot \
   '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 7 pointsize 0.9 linecolor "#0072B2" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 7 pointsize 1.26 linewidth 0 linecolor "white" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 6 pointsize 1.26 linewidth 1.6 linecolor "#0072B2" notitle, \
-  NaN with linespoints linewidth 1.6 pointtype 7 pointsize 0.9 linecolor "#0072B2" title "velocity-verlet", \
+  NaN with linespoints linewidth 1.6 pointtype 7 pointsize 0.9 linecolor "#0072B2" title 'velocity-verlet', \
   $curve1 using 1:2 with lines linewidth 1.6 linecolor "#D55E00" notitle, \
   '' using 1:2:3 with yerrorbars pointtype -1 linewidth 1 linecolor "#D55E00" notitle, \
   '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 5 pointsize 0.9 linecolor "#D55E00" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 5 pointsize 1.26 linewidth 0 linecolor "white" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 4 pointsize 1.26 linewidth 1.6 linecolor "#D55E00" notitle, \
-  NaN with linespoints linewidth 1.6 pointtype 5 pointsize 0.9 linecolor "#D55E00" title "hoa2", \
+  NaN with linespoints linewidth 1.6 pointtype 5 pointsize 0.9 linecolor "#D55E00" title 'hoa2', \
   $curve2 using 1:2 with lines linewidth 1.6 linecolor "#009E73" notitle, \
   '' using 1:2:3 with yerrorbars pointtype -1 linewidth 1 linecolor "#009E73" notitle, \
   '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 9 pointsize 0.9 linecolor "#009E73" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 9 pointsize 1.26 linewidth 0 linecolor "white" notitle, \
   '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 8 pointsize 1.26 linewidth 1.6 linecolor "#009E73" notitle, \
-  NaN with linespoints linewidth 1.6 pointtype 9 pointsize 0.9 linecolor "#009E73" title "gier4-fd", \
-  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor "#404040" title "end of stability"
+  NaN with linespoints linewidth 1.6 pointtype 9 pointsize 0.9 linecolor "#009E73" title 'gier4-fd', \
+  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor "#404040" title "stability limit"
 
 #Everything, on logarithmic axes.
 set lmargin at screen 0.52

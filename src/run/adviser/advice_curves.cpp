@@ -18,7 +18,8 @@ EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint&
                     .rounding = run.rounding,
                     .parts = run.temperatures,
                     .configurational = run.configurational});
-  return efficiency_points({{candidate.name, {candidate.scheme}, point.step}}, runs).front();
+  return efficiency_points({{candidate.name, {candidate.scheme}, point.step}}, runs, point.length)
+      .front();
 }
 
 std::vector<Curve> curves(const Advice& advice) {

@@ -36,6 +36,7 @@ Table point_table(const StudyReport& report) {
                    {"drift", "kJ/mol/ps"},
                    {"drift_error", "kJ/mol/ps"},
                    {"drift_p_value", "1"},
+                   {"relative_drift", "1"},
                    {"temperature", "K"},
                    {"R_rounding", "1"},
                    {"rounded", "1"},
@@ -44,11 +45,11 @@ Table point_table(const StudyReport& report) {
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      table.rows.push_back({p.scheme, p.step * units::fs_per_ps, p.cost,
-                            static_cast<double>(p.runs), p.stable ? 1.0 : 0.0,
-                            i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
-                            p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.temperature,
-                            p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
+      table.rows.push_back(
+          {p.scheme, p.step * units::fs_per_ps, p.cost, static_cast<double>(p.runs),
+           p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
+           p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.relative_drift(),
+           p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
       add_excesses(table.rows.back(), p);
     }
   return table;
@@ -70,6 +71,7 @@ nlohmann::json as_json(const EfficiencyPoint& p, bool usable) {
       {"drift_kJ_per_mol_ps", p.drift.rate.value},
       {"drift_error", error_of(p.drift.rate)},
       {"drift_p_value", p.runs > 1 ? nlohmann::json(p.drift.p_value) : nlohmann::json()},
+      {"relative_drift", p.relative_drift()},
       {"temperature_K", p.temperature},
       {"R_rounding", p.rounding},
       {"rounded", p.at_rounding()},
@@ -141,7 +143,8 @@ StudyReport report_of(Config config, const System& system, const std::vector<Stu
         "the tables use the first {} initial configurations; {} runs from later ones are left out",
         config.study.runs, runs.size() - counted.size()));
   config.forces.mixing = system.forces.mixing;  // known after the topology file is read
-  StudyReport report(config, efficiency_points(study_points(config.study), counted));
+  StudyReport report(config,
+                     efficiency_points(study_points(config.study), counted, config.study.length));
   write_study(files, report, provenance, callbacks);
   return report;
 }
@@ -154,13 +157,16 @@ std::string conditions(const Config& config) {
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
-      "every scheme; energies at least every 2.5 fs or every step; drift significant below a "
-      "p-value of {:g}",
+      "every scheme; energies at least every 2.5 fs or every step; a curve ends where from one "
+      "step "
+      "on all drift: with a p-value below {:g}, and during a run by at least {:g} rms fluctuation "
+      "of "
+      "the energy",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,
       config.study.runs, config.study.length, config.study.decorrelate, config.system.temperature,
-      significance);
+      significance, drift_bound);
 }
 
 StudyReport::StudyReport(const Config& config_used,
