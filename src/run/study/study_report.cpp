@@ -99,17 +99,27 @@ nlohmann::json as_json(const Claim& claim) {
   return row;
 }
 
-std::vector<EfficiencyCurve> figure_curves(const StudyReport& report) {
-  std::vector<EfficiencyCurve> figure_data;
+/// What a reader of the figure has to know to compare the curves.
+std::string caption(const Config& config) {
+  std::string molecules;
+  for (const auto& [model, count] : config.system.molecules)
+    molecules += fmt::format("{}{} {}", molecules.empty() ? "" : ", ", count, model);
+  return fmt::format(
+      "Lower and further left is better; R = 0 is exact dynamics. {}; {} runs of {:g} ps a point.",
+      molecules.empty() ? config.source : molecules, config.study.runs, config.study.length);
+}
+
+EfficiencyFigure figure(const StudyReport& report) {
+  EfficiencyFigure figure{{}, caption(report.config)};
   for (const Curve& curve : report.curves) {
-    figure_data.push_back({curve.scheme, {}});
+    figure.curves.push_back({curve.scheme, {}});
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      figure_data.back().marks.push_back(
+      figure.curves.back().marks.push_back(
           {p.cost, p.ratio.value, p.ratio.error, i < curve.usable, p.at_rounding()});
     }
   }
-  return figure_data;
+  return figure;
 }
 
 void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance,
@@ -119,7 +129,7 @@ void write_study(const StudyFiles& files, const StudyReport& report, const Prove
   write_file(files.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
   pass_messages(callbacks, [&](std::ostream& warnings) {
     for (const char* format : {"svg", "png"})
-      efficiency_plot(files.prefix, figure_curves(report), format, warnings);
+      efficiency_plot(files.prefix, figure(report), format, warnings);
   });
 }
 
