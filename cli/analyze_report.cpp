@@ -17,6 +17,12 @@ std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
                      e.known == Known::too_short ? "so short a run" : "so few frames");
 }
 
+/// Why a number is no result.
+std::string not_converged(const Convergence& c, const char* relaxation) {
+  return fmt::format("not converged: length {:.3g} ps, {} {:.2g} ps, at least {:.2g} ps needed",
+                     c.length, relaxation, c.relaxation, c.needed);
+}
+
 void print_peak(const SitePair& sites, const std::optional<RadialDistribution::Peak>& peak) {
   const auto& [a, b] = sites;
   fmt::print("{:<22}", fmt::format("g {}-{}", a, b));
@@ -36,7 +42,10 @@ void print_peak(const SitePair& sites, const std::optional<RadialDistribution::P
 }
 
 void print_part(const PartSummary& part, const AnalysisSummary& s) {
-  if (part.diffusion) {
+  if (part.diffusion && !part.diffusion_convergence.converged()) {
+    fmt::print("D of {:<17}{}\n", part.molecule,
+               not_converged(part.diffusion_convergence, "maximum lag"));
+  } else if (part.diffusion) {
     fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
                text(*part.diffusion, 3, in_1e9_m2_per_s), s.fit.from, s.fit.to);
     if (const auto D = part.corrected(s))
@@ -46,12 +55,17 @@ void print_part(const PartSummary& part, const AnalysisSummary& s) {
       fmt::print("{:<22}not corrected for finite size: {}\n", "", s.viscosity_source);
   }
   if (part.green_kubo)
-    fmt::print("{:<22}{} 1e-9 m2/s in this box, from velocities\n",
-               fmt::format("D of {}", part.molecule), text(*part.green_kubo, 3, in_1e9_m2_per_s));
+    fmt::print("{:<22}{}, from velocities\n", fmt::format("D of {}", part.molecule),
+               part.green_kubo_convergence.converged()
+                   ? text(*part.green_kubo, 3, in_1e9_m2_per_s) + " 1e-9 m2/s in this box"
+                   : not_converged(part.green_kubo_convergence, "maximum lag"));
   for (const AxisRelaxation& axis : part.axes)
     for (std::size_t k = 0; k < 2; ++k) {
       fmt::print("{:<22}", fmt::format("P{} {} {}", k + 1, part.molecule, axis.axis));
-      if (const auto& t = axis.rank[k])
+      const auto& t = axis.rank[k];
+      if (t && !t->convergence.converged())
+        fmt::print("{}\n", not_converged(t->convergence, "decay to 1/e³ within"));
+      else if (t)
         fmt::print("{} ps by integral, {} ps by exponential ({:g} to {:g} ps)\n",
                    text(t->integral, 3), text(t->exponential, 3), t->from, t->to);
       else
@@ -74,7 +88,10 @@ void print_analysis(const AnalysisReport& report) {
                text(a.conditions->temperature(), 2));
   for (std::size_t k = 0; k < s.peaks.size(); ++k) print_peak(a.pairs[k], s.peaks[k]);
   for (const PartSummary& part : s.parts) print_part(part, s);
-  if (const auto& d = s.dielectric)
+  if (const auto& d = s.dielectric; d && !d->convergence.converged())
+    fmt::print("dielectric constant   {}; |<M>| is {:.2f} of the rms M\n",
+               not_converged(d->convergence, "relaxation"), d->mean_over_rms);
+  else if (d)
     fmt::print("dielectric constant   {}; Kirkwood factor {}; |<M>| is {:.2f} of the rms M\n",
                text(d->constant, 2), text(d->kirkwood, 2), d->mean_over_rms);
   print_files(report.files);

@@ -148,6 +148,13 @@ void print_guarantee(const GuaranteeCheck& k) {
         what);
 }
 
+void print_warnings(const std::vector<Warning>& warnings) {
+  if (warnings.empty()) return;
+  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
+  for (const Warning& w : warnings)
+    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
+}
+
 void print_text(const RunReport& r) {
   const RunSummary& s = r.summary;
   const bool nested = r.settings.inner.has_value();
@@ -169,6 +176,7 @@ void print_text(const RunReport& r) {
   print_speed(s, nested, r.execution);
   if (r.guarantee) print_guarantee(*r.guarantee);
   print_files(r.files.all());
+  print_warnings(r.warnings);
 }
 
 /// What an interrupted run left, and how it resumes.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/measure/convergence.hpp"
 #include "polhode/measure/time_correlation.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -62,6 +63,11 @@ struct FitWindow {
 /// @param interval  between lags [ps]
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);
+
+/// Of that coefficient: the run has `windows_of_lags` times the longest lag, and the slopes in the
+/// two halves of the window do not differ, as they do while molecules are still in their cages.
+Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,
+                                  const FitWindow& window);
 
 /// Yeh-Hummer finite-size correction: the amount by which the periodic images lower the diffusion
 /// coefficient in a cubic box [nm²/ps], ξ k_B T/(6 π η L) with ξ = 2.837297 [yeh2004, Eq. 12].

@@ -37,11 +37,15 @@ struct EnergyStatistics {
 
   /// R with its standard error.
   SeriesEstimate ratio_with_error() const;
+  /// The mean temperature of all degrees of freedom [K] with its standard error.
+  SeriesEstimate temperature(const DegreesOfFreedom& degrees_of_freedom) const;
   /// The mean pressure [kJ/mol/nm³] with its standard error.
   SeriesEstimate pressure() const;
   /// The energy drift [kJ/mol/ps].
   /// @param walks  variance per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;
+  /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
+  Drift potential_drift() const;
 };
 
 /// R of consecutive parts of a trajectory, of equal length.

@@ -82,10 +82,17 @@ std::vector<AxisRelaxation> relaxations_of(Analysis& a, std::size_t part, Worker
 PartSummary part_summary(Analysis& a, std::size_t part, AnalysisSummary& s,
                          const SummarySettings& settings, Workers& workers) {
   const auto& [molecule, count] = a.topology.parts[part];
-  PartSummary p{molecule.name, count, diffusion_of(a, part, s, settings, workers), {}, {}};
+  PartSummary p;
+  p.molecule = molecule.name;
+  p.count = count;
+  p.diffusion = diffusion_of(a, part, s, settings, workers);
+  if (p.diffusion)
+    p.diffusion_convergence =
+        diffusion_convergence(a.displacement->mean_square(part, workers), a.interval, s.fit);
   if (a.velocity && count > 0 && a.topology.size() > 1) {
     const BlockMeans integral = running_integral(a.velocity->linear(part, workers), a.interval);
     p.green_kubo = series_estimates(integral).back();
+    p.green_kubo_convergence = integral_convergence(integral, a.interval);
   }
   p.axes = relaxations_of(a, part, workers);
   return p;
@@ -102,13 +109,20 @@ void find_correction(AnalysisSummary& s, const Analysis& a, const SummarySetting
                                                      std::cbrt(a.conditions->volume().value));
 }
 
+/// Between frames, also if no correlation needed it [ps].
+double interval_of(const Analysis& a) {
+  if (a.interval > 0 || a.frames < 2) return a.interval;
+  return (a.last - a.first) / static_cast<double>(a.frames - 1);
+}
+
 void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
   if (!settings.surroundings_permittivity)
     s.notes.push_back("no dielectric: " + settings.no_surroundings);
   else if (!s.temperature)
     s.notes.push_back("no dielectric constant: the frames have no velocities; give --temperature");
   else
-    s.dielectric = a.dipole->result(*s.temperature, *settings.surroundings_permittivity);
+    s.dielectric =
+        a.dipole->result(*s.temperature, *settings.surroundings_permittivity, interval_of(a));
 }
 
 }  // namespace

@@ -239,7 +239,17 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
       name_of({settings_->scheme, settings_->inner}), settings_->step * units::fs_per_ps,
       with.instruction_set, with.threads));
   note_molecules(system_, callbacks);
+  note_velocities(system_, config_, callbacks);
   note_forces(system_, callbacks);
+}
+
+// Forces on a lattice say nothing about the step.
+void Simulation::note_warnings(const Callbacks& callbacks) const {
+  const bool lattice = config_.system.initial_configuration.empty() && config_.run.equilibrate == 0;
+  for (const auto& warning :
+       {cutoff_of_ions(system_), velocities_of_file(system_, config_),
+        lattice ? std::nullopt : step_near_stability(system_, *settings_, workers_)})
+    if (warning) callbacks.note(line_of(*warning));
 }
 
 RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbacks) {
@@ -259,6 +269,7 @@ RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbac
 
   if (!equilibrate(callbacks, &files)) return {RunEnd::interrupted_equilibrating, {}};
   files.keep(noise_);
+  note_warnings(callbacks);
   const Trajectory trajectory = run_trajectory(files, callbacks);
   if (!trajectory.failure.empty()) {
     if (trajectory.statistics.energies.samples > 0)
@@ -286,7 +297,9 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                    execution(),
                    names,
                    {},
+                   {},
                    trajectory.stopped};
+  report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
   if (guarantee_ && !trajectory.stopped)
     report.guarantee = check_guarantee(*guarantee_, trajectory.statistics);
   return report;

@@ -38,8 +38,10 @@ struct AxisRelaxation {
 struct PartSummary {
   std::string molecule;
   std::size_t count = 0;
-  std::optional<SeriesEstimate> diffusion;   ///< from displacements, in this box [nm²/ps]
+  std::optional<SeriesEstimate> diffusion;  ///< from displacements, in this box [nm²/ps]
+  Convergence diffusion_convergence;
   std::optional<SeriesEstimate> green_kubo;  ///< from velocities, integrated over all lags [nm²/ps]
+  Convergence green_kubo_convergence;
   std::vector<AxisRelaxation> axes;
 
   /// D in an infinite box; empty where it or its correction is unknown.

@@ -99,6 +99,7 @@ class Simulation {
   RunState run_state();
   void resume(Checkpoint checkpoint);
   void note_begin(const Callbacks& callbacks) const;
+  void note_warnings(const Callbacks& callbacks) const;
   bool equilibrate(const Callbacks& callbacks, RunFiles* files);
   bool trajectory_started() const;
   Propagator& propagator();

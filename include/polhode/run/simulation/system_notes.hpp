@@ -12,6 +12,10 @@ namespace polhode {
 /// those of massless sites, if they exceed the distances of the atoms.
 void note_molecules(const System& system, const Callbacks& callbacks);
 
+/// What becomes of the velocities of the initial configuration, if it has any and the run file
+/// gives a temperature or a seed for them.
+void note_velocities(const System& system, const Config& config, const Callbacks& callbacks);
+
 /// The mixing rule and explicit pairs, unless all pairs follow the default rule; grid, order and
 /// split of a mesh; a net charge.
 void note_forces(const System& system, const Callbacks& callbacks);

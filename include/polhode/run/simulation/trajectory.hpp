@@ -60,7 +60,8 @@ struct Trajectory {
   std::uint64_t near_derivatives = 0;
   std::uint64_t measurements = 0;  ///< force evaluations for energies alone
   bool stopped = false;            ///< by the watch
-  std::string failure;             ///< why it blew up; empty if it did not
+  std::string failure;             ///< why it blew up, when, and what to try; empty if it did not
+  std::string cause;               ///< why alone, with the two molecules that collided
   std::size_t list_rebuilds = 0;   ///< of the neighbour list, including those before the first step
   Timings timings;
 };
@@ -75,9 +76,10 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
                           const Watch& watch = {}, Workers& workers = Workers::serial(),
                           const RunState* from = nullptr);
 
-/// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
-/// the total momentum removed. The step is at most 1 fs, so that rough initial configurations
-/// relax. Checkpoints are taken between two rescalings.
+/// Prepares a system at its temperature: molecules that overlap are moved apart
+/// (separate_molecules()), then a trajectory with velocities rescaled at intervals, and the total
+/// momentum removed. The step is at most 1 fs, so that rough initial configurations relax.
+/// Checkpoints are taken between two rescalings.
 /// @return  false if the watch stopped it
 /// @throws RunError  if it blows up
 bool equilibrate(System& system, ForceField& forces, double length, const Watch& watch = {},
