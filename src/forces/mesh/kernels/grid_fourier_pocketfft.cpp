@@ -2,6 +2,7 @@
 // pocketfft's algorithm on packs. It is a template on the numbers of a series, so a pack in their
 // place transforms as many series as the pack has lanes.
 #include "../fourier_loops.hpp"
+#include "pack_series.hpp"
 #include "polhode/base/pack_transpose.hpp"
 
 namespace polhode::POLHODE_LOOPS {
