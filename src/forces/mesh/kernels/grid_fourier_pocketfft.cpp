@@ -2,6 +2,7 @@
 // pocketfft's algorithm on packs. It is a template on the number type, so with packs it transforms
 // one series per lane at once.
 #include "../fourier_loops.hpp"
+#include "pack_series.hpp"
 #include "polhode/base/pack_transpose.hpp"
 
 namespace polhode::POLHODE_LOOPS {
