@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -74,9 +73,8 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // help, version
-    std::string what = e.what();
-    what[0] = static_cast<char>(std::tolower(what[0]));
-    throw Error(fmt::format("{}; 'polhode {} --help' lists the options", what, argv[1]));
+    throw Error(
+        fmt::format("{}; 'polhode {} --help' lists the options", uncapitalized(e.what()), argv[1]));
   }
   for (const auto& [command, action] : actions)
     if (command->parsed()) return action();
