@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cctype>
 #include <exception>
 #include <new>
 #include <stdexcept>
@@ -42,9 +41,7 @@ std::string instead_of(const std::string& option, const CLI::App& verb) {
 Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
   const auto verbs = app.get_subcommands();
   const std::string help = verbs.empty() ? "" : " " + verbs[0]->get_name();
-  std::string what = e.what();
-  if (what.size() > 1 && std::islower(static_cast<unsigned char>(what[1])) != 0)
-    what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
+  std::string what = uncapitalized(e.what());
   const std::vector<std::string> left = app.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr && !verbs.empty() && !left.empty()) {
     const bool option = left[0].starts_with('-');

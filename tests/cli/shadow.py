@@ -106,7 +106,7 @@ class Shadow(Sandbox):
         self.assertAlmostEqual(found["parameters"]["b"]["value"], plain["parameters"]["eta"]["value"], delta=0.05)
         self.assertIn("family of mine", self.polhode(*TUNE, "--scheme", mine).out)
         # The run file's scheme is tuned if it has free parameters.
-        self.write("run.toml", SMALL.replace("[integrator]", f'[integrator]\nscheme = "{mine}"'))
+        self.write("run.toml", SMALL.replace('scheme = "hoa2"', f'scheme = "{mine}"'))
         self.assertEqual(json.loads(self.polhode(*TUNE, "--json").out), report)
         # Refused: too many parameters, no palindrome, sums that change, nothing to tune.
         for scheme, *words in [("hoa2", "0 free parameters", "one or two"),
