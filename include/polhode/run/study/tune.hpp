@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Optimal parameters of schemes for one system and step: η of the hoa2 family, and η and ξ of the
-// gier4 family, from the covariances of the brackets in the O(h²) error (docs/theory.md, "Tuning").
+// gier4 family, from the covariances of the brackets in the O(h²) error (docs/theory.md, Eq. (35)).
 #pragma once
 
 #include <span>
