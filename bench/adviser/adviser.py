@@ -97,8 +97,8 @@ def binomial_interval(kept, runs, confidence=0.95):
 
 
 def table(cases):
-    rows = ["| system | R wanted [%] | answer | length [ps] | sets refused, surpassed | expected R [%] | 97.5 % bound [%] "
-            "| bound over wanted | mean R of fresh runs over wanted | largest | kept | below the bound |",
+    rows = ["| system | required R [%] | answer | length [ps] | sets rejected, improved | expected R [%] | 97.5 % bound [%] "
+            "| bound / required | mean R of new runs / required | maximum | met | below the bound |",
             "| --- " * 12 + "|"]
     for c in cases:
         if not c["answer"]:
@@ -114,14 +114,14 @@ def table(cases):
     if answered:
         runs = sum(c["runs"] for c in answered)
         rows.append("")
-        for key, what in (("kept", "kept the R asked for"), ("below_bound", "stayed below the bound, of which 97.5 % should")):
+        for key, what in (("kept", "met the required R"), ("below_bound", "stayed below the bound, of which 97.5 % should")):
             count = sum(c[key] for c in answered)
             low, high = binomial_interval(count, runs)
-            rows.append(f"{count} of {runs} fresh runs {what}: {100 * count / runs:.1f} %, 95 % interval "
+            rows.append(f"{count} of {runs} new runs {what}: {100 * count / runs:.1f} %, 95 % interval "
                         f"{100 * low:.1f} to {100 * high:.1f} %.")
         reached = sorted(c["reached"] for c in answered)
-        rows.append(f"Bounds are {reached[0]:.2f} to {reached[-1]:.2f} of what was asked, {fmean(reached):.2f} on the average; "
-                    f"{sum(0.8 <= r <= 1 for r in reached)} of {len(reached)} lie from 0.8 to 1.")
+        rows.append(f"Bounds are {reached[0]:.2f} to {reached[-1]:.2f} of the requirement, {fmean(reached):.2f} on average; "
+                    f"{sum(0.8 <= r <= 1 for r in reached)} of {len(reached)} are from 0.8 to 1.")
     return "\n".join(rows) + "\n"
 
 

@@ -182,7 +182,7 @@ struct Hypothesis {
   double degrees_of_freedom = 0;  ///< of this variance
 };
 
-/// One spectrum with a walk of known strength besides, before normalisation.
+/// One spectrum plus a walk of known strength, before normalisation.
 /// @param walk   contribution of that walk to the square of the slope's coefficient
 /// @param scale  sum of squares of all modes, to which the likelihood is relative
 Hypothesis hypothesis(const std::vector<ModeGroup>& groups, const Spectrum& spectrum, double degree,

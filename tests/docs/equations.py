@@ -15,7 +15,8 @@ CITING = ("docs", "README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "include", 
 BLOCK = re.compile(r"^```math\n(.*?)\n```", re.S | re.M)
 TAG = re.compile(r"\s*\\tag\{(\w+)\}")
 NUMBER = r"\((R?\d+)\)"
-CITATION = re.compile(rf"\bEqs?\.\s+{NUMBER}(?:(?:,| and| to)\s+{NUMBER})*")
+SPACE = r"(?:\s|///?|#)+"  # a citation may continue on the next line of a comment
+CITATION = re.compile(rf"\bEqs?\.{SPACE}{NUMBER}(?:(?:,|{SPACE}and|{SPACE}to){SPACE}{NUMBER})*")
 
 
 def citing_files(root):

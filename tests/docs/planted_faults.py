@@ -61,6 +61,7 @@ FAULTS = [  # test, text added to the document, what the output must name
 FILE_FAULTS = [  # test, file, the whole of it, what the output must name
     ("bibliography", "docs/references.bib", BIBLIOGRAPHY.replace("{C}", "{E}"), "docs/bibliography.md lacks"),
     ("equations", "docs/theory.md", EQUATION % 2 + EQUATION % 1, "docs/theory.md: equations are not numbered"),
+    ("equations", "src/a.hpp", "// By Eqs. (1)\n// and\n// (3).\n", "src/a.hpp:1: there is no Eq. (3)"),
     ("equations", "docs/theory.md", EQUATION % 1 + "```math\n1 = 1\n```\n", "docs/theory.md: equations are not numbered"),
 ]
 

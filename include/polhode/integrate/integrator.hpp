@@ -198,9 +198,9 @@ class Integrator {
     current_ = true;
   }
 
-  /// The additional part of e^{B̂(ξ)t} over e^{Bt}: ξ h² ∇W [vanzon2008, Eq. 5], where ∇W is twice
-  /// the derivative of f and τ along the displacement that they would cause (docs/theory.md, "The
-  /// gradient kick"). h in ξ h² is the full step, whatever the fraction of the kick.
+  /// What e^{B̂(ξ)t} adds to e^{Bt}: ξ h² ∇W [vanzon2008, Eq. 5], where ∇W is twice
+  /// the derivative of f and τ along the displacement that they would cause (docs/theory.md,
+  /// Eq. (14)). h in ξ h² is the full step, whatever the fraction of the kick.
   void exact_gradient_kick(State& state, double t, double xi_h2) {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);
