@@ -11,6 +11,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/memory.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/version.hpp"
@@ -91,6 +92,11 @@ int run(std::vector<std::string> words) {
   return 2;
 }
 
+void print_error(const Error& e) {
+  log("error: {}\n", printable(e.what()));
+  if (!e.where().empty()) log("  in   {}\n", printable(e.where()));
+}
+
 /// The message when memory runs out unexpectedly.
 std::string no_memory() {
   return fmt::format(
@@ -107,9 +113,13 @@ int main(int argc, char** argv) {
   cli::prepare_streams();
   try {
     return cli::exit_code(cli::run(cli::arguments(argc, argv)));
+  } catch (const OutputError& e) {
+    cli::print_error(e);
+    cli::log("  try  {}--force, which starts over and overwrites\n",
+             e.resumable() ? "--continue, which resumes, or " : "");
+    return cli::exit_code(2);
   } catch (const Error& e) {
-    cli::log("error: {}\n", printable(e.what()));
-    if (!e.where().empty()) cli::log("  in   {}\n", printable(e.where()));
+    cli::print_error(e);
     return cli::exit_code(2);
   } catch (const std::bad_alloc&) {
     cli::log("error: {}\n", cli::no_memory());

@@ -54,7 +54,7 @@ OutputOptions output_options(const Options& o) {
 
 int run(const Options& o) {
   const OutputOptions output = output_options(o);
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   Simulation simulation(make_config(o), workers);
   try {
     return print_run(simulation.run(output, console()), simulation, o.json);

@@ -45,7 +45,7 @@ Config make_config(const Options& o) {
 }
 
 int study(const Options& o) {
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   const Config config = make_config(o);
   const auto output = [&](bool resume) {
     return OutputOptions{existing_files(resume && !o.force, o.force),

@@ -40,7 +40,7 @@ class Study(Sandbox):
         self.assertFalse((self.folder / "new-runs.csv").exists())
         # The same file is refused if runs would be added to it.
         self.write(RECORD, before)
-        self.refused(("study", "run.toml"), ["another study", "--from-record", "--force"])
+        self.refused(("study", "run.toml"), ["another study", "tables of that record", "--force"])
         # Tables are not overwritten without --force.
         self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
 
@@ -85,7 +85,7 @@ class Study(Sandbox):
 
     def test_a_file_that_is_not_a_record(self):
         self.write("run.toml", SMALL)
-        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "--from-record"])
+        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "record"])
         self.refused(("study", "run.toml", "--from-record", "run.toml"), ["run.toml:1", "begins with", "# study"])
 
 

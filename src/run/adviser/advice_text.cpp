@@ -65,7 +65,8 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
         "avoid it",
         100 * reached->max_rounding());
   if (criterion.quality != Quality::ratio)
-    text += "; the bound includes the error of the mean, which a longer --time or --length reduces";
+    text +=
+        "; the bound includes the error of the mean, which a longer search or longer runs reduce";
   return text;
 }
 

@@ -258,7 +258,7 @@ StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix, const OutputOptions& options,
                                 const Callbacks& callbacks) {
   std::ifstream in(record, std::ios::binary);
-  if (!in) throw Error(fmt::format("there is no file '{}'", record), "--from-record");
+  if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
   const std::vector<StudyRun> runs = read_any_study_record(in, record);
   const StudyFiles files(prefix);
   check_outputs(files.tables(), options.existing);
