@@ -252,6 +252,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
     const bool like = pairs_[p][0] == pairs_[p][1];
     pairs_of_sites_.push_back((first * second - within) / (like ? 2 : 1));
     sites_of_first_.push_back(first);
+    sites_of_second_.push_back(second);
   }
 }
 
@@ -370,9 +371,12 @@ std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size
   const std::optional<Bins> bins = about_minimum(g, summit);
   if (!bins) return peak;
   const auto end = [&](Mean mean) { return maximum(curve(pair, mean), *bins, -1).position + 0.5; };
-  peak.shell = {
-      series_estimate(means, [&](Mean mean) { return end(mean) * width_; }),
-      series_estimate(means, [&](Mean mean) { return neighbours_within(pair, end(mean), mean); })};
+  const SeriesEstimate around_first =
+      series_estimate(means, [&](Mean mean) { return neighbours_within(pair, end(mean), mean); });
+  const double ratio = sites_of_first_[pair] / sites_of_second_[pair];
+  peak.shell = {series_estimate(means, [&](Mean mean) { return end(mean) * width_; }),
+                around_first,
+                {around_first.value * ratio, around_first.error * ratio, around_first.known}};
   return peak;
 }
 

@@ -50,7 +50,7 @@ Bits bits(const State& state, const Trajectory& t) {
   add(all, state.attitude.w), add(all, state.attitude.x);
   add(all, state.attitude.y), add(all, state.attitude.z);
   const Energies& e = s.energies.first;
-  for (const double x : {e.time, e.lennard_jones, e.coulomb, e.translation, e.rotation[0],
+  for (const double x : {e.time, e.van_der_waals, e.coulomb, e.translation, e.rotation[0],
                          e.rotation[1], e.rotation[2], e.pressure, s.shadow.first, s.shadow.start,
                          s.stretches.sums[0], s.stretches.sums[1], s.stretches.sums[2],
                          s.stretches.sums[3], s.stretches.mean, s.stretches.squares})

@@ -58,7 +58,7 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.steps = 17, c.at.start = 0.7;
   c.at.integrator.load = Load(bodies);
   fill(c.at.integrator.load.f, random), fill(c.at.integrator.load.tau, random);
-  c.at.integrator.load.lennard_jones = -1, c.at.integrator.load.coulomb = -2;
+  c.at.integrator.load.van_der_waals = -1, c.at.integrator.load.coulomb = -2;
   c.at.integrator.load.mesh = -3;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) c.at.integrator.load.virial[i][k] = double(3 * i + k);
@@ -78,7 +78,7 @@ Checkpoint example(std::size_t bodies = 2) {
     s.energies.add({x, x - 1, 2 * x, 3 * x, {4 * x, 5 * x, 6 * x}, 7 * x});
     s.shadow.add(n, x);
     s.configurational.add({{x, 2, 3, 4}, {5, 6, 7, x}});
-    s.stretches.add({.lennard_jones = x, .translation = n + x, .rotation = {}}, {}, 8);
+    s.stretches.add({.van_der_waals = x, .translation = n + x, .rotation = {}}, {}, 8);
   }
   s.energies.blocks.samples_per_block = 4;
   c.at.timings = {1, 2, 3, 4, 5};
@@ -106,7 +106,7 @@ void same(const TrajectoryStatistics& a, const TrajectoryStatistics& b) {
   CHECK(a.energies.samples == b.energies.samples);
   CHECK(e.time == f.time);
   CHECK(e.total() == f.total());
-  CHECK(e.lennard_jones == f.lennard_jones);
+  CHECK(e.van_der_waals == f.van_der_waals);
   CHECK(e.rotation == f.rotation);
   CHECK(e.pressure == f.pressure);
   same(a.energies.blocks, b.energies.blocks);

@@ -77,7 +77,7 @@ class Adviser {
         workers_(workers),
         base_(build_system(config)) {
     for (const std::string& text : settings.schemes)
-      advice_.candidates.push_back({one_line(text), single_scheme_of(text), {}, {}, 0, 0, {}});
+      advice_.candidates.push_back({label_of(text), single_scheme_of(text), {}, {}, 0, 0, {}});
     settled_.resize(advice_.candidates.size());
   }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
 #include "polhode/run/adviser/adviser.hpp"
@@ -29,7 +30,7 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
   if (advice.stopped) return std::nullopt;
   if (!advice.best) throw RunError(unreachable(advice, settings.criterion));
   const AdviserPoint& point = advice.confirmation;
-  integrator.scheme = advice.candidates[*advice.best].name;
+  integrator.scheme = named_text_of(advice.candidates[*advice.best].scheme);
   integrator.step = point.step;
   callbacks.note(fmt::format("for {}: {}", description(settings.criterion), answer(advice)));
   return Guarantee{*integrator.accuracy, point.length, point.ratio()};

@@ -69,7 +69,7 @@ template <class Archive, class Of>
 void memory(Archive& archive, Of& m) {
   vectors(archive, m.load.f);
   vectors(archive, m.load.tau);
-  archive(m.load.lennard_jones), archive(m.load.coulomb), archive(m.load.mesh);
+  archive(m.load.van_der_waals), archive(m.load.coulomb), archive(m.load.mesh);
   for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
   archive(m.current), archive(m.complete);
   archive(m.steps), archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
@@ -88,7 +88,7 @@ template <class Archive, class Of>
 void statistics(Archive& archive, Of& s) {
   auto& first = s.energies.first;
   counter(archive, s.energies.samples);
-  for (auto* x : {&first.time, &first.lennard_jones, &first.coulomb, &first.translation,
+  for (auto* x : {&first.time, &first.van_der_waals, &first.coulomb, &first.translation,
                   &first.rotation[0], &first.rotation[1], &first.rotation[2], &first.pressure})
     archive(*x);
   blocks(archive, s.energies.blocks);
