@@ -25,16 +25,31 @@ file(GLOB embedded CONFIGURE_DEPENDS data/molecules/*.toml data/molecules/*.txt 
      data/plots/*.gp data/plots/*.toml)
 polhode_embed(embedded_source ${embedded})
 
-add_library(polhode STATIC ${sources} ${embedded_source})
+# The sources are a target of their own, or none would be compiled until all kernels are.
+add_library(polhode_sources OBJECT ${sources} ${embedded_source})
+add_library(polhode STATIC $<TARGET_OBJECTS:polhode_sources>)
 add_library(polhode::library ALIAS polhode)
-target_compile_definitions(polhode PUBLIC ${missing_sets})
-# What is only headers has served when the library is built.
-target_link_libraries(polhode PUBLIC polhode_headers
-                      PRIVATE Threads::Threads fmt::fmt hwy::hwy tomlplusplus::tomlplusplus
-                              polhode::hdf5 ${fft_library}
-                              $<BUILD_INTERFACE:polhode_flags> $<BUILD_INTERFACE:Eigen3::Eigen>
-                              $<BUILD_INTERFACE:Boost::headers>
-                              $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+set_target_properties(polhode PROPERTIES LINKER_LANGUAGE CXX)
+foreach(target IN ITEMS polhode_sources polhode)
+  target_compile_definitions(${target} PUBLIC ${missing_sets})
+  # What is only headers has served when the library is built.
+  target_link_libraries(${target} PUBLIC polhode_headers
+                        PRIVATE Threads::Threads fmt::fmt hwy::hwy tomlplusplus::tomlplusplus
+                                polhode::hdf5 ${fft_library}
+                                $<BUILD_INTERFACE:polhode_flags> $<BUILD_INTERFACE:Eigen3::Eigen>
+                                $<BUILD_INTERFACE:Boost::headers>
+                                $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
+endforeach()
 set_source_files_properties(src/base/version.cpp PROPERTIES
-                            COMPILE_DEFINITIONS POLHODE_VERSION="${PROJECT_VERSION}")
+                            COMPILE_DEFINITIONS POLHODE_VERSION="${PROJECT_VERSION}" SKIP_PRECOMPILE_HEADERS ON)
+
+# Compile time: files that read input and write reports are optimized less, and developers alone
+# find out whether each file includes what it uses.
+set(cold_sources ${sources})
+list(FILTER cold_sources INCLUDE REGEX "/src/(io/[^/]*|io/gromacs/[^/]*|io/lammps/[^/]*|run/(adviser|analysis|study)/[^/]*)$")
+set_source_files_properties(${cold_sources} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
+if(NOT POLHODE_DEVELOPER)
+  target_precompile_headers(polhode_sources PRIVATE <algorithm> <cmath> <filesystem> <fmt/core.h> <fstream> <functional>
+                            <map> <memory> <optional> <set> <sstream> <string> <variant> <vector>)
+endif()
 polhode_compile_kernels(polhode ${kernel_sources})

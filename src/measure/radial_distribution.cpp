@@ -3,11 +3,12 @@
 
 #include <fmt/core.h>
 
-#include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/memory.hpp"
@@ -151,28 +152,49 @@ struct Extremum {
   double position, height;  // in bins from the middle of bin 0; [1]
 };
 
+using Cubic = std::array<double, 4>;  // coefficients of 1, x, x², x³
+
+double value(const Cubic& c, double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); }
+
+// The least-squares cubic through `sign` times g at x = −half, −half + 1 ... half, of lower degree
+// for fewer than four points: a sum of polynomials that are orthogonal on these points. As they are
+// symmetric about 0, each is x times the last one minus a multiple of the one before.
+Cubic fitted_cubic(std::span<const double> g, double sign) {
+  const double half = static_cast<double>(g.size() - 1) / 2;
+  Cubic sum{}, polynomial{1}, last{};
+  double last_square = 1;
+  for (std::size_t degree = 0; degree < std::min(g.size(), sum.size()); ++degree) {
+    double square = 0, product = 0;
+    for (std::size_t i = 0; i < g.size(); ++i) {
+      const double p = value(polynomial, static_cast<double>(i) - half);
+      square += p * p;
+      product += p * sign * g[i];
+    }
+    const double ratio = square / std::exchange(last_square, square);
+    Cubic next{};
+    for (std::size_t k = 0; k < sum.size(); ++k) {
+      sum[k] += product / square * polynomial[k];
+      next[k] = (k > 0 ? polynomial[k - 1] : 0) - ratio * last[k];
+    }
+    last = std::exchange(polynomial, next);
+  }
+  return sum;
+}
+
 // The maximum of the least-squares cubic through `sign` times g in a range of bins.
 Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
-  const Eigen::Index points = bins.high - bins.low + 1, powers = std::min<Eigen::Index>(points, 4);
   const double middle = static_cast<double>(bins.low + bins.high) / 2,
                half = static_cast<double>(bins.high - bins.low) / 2;
-  Eigen::MatrixXd matrix(points, powers);
-  Eigen::VectorXd right(points);
-  for (Eigen::Index i = 0; i < points; ++i) {
-    for (Eigen::Index j = 0; j < powers; ++j)
-      matrix(i, j) = std::pow(static_cast<double>(i) - half, j);
-    right[i] = sign * g[static_cast<std::size_t>(bins.low + i)];
-  }
-  Eigen::Vector4d c = Eigen::Vector4d::Zero();
-  c.head(powers) = matrix.colPivHouseholderQr().solve(right);
-  const auto value = [&](double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); };
+  const Cubic c = fitted_cubic(g.subspan(static_cast<std::size_t>(bins.low),
+                                         static_cast<std::size_t>(bins.high - bins.low + 1)),
+                               sign);
   // Where the slope is zero, with the sign of the root that makes it a maximum. An end of the range
   // only if there is no such point, because noise alone can make an end higher.
   const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
   const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
-  const double end = value(-half) > value(half) ? -half : half;
+  const double end = value(c, -half) > value(c, half) ? -half : half;
   const double best = std::abs(inside) < half ? inside : end;
-  return {middle + best, sign * value(best)};
+  return {middle + best, sign * value(c, best)};
 }
 
 // Rows of sites are distributed over this many tasks, each with its own histogram.
