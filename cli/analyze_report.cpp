@@ -4,15 +4,15 @@
 #include <fmt/core.h>
 
 #include "polhode/base/units.hpp"
+#include "polhode/io/with_error.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
 namespace {
 
-/// "2.30 ± 0.03", or the value and why it has no error.
+/// "2.300 ± 0.031", or the value with that many decimals, and why it has no error.
 std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
-  if (e.known == Known::yes)
-    return fmt::format("{:.{}f} ± {:.{}f}", e.value * scale, digits, e.error * scale, digits);
+  if (e.known == Known::yes) return with_error(e.value * scale, e.error * scale);
   return fmt::format("{:.{}f} (error not known from {})", e.value * scale, digits,
                      e.known == Known::too_short ? "so short a run" : "so few frames");
 }
@@ -23,18 +23,22 @@ std::string not_converged(const Convergence& c, const char* relaxation) {
                      c.length, relaxation, c.relaxation, c.needed);
 }
 
-void print_peak(const std::string& name, const std::optional<RadialDistribution::Peak>& peak) {
-  fmt::print("{:<22}", name);
+void print_peak(const SitePair& sites, const std::optional<RadialDistribution::Peak>& peak) {
+  const auto& [a, b] = sites;
+  fmt::print("{:<22}", fmt::format("g {}-{}", a, b));
   if (!peak) {
     fmt::print("no peak within its range\n");
     return;
   }
   fmt::print("first peak {} at {} nm; ", text(peak->height, 3), text(peak->position, 4));
-  if (peak->shell)
-    fmt::print("{} neighbours up to {:.3f} nm\n", text(peak->shell->coordination, 2),
-               peak->shell->end.value);
-  else
+  if (!peak->shell) {
     fmt::print("no minimum within its range\n");
+    return;
+  }
+  const auto& [end, around_first, around_second] = *peak->shell;
+  fmt::print("within {:.3f} nm {} {} around each {}", end.value, text(around_first, 2), b, a);
+  if (a != b) fmt::print(", {} {} around each {}", text(around_second, 2), a, b);
+  fmt::print("\n");
 }
 
 void print_part(const PartSummary& part, const AnalysisSummary& s) {
@@ -82,8 +86,7 @@ void print_analysis(const AnalysisReport& report) {
   if (a.has_velocities)
     fmt::print("temperature           {} K, of the velocities\n",
                text(a.conditions->temperature(), 2));
-  for (std::size_t k = 0; k < s.peaks.size(); ++k)
-    print_peak(fmt::format("g {}-{}", a.pairs[k][0], a.pairs[k][1]), s.peaks[k]);
+  for (std::size_t k = 0; k < s.peaks.size(); ++k) print_peak(a.pairs[k], s.peaks[k]);
   for (const PartSummary& part : s.parts) print_part(part, s);
   if (const auto& d = s.dielectric; d && !d->convergence.converged())
     fmt::print("dielectric constant   {}; |<M>| is {:.2f} of the rms M\n",

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "config_tables.hpp"
+#include "formats/format.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
@@ -92,6 +93,11 @@ void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
                 fmt::format("is neither an embedded initial configuration, such as \"w512\", nor a "
                             "file: '{}' does not exist",
                             file));
+  try {
+    format_of(file);
+  } catch (const Error& e) {
+    throw e.at(table.where("initial_configuration"));
+  }
   system.initial_configuration = std::move(file);
 }
 

@@ -40,13 +40,52 @@ class Study(Sandbox):
         self.assertFalse((self.folder / "new-runs.csv").exists())
         # The same file is refused if runs would be added to it.
         self.write(RECORD, before)
-        self.refused(("study", "run.toml"), ["another study", "--from-record", "--force"])
+        self.refused(("study", "run.toml"), ["another study", "tables of that record", "--force"])
         # Tables are not overwritten without --force.
         self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
 
+    def test_table_figure_and_advice_have_the_same_curves(self):
+        """With real runs up to a step that blows up: points before the end, and no others, are drawn and count."""
+        self.write("run.toml", edited(SMALL, ('["2 fs"]', '["5 fs", "10 fs", "20 fs", "400 fs"]'), ("runs = 2", "runs = 3"),
+                                      ('length = "0.1 ps"', 'length = "4 ps"'), ('["velocity-verlet"]', '["velocity-verlet", "hoa2"]')))
+        points, _ = self.points()
+        script = (self.folder / "study.gp").read_text(encoding="utf-8")
+        report = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
+        for scheme in ("velocity-verlet", "hoa2"):
+            own = [p for p in points if p["scheme"] == scheme]
+            self.assertEqual([p["step_fs"] for p in own if p["usable"]], [5, 10, 20])
+            drawn = script[script.index(f"\n# {scheme}\n"):].split("\n\n")[0].splitlines()[2:]
+            self.assertEqual(len(drawn), 3)
+            for p, line in zip(reversed(own[:3]), drawn):  # by increasing cost
+                cost, ratio, _, last, _ = map(float, line.split())
+                self.assertAlmostEqual(cost, p["force_evaluations_per_ps"], delta=1e-6 * cost)
+                self.assertAlmostEqual(ratio, 100 * p["R"], delta=1e-6 * ratio)
+                self.assertEqual(last, p["step_fs"] == 20)
+            self.assertTrue(all(row["costs"][scheme]["step_fs"] <= 20 for row in report["guidelines"] if scheme in row["costs"]))
+
+    def test_schemes_of_ones_own(self):
+        """A name is the label in table, figure and record; the stages decide which runs are done."""
+        mine = "mine: x = 1/6; B(x) A(1/2) B(1 - 2*x) A(1/2) B(x)"
+        self.write("run.toml", edited(SMALL, ("velocity-verlet", mine)))
+        (point,), _ = self.points()
+        self.assertEqual(point["scheme"], "mine")
+        self.assertTrue(all(line.startswith("mine,") for line in self.rows("study.csv")[1:]))
+        self.assertIn('title "mine"', (self.folder / "study.gp").read_text())
+        self.assertIn("mine: B(0.16666666666666666) A(0.5) ", (self.folder / RECORD).read_text())
+        (again,), log = self.points()
+        self.assertEqual(again, point)
+        self.assertIn("2 runs are read", log)
+        # The stages alone give the same numbers, and other stages under the same name other ones.
+        (stages,), _ = self.points("--output", "stages", "--schemes", mine[6:])
+        self.assertEqual({**stages, "scheme": "mine"}, point)
+        self.assertTrue(stages["scheme"].startswith("B(0.16666"), stages["scheme"])
+        (other,), _ = self.points("--schemes", mine.replace("1/6", "1/5"))
+        self.assertEqual((other["scheme"], other["runs"]), ("mine", 2))
+        self.assertNotEqual(other["R"], point["R"])
+
     def test_a_file_that_is_not_a_record(self):
         self.write("run.toml", SMALL)
-        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "--from-record"])
+        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "record"])
         self.refused(("study", "run.toml", "--from-record", "run.toml"), ["run.toml:1", "begins with", "# study"])
 
 

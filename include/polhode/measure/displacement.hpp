@@ -59,7 +59,7 @@ struct FitWindow {
 
 /// D = slope/6 of the mean-square displacement [nm²/ps], by a least-squares line through the lags
 /// within the window (Einstein relation; allen2017, section 2.7). NaN if there are fewer than two.
-/// No error is given for runs shorter than eight times the longest lag.
+/// No error is given for runs shorter than eight times the maximum lag.
 /// @param interval  between lags [ps]
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);

@@ -77,16 +77,16 @@ nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, double 
 nlohmann::json peak_json(const SitePair& sites,
                          const std::optional<RadialDistribution::Peak>& peak) {
   if (!peak)
-    return {{"pair", sites},
-            {"peak_nm", nullptr},
-            {"peak_height", nullptr},
-            {"minimum_nm", nullptr},
-            {"coordination", nullptr}};
-  return {{"pair", sites},
-          {"peak_nm", pair(peak->position)},
-          {"peak_height", pair(peak->height)},
-          {"minimum_nm", peak->shell ? nlohmann::json(peak->shell->end.value) : nlohmann::json()},
-          {"coordination", peak->shell ? pair(peak->shell->coordination) : nlohmann::json()}};
+    return {{"pair", sites},           {"peak_nm", nullptr},
+            {"peak_height", nullptr},  {"minimum_nm", nullptr},
+            {"coordination", nullptr}, {"coordination_of_second", nullptr}};
+  return {
+      {"pair", sites},
+      {"peak_nm", pair(peak->position)},
+      {"peak_height", pair(peak->height)},
+      {"minimum_nm", peak->shell ? nlohmann::json(peak->shell->end.value) : nlohmann::json()},
+      {"coordination", peak->shell ? pair(peak->shell->coordination) : nlohmann::json()},
+      {"coordination_of_second", peak->shell ? pair(peak->shell->of_second) : nlohmann::json()}};
 }
 
 nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {

@@ -27,16 +27,17 @@ constexpr double near = 5;                     // [K]: the viscosity of water ch
 void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
   if (settings.viscosity) {
     s.viscosity = settings.viscosity;
-    s.viscosity_source = "--viscosity";
+    s.viscosity_source = "as given";
     return;
   }
-  s.viscosity_source = "there is no published viscosity for these molecules; give --viscosity";
+  s.viscosity_source = "there is no published viscosity for these molecules; give it";
   if (a.topology.parts.size() != 1) return;
   for (const PublishedViscosity& known : published) {
     if (a.topology.parts.front().molecule.name != known.model) continue;
     if (!s.temperature || std::abs(*s.temperature - published_temperature) > near) {
-      s.viscosity_source = fmt::format("the published viscosity is for {:g} K; give --viscosity",
-                                       published_temperature);
+      s.viscosity_source =
+          fmt::format("the published viscosity is for {:g} K; give that of this temperature",
+                      published_temperature);
       return;
     }
     s.viscosity = quantity(known.value, Dimension::viscosity, "viscosity");
@@ -103,7 +104,7 @@ void find_correction(AnalysisSummary& s, const Analysis& a, const SummarySetting
   if (!cubic(a.box))
     s.viscosity_source = "the finite-size correction is for cubic boxes only";
   else if (!s.temperature)
-    s.viscosity_source = "no temperature: the frames have no velocities; give --temperature";
+    s.viscosity_source = "no temperature: the frames have no velocities; give a temperature";
   else if (s.viscosity)
     s.finite_size_correction = yeh_hummer_correction(*s.temperature, *s.viscosity,
                                                      std::cbrt(a.conditions->volume().value));
@@ -119,7 +120,7 @@ void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySetting
   if (!settings.surroundings_permittivity)
     s.notes.push_back("no dielectric: " + settings.no_surroundings);
   else if (!s.temperature)
-    s.notes.push_back("no dielectric constant: the frames have no velocities; give --temperature");
+    s.notes.push_back("no dielectric constant: the frames have no velocities; give a temperature");
   else
     s.dielectric =
         a.dipole->result(*s.temperature, *settings.surroundings_permittivity, interval_of(a));

@@ -309,7 +309,7 @@ class Propagator::Impl {
     return complete_;
   }
 
-  /// A sample between two intervals is none of those of a longer trajectory.
+  /// At the end, possibly between two samples: a longer trajectory would not have this one.
   void last_sample(const Watch& watch) {
     before_last_sample_ = run_state();
     sample(watch);

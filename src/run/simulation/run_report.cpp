@@ -20,8 +20,8 @@ json number_if(bool known, double value) {
   return known && std::isfinite(value) ? json(value) : json();
 }
 
-/// Keys of a drift; error, p-value and significance are null if they are not known, and the verdict
-/// gives the reason.
+/// Keys of an energy drift; error, p-value and significance are null if they are not known, and the
+/// verdict gives the reason.
 json drift_json(const Drift& drift, std::uint64_t samples) {
   const bool known = drift.known == Known::yes;
   return {{"drift_kJ_per_mol_ps", number_if(samples >= min_samples_reported, drift.rate.value)},

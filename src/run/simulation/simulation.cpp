@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "polhode/base/error.hpp"
 #include "polhode/base/instruction_set.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/base/version.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
@@ -91,7 +91,7 @@ const std::string& Simulation::identity() {
   return identity_;
 }
 
-// At the very start it is an equilibration of no length.
+// Before the first step: an equilibration of length zero.
 RunState Simulation::run_state() {
   if (trajectory_started()) return propagator().run_state();
   return at_ ? *at_ : RunState{.state = system_.state, .equilibrated = 0.0};
@@ -133,10 +133,11 @@ std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& n
     if (resumes) callbacks.note("note: there is no checkpoint; the run starts from the beginning");
     if (options.existing != ExistingFiles::replace &&
         std::filesystem::exists(names.checkpoints.newest))
-      throw Error(
-          fmt::format("'{}' exists: the run was started before; resume it with --continue, give "
-                      "another --output, or start over with --force",
-                      names.checkpoints.newest));
+      throw OutputError(
+          fmt::format("'{}' exists: the run was started before; resume it, give another output, or "
+                      "start over",
+                      names.checkpoints.newest),
+          true);
     check_outputs(names.all(), options.existing);
     return found;
   }

@@ -17,7 +17,8 @@ namespace {
 std::vector<std::pair<std::string, double>> terms_of(const ForceField& forces, const Load& load) {
   const ConstantTerms& constant = forces.constant_terms();
   std::vector<std::pair<std::string, double>> terms;
-  if (forces.settings().dispersion_correction) terms.emplace_back("LJ tail", constant.dispersion);
+  if (forces.settings().dispersion_correction)
+    terms.emplace_back("dispersion tail", constant.dispersion);
   const bool mesh = forces.settings().mesh.has_value();
   if (!mesh && constant.self == 0) return terms;
   terms.emplace_back(mesh ? "real space" : "pairs", load.coulomb - load.mesh - constant.coulomb());
@@ -68,7 +69,7 @@ std::string single_point_json(const SinglePoint& point) {
     tensor.push_back({row.x, row.y, row.z});
   }
   return nlohmann::json{{"molecules", point.system.topology.size()},
-                        {"lennard_jones_kJ_per_mol", point.load.lennard_jones},
+                        {"van_der_waals_kJ_per_mol", point.load.van_der_waals},
                         {"coulomb_kJ_per_mol", point.load.coulomb},
                         {"terms_kJ_per_mol", terms},
                         {"potential_kJ_per_mol", point.load.potential()},

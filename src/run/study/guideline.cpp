@@ -4,14 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/nested_scheme_text.hpp"
-
 namespace polhode {
 namespace {
 
 double relative_error(const EfficiencyPoint& p) { return p.ratio.error / p.ratio.value; }
 
 }  // namespace
+
+std::size_t points_before_end(const std::vector<EfficiencyPoint>& points) {
+  std::size_t count = 0;
+  while (count < points.size() && points[count].stable) ++count;
+  while (count > 0 && points[count - 1].drifts()) --count;
+  return count;
+}
 
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
   std::vector<Curve> all;
@@ -24,16 +29,9 @@ std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
   for (Curve& curve : all) {
     std::sort(curve.points.begin(), curve.points.end(),
               [](const auto& a, const auto& b) { return a.step < b.step; });
-    while (curve.usable < curve.points.size() && curve.points[curve.usable].usable())
-      ++curve.usable;
+    curve.usable = points_before_end(curve.points);
   }
   return all;
-}
-
-Curve regardless_of_drift(Curve curve) {
-  curve.usable = 0;
-  while (curve.usable < curve.points.size() && curve.points[curve.usable].stable) ++curve.usable;
-  return curve;
 }
 
 std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
@@ -43,7 +41,7 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   at.evaluations = points[0].cost * points[0].step;
   double log_error = 0;  // of the step, relative
   if (ratio < points[0].ratio.value) {
-    const int order = nested_scheme_of(curve.scheme).order();
+    const int order = points[0].order;
     if (order == 0 || points[0].at_rounding()) return std::nullopt;
     at.exponent = order;
     at.step = points[0].step * std::pow(ratio / points[0].ratio.value, 1.0 / order);

@@ -52,7 +52,7 @@ struct AnalysisSummary {
   std::optional<double> temperature;  ///< [K]
   FitWindow fit;                      ///< of the diffusion coefficient [ps]
   std::optional<double> viscosity;    ///< [u/(nm ps)]
-  std::string viscosity_source;       ///< "--viscosity", or the publication; else why there is none
+  std::string viscosity_source;       ///< "as given", or the publication; else why there is none
   std::optional<double> finite_size_correction;  ///< Yeh-Hummer finite-size correction, to be added
                                                  ///< to diffusion [nm²/ps]
   std::vector<PartSummary> parts;
