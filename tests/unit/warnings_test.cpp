@@ -30,7 +30,7 @@ RunSummary good() {
   return s;
 }
 
-std::string kinds(const RunSummary& s, std::optional<double> wanted = 300) {
+std::string kinds(const RunSummary& s, std::optional<WantedTemperature> wanted = {{300}}) {
   std::string all;
   for (const Warning& w : warnings_of_results(s, wanted)) {
     CHECK(!w.text.empty());
@@ -69,6 +69,13 @@ TEST_CASE("a mean temperature beyond three standard deviations is a warning") {
   CHECK(kinds(s, std::nullopt).empty());
   s.temperature.value = 300 - 3.1 * sd;
   CHECK(kinds(s) == "temperature ");
+  // If the velocities of a file were kept, two standard deviations suffice.
+  s.temperature.value = 300 - 2.1 * sd;
+  CHECK(kinds(s, {{300, true}}) == "temperature ");
+  CHECK(kinds(s).empty());
+  s.temperature.value = 300 - 1.9 * sd;
+  CHECK(kinds(s, {{300, true}}).empty());
+  s.temperature.value = 300 - 3.1 * sd;
   // Of a large system, less than 1 % is nothing to object to.
   s.degrees_of_freedom = {3e6, {1e6, 1e6, 1e6}};
   s.temperature = {302.9, 0.01, Known::yes};
@@ -101,7 +108,7 @@ TEST_CASE("a drift is a warning if it is significant and makes up half of R") {
   const double whole = s.ratio.value * s.potential_fluctuation * std::sqrt(12.0) / s.length;
   s.drift = {{0.6 * whole, 0.01 * whole}, 1e-6, Known::yes};
   CHECK(kinds(s) == "drift ");
-  s.drift.p_value = 0.02;
+  s.drift.p_value = 0.002;
   CHECK(kinds(s).empty());
   s.drift = {{0.4 * whole, 0.01 * whole}, 1e-6, Known::yes};
   CHECK(kinds(s).empty());

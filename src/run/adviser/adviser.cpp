@@ -12,9 +12,11 @@
 #include <mutex>
 #include <utility>
 
+#include "candidate_time.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
+#include "polhode/run/adviser/effort.hpp"
 #include "polhode/run/adviser/step_search.hpp"
 #include "polhode/run/simulation/resumable_run.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
@@ -84,10 +86,17 @@ class Adviser {
   Advice advice() {
     if (!prepare_base()) return stopped_advice();
     const Clock::time_point before = Clock::now();
+    effort_.expect(min_work());
     starts_ = fresh_starts(choosing);
     if (stop()) return stopped_advice();
     const double rounds = std::ceil(static_cast<double>(choosing) / workers_.threads());
     evaluation_ = since(before) / (rounds * std::max(1.0, 1000 * preparation_length()));
+    const double seconds = min_work() * evaluation_ / workers_.threads();
+    if (seconds > settings_.seconds)
+      callbacks_.note(fmt::format(
+          "this system needs at least {:.0f} s in place of {:g} s for a choice of the step",
+          seconds, settings_.seconds));
+    effort_.expect(std::max(min_work(), budget(1) / evaluation_ - effort_.done()));
 
     confirm();
     if (stop()) return stopped_advice();
@@ -107,7 +116,25 @@ class Adviser {
 
   void report(const std::string& what) const {
     const std::lock_guard lock(reporting_);
-    callbacks_.report({"advising", std::min(0.99, since(begin_) / settings_.seconds), what});
+    callbacks_.report({"advising", effort_.fraction(), what});
+  }
+
+  /// stop(), asked after each step of a run, whose force evaluations it adds to the effort.
+  std::function<bool()> counting_stop(double evaluations, const std::string& what) const {
+    return [this, evaluations, what] {
+      effort_.add(evaluations);
+      report(what);
+      return stop();
+    };
+  }
+
+  /// Force evaluations of a choice without rejected steps, by the shortest useful runs: about five
+  /// steps of each scheme, most of them in shortened runs, and one confirmation, with 3.3 ω force
+  /// evaluations per ps.
+  double min_work() const {
+    const double search = 5 * way * choosing * static_cast<double>(advice_.candidates.size());
+    return confirming * 1000 * preparation_length() +
+           (search + confirming) * min_length() * 3.3 * frequency_;
   }
 
   /// The initial state of the run.
@@ -141,8 +168,8 @@ class Adviser {
       starts.push_back({base_, start_seed(config_, drawn_ + k)});
     workers_.each(count, [&](std::size_t k) {
       if (!stop())
-        starts[k].system =
-            prepare_start(base_, config_, drawn_ + k, preparation_length(), callbacks_.stop);
+        starts[k].system = prepare_start(base_, config_, drawn_ + k, preparation_length(),
+                                         counting_stop(1, "preparing initial configurations"));
     });
     drawn_ += count;
     return starts;
@@ -159,7 +186,7 @@ class Adviser {
          .sample = std::min(config_.run.sample, max_sample_interval),
          .lambda = config_.integrator.lambda,
          .configurational_sample = sample_cost / temperature_share * job.step / scheme.cost()},
-        noise_, callbacks_.stop);
+        noise_, counting_stop(scheme.cost(), advice_.candidates[job.candidate].name));
   }
 
   /// Runs every job from every initial configuration, as many at a time as there are workers.
@@ -167,15 +194,23 @@ class Adviser {
     std::vector<AdviserPoint> points;
     for (const Job& job : jobs)
       points.push_back({job.step, job.length, std::vector<Outcome>(starts_.size()), 0, false});
+    double work = 0;
+    for (const Job& job : jobs) work += work_of(job, starts_.size());
+    effort_.expect(std::max(work + min_work(), budget(1) / evaluation_ - effort_.done()));
     workers_.each(jobs.size() * starts_.size(), [&](std::size_t k) {
       if (stop()) return;
       const std::size_t j = k / starts_.size(), r = k % starts_.size();
       ResumableRun resumable = starts_[r];
       points[j].runs[r] = advance(resumable, jobs[j]);
-      report(advice_.candidates[jobs[j].candidate].name);
     });
     for (AdviserPoint& point : points) judge(point);
     return points;
+  }
+
+  /// Force evaluations of runs.
+  double work_of(const Job& job, std::size_t runs) const {
+    return static_cast<double>(runs) * job.length / job.step *
+           advice_.candidates[job.candidate].scheme.cost();
   }
 
   void judge(AdviserPoint& point) const {
@@ -200,6 +235,7 @@ class Adviser {
   AdviserPoint confirming_runs(std::vector<ResumableRun> resumable_runs, const Job& whole) const {
     AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size()), 0,
                        false};
+    effort_.expect(work_of(whole, resumable_runs.size()));
     for (const double part : parts) {
       if (part < 1 && part * whole.length < min_length()) continue;
       const Job job{whole.candidate, whole.step, part * whole.length};
@@ -211,7 +247,6 @@ class Adviser {
         point.runs[r] = advance(resumable_runs[r], job);
         done[r] = 1;
         if (part == 1 && breaks(point.runs[r])) broken = true;
-        report(advice_.candidates[job.candidate].name);
       });
       if (stop()) return point;
       point.length = job.length;
@@ -350,31 +385,14 @@ class Adviser {
         const Candidate& candidate = advice_.candidates[c];
         if (candidate.step == 0 || candidate.seconds > 0) continue;
         report("clocking " + candidate.name);
-        times[c].push_back(time_of(candidate, std::clamp(seconds, 0.02, 0.3)));
+        times[c].push_back(time_of(candidate, starts_.front().system, config_,
+                                   std::clamp(seconds, 0.02, 0.3), callbacks_.stop, workers_));
       }
     for (std::size_t c = 0; c < times.size(); ++c)
       if (!times[c].empty()) {
         std::sort(times[c].begin(), times[c].end());
         advice_.candidates[c].seconds = times[c][times[c].size() / 2];
       }
-  }
-
-  double time_of(const Candidate& candidate, double seconds) const {
-    System system = starts_.front().system;
-    ForceField forces(system.topology, system.forces, system.state.box, workers_);
-    const Clock::time_point start = Clock::now();
-    const auto over = [&] { return stop() || since(start) > seconds; };
-    // Twenty to a thousand steps at a time, including a few list rebuilds.
-    const double min_duration = 20 * candidate.step;
-    const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,
-                               config_.run.sample, config_.integrator.lambda};
-    double length = 0, spent = 0;
-    do {
-      const Trajectory t = run_trajectory(system, forces, s, {nullptr, over}, workers_);
-      length += static_cast<double>(t.steps) * s.step;
-      spent += t.timings.all();
-    } while (length < min_duration && !stop());
-    return spent / length;
   }
 
   /// The cheapest eligible candidate, by the computing time per simulated ps.
@@ -443,22 +461,13 @@ class Adviser {
     candidate.step = step;
   }
 
-  /// The shorter step after runs that did not confirm one.
+  /// After runs that did not confirm a step.
   /// @param part  of the whole length that they covered
   void shorten(Candidate& candidate, const AdviserPoint& point, double part) const {
-    double factor = 0.85;
-    if (calm(point) && candidate.model) {
-      double excess = optimistic_bound(point.runs, part) / settings_.criterion.bound;
-      if (point.runs.size() < confirming) {
-        // The scatter of an incomplete set is poorly known; the bound of eight runs exceeds the
-        // required one by about twice as much as that of the first one that exceeds it.
-        const auto ratios = each(point.runs, [](const Outcome& run) { return run.ratio; });
-        excess = std::pow(
-            *std::max_element(ratios.begin(), ratios.end()) / settings_.criterion.bound, 2);
-      }
-      factor =
-          std::clamp(std::pow(excess, -1 / candidate.model->exponent(candidate.step)), 0.6, 0.97);
-    }
+    const double factor = calm(point) && candidate.model
+                              ? shortening(settings_.criterion, point.runs, confirming, part,
+                                           candidate.model->exponent(candidate.step))
+                              : 0.85;
     set_step(candidate, three_digits(factor * candidate.step));
   }
 
@@ -468,6 +477,7 @@ class Adviser {
   Workers& workers_;
   System base_;
   ForceNoise noise_;
+  mutable Effort effort_;  // in force evaluations
   double frequency_ = 0;   // [1/ps]
   double evaluation_ = 0;  // seconds of one thread
   std::vector<ResumableRun> starts_;

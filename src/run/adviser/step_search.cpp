@@ -118,6 +118,18 @@ std::optional<double> lengthened(double step, double reached, double exponent, d
   return longer >= least * step ? std::optional(longer) : std::nullopt;
 }
 
+double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,
+                  std::size_t whole_set, double part, double exponent) {
+  double excess = optimistic_bound(runs, part) / criterion.bound;
+  if (runs.size() < whole_set) {
+    // The scatter of an incomplete set is poorly known; the bound of eight runs exceeds the
+    // required one by about twice as much as that of the first one that exceeds it.
+    const auto ratios = each(runs, [](const Outcome& run) { return run.ratio; });
+    excess = std::pow(*std::max_element(ratios.begin(), ratios.end()) / criterion.bound, 2);
+  }
+  return std::clamp(std::pow(excess, -1 / exponent), 0.6, 0.97);
+}
+
 std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points) {
   if (points.size() >= max_points) return std::nullopt;
   if (points.empty()) return search.first;

@@ -17,6 +17,8 @@ namespace {
 
 /// Standard deviations beyond which a difference is no chance: two normal values of a thousand.
 constexpr double far = 3;
+/// For a temperature that had no effect on the run.
+constexpr double rather_far = 2;
 /// The bounds below which nothing is wrong whatever the statistics, each relative to what the
 /// comment says.
 constexpr double min_temperature_difference = 0.01;  // the temperature wanted
@@ -25,28 +27,32 @@ constexpr double min_drift_share = 0.5;              // R
 constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
 constexpr double min_fall = 0.02;                    // the kinetic energy
 constexpr double max_pressure_kbar = 5;
-/// p-value of the slope of the potential energy, which relaxes slowly in any liquid.
-constexpr double falling = 0.001;
+/// p-value of slopes: a tenth of that of a verdict, since nobody asked for these tests.
+constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
-std::optional<Warning> temperature_warning(const RunSummary& s, double wanted) {
+std::optional<Warning> temperature_warning(const RunSummary& s, const WantedTemperature& wanted) {
   const double n = s.degrees_of_freedom.all();
   if (n == 0 || s.samples == 0) return std::nullopt;
   // If the error is not known, the momentary temperature stands for the mean.
+  const double T = wanted.value;
   const double error =
-      s.temperature.known == Known::yes ? s.temperature.error : wanted * std::sqrt(2 / n);
-  const double chance = far * std::hypot(temperature_scatter(wanted, n), error);
-  const double bound = std::max(min_temperature_difference * wanted, chance);
-  const double difference = s.temperature.value - wanted;
+      s.temperature.known == Known::yes ? s.temperature.error : T * std::sqrt(2 / n);
+  const double chance =
+      (wanted.ignored ? rather_far : far) * std::hypot(temperature_scatter(T, n), error);
+  const double bound = std::max(min_temperature_difference * T, chance);
+  const double difference = s.temperature.value - T;
   if (!(std::abs(difference) > bound)) return std::nullopt;
   return Warning{
       "temperature", s.temperature.value, bound,
       fmt::format("the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, and a run of a "
                   "system of this size is within {:.2g} K of it",
-                  s.temperature.value, wanted, std::abs(difference),
+                  s.temperature.value, T, std::abs(difference),
                   difference > 0 ? "too hot" : "too cold", bound),
-      "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]"};
+      wanted.ignored ? "the velocities of the initial configuration were kept: write velocities = "
+                       "\"new\" in [system], and equilibrate"
+                     : "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]"};
 }
 
 std::optional<Warning> ratio_warning(const RunSummary& s) {
@@ -60,7 +66,9 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
 }
 
 std::optional<Warning> drift_warning(const RunSummary& s) {
-  if (!s.drift.significant() || !(s.potential_fluctuation > 0)) return std::nullopt;
+  if (s.drift.known != Known::yes || s.drift.p_value > significance_level ||
+      !(s.potential_fluctuation > 0))
+    return std::nullopt;
   // The rms deviation of a straight line from its mean is its rise over √12.
   const double drifted =
       std::abs(s.drift.rate.value) * s.length / std::sqrt(12.0) / s.potential_fluctuation;
@@ -79,7 +87,8 @@ std::optional<Warning> relaxation_warning(const RunSummary& s) {
   const Drift& slope = s.potential_drift;
   const double fall = -slope.rate.value * s.length;
   const double kinetic = s.degrees_of_freedom.all() * units::boltzmann * s.temperatures.all / 2;
-  if (slope.known != Known::yes || slope.p_value > falling || !(fall > min_fall * kinetic))
+  if (slope.known != Known::yes || slope.p_value > significance_level ||
+      !(fall > min_fall * kinetic))
     return std::nullopt;
   return Warning{
       "relaxation", fall, min_fall * kinetic,
@@ -174,12 +183,12 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
 }
 
 std::vector<Warning> warnings_of_results(const RunSummary& s,
-                                         std::optional<double> temperature_wanted) {
+                                         const std::optional<WantedTemperature>& wanted) {
   std::vector<Warning> all;
   const auto add = [&](const std::optional<Warning>& warning) {
     if (warning) all.push_back(*warning);
   };
-  if (temperature_wanted) add(temperature_warning(s, *temperature_wanted));
+  if (wanted) add(temperature_warning(s, *wanted));
   add(ratio_warning(s));
   add(drift_warning(s));
   add(relaxation_warning(s));
@@ -191,12 +200,12 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers) {
   // The velocities of a file may have any temperature, unless the run file asks for one.
-  const bool any_temperature =
-      !system.new_velocities && !config.system.temperature_given && config.run.equilibrate == 0;
-  std::vector<Warning> all = warnings_of_results(
-      s, any_temperature ? std::nullopt : std::optional(config.system.temperature));
-  for (const auto& warning : {step_near_stability(system, settings, workers),
-                              cutoff_of_ions(system), velocities_of_file(system, config)})
+  const bool kept = !system.new_velocities && config.run.equilibrate == 0;
+  std::optional<WantedTemperature> wanted;
+  if (!kept || config.system.temperature_given) wanted = {config.system.temperature, kept};
+  std::vector<Warning> all = warnings_of_results(s, wanted);
+  for (const auto& warning :
+       {step_near_stability(system, settings, workers), cutoff_of_ions(system)})
     if (warning) all.push_back(*warning);
   return all;
 }

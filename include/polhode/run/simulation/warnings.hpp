@@ -12,8 +12,8 @@ namespace polhode {
 
 /// One thing that is probably wrong. It does not end a run, nor change its exit code.
 struct Warning {
-  std::string kind;  ///< "temperature", "R", "drift", "relaxation", "pressure", "ions", "step",
-                     ///< "velocities"
+  std::string kind;  ///< "temperature", "R", "drift", "relaxation", "pressure", "ions" or "step";
+                     ///< at the start also "velocities"
   double value = 0;  ///< what was found, in the unit that `text` gives
   double bound = 0;  ///< what it exceeds, likewise
   std::string text;
@@ -41,14 +41,21 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
 /// itself would come too late.
 inline constexpr double near_stability = 0.4;
 
-/// All of the above, and those that the results of a run show (docs/manual/outputs.md, Warnings).
+/// Ions, the step, and those that the results of a run show (docs/manual/outputs.md, Warnings).
 std::vector<Warning> warnings(const RunSummary& summary, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers = Workers::serial());
 
+/// The temperature that a run file asks for.
+struct WantedTemperature {
+  double value = 0;      ///< [K]
+  bool ignored = false;  ///< the velocities of the initial configuration were kept
+};
+
 /// Those of the results alone.
+/// @param wanted  nothing if any temperature will do
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
-                                         std::optional<double> temperature_wanted);
+                                         const std::optional<WantedTemperature>& wanted);
 
 /// The standard deviation of the mean temperature of runs at constant energy whose momenta were
 /// drawn, or rescaled, at a temperature T [K]: at most T/√(2n) for n degrees of freedom.

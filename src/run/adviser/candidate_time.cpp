@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#include "candidate_time.hpp"
+
+#include <chrono>
+
+#include "polhode/run/simulation/trajectory.hpp"
+
+namespace polhode {
+
+double time_of(const Candidate& candidate, System system, const Config& config, double seconds,
+               const std::function<bool()>& stop, Workers& workers) {
+  using Clock = std::chrono::steady_clock;
+  const auto stopped = [&] { return stop && stop(); };
+  ForceField forces(system.topology, system.forces, system.state.box, workers);
+  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                                   std::chrono::duration<double>(seconds));
+  const auto over = [&] { return stopped() || Clock::now() > end; };
+  // Twenty to a thousand steps at a time, including a few list rebuilds.
+  const double min_duration = 20 * candidate.step;
+  const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,
+                             config.run.sample, config.integrator.lambda};
+  double length = 0, spent = 0;
+  do {
+    const Trajectory t = run_trajectory(system, forces, s, {nullptr, over}, workers);
+    length += static_cast<double>(t.steps) * s.step;
+    spent += t.timings.all();
+  } while (length < min_duration && !stopped());
+  return spent / length;
+}
+
+}  // namespace polhode
