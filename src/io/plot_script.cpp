@@ -180,4 +180,14 @@ std::string advice_script(const AdviceFigure& figure, const Image& image) {
       .with("advice");
 }
 
+std::string polhode_script(const PolhodeFigure& figure, const Image& image) {
+  FigureScript script(image, 1000, 560);
+  script.file("data", figure.data);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string number = std::to_string(k + 1);
+    script.number("J" + number, figure.J[k]).number("L" + number, figure.L[k]);
+  }
+  return script.with("polhode");
+}
+
 }  // namespace polhode
