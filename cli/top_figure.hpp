@@ -23,7 +23,7 @@ struct TopFigure {
 
 /// Writes data and script and runs gnuplot: the ellipsoid Σ J_k ω_k² = 2E (Poinsot), in light
 /// colour the polhodes of other angular momenta at the same energy, in bold that of this top; and
-/// beside it the same for L, on Σ L_k²/J_k = 2E. If
+/// next to it the same for L, on Σ L_k²/J_k = 2E. If
 /// gnuplot is missing, a warning gives the command that draws the figure later.
 ///
 /// @param J  three positive principal moments, any consistent units

@@ -108,7 +108,7 @@ struct PolhodeFigure {
   Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, any consistent units
 };
 
-/// The polhode on the inertia ellipsoid and, beside it, L on the ellipsoid of the same energy.
+/// The polhode on the inertia ellipsoid and, next to it, L on the ellipsoid of the same energy.
 /// Writes PREFIX.gp, PREFIX.svg and PREFIX.png.
 bool polhode_plot(const std::string& prefix, const PolhodeFigure& figure, std::ostream& warnings);
 
