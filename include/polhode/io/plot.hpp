@@ -70,10 +70,10 @@ struct EfficiencyFigure {
   double highest = 0.035;  ///< R of the linear axis
 };
 
-/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, with a
-/// logarithmic inset of all data. The largest stable step has an open symbol if a larger one is
-/// known to be unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and
-/// PREFIX.svg or PREFIX.png.
+/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, and all points on
+/// logarithmic ones. The largest stable step has an open symbol if a larger one is known to be
+/// unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and PREFIX.svg or
+/// PREFIX.png.
 bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
                      const std::string& format, std::ostream& warnings);
 
