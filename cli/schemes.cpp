@@ -31,6 +31,7 @@ nlohmann::json as_json(const Scheme& scheme) {
           {"gradient_kicks", scheme.gradient_kicks()},
           {"derivatives", scheme.derivatives()},
           {"cost", scheme.cost()},
+          {"palindrome", scheme.palindromic()},
           {"source", scheme.source()},
           {"text", text_of(scheme)}};
 }
@@ -64,6 +65,9 @@ void print_one(const Scheme& scheme) {
                    ? "none"
                    : fmt::format("alpha {:.6g}, beta {:.6g}", error.alpha, error.beta),
                scheme.has(Flow::bath) ? ", of drifts and kicks alone" : "");
+  } else {
+    fmt::print(
+        "  palindrome         no: not time-reversible, with an error of order h in general\n");
   }
   fmt::print("  stages\n");
   for (const Stage& s : scheme.stages()) fmt::print("    {}\n", line_of(s));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// polhode tune-scheme [FILE]: η for hoa2's family and η, ξ for gier4's, for one system and step.
+// polhode tune-scheme [FILE]: the best η for hoa2's family and η, ξ for gier4's, or the best free
+// parameters of a scheme, for one system and step.
 #include <fmt/core.h>
 
 #include <memory>
@@ -17,13 +18,14 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, step, length, decorrelate, sample, threads;
+  std::string file, scheme, step, length, decorrelate, sample, threads;
   int runs = TuneSettings{}.runs;
   bool json = false;
 };
 
 TuneSettings make_settings(const Options& o) {
   TuneSettings settings;
+  settings.scheme = o.scheme;
   if (!o.step.empty()) settings.step = positive_time(o.step, "--step");
   settings.runs = o.runs;
   if (!o.length.empty()) settings.length = positive_time(o.length, "--length");
@@ -36,12 +38,11 @@ void print(const Tuned& t) {
   const auto ratio = [](const Estimate& R) {
     return fmt::format("{:.4g} ± {:.2g}", 100 * R.value, 100 * R.error);
   };
-  fmt::print("\nfamily of {}\n", t.reference.name());
-  fmt::print("  eta               {:.5f} ± {:.2g}\n", t.member.eta, t.error.eta);
-  if (t.member.xi != 0)
-    fmt::print("  xi                {:.5f} ± {:.2g}\n", t.member.xi, t.error.xi);
+  fmt::print("\nfamily of {}\n", t.reference);
+  for (const TunedParameter& p : t.parameters)
+    fmt::print("  {:<17} {:.5f} ± {:.2g}\n", p.name, p.value, p.error);
   fmt::print("  R                 {} %, {} for {}\n", ratio(t.ratio), ratio(t.reference_ratio),
-             t.reference.name());
+             t.reference);
   fmt::print("  gain              {:.3f} ± {:.2g} measured, {:.3f} predicted\n", t.gain.value,
              t.gain.error, t.predicted_gain);
   fmt::print("  as text           \"{}\"\n", text_of(t.scheme));
@@ -49,7 +50,7 @@ void print(const Tuned& t) {
 
 int tune_scheme(const Options& o) {
   const TuneSettings settings = make_settings(o);
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   const TuneResult result = tune(read_config_option(o.file), settings, console(), workers);
   if (result.interrupted) {
     log("interrupted before a result was found\n");
@@ -63,9 +64,8 @@ int tune_scheme(const Options& o) {
   fmt::print("error brackets, times h²: rms {:.4g} and {:.4g} kJ/mol, correlation {:.3f}\n",
              rms_bracket(c.aa, result.settings), rms_bracket(c.bb, result.settings),
              correlation(c));
-  fmt::print("eta of short steps: {:.5f}\n", result.short_steps);
-  print(result.plain);
-  print(result.gradient);
+  if (result.short_steps) fmt::print("eta of short steps: {:.5f}\n", *result.short_steps);
+  for (const Tuned& family : result.families) print(family);
   return 0;
 }
 
@@ -74,6 +74,10 @@ int tune_scheme(const Options& o) {
 Action tune_scheme_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  app.add_option("--scheme", o->scheme,
+                 "stages with one or two free parameters, \"free x = 0.2; B(x) A(1/2) B(1-2*x) "
+                 "A(1/2) B(x)\"; default: the "
+                 "run file's scheme if it has any, otherwise the families of hoa2 and gier4");
   app.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
   app.add_option("--runs", o->runs,
                  "number of runs for the measurement, and again for the confirmation")

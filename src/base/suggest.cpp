@@ -2,6 +2,7 @@
 #include "polhode/base/suggest.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <vector>
 
 namespace polhode {
@@ -24,7 +25,35 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return above[b.size()];
 }
 
+namespace {
+
+std::string letters(std::string_view word) {
+  std::string kept;
+  for (const char c : word)
+    if (std::isalnum(static_cast<unsigned char>(c)))
+      kept += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return kept;
+}
+
+}  // namespace
+
+bool same_letters(std::string_view a, std::string_view b) {
+  const std::string kept = letters(a);
+  return !kept.empty() && kept == letters(b);
+}
+
+std::string uncapitalized(std::string sentence) {
+  const auto is_capital = [&](std::size_t i) {
+    return i < sentence.size() && std::isupper(static_cast<unsigned char>(sentence[i]));
+  };
+  if (is_capital(0) && !is_capital(1))
+    sentence[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(sentence[0])));
+  return sentence;
+}
+
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names) {
+  for (const std::string& name : names)
+    if (same_letters(word, name)) return name;
   std::optional<std::string> best;
   std::size_t min_distance = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
   for (const std::string& name : names) {

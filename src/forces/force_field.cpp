@@ -25,9 +25,11 @@ ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& bo
   return s;
 }
 
-ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s, const Box& box) {
+/// @param tail  of the dispersion, see dispersion_tail()
+ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s, const Box& box,
+                                double tail) {
   ConstantTerms terms;
-  if (s.dispersion_correction) terms.dispersion = dispersion_tail(topology, s, box);
+  terms.dispersion = tail / box.volume();
   for (std::size_t d = 0; d < 3; ++d) terms.virial[d][d] = terms.dispersion;
   if (s.electrostatics == Electrostatics::pme) {
     const MeshConstant mesh(topology, {s.cutoff, s.mesh->exponent}, box);
@@ -60,16 +62,17 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
       bodies_(topology),
       settings_(with_mesh(checked(settings), topology, box, mesh_choice_)),
       box_(box),
-      constant_(constant_terms_of(topology, settings_, box)),
+      tail_(settings_.dispersion_correction ? dispersion_tail(topology, settings_) : 0),
+      constant_(constant_terms_of(topology, settings_, box, tail_)),
       engine_(engine(topology, settings_, box, workers)) {}
 
-/// Makes what depends on the box again if the box is another one.
+/// Recomputes what depends on the box if the box has changed.
 void ForceField::set_box(const Box& box) {
   if (box_ == box) return;
   box_.reset();
   settings_ = with_mesh(settings_, topology_, box, mesh_choice_);
   std::visit([&](auto& engine) { engine.set_box(topology_, settings_, box); }, engine_);
-  constant_ = constant_terms_of(topology_, settings_, box);
+  constant_ = constant_terms_of(topology_, settings_, box, tail_);
   box_ = box;
 }
 
@@ -79,7 +82,7 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
   std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
   if (settings_.mesh) remove_net_force(load, bodies_, workers_);
   if (!energies) return;
-  load.lennard_jones += constant_.dispersion;
+  load.van_der_waals += constant_.dispersion;
   load.coulomb += constant_.coulomb();
   for (std::size_t d = 0; d < 3; ++d) load.virial[d] += constant_.virial[d];
 }

@@ -3,28 +3,72 @@
 
 #include <fmt/core.h>
 
-#include <cctype>
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "arithmetic.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
+#include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/schemes.hpp"
+#include "scanner.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr const char* example = "B(1/6) A(1/2) B(2/3, 1/48) A(1/2) B(1/6)";
+constexpr std::size_t max_text = 4096, max_names = 32;
 
-/// Parses a scheme from left to right; errors give the position.
-class Reader {
+const Scheme* built_in(std::string_view name) {
+  for (const Scheme& scheme : schemes)
+    if (scheme.name() == name) return &scheme;
+  return nullptr;
+}
+
+bool is_flow(std::string_view word) {
+  return word.size() == 1 &&
+         std::ranges::any_of(all_flows, [&](Flow flow) { return letter_of(flow) == word.front(); });
+}
+
+/// What stands before the colon of "mine: B(1/2) A(1) B(1/2)"; empty without one.
+std::string_view own_name(std::string_view text) {
+  const auto colon = text.find(':');
+  if (colon == std::string_view::npos) return {};
+  const auto begin = text.find_first_not_of(" \t\n"),
+             end = text.find_last_not_of(" \t\n", colon - 1) + 1;
+  const std::string_view name = begin < colon ? text.substr(begin, end - begin) : "";
+  const auto good = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
+           c == '_' || c == '.';
+  };
+  if (name.empty() || name.size() > Scheme::max_name || !std::ranges::all_of(name, good))
+    throw Error(
+        fmt::format("scheme name '{}' must have 1 to {} letters, digits, '-', '_' or '.', "
+                    "since tables and figures use it; write for example \"mine: {}\"",
+                    name, Scheme::max_name, example_scheme));
+  if (built_in(name))
+    throw Error(fmt::format(
+        "the name '{0}' belongs to a built-in scheme ('polhode schemes {0}' shows it); choose "
+        "another one",
+        name));
+  return name;
+}
+
+/// Reads definitions and stages from left to right.
+class SchemeReader {
  public:
-  explicit Reader(std::string_view text) : text_(text) {}
+  SchemeReader(std::string_view text, std::size_t begin, std::span<const FreeParameter> values)
+      : scanner_(text), values_(values) {
+    scanner_.go_to(begin);
+  }
+
+  void definitions() {
+    while (scanner_.next_is_letter() && !is_flow(scanner_.next_word())) define();
+  }
 
   std::vector<Stage> stages() {
     std::vector<Stage> all;
-    for (skip_space(); at_ < text_.size(); skip_space()) {
+    while (!scanner_.at_end()) {
       all.push_back(stage());
       if (all.size() > Scheme::max_stages)
         throw Error(fmt::format("the scheme has more than {} stages; write a shorter one",
@@ -33,119 +77,132 @@ class Reader {
     return all;
   }
 
+  const std::vector<FreeParameter>& free_parameters() const { return free_; }
+
  private:
+  /// "x = 1/sqrt(3);", or "free x = 0.2;"
+  void define() {
+    std::size_t begin = scanner_.at();
+    std::string_view name = scanner_.word();
+    const bool free = name == "free" && scanner_.next_is_letter();
+    if (free) begin = scanner_.at(), name = scanner_.word();
+    if (!scanner_.next_is('=') || is_function(name) || is_flow(name) || name == "free" ||
+        names_.contains(name)) {
+      scanner_.go_to(begin);
+      scanner_.refuse(
+          "A(...) for a drift, B(...) for a kick or O(...) for a bath, or a new name of a constant "
+          "like \"x = 1/6;\",");
+    }
+    if (names_.size() == max_names)
+      scanner_.refuse(fmt::format("a stage, after {} names,", max_names));
+    scanner_.expect('=');
+    double value = expression(scanner_, names_);
+    scanner_.expect(';');
+    for (const FreeParameter& given : values_)
+      if (free && given.name == name) value = given.value;
+    names_.emplace(name, value);
+    if (free) free_.push_back({std::string(name), value});
+  }
+
   Stage stage() {
     Stage result{.flow = flow()};
-    expect('(');
-    result.fraction = number();
-    if (next_is(',')) {
+    scanner_.expect('(');
+    result.fraction = expression(scanner_, names_);
+    if (scanner_.next_is(',')) {
       switch (result.flow) {
         case Flow::drift:
         case Flow::bath:
-          refuse(fmt::format("')': a {} has one argument", name_of(result.flow)));
+          scanner_.refuse(fmt::format("')': a {} has one argument", name_of(result.flow)));
         case Flow::kick:
           read_gradient(result);
           break;
       }
     }
-    expect(')');
+    scanner_.expect(')');
     return result;
   }
 
   Flow flow() {
     for (const Flow flow : all_flows)
-      if (text_[at_] == letter_of(flow)) {
-        ++at_;
-        return flow;
-      }
-    refuse("A(...) for a drift, B(...) for a kick or O(...) for a bath");
+      if (scanner_.take(letter_of(flow))) return flow;
+    scanner_.refuse("A(...) for a drift, B(...) for a kick or O(...) for a bath");
   }
 
   void read_gradient(Stage& kick) {
-    expect(',');
-    skip_space();
-    if (text_.substr(at_).starts_with("xi")) {
-      at_ += 2;
-      expect('=');
+    scanner_.expect(',');
+    if (scanner_.next_word() == "xi" && !names_.contains("xi")) {
+      scanner_.word();
+      scanner_.expect('=');
     }
-    kick.xi = number();
-    if (!next_is(',')) return;
-    expect(',');
-    skip_space();
-    if (!text_.substr(at_).starts_with("fd"))
-      refuse("'fd', for the gradient by finite difference,");
-    at_ += 2;
+    kick.xi = expression(scanner_, names_);
+    if (!scanner_.take(',')) return;
+    if (scanner_.next_word() != "fd")
+      scanner_.refuse("'fd', for the gradient by finite difference,");
+    scanner_.word();
     kick.gradient = Gradient::finite_difference;
   }
 
-  double number() {  // a decimal number, or a fraction of two
-    const double above = decimal();
-    skip_space();
-    if (at_ >= text_.size() || text_[at_] != '/') return above;
-    ++at_;
-    const double below = decimal();
-    if (below == 0) refuse("a denominator other than 0");
-    return above / below;
-  }
-
-  double decimal() {
-    skip_space();
-    double value = 0;
-    const auto [end, error] =
-        std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
-    if (error != std::errc() || !std::isfinite(value)) refuse("a finite number like 0.25 or 1/4");
-    at_ = static_cast<std::size_t>(end - text_.data());
-    return value;
-  }
-
-  bool next_is(char c) {
-    skip_space();
-    return at_ < text_.size() && text_[at_] == c;
-  }
-
-  void expect(char c) {
-    if (!next_is(c)) refuse(fmt::format("'{}'", c));
-    ++at_;
-  }
-
-  void skip_space() {
-    while (at_ < text_.size() && std::isspace(static_cast<unsigned char>(text_[at_]))) ++at_;
-  }
-
-  [[noreturn]] void refuse(const std::string& expected) const {
-    const std::string found =
-        at_ < text_.size() ? fmt::format("'{}'", text_.substr(at_, 10)) : "the end";
-    throw Error(fmt::format(
-        "scheme text has {} at character {} where {} is expected; a scheme is written like \"{}\"",
-        found, at_ + 1, expected, example));
-  }
-
-  std::string_view text_;
-  std::size_t at_ = 0;
+  Scanner scanner_;
+  std::span<const FreeParameter> values_;
+  NamedValues names_;
+  std::vector<FreeParameter> free_;
 };
+
+SchemeReader reader_of(std::string_view text, std::span<const FreeParameter> values) {
+  if (text.size() > max_text)
+    throw Error(
+        fmt::format("the text of the scheme has {} characters; it must have {} at most, "
+                    "enough for {} stages",
+                    text.size(), max_text, Scheme::max_stages));
+  const auto colon = text.find(':');
+  SchemeReader reader(text, colon == std::string_view::npos ? 0 : colon + 1, values);
+  reader.definitions();
+  return reader;
+}
+
+void check_sums(const Scheme& scheme) {
+  if (scheme.consistent()) return;
+  throw Error(fmt::format(
+      "the drifts A of the scheme sum to {:.17g} and the kicks B to {:.17g}{}; each must sum to "
+      "1, so that a step advances time by h; adjust the coefficients",
+      scheme.total(Flow::drift), scheme.total(Flow::kick),
+      scheme.has(Flow::bath) ? fmt::format(", the baths O to {:.17g}", scheme.total(Flow::bath))
+                             : ""));
+}
+
+/// 2 if a palindrome of drifts and kicks has an error of order h²; 0 if the order is higher, or
+/// stays unknown.
+int order_of(const Scheme& scheme) {
+  if (!scheme.palindromic() || scheme.has(Flow::bath)) return 0;
+  constexpr double rounding = 1e-12;  // of coefficients with 13 digits or more
+  const ErrorTerms error = error_terms(scheme);
+  return std::hypot(error.alpha, error.beta) > rounding ? 2 : 0;
+}
+
+[[noreturn]] void refuse_name(std::string_view name) {
+  std::vector<std::string> names;
+  for (const Scheme& scheme : schemes) names.emplace_back(scheme.name());
+  throw Error(
+      fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them; or write the "
+                  "stages, like \"{}\")",
+                  name, did_you_mean(name, names), example_scheme));
+}
 
 }  // namespace
 
-Scheme scheme_of(std::string_view name_or_text) {
-  for (const Scheme& scheme : schemes)
-    if (scheme.name() == name_or_text) return scheme;
-  if (name_or_text.find('(') == std::string_view::npos) {
-    std::vector<std::string> names;
-    for (const Scheme& scheme : schemes) names.emplace_back(scheme.name());
-    throw Error(
-        fmt::format("there is no scheme '{}'{} ('polhode schemes' lists all of them; or write the "
-                    "stages, like \"{}\")",
-                    name_or_text, did_you_mean(name_or_text, names), example));
-  }
-  const Scheme scheme(Reader(name_or_text).stages(), 0);
-  if (!scheme.consistent())
-    throw Error(fmt::format(
-        "the drifts A of the scheme sum to {:.17g} and the kicks B to {:.17g}{}; each must sum to "
-        "1, so that a step advances time by h; adjust the coefficients",
-        scheme.total(Flow::drift), scheme.total(Flow::kick),
-        scheme.has(Flow::bath) ? fmt::format(", the baths O to {:.17g}", scheme.total(Flow::bath))
-                               : ""));
-  return scheme;
+Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> values) {
+  if (const Scheme* scheme = built_in(name_or_text)) return *scheme;
+  if (name_or_text.find_first_of("(:") == std::string_view::npos) refuse_name(name_or_text);
+  const std::string_view name = own_name(name_or_text);
+  const std::vector<Stage> stages = reader_of(name_or_text, values).stages();
+  const Scheme scheme(stages, 0, name);
+  check_sums(scheme);
+  return Scheme(stages, order_of(scheme), name);
+}
+
+std::vector<FreeParameter> free_parameters(std::string_view name_or_text) {
+  if (built_in(name_or_text)) return {};
+  return reader_of(name_or_text, {}).free_parameters();
 }
 
 std::string text_of(const Scheme& scheme) {

@@ -55,8 +55,10 @@ const Format& format_named(std::string_view extension, const std::string& file) 
   if (format != formats.end()) return *format;
   std::vector<std::string> known;
   for (const Format& f : formats) known.emplace_back(f.extension);
-  throw Error(fmt::format("'{}' has no known extension{}; there are: {}", file,
-                          did_you_mean(std::string(extension), known), join_names(known)));
+  throw Error(
+      fmt::format("'{}' has no known extension{}; there are: {}; a LAMMPS data file is "
+                  "read under a name that ends in .data or .lmp",
+                  file, did_you_mean(std::string(extension), known), join_names(known)));
 }
 
 const Format& writable_format(const std::string& path) {
@@ -230,7 +232,7 @@ Frame read_start(const std::string& name_or_path) {
   if (!format_of(name_or_path).has_names)
     throw Error(
         fmt::format("'{0}' is of a format without atom names, which an initial configuration "
-                    "needs; add them with: polhode convert {0} start.gro --names conf.gro",
+                    "needs; convert it to GRO with the names of another file",
                     name_or_path));
   if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   Frame frame;

@@ -85,7 +85,10 @@ std::vector<std::string> molecule_names() {
 }
 
 bool is_molecule_path(std::string_view name) {
-  return name.find('/') != name.npos || name.ends_with(extension);
+  if (name.ends_with(extension)) return true;
+  const auto names = molecule_names();
+  const auto is_built_in = [&](const std::string& model) { return same_letters(name, model); };
+  return name.find('/') != name.npos && std::none_of(names.begin(), names.end(), is_built_in);
 }
 
 Molecule read_molecule(const std::string& name_or_path) {

@@ -15,13 +15,17 @@ namespace polhode {
 namespace {
 
 constexpr int max_steps = 1000;
+constexpr std::size_t max_text = 8192;  // of two schemes: bounds the work of a regular expression
 
-/// End of the outer scheme: the first slash that is not part of a fraction.
+/// End of the outer scheme: the first slash that is not part of a fraction, within
+/// brackets or between '=' and ';'.
 std::size_t slash(std::string_view text) {
   int open = 0;
+  bool definition = false;
   for (std::size_t i = 0; i < text.size(); ++i) {
     open += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
-    if (text[i] == '/' && open == 0) return i;
+    if (open == 0 && (text[i] == '=' || text[i] == ';')) definition = text[i] == '=';
+    if (text[i] == '/' && open == 0 && !definition) return i;
   }
   return std::string_view::npos;
 }
@@ -67,6 +71,18 @@ InnerScheme inner_scheme_of(const std::string& text) {
   return inner;
 }
 
+std::string one_line(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  std::string line;
+  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+/// The name in the table or of its own; otherwise the stages.
+std::string name_or_stages(const Scheme& s) {
+  return s.in_table() || s.has_own_name() ? std::string(s.name()) : text_of(s);
+}
+
 std::string joined(const std::string& outer, const std::string& inner, int steps,
                    const std::string& from, const std::string& cutoff) {
   return fmt::format("{} / {} x {} within {} to {} nm", outer, inner, steps, from, cutoff);
@@ -75,6 +91,9 @@ std::string joined(const std::string& outer, const std::string& inner, int steps
 }  // namespace
 
 NestedScheme nested_scheme_of(std::string_view text) {
+  if (text.size() > max_text)
+    throw Error(fmt::format("the text of the scheme has {} characters; it must have {} at most",
+                            text.size(), max_text));
   const std::size_t at = slash(text);
   const NestedScheme scheme = at == std::string_view::npos
                                   ? NestedScheme(scheme_of(text))
@@ -99,20 +118,25 @@ Scheme single_scheme_of(std::string_view text) {
 }
 
 std::string name_of(const NestedScheme& scheme) {
-  const auto name = [](const Scheme& s) {
-    return s.source().empty() ? text_of(s) : std::string(s.name());
-  };
-  if (!scheme.inner) return std::string(scheme.outer.name());
+  if (!scheme.inner) return name_or_stages(scheme.outer);
   const InnerScheme& inner = *scheme.inner;
-  return joined(name(scheme.outer), name(inner.scheme), inner.steps,
+  return joined(name_or_stages(scheme.outer), name_or_stages(inner.scheme), inner.steps,
                 fmt::format("{:g}", inner.switch_from), fmt::format("{:g}", inner.cutoff));
 }
 
-std::string one_line(std::string_view text) {
-  std::istringstream words{std::string(text)};
-  std::string line;
-  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
-  return line;
+std::string label_of(std::string_view text) {
+  const bool plain = text.find_first_of(":;") == std::string_view::npos;
+  return plain ? one_line(text) : name_of(nested_scheme_of(text));
+}
+
+std::string named_text_of(const NestedScheme& scheme) {
+  const auto named = [](const Scheme& s) {
+    return s.has_own_name() ? fmt::format("{}: {}", s.name(), text_of(s)) : name_or_stages(s);
+  };
+  if (!scheme.inner) return named(scheme.outer);
+  const InnerScheme& inner = *scheme.inner;
+  return joined(named(scheme.outer), named(inner.scheme), inner.steps,
+                fmt::format("{}", inner.switch_from), fmt::format("{}", inner.cutoff));
 }
 
 std::string text_of(const NestedScheme& scheme) {

@@ -151,6 +151,22 @@ double number(std::string_view& rest, const QuantityText& source) {
   return value;
 }
 
+/// The value of a text that is a number and nothing else.
+std::optional<double> parsed_number(std::string_view text) {
+  double value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+/// What follows the numbers of an example: "mPa s" of "0.9 mPa s".
+std::string_view unit_of(std::string_view example) {
+  for (auto space = example.find(' ');
+       space != example.npos && parsed_number(example.substr(0, space)); space = example.find(' '))
+    example.remove_prefix(space + 1);
+  return example;
+}
+
 double unit_at(std::string_view rest, const QuantityText& source) {
   const std::string_view symbol = trimmed(rest);
   if (symbol.empty())
@@ -177,9 +193,14 @@ std::string no_unit(std::string_view name, std::string_view number, Dimension di
   if (example.empty()) example = words(dimension).example;
   std::string_view bare = number;
   if (bare.size() > 1 && bare.front() == '"') bare = bare.substr(1, bare.size() - 2);
-  const std::string_view symbol = example.substr(example.find_last_of(' ') + 1);
-  return fmt::format("{} = {} has no unit; write for example \"{} {}\"", name, number,
-                     trimmed(bare), symbol);
+  bare = trimmed(bare);
+  if (dimension == Dimension::fraction)
+    if (const auto value = parsed_number(bare); value && std::isfinite(100 * *value))
+      return fmt::format(
+          "{} = {} has no unit; write for example \"{:.15g} %\", if it is a fraction of 1", name,
+          number, 100 * *value);
+  return fmt::format("{} = {} has no unit; write for example \"{} {}\"", name, number, bare,
+                     unit_of(example));
 }
 
 double quantity(std::string_view text, Dimension dimension, std::string_view name,

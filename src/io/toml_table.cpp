@@ -61,6 +61,28 @@ void check_keys(std::string_view text, const std::string& file) {
   }
 }
 
+/// What the TOML library complains about, and what to do.
+std::string toml_complaint(const std::string& what) {
+  if (const auto at = what.find("cannot redefine existing "); at != std::string::npos) {
+    const auto open = what.find('\'', at), close = what.rfind('\'');
+    if (open < close)
+      return fmt::format("{} occurs twice, and only one of the two could count; delete one of them",
+                         what.substr(open, close - open + 1));
+  }
+  return fmt::format(
+      "the text is not TOML: {}; quantities are written in quotes, as in step = \"2 fs\"",
+      uncapitalized(what));
+}
+
+/// A value as a file has it; numbers with as many digits as they need.
+std::string written(const toml::node& node) {
+  if (node.is_string()) return fmt::format("\"{}\"", *node.value<std::string>());
+  if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
+  std::ostringstream text;
+  node.visit([&](const auto& n) { text << n; });
+  return text.str();
+}
+
 }  // namespace
 
 toml::table parse_toml(std::string_view text, const std::string& file) {
@@ -68,18 +90,13 @@ toml::table parse_toml(std::string_view text, const std::string& file) {
   try {
     return toml::parse(text, file);
   } catch (const toml::parse_error& e) {
-    std::string what(e.description());
-    if (!what.empty()) what[0] = static_cast<char>(std::tolower(what[0]));
-    throw Error(
-        fmt::format(
-            "the text is not TOML: {}; quantities are written in quotes, as in step = \"2 fs\"",
-            what),
-        fmt::format("{}:{}", file, e.source().begin.line));
+    throw Error(toml_complaint(std::string(e.description())),
+                fmt::format("{}:{}", file, e.source().begin.line));
   }
 }
 
 const toml::node* TomlTable::find(std::string_view key) {
-  asked_.emplace_back(key);
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.emplace_back(key);
   return table_->get(key);
 }
 
@@ -99,14 +116,7 @@ std::string TomlTable::where(std::string_view key) const {
 void TomlTable::refuse(std::string_view key, const std::string& complaint) const {
   const toml::node* node = table_->get(key);
   if (node == nullptr) throw Error(complaint, where(key));
-  std::ostringstream written;
-  if (const auto text = node->value<std::string>(); text && node->is_string())
-    written << '"' << *text << '"';
-  else if (node->is_floating_point())
-    written << fmt::format("{}", *node->value<double>());
-  else
-    node->visit([&](const auto& n) { written << n; });
-  throw Error(fmt::format("{} = {} {}", key, written.str(), complaint), where(key));
+  throw Error(fmt::format("{} = {} {}", key, written(*node), complaint), where(key));
 }
 
 void TomlTable::refuse_kind(std::string_view key, std::string_view must) const {
@@ -124,11 +134,7 @@ std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimens
                                           std::string_view example) {
   const toml::node* node = find(key);
   if (node == nullptr) return std::nullopt;
-  if (node->is_number()) {
-    std::ostringstream written;
-    node->visit([&](const auto& n) { written << n; });
-    throw Error(no_unit(key, written.str(), dimension, example), where(key));
-  }
+  if (node->is_number()) throw Error(no_unit(key, written(*node), dimension, example), where(key));
   const auto words = text(key);
   try {
     return polhode::quantity(*words, dimension, key, example);

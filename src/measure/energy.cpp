@@ -25,7 +25,7 @@ Energies energies(const State& state, const Bodies& bodies, const Load& load, Wo
   each_block(state.size(), block, workers, [&](std::size_t first, std::size_t end) {
     sums[first / block] = loop(state, bodies, first, end);
   });
-  Energies e{state.time, load.lennard_jones, load.coulomb, 0, {0, 0, 0}};
+  Energies e{state.time, load.van_der_waals, load.coulomb, 0, {0, 0, 0}};
   Vec3<double> P{};
   double M = 0;
   for (const KineticSums& sum : sums) {

@@ -27,7 +27,7 @@ class Field {
 
   void operator()(const State& state, Load& load) const {
     const FieldValue<double> value = of(state.q[0], state.attitude[0]);
-    load.lennard_jones = value.energy;
+    load.van_der_waals = value.energy;
     load.coulomb = 0;
     load.f.set(0, value.f);
     load.tau.set(0, value.tau);

@@ -15,7 +15,7 @@ ITSELF = '[[pair]]\nsites = ["argon.Ar", "argon.Ar"]\nsigma = "0.3405 nm"\nepsil
 
 class Mixing(Sandbox):
     def energy(self, text):
-        return json.loads(self.done("energy", text, "--json").out)["lennard_jones_kJ_per_mol"]
+        return json.loads(self.done("energy", text, "--json").out)["van_der_waals_kJ_per_mol"]
 
     def test_energies(self):
         usual = self.energy(MIXTURE)

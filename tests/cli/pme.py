@@ -65,9 +65,9 @@ class Pme(Sandbox):
     def test_dispersion_lowers_energy_and_pressure(self):
         plain = self.energy(water())
         tail = self.energy(water(more="dispersion_correction = true\n"))
-        energy = tail["terms_kJ_per_mol"]["LJ tail"]
+        energy = tail["terms_kJ_per_mol"]["dispersion tail"]
         self.assertLess(energy, 0)
-        self.assertAlmostEqual(tail["lennard_jones_kJ_per_mol"] - plain["lennard_jones_kJ_per_mol"], energy, delta=1e-9)
+        self.assertAlmostEqual(tail["van_der_waals_kJ_per_mol"] - plain["van_der_waals_kJ_per_mol"], energy, delta=1e-9)
         volume = 64 * 18.0154 / (0.9 * 602.214076)  # nm3
         self.assertAlmostEqual(tail["pressure_bar"] - plain["pressure_bar"], energy / volume * 16.6053907,
                                delta=1e-3 * abs(energy))

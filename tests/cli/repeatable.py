@@ -39,7 +39,7 @@ class Repeatable(Sandbox):
                 continue
             report = json.loads(process.out)
             self.assertEqual(report["instruction_set"], target)
-            energies[target] = [report[k + "_kJ_per_mol"] for k in ("lennard_jones", "coulomb", "potential")]
+            energies[target] = [report[k + "_kJ_per_mol"] for k in ("van_der_waals", "coulomb", "potential")]
             process = self.polhode("run", "run.toml", "--output", target, POLHODE_INSTRUCTION_SET=target)
             totals[target] = [float(row.split(",")[1]) for row in self.rows(f"{target}-energies.csv")[1:]]
         for target, values in energies.items():

@@ -76,22 +76,45 @@ class Shadow(Sandbox):
         report = json.loads(process.out)
         self.assertEqual((report["molecules"], report["step_fs"], report["runs"]), (27, 20, 2))
         self.assertLessEqual(abs(report["correlation"]), 1)
-        for family, reference in (("plain", "hoa2"), ("gradient", "gier4")):
-            found = report[family]
+        for found, reference, names in zip(report["families"], ("hoa2", "gier4"), (["eta"], ["eta", "xi"]), strict=True):
             self.assertEqual(found["reference"], reference)
-            self.assertTrue(0 < found["eta"] < 0.5, found)
-            for number in ("eta_error", "predicted_gain", "R_reference", "R", "gain", "gain_error"):
+            self.assertEqual(list(found["parameters"]), names)
+            self.assertTrue(0 < found["parameters"]["eta"]["value"] < 0.5, found)
+            self.assertGreaterEqual(found["parameters"]["eta"]["error"], 0)
+            for number in ("predicted_gain", "R_reference", "R", "gain", "gain_error"):
                 self.assertTrue(math.isfinite(found[number]) and found[number] >= 0, (number, found))
             # The minimum variance along the measuring runs is not larger than that of the reference.
             self.assertGreaterEqual(found["predicted_gain"], 1)
             # The printed scheme can be run.
-            process = self.polhode("run", "run.toml", "--scheme", found["scheme"], "--output", family)
+            process = self.polhode("run", "run.toml", "--scheme", found["scheme"], "--output", reference)
             self.assertEqual(process.returncode, 0, process.err)
         # The same results for any number of threads; and as text.
         self.assertEqual(json.loads(self.polhode(*TUNE, "--json", "--threads", "1").out), report)
         text = self.polhode(*TUNE).out
-        for words in ("family of hoa2", "family of gier4", f"{report['plain']['eta']:.5f}", report["gradient"]["scheme"]):
+        plain, gradient = report["families"]
+        for words in ("family of hoa2", "family of gier4", f"{plain['parameters']['eta']['value']:.5f}", gradient["scheme"]):
             self.assertIn(words, text)
+
+    def test_tuning_of_ones_own_parameters(self):
+        self.write("run.toml", SMALL)
+        mine = "mine: free b = 1/5; B(b) A(1/2) B(1 - 2*b) A(1/2) B(b)"
+        report = json.loads(self.polhode(*TUNE, "--json", "--scheme", mine).out)
+        found, = report["families"]
+        self.assertEqual(found["reference"], "mine")
+        # The family is that of hoa2, tuned along other runs: its errors are below a tenth of the range of b.
+        plain = json.loads(self.polhode(*TUNE, "--json").out)["families"][0]
+        self.assertAlmostEqual(found["parameters"]["b"]["value"], plain["parameters"]["eta"]["value"], delta=0.05)
+        self.assertIn("family of mine", self.polhode(*TUNE, "--scheme", mine).out)
+        # The run file's scheme is tuned if it has free parameters.
+        self.write("run.toml", SMALL.replace('scheme = "hoa2"', f'scheme = "{mine}"'))
+        self.assertEqual(json.loads(self.polhode(*TUNE, "--json").out), report)
+        # Refused: too many parameters, no palindrome, sums that change, nothing to tune.
+        for scheme, *words in [("hoa2", "0 free parameters", "one or two"),
+                               ("free a=.1; free b=.1; free c=.1; B(a) B(b) B(c) A(1) B(c) B(b) B(1-a-2*b-2*c)", "3 free parameters"),
+                               ("mine: free b = 0.2; B(b) A(1) B(1-b)", "mine is not a palindrome", "order h"),
+                               ("free b = 0.5; B(b) A(1) B(1/2)", "when a free parameter", "must sum to 1"),
+                               ("free b = 0.5; B(1/2) A(1) B(1/2)", "does not depend on b")]:
+            self.refused((*TUNE, "--scheme", scheme), words)
 
     def test_impossible_tuning(self):
         self.write("run.toml", SMALL)
@@ -99,7 +122,7 @@ class Shadow(Sandbox):
                                 (("--runs", "1"), "--runs", "1"), (("--runs", "two"), "--runs"),
                                 (("--length", "0.1 ps"), "100 fs", "20 samples", "--sample"),
                                 (("--sample", "0 fs"), "--sample", "longer than 0"), (("--decorrelate", "1 nm"), "time"),
-                                (("--threads", "0"), "--threads"), (("--scheme", "hoa2"), "--scheme")]:
+                                (("--threads", "0"), "--threads")]:
             self.refused(("tune-scheme", "run.toml", *options), words)
         self.refused(("tune-scheme", "nowhere.toml"), ["nowhere.toml"])
         process = self.polhode("tune-scheme", "run.toml", "--step", "1 ps", "--runs", "2", "--length", "400 ps", "--decorrelate", "0.1 ps",

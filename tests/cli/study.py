@@ -40,7 +40,7 @@ class Study(Sandbox):
         self.assertFalse((self.folder / "new-runs.csv").exists())
         # The same file is refused if runs would be added to it.
         self.write(RECORD, before)
-        self.refused(("study", "run.toml"), ["another study", "--from-record", "--force"])
+        self.refused(("study", "run.toml"), ["another study", "tables of that record", "--force"])
         # Tables are not overwritten without --force.
         self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
 
@@ -63,9 +63,29 @@ class Study(Sandbox):
                 self.assertEqual(last, p["step_fs"] == 20)
             self.assertTrue(all(row["costs"][scheme]["step_fs"] <= 20 for row in report["guidelines"] if scheme in row["costs"]))
 
+    def test_schemes_of_ones_own(self):
+        """A name is the label in table, figure and record; the stages decide which runs are done."""
+        mine = "mine: x = 1/6; B(x) A(1/2) B(1 - 2*x) A(1/2) B(x)"
+        self.write("run.toml", edited(SMALL, ("velocity-verlet", mine)))
+        (point,), _ = self.points()
+        self.assertEqual(point["scheme"], "mine")
+        self.assertTrue(all(line.startswith("mine,") for line in self.rows("study.csv")[1:]))
+        self.assertIn('title "mine"', (self.folder / "study.gp").read_text())
+        self.assertIn("mine: B(0.16666666666666666) A(0.5) ", (self.folder / RECORD).read_text())
+        (again,), log = self.points()
+        self.assertEqual(again, point)
+        self.assertIn("2 runs are read", log)
+        # The stages alone give the same numbers, and other stages under the same name other ones.
+        (stages,), _ = self.points("--output", "stages", "--schemes", mine[6:])
+        self.assertEqual({**stages, "scheme": "mine"}, point)
+        self.assertTrue(stages["scheme"].startswith("B(0.16666"), stages["scheme"])
+        (other,), _ = self.points("--schemes", mine.replace("1/6", "1/5"))
+        self.assertEqual((other["scheme"], other["runs"]), ("mine", 2))
+        self.assertNotEqual(other["R"], point["R"])
+
     def test_a_file_that_is_not_a_record(self):
         self.write("run.toml", SMALL)
-        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "--from-record"])
+        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "record"])
         self.refused(("study", "run.toml", "--from-record", "run.toml"), ["run.toml:1", "begins with", "# study"])
 
 

@@ -67,7 +67,7 @@ TEST_CASE("energies of water by term equal those published by NIST") {
   struct Row {
     int configuration;
     double edge;  // [nm]
-    double lennard_jones, tail, real, reciprocal, self, intramolecular;
+    double van_der_waals, tail, real, reciprocal, self, intramolecular;
   };
   const std::array<Row, 4> rows{
       {{1, 2, 9.95387e4, -8.23715e2, -5.58889e5, 6.27009e3, -2.84469e6, 2.80999e6},
@@ -112,7 +112,7 @@ TEST_CASE("energies of water by term equal those published by NIST") {
         const double r2 = norm2(cube.minimum_image(water.r[j] - water.r[i]));
         if (r2 < 1) u += lj(InversePowers<double>(r2), r2).u;
       }
-    six_digits(u, row.lennard_jones);
+    six_digits(u, row.van_der_waals);
     const double molecules = double(water.size()) / 3;
     six_digits(2 * units::pi / 3 * molecules * molecules / cube.volume() * (lj.c12 / 3 - lj.c6),
                row.tail);

@@ -155,7 +155,7 @@ TEST_CASE("a pair of sites feels the textbook energies inside the switch") {
   Load load;
   forces(state, load);
   const double s6 = std::pow(0.3 / 0.35, 6);
-  CHECK(load.lennard_jones == doctest::Approx(4 * 0.8 * (s6 * s6 - s6)).epsilon(1e-14));
+  CHECK(load.van_der_waals == doctest::Approx(4 * 0.8 * (s6 * s6 - s6)).epsilon(1e-14));
   const double r02 = std::hypot(0.4, 0.35);
   CHECK(load.coulomb ==
         doctest::Approx(units::coulomb * (-0.5 / 0.4 - 0.5 / r02 + 0.25 / 0.35)).epsilon(1e-14));

@@ -17,7 +17,7 @@ inline std::vector<std::uint64_t> bits(const Load& load) {
   for (const Vec3Column* column : {&load.f, &load.tau})
     for (std::size_t i = 0; i < column->size(); ++i)
       for (std::size_t d = 0; d < 3; ++d) add((*column)[i][d]);
-  for (const double energy : {load.lennard_jones, load.coulomb, load.mesh}) add(energy);
+  for (const double energy : {load.van_der_waals, load.coulomb, load.mesh}) add(energy);
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) add(load.virial[i][k]);
   return all;

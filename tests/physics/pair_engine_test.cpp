@@ -67,7 +67,7 @@ void check_double(const scenes::Scene& scene, const ForceSettings& settings, con
   Load alone = load;  // with energies that must go
   CHECK(largest_difference(load.f, exact.load.f) < bound);
   CHECK(largest_difference(load.tau, exact.load.tau) < bound);
-  CHECK(std::abs(load.lennard_jones - exact.load.lennard_jones) < bound);
+  CHECK(std::abs(load.van_der_waals - exact.load.van_der_waals) < bound);
   const double pairs = load.coulomb - forces.constant_terms().coulomb();
   CHECK(std::abs(pairs - exact.load.coulomb) < bound);
   CHECK(largest_difference(load.virial, exact.load.virial) < bound);
@@ -103,7 +103,7 @@ void check_mixed(const scenes::Scene& scene, ForceSettings settings, const Exact
     }
   }
   const double bound = 7 * std::sqrt(exact.terms.u2);
-  CHECK(std::abs(load.lennard_jones - exact.load.lennard_jones) < bound);
+  CHECK(std::abs(load.van_der_waals - exact.load.van_der_waals) < bound);
   const double pairs = load.coulomb - forces.constant_terms().coulomb();
   CHECK(std::abs(pairs - exact.load.coulomb) < bound);
   CHECK(largest_difference(load.virial, exact.load.virial) < 7 * std::sqrt(exact.terms.virial2));

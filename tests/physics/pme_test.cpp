@@ -35,14 +35,14 @@ Topology without_charges(Topology topology) {
 // parts are continued to e⁻³⁶ of their largest terms.
 struct Direct {
   std::vector<Vec3<double>> f, tau;
-  double lennard_jones, coulomb;
+  double van_der_waals, coulomb;
   double f_rms = 0;  // of electrostatic forces on sites
 
   Direct(const scenes::Scene& scene, const ForceSettings& settings) {
     const Box& box = scene.state.box;
     const auto lj =
         reference_load(without_charges(scene.topology), settings, box, scenes::poses(scene.state));
-    f = lj.f, tau = lj.tau, lennard_jones = lj.lennard_jones;
+    f = lj.f, tau = lj.tau, van_der_waals = lj.van_der_waals;
     const PointCharges charges = point_charges(scene.topology, scene.state);
     const double alpha = 4;
     const EwaldSum sum = ewald_sum(charges, box, GaussianSplit{alpha}, {6 / alpha, 12 * alpha});
@@ -91,8 +91,8 @@ TEST_CASE("PME forces and energies equal the Ewald sum to the required accuracy"
         // An error of the energy is at most a few arms times force errors, with random signs.
         const double bound = accuracy * direct.f_rms * std::sqrt(3.0 * double(scene.state.size()));
         CHECK(std::abs(load.coulomb - direct.coulomb) < bound);
-        CHECK(load.lennard_jones ==
-              doctest::Approx(direct.lennard_jones)
+        CHECK(load.van_der_waals ==
+              doctest::Approx(direct.van_der_waals)
                   .epsilon(precision == Precision::double_precision ? 1e-12 : 1e-5));
       }
   });
@@ -199,20 +199,32 @@ TEST_CASE("after a long run at high temperature the mesh equals one built from t
 // With a switching range of zero width the tail is a textbook integral: 2π N²/V (c12/(9 r⁹) − c6/(3
 // r³)).
 TEST_CASE(
-    "the long-range dispersion correction is the integral beyond the cutoff, inversely "
-    "proportional to the volume") {
+    "the long-range dispersion correction is the integral beyond the cutoff, divided by the "
+    "volume") {
   const Topology argon{{{read_molecule("argon"), 50}}};
   const Site& site = argon.parts[0].molecule.sites[0];
   const auto [c6, c12] = LennardJones<>::of(site.sigma, site.epsilon);
   ForceSettings settings{Truncation::site_switch, 1.0, 1.0 - 1e-7};
-  const double expected = 2 * units::pi * 2500 / (3.0 * 3.1 * 3.2) * (c12 / 9 - c6 / 3);
-  CHECK(dispersion_tail(argon, settings, {{3.0, 3.1, 3.2}}) ==
-        doctest::Approx(expected).epsilon(1e-6));
+  const double expected = 2 * units::pi * 2500 * (c12 / 9 - c6 / 3);
+  CHECK(dispersion_tail(argon, settings) == doctest::Approx(expected).epsilon(1e-6));
   // And in a uniform fluid it compensates the truncation by a shorter cutoff: between 0.8 and 1 nm.
   settings.switch_from = 0.8;
-  const double more = dispersion_tail(argon, settings, {{3.0, 3.1, 3.2}});
+  const double more = dispersion_tail(argon, settings);
   CHECK(more < expected);
   CHECK(more > 2 * expected);
+
+  // The tail is kept, and each box divides it by its own volume.
+  settings.dispersion_correction = true;
+  ForceField forces(argon, settings, {{3.0, 3.1, 3.2}});
+  Load load(50);
+  for (const double edge : {3.0, 2.5}) {
+    State state(50, {{edge, 3.1, 3.2}});
+    for (std::size_t i = 0; i < 50; ++i)
+      state.q.set(i, {0.5 * static_cast<double>(i % 5), 0.6 * static_cast<double>(i / 5 % 5),
+                      1.0 * static_cast<double>(i / 25)});
+    forces(state, load);
+    CHECK(forces.constant_terms().dispersion == more / state.box.volume());
+  }
 }
 
 TEST_CASE("unsupported settings of PME are refused") {

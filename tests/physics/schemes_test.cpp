@@ -171,12 +171,12 @@ struct Spring {
   int complete = 0, alone = 0;
   void operator()(const State& state, Load& load) {
     ++complete;
-    load.lennard_jones = pull(state, load);
+    load.van_der_waals = pull(state, load);
   }
   void forces_alone(const State& state, Load& load) {
     ++alone;
     pull(state, load);
-    load.lennard_jones = 0;
+    load.van_der_waals = 0;
   }
   void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column&,
                               Load& slope) const {
@@ -195,7 +195,7 @@ struct Spring {
 // The same, without a derivative for gradient kicks.
 struct PlainSpring {
   void operator()(const State& state, Load& load) {
-    load.lennard_jones = Spring::pull(state, load);
+    load.van_der_waals = Spring::pull(state, load);
   }
 };
 

@@ -25,13 +25,13 @@ ErrorCovariance oscillators(double in_V, double in_W, double beside) {
     BracketSample sample{};
     for (const double omega : {3.0, 4.7}) {
       const double q = std::cos(omega * t), p = -omega * std::sin(omega * t);
-      sample.energies.lennard_jones += omega * omega * q * q / 2;
+      sample.energies.van_der_waals += omega * omega * q * q / 2;
       sample.brackets.second_derivative += omega * omega * p * p;
       sample.brackets.W += std::pow(omega, 4) * q * q;
     }
     sample.energies.translation =
         h * h * (in_V * sample.brackets.second_derivative + in_W * sample.brackets.W) +
-        beside * std::cos(11.3 * t) - sample.energies.lennard_jones;
+        beside * std::cos(11.3 * t) - sample.energies.van_der_waals;
     samples.push_back(sample);
   }
   return error_covariance(samples, h);
@@ -44,12 +44,12 @@ ErrorCovariance oscillators(double in_V, double in_W, double beside) {
 // rounding of c, 1e-8.
 TEST_CASE("the best scheme of the plain family for harmonic motion is known") {
   const double best = (3 - std::sqrt(5.0)) / 4;
-  CHECK(std::abs(best_plain_at_short_steps(oscillators(0, 0, 0)).eta - best) < 1e-7);
+  CHECK(std::abs(best_at_short_steps(oscillators(0, 0, 0), hoa2_family())[0] - best) < 1e-7);
   // and from a run with hoa2, whose energy errs by −h² (α V̈ + β W)
   const Scheme hoa2 = scheme_of("hoa2");
   const ErrorTerms terms = error_terms(hoa2);
   const ErrorCovariance c = oscillators(-terms.alpha, -terms.beta, 0);
-  CHECK(std::abs(best_plain(c, hoa2).eta - best) < 1e-7);
+  CHECK(std::abs(best_parameters(c, hoa2_family())[0] - best) < 1e-7);
 }
 
 // The contributions of the brackets to the energy are recovered, and an uncorrelated part is left:
@@ -58,8 +58,8 @@ TEST_CASE(
     "the best scheme of the gradient family removes the correlated part of the error brackets") {
   const Scheme gier4 = scheme_of("gier4");
   const ErrorCovariance c = oscillators(0.002, 0, 1e-5);
-  const FamilyMember found = best_gradient(c, gier4);
-  const ErrorTerms terms = error_terms(family_scheme(found.eta, found.xi));
+  const SchemeFamily family = gier4_family();
+  const ErrorTerms terms = error_terms(family.at(best_parameters(c, family))) - error_terms(gier4);
   // V̈ + W is constant: 0.002 of V̈, −0.002 of W and any mixture are the same
   CHECK((terms.alpha - terms.beta) / 0.002 == doctest::Approx(1).epsilon(0.01));
   CHECK(c.variance(terms) / (1e-10 / 2) == doctest::Approx(1).epsilon(0.02));
@@ -95,12 +95,13 @@ cutoff = "0.75 nm"
   double least = INFINITY, at = 0;
   for (const double eta : {0.15, 0.17, 0.18, 0.185, 0.19, 0.195, 0.2, 0.21, 0.23}) {
     CAPTURE(eta);
-    const ErrorTerms terms = error_terms(family_scheme(eta, 0)), from = error_terms(hoa2);
+    const ErrorTerms terms = error_terms(hoa2_family().at({{eta}})), from = error_terms(hoa2);
     const double predicted =
         std::sqrt(c.variance({terms.alpha - from.alpha, terms.beta - from.beta}) / c.VV);
-    const double measured = run(family_scheme(eta, 0), 0).statistics.energies.ratio();
+    const double measured = run(hoa2_family().at({{eta}}), 0).statistics.energies.ratio();
     CHECK(measured == doctest::Approx(predicted).epsilon(0.1));
     if (measured < least) least = measured, at = eta;
   }
-  CHECK(std::abs(best_plain(c, hoa2).eta - at) <= 0.006);  // the spacing of the grid there
+  CHECK(std::abs(best_parameters(c, hoa2_family())[0] - at) <=
+        0.006);  // the spacing of the grid there
 }

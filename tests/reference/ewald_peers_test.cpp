@@ -109,7 +109,7 @@ void equal(const std::string& name) {
 
     const json& width = r["other_width"];
     const json& step = r["other_step"];
-    CHECK(std::abs(load.lennard_jones - peer.energy("lennard_jones")) < 2e-13 * peer.scale());
+    CHECK(std::abs(load.van_der_waals - peer.energy("lennard_jones")) < 2e-13 * peer.scale());
     CHECK(std::abs(load.coulomb - peer.energy("coulomb")) <
           error * peer.spacing(forces) * std::sqrt(peer.charges) +
               3 * width["energy"].get<double>());
@@ -183,7 +183,7 @@ void equals_gromacs(const std::string& name) {
     const double of_all = error * std::sqrt(peer.charges);
     CHECK(rms_error(load.f, r["force"]) < error * peer.on_body + gromacs("force"));
     CHECK(rms_error(load.tau, r["torque"]) < error * peer.on_arms + gromacs("torque"));
-    CHECK(std::abs(load.lennard_jones - peer.energy("lennard_jones")) < 2e-13 * peer.scale());
+    CHECK(std::abs(load.van_der_waals - peer.energy("lennard_jones")) < 2e-13 * peer.scale());
     CHECK(std::abs(load.coulomb - peer.energy("coulomb")) <
           of_all * peer.spacing(forces) + gromacs("energy") + rounding);
     for (std::size_t d = 0; d < 3; ++d) {
@@ -223,7 +223,7 @@ void as_accurate_as_asked(const std::string& name) {
     CHECK(rms_error(load.tau, r["torque"]) < error * peer.on_arms);
     CHECK(std::abs(load.coulomb - peer.energy("coulomb")) < of_all * peer.spacing(forces));
     // Floats round every term to 6e-8, and repulsion and attraction nearly cancel.
-    CHECK(std::abs(load.lennard_jones - peer.energy("lennard_jones")) <
+    CHECK(std::abs(load.van_der_waals - peer.energy("lennard_jones")) <
           (precision == Precision::mixed ? 1e-6 : 2e-13) * peer.scale());
     for (std::size_t d = 0; d < 3; ++d)
       CHECK(std::abs(load.virial[d][d] - r["virial"]["coulomb"][d].get<double>() -
@@ -242,7 +242,7 @@ void tail(const std::string& name) {
   s.dispersion_correction = true;
   ForceField(peer.scene.topology, s, peer.scene.state.box)(peer.scene.state, with);
   const double expected = peer.result["dispersion"];
-  CHECK(std::abs(with.lennard_jones - without.lennard_jones - expected) <
+  CHECK(std::abs(with.van_der_waals - without.van_der_waals - expected) <
         1e-9 * std::abs(expected));
   for (std::size_t d = 0; d < 3; ++d)
     CHECK(std::abs(with.virial[d][d] - without.virial[d][d] - expected) <

@@ -19,7 +19,7 @@ namespace {
 const std::string folder = POLHODE_TEST_DATA "/gromacs/";
 
 struct GromacsEnergies {
-  double lennard_jones = 0, coulomb = 0;  // [kJ/mol]
+  double van_der_waals = 0, coulomb = 0;  // [kJ/mol]
 };
 
 GromacsEnergies gromacs_energies() {
@@ -28,7 +28,7 @@ GromacsEnergies gromacs_energies() {
   std::getline(in, head);
   double time = 0, real_space = 0, mesh = 0;
   GromacsEnergies e;
-  in >> time >> e.lennard_jones >> real_space >> mesh;
+  in >> time >> e.van_der_waals >> real_space >> mesh;
   REQUIRE(bool(in));
   e.coulomb = real_space + mesh;
   return e;
@@ -56,8 +56,8 @@ TEST_CASE("salt water made with GROMACS tools has the energies of GROMACS") {
   // GROMACS sums about 1e5 pairs of up to 1e2 kJ/mol in single precision, whose rounding is 6e-8,
   // and its PME truncates real space at 1e-6; the coordinates have errors of 1e-7 nm in 0.1 nm. The
   // self-energy and intramolecular corrections are 1e5 kJ/mol each, seven times the difference.
-  CAPTURE(load.lennard_jones);
+  CAPTURE(load.van_der_waals);
   CAPTURE(load.coulomb);
-  CHECK(std::abs(load.lennard_jones / gromacs.lennard_jones - 1) < 1e-5);
+  CHECK(std::abs(load.van_der_waals / gromacs.van_der_waals - 1) < 1e-5);
   CHECK(std::abs(load.coulomb / gromacs.coulomb - 1) < 1e-5);
 }

@@ -45,7 +45,7 @@ TEST_CASE("energies and forces of all laws are those of their formulas") {
         // Float rounds r by 2⁻²⁴, to which a power of 43 responds 43 times.
         const double rounding = precision == Precision::mixed ? 2e-5 : 1e-12;
         const double scale = std::abs(u) + std::abs(f) * r;  // of repulsion and attraction
-        CHECK(std::abs(load.lennard_jones - u) < (rounding + (table ? 1e-6 : 0)) * scale);
+        CHECK(std::abs(load.van_der_waals - u) < (rounding + (table ? 1e-6 : 0)) * scale);
         CHECK(std::abs(load.f[1].x - f) < (rounding + (table ? 1e-5 : 0)) * 10 * scale / r);
         CHECK(std::abs(load.virial[0][0] - r * load.f[1].x) < 1e-6 * scale);
       });

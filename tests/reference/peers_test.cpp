@@ -55,14 +55,14 @@ void compare(const Scene& scene, const ForceSettings& law, const json& result) {
       torque = std::max(torque, largest(load.tau[i] - vec3(result["torque"][i])));
     }
     const json& energy = result["energy"];
-    const double lennard_jones = energy["lennard_jones"], coulomb = energy["coulomb"];
-    const double scale = std::abs(lennard_jones) + std::abs(coulomb);
+    const double van_der_waals = energy["lennard_jones"], coulomb = energy["coulomb"];
+    const double scale = std::abs(van_der_waals) + std::abs(coulomb);
 
     INFO(result["engine"].get<std::string>(), ", ", result["law"].dump(), ", ",
          std::string(name(instruction_set)));
     CHECK(force <= tolerance * result["largest"]["force"].get<double>());
     CHECK(torque <= tolerance * result["largest"]["torque"].get<double>());
-    CHECK(std::abs(load.lennard_jones - lennard_jones) <= tolerance * scale);
+    CHECK(std::abs(load.van_der_waals - van_der_waals) <= tolerance * scale);
     CHECK(std::abs(load.coulomb - coulomb) <= tolerance * scale);
     CHECK(std::abs(load.potential() - energy["potential"].get<double>()) <= tolerance * scale);
   }

@@ -117,7 +117,7 @@ TEST_CASE("the crossing is at 0.4 % within its rounding, or not, or the errors a
 TEST_CASE(
     "only Verlet runs above 1.5 %: refuted by another scheme that does, or if Verlet does not") {
   Laws stable;
-  stable.hoa2.drifts_from = 8;  // 1.36 % at 7 fs without a drift, 1.78 % at 8 fs with one
+  stable.hoa2.drifts_from = 8;  // 1.36 % at 7 fs without energy drift, 1.78 % at 8 fs with one
   CHECK(stable.ends() == Verdict::undecided);
   stable.hoa2.steps.push_back(9);
   stable.hoa2.drifts_from = 9;  // 1.78 % at 8 fs is without

@@ -24,7 +24,7 @@ std::vector<Energies> oscillating(double drift, double noise, unsigned seed) {
     const double v = 80 * std::sin(2 * units::pi * e.time / 0.4);
     const double total =
         0.8 * std::sin(2 * units::pi * e.time / 0.04) + drift * e.time + noise * normal(random);
-    e.lennard_jones = v;
+    e.van_der_waals = v;
     e.translation = total - v;
     samples.push_back(e);
   }

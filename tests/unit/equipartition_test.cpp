@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "polhode/integrate/scheme_text.hpp"
+
 using namespace polhode;
 
 namespace {
@@ -15,7 +17,7 @@ using Excess = std::array<std::optional<Estimate>, 3>;
 
 EfficiencyPoint point(const std::string& scheme, double step, const Excess& excess) {
   EfficiencyPoint p;
-  p.scheme = scheme, p.step = step, p.excess = excess;
+  p.scheme = scheme, p.order = scheme_of(scheme).order(), p.step = step, p.excess = excess;
   return p;
 }
 

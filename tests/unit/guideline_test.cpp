@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "polhode/integrate/scheme_text.hpp"
+
 using namespace polhode;
 
 namespace {
@@ -18,6 +20,7 @@ std::vector<EfficiencyPoint> law(const std::string& scheme, double c, int k, dou
   for (const double fs : {1.0, 2.0, 3.0, 4.0, 6.0, 8.0}) {
     EfficiencyPoint p;
     p.scheme = scheme;
+    p.order = scheme_of(scheme).order();
     p.step = fs / 1000;
     p.cost = evaluations / p.step;
     p.runs = 10;

@@ -58,7 +58,7 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.steps = 17, c.at.start = 0.7;
   c.at.integrator.load = Load(bodies);
   fill(c.at.integrator.load.f, random), fill(c.at.integrator.load.tau, random);
-  c.at.integrator.load.lennard_jones = -1, c.at.integrator.load.coulomb = -2;
+  c.at.integrator.load.van_der_waals = -1, c.at.integrator.load.coulomb = -2;
   c.at.integrator.load.mesh = -3;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) c.at.integrator.load.virial[i][k] = double(3 * i + k);
@@ -78,7 +78,7 @@ Checkpoint example(std::size_t bodies = 2) {
     s.energies.add({x, x - 1, 2 * x, 3 * x, {4 * x, 5 * x, 6 * x}, 7 * x});
     s.shadow.add(n, x);
     s.configurational.add({{x, 2, 3, 4}, {5, 6, 7, x}});
-    s.stretches.add({.lennard_jones = x, .translation = n + x, .rotation = {}}, {}, 8);
+    s.stretches.add({.van_der_waals = x, .translation = n + x, .rotation = {}}, {}, 8);
   }
   s.energies.blocks.samples_per_block = 4;
   c.at.timings = {1, 2, 3, 4, 5};
@@ -106,7 +106,7 @@ void same(const TrajectoryStatistics& a, const TrajectoryStatistics& b) {
   CHECK(a.energies.samples == b.energies.samples);
   CHECK(e.time == f.time);
   CHECK(e.total() == f.total());
-  CHECK(e.lennard_jones == f.lennard_jones);
+  CHECK(e.van_der_waals == f.van_der_waals);
   CHECK(e.rotation == f.rotation);
   CHECK(e.pressure == f.pressure);
   same(a.energies.blocks, b.energies.blocks);
@@ -207,7 +207,7 @@ TEST_CASE("a checkpoint with one wrong bit, or truncated anywhere, is refused") 
   const std::uint64_t sum = crc64(other.data() + 32, end - 32, crc64(other.data(), 24));
   other.replace(end, 8, reinterpret_cast<const char*>(&sum), 8);
   check_error([&] { CheckpointReader(other, path, program); },
-              {"format 99", "newest.bin", "--force"});
+              {"format 99", "newest.bin", "start over"});
 }
 
 TEST_CASE(
@@ -228,7 +228,7 @@ TEST_CASE(
       },
       {"newest.bin", "avx2", "sse4", "POLHODE_INSTRUCTION_SET=avx2"});
   check_error([&] { last_checkpoint(files, "of that run", program); },
-              {"newest.bin", "another run", "polhode run a.toml", "--output", "--force"});
+              {"newest.bin", "another run", "polhode run a.toml", "another output", "start over"});
 }
 
 TEST_CASE("the previous checkpoint is used if the newest is damaged or missing") {
@@ -252,5 +252,5 @@ TEST_CASE("the previous checkpoint is used if the newest is damaged or missing")
   write(files.newest, newest.substr(0, 100));
   write(files.previous, damaged);
   check_error([&] { last_checkpoint(files, c.identity, program); },
-              {"newest.bin", "100 bytes", "previous.bin", "checksum", "--force"});
+              {"newest.bin", "100 bytes", "previous.bin", "checksum", "start over"});
 }

@@ -48,6 +48,21 @@ TEST_CASE("a quantity without a unit is refused with an example") {
   check_error([] { quantity("15", Dimension::time, "length", "15 ps"); }, {R"("15 ps")"});
   check_error([] { vector_quantity("0 1 2", Dimension::length, "position"); },
               {R"(has no unit; write for example "0 1 2 nm")"});
+  // units of two words, units that begin with a digit, and fractions in percent
+  check_error([] { quantity("0.855", Dimension::viscosity, "--viscosity"); }, {R"("0.855 mPa s")"});
+  check_error([] { quantity("3", Dimension::inverse_length, "damping"); }, {R"("3 1/nm")"});
+  check_error([] { quantity("0.005", Dimension::fraction, "accuracy"); },
+              {R"(write for example "0.5 %", if it is a fraction of 1)"});
+  check_error([] { quantity("1e308", Dimension::fraction, "accuracy"); }, {R"("1e308 %")"});
+}
+
+TEST_CASE("the first letter of a sentence becomes small, those of a word in capitals stay") {
+  CHECK(uncapitalized("The following argument was not expected") ==
+        "the following argument was not expected");
+  CHECK(uncapitalized("SCHEME is required") == "SCHEME is required");
+  CHECK(uncapitalized("A subcommand is required") == "a subcommand is required");
+  CHECK(uncapitalized("--step: 1 required") == "--step: 1 required");
+  CHECK(uncapitalized("") == "");
 }
 
 TEST_CASE("a quantity of the wrong dimension is refused with the right one") {
@@ -79,4 +94,7 @@ TEST_CASE("the nearest name is suggested, but none if all are too different") {
   CHECK(did_you_mean("giere4", names) == "; did you mean 'gier4'?");
   CHECK(did_you_mean("velocityverlet", names) == "; did you mean 'velocity-verlet'?");
   CHECK(did_you_mean("leapfrog", names) == "");
+  CHECK(did_you_mean("VELOCITY_VERLET", names) == "; did you mean 'velocity-verlet'?");
+  CHECK(same_letters("SPC/E", "spce"));
+  CHECK(!same_letters("/", "-"));
 }

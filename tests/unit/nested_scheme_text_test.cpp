@@ -49,6 +49,26 @@ TEST_CASE("a text is a scheme, or a scheme with an inner scheme") {
   CHECK(nested_scheme_of("hoa2 / position-verlet x 2 within 0.5 nm").near_evaluations() == 4 + 2);
 }
 
+TEST_CASE("own names and definitions may stand on both sides of the slash") {
+  const char* text =
+      "mine: x = 1/6; B(x) A(1/2) B(1 - 2*x) A(1/2) B(x) / y = 1/2; B(y) A(1) B(y) x 2 within 0.4 "
+      "to 0.6 nm";
+  const NestedScheme nested = nested_scheme_of(text);
+  CHECK(nested.outer.name() == "mine");
+  CHECK(nested.inner->steps == 2);
+  CHECK(label_of(text) == "mine / B(0.5) A(1) B(0.5) x 2 within 0.4 to 0.6 nm");
+  CHECK(label_of("mine: B(1/2) A(1) B(1/2)") == "mine");
+  CHECK(label_of(" B(1/2)  A(1) B(1/2)") == "B(1/2) A(1) B(1/2)");
+  CHECK(label_of("b = 1/2; B(b) A(1) B(b)") == "B(0.5) A(1) B(0.5)");
+  for (const char* t :
+       {text, "mine: B(1/6) A(1/2) B(2/3) A(1/2) B(1/6)", "gier4", "b = 1/3; B(b) A(1) B(1 - b)"}) {
+    const NestedScheme again = nested_scheme_of(named_text_of(nested_scheme_of(t)));
+    CHECK(text_of(again) == text_of(nested_scheme_of(t)));
+    CHECK(again.outer.name() == nested_scheme_of(t).outer.name());
+  }
+  check_error([] { nested_scheme_of(std::string(9000, ' ')); }, {"9000 characters"});
+}
+
 TEST_CASE("incorrect inner schemes are refused") {
   for (const char* text : {"hoa2 /", "hoa2 / hoa2", "hoa2 / hoa2 x 2", "hoa2 / hoa2 x 2 within",
                            "hoa2 / hoa2 within 0.5 nm", "hoa2 / hoa2 x 2 within 0.5"})

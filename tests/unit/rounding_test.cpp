@@ -138,6 +138,7 @@ TEST_CASE("a point below twice the R of rounding is dominated by rounding") {
 TEST_CASE("no cost is extrapolated where rounding dominates") {
   EfficiencyPoint p;
   p.scheme = "gier4";
+  p.order = 4;
   p.step = 0.002;
   p.cost = 1500;
   p.ratio = {3e-5, 1e-6};

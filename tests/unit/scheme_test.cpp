@@ -88,8 +88,9 @@ TEST_CASE("gradient kicks per step follow from the stages") {
 }
 
 // α and β of the O(h²) error. Those of the family B(η) A(1/2) B(1 − 2η, ξ) A(1/2) B(η) are known in
-// closed form (docs/theory.md); for every other scheme they vanish where the order is above 2, to
-// the rounding of coefficients with 15 digits, of size 1 to 2 and cubed: 1e-14. And only there.
+// closed form (docs/theory.md, Eq. (6)); for every other scheme they vanish where the order is
+// above 2, to the rounding of coefficients with 15 digits, of size 1 to 2 and cubed: 1e-14. And
+// only there.
 TEST_CASE("the error of second order follows from the stages") {
   for (const double eta : {0.1, 0.1931833275037836, 0.5})
     for (const double xi : {0.0, 0.02}) {
@@ -158,6 +159,83 @@ TEST_CASE("a scheme written as text is read back bit for bit") {
   const Scheme by_difference = scheme_of("B(1/6) A(1/2) B(2/3, 1/48 , fd) A(1/2) B(1/6)");
   CHECK(by_difference.stages()[2] == B(2.0 / 3, 1.0 / 48, Gradient::finite_difference));
   CHECK(by_difference.force_evaluations() == 3);
+}
+
+// Each expression and its value; double arithmetic in the same order, so equal to the bit.
+TEST_CASE("coefficients of a scheme's text are expressions") {
+  const auto value = [](const std::string& x) {
+    return scheme_of("x = " + x + "; B(x) A(1) B(1 - x)").stages()[0].fraction;
+  };
+  CHECK(value("1/6") == 1.0 / 6);
+  CHECK(value("1/sqrt(3)") == 1 / std::sqrt(3.0));
+  CHECK(value("1/(2 - cbrt(2))") == doctest::Approx(theta).epsilon(1e-15));
+  CHECK(value("1/(2 - 2^(1/3))") == doctest::Approx(theta).epsilon(1e-15));
+  CHECK(value("1 - 2 - 3") == 1.0 - 2 - 3);  // from left to right
+  CHECK(value("8/4/2") == 1);
+  CHECK(value("2^3^2") == 512);  // from right to left
+  CHECK(value("-2^2") == -4);
+  CHECK(value("2^-1") == 0.5);
+  CHECK(value("- -1.5e-1 + (2*3 - 4)*.5") == 0.15 + 1);
+  CHECK(value("1; y = 2*x; z = x + y") == 1);
+
+  const Scheme chin = scheme_of(
+      "root = 1/sqrt(3); a = (1 - root)/2; A(a) B(1/2, (2 - 3*root)/24) A(root) B(1/2, xi = (2 - "
+      "3*root)/24) A(a)");
+  const Scheme table = scheme_of("chin-4b");
+  REQUIRE(chin.stages().size() == table.stages().size());
+  for (std::size_t i = 0; i < table.stages().size(); ++i) {
+    CHECK(chin.stages()[i].fraction == doctest::Approx(table.stages()[i].fraction).epsilon(4e-16));
+    CHECK(chin.stages()[i].xi == doctest::Approx(table.stages()[i].xi).epsilon(4e-15));
+  }
+  CHECK(scheme_of("xi = 1/48; B(1/6) A(1/2) B(2/3, xi) A(1/2) B(1/6)").stages()[2].xi == 1.0 / 48);
+}
+
+TEST_CASE("a scheme of one's own has a name, an order and free parameters") {
+  const Scheme mine = scheme_of("mine: B(1/6) A(1/2) B(2/3) A(1/2) B(1/6)");
+  CHECK(mine.name() == "mine");
+  CHECK(mine.has_own_name());
+  const Scheme copy = mine;
+  CHECK(copy.name() == "mine");
+  CHECK(text_of(mine) == text_of(scheme_of("B(1/6) A(1/2) B(2/3) A(1/2) B(1/6)")));
+  CHECK(scheme_of(" My-scheme_1.2 :B(1) A(1)").name() == "My-scheme_1.2");
+  // 2 where the error of order h² is known; a higher order is not determined
+  CHECK(mine.order() == 2);
+  CHECK(scheme_of("B(1/6) A(1/2) B(2/3, 1/48) A(1/2) B(1/6)").order() == 0);
+  CHECK(scheme_of("A(1) B(1)").order() == 0);
+
+  const char* text = "free b = 0.2; c = 1 - 2*b; free x = 1/48; B(b) A(1/2) B(c, x) A(1/2) B(b)";
+  const std::vector<FreeParameter> free = free_parameters(text);
+  REQUIRE(free.size() == 2);
+  CHECK(free[0].name == "b");
+  CHECK(free[0].value == 0.2);
+  CHECK(free[1].name == "x");
+  CHECK(scheme_of(text).stages()[2] == B(0.6, 1.0 / 48));
+  const std::vector<FreeParameter> other = {{"b", 0.125}};
+  CHECK(scheme_of(text, other).stages()[2] == B(0.75, 1.0 / 48));
+  CHECK(free_parameters("hoa2").empty());
+}
+
+TEST_CASE("incorrect definitions, names and expressions are refused with the place") {
+  check_error([] { scheme_of("x = 1/6; B(y) A(1)"); },
+              {"'y) A(1)' at character 12", "a name that is defined", "\"y = 1/6;\""});
+  check_error([] { scheme_of("mine: B(1/3) A(1/2"); }, {"the end at character 19", "')'"});
+  check_error([] { scheme_of("x = 1/0; B(x) A(1)"); }, {"'0; B(x) A(' at character 7"});
+  check_error([] { scheme_of("B(sqrt(1 - 2)) A(1)"); },
+              {"'1 - 2)) A(' at character 8", "a finite real result"});
+  check_error([] { scheme_of("B(2^10000) A(1)"); }, {"at character 4", "a finite real result"});
+  check_error([] { scheme_of("x = 1/6 B(x) A(1)"); }, {"'B(x) A(1)' at character 9", "';'"});
+  check_error([] { scheme_of("x = 1; x = 2; B(x) A(1)"); }, {"'x = 2; B(x' at character 8"});
+  check_error([] { scheme_of("free = 1; B(1) A(1)"); }, {"a new name of a constant"});
+  check_error([] { scheme_of("sqrt = 1; B(1) A(1)"); }, {"a new name of a constant"});
+  check_error([] { scheme_of("A = 1; B(1) A(1)"); }, {"'= 1; B(1) ' at character 3", "'('"});
+  check_error([] { scheme_of("hoa2: B(1) A(1)"); }, {"'hoa2' belongs to a built-in scheme"});
+  check_error([] { scheme_of("my scheme: B(1) A(1)"); }, {"'my scheme' must have 1 to 32 letters"});
+  check_error([] { scheme_of(": B(1) A(1)"); }, {"scheme name ''"});
+  check_error([] { scheme_of("mine: hoa2"); }, {"'hoa2' at character 7", "A(...) for a drift"});
+  check_error([] { scheme_of("B(" + std::string(1000, '(')); }, {"at most 32 levels"});
+  check_error([] { scheme_of("B(" + std::string(1000, '-') + "1) A(1)"); }, {"at most 32 levels"});
+  check_error([] { scheme_of("B(" + std::string(5000, ' ')); },
+              {"5002 characters", "4096 at most"});
 }
 
 TEST_CASE("incorrect scheme texts are refused with the place and what is expected") {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A splitting scheme as data: a palindrome of drifts e^{aAh} and kicks e^{bB̂(ξ)h} [vanzon2008, Eq.
-// 1], and of baths where there is a temperature to keep.
+// 1], and of baths if the temperature is controlled.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// What a stage does. Whoever looks at a flow does so in a `switch` without `default`: the compiler
-/// then names every place where a new flow has to be thought of.
+/// What a stage does. Code that depends on the flow uses a `switch` without `default`, so that the
+/// compiler reports every switch in which a new flow is missing.
 enum class Flow {
   drift,  ///< free flight and free rotation: changes positions and attitudes
   kick,   ///< forces and torques act: changes momenta
@@ -61,7 +61,7 @@ struct Stage {
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
   /// Whether this stage and `next`, right after it, are one stage of both lengths. Baths are not:
-  /// each has random numbers of its own.
+  /// each has separate random numbers.
   constexpr bool joins(const Stage& next) const {
     switch (flow) {
       case Flow::drift:
@@ -93,7 +93,7 @@ inline constexpr double rest = std::numeric_limits<double>::quiet_NaN();
 /// consteval and rejects schemes whose drifts, kicks or baths do not sum to one step.
 class Scheme {
  public:
-  static constexpr std::size_t max_stages = 64;
+  static constexpr std::size_t max_stages = 64, max_name = 32;
 
   /// @param half    the stages up to and including the middle one; the rest is their mirror image.
   ///                One stage of each flow may have `rest` as its fraction
@@ -108,12 +108,19 @@ class Scheme {
   }
 
   /// A scheme of stages known at run time: see scheme_of().
-  constexpr Scheme(std::span<const Stage> stages, int order)
+  /// @param name  of at most max_name characters; empty: none
+  constexpr Scheme(std::span<const Stage> stages, int order, std::string_view name = "")
       : name_("custom"), source_(""), order_(order) {
     for (const Stage& stage : stages) stages_[count_++] = stage;
+    for (const char c : name) own_name_[own_name_size_++] = c;
   }
 
-  constexpr std::string_view name() const { return name_; }
+  /// Its name: in the table, or of its own, which this object holds; "custom" without one.
+  constexpr std::string_view name() const {
+    return has_own_name() ? std::string_view(own_name_.data(), own_name_size_) : name_;
+  }
+  constexpr bool has_own_name() const { return own_name_size_ > 0; }
+  constexpr bool in_table() const { return !source_.empty(); }
   constexpr std::string_view source() const { return source_; }
   constexpr int order() const { return order_; }  ///< declared order; 0 if unknown
   constexpr std::span<const Stage> stages() const { return {stages_.data(), count_}; }
@@ -222,6 +229,8 @@ class Scheme {
 
   std::string_view name_, source_;
   int order_;
+  std::array<char, max_name> own_name_{};
+  std::size_t own_name_size_ = 0;
   std::array<Stage, max_stages> stages_{};
   std::size_t count_ = 0;
 };

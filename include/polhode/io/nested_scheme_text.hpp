@@ -26,8 +26,14 @@ Scheme single_scheme_of(std::string_view text);
 /// The same, with the names of schemes if they have one, otherwise their stages.
 std::string name_of(const NestedScheme& scheme);
 
-/// A scheme as it was written, with single spaces between its words: a name for records and tables.
-std::string one_line(std::string_view text);
+/// What tables and figures call the scheme of a text: its own name if it has one; otherwise the
+/// text with single spaces between its words, or the stages if it defines names.
+/// @throws Error  as nested_scheme_of()
+std::string label_of(std::string_view text);
+
+/// Names of the table, and stages with names of their own, as text that nested_scheme_of() reads
+/// back to the same bits.
+std::string named_text_of(const NestedScheme& scheme);
 
 /// All stages as text that nested_scheme_of() reads back to the same bits.
 std::string text_of(const NestedScheme& scheme);

@@ -53,7 +53,7 @@ bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ost
 /// Accuracy and cost of a scheme at one step.
 struct EfficiencyMark {
   double cost;               ///< force evaluations per ps
-  double ratio;              ///< R = rms of E over rms of V [1]
+  double ratio;              ///< R = rms of E divided by rms of V [1]
   double error;              ///< of R [1]
   bool stable = true;        ///< false: the step is too large for the scheme; not drawn
   bool at_rounding = false;  ///< R is dominated by rounding

@@ -15,13 +15,13 @@ namespace polhode {
 
 struct Energies {
   double time = 0;                 ///< [ps]
-  double lennard_jones = 0;        ///< [kJ/mol]
+  double van_der_waals = 0;        ///< of the short-range laws [kJ/mol]
   double coulomb = 0;              ///< [kJ/mol]
   double translation = 0;          ///< Σ p²/2m [kJ/mol]
   std::array<double, 3> rotation;  ///< Σ L_k²/2J_k about each principal axis [kJ/mol]
   double pressure = 0;             ///< a third of the trace of the pressure tensor [kJ/mol/nm³]
 
-  double potential() const { return lennard_jones + coulomb; }
+  double potential() const { return van_der_waals + coulomb; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
   double total() const { return potential() + kinetic(); }
 };

@@ -10,7 +10,7 @@ namespace polhode {
 struct Load {
   Vec3Column f;              ///< force [kJ/mol/nm], lab
   Vec3Column tau;            ///< torque about the centre of mass [kJ/mol], lab
-  double lennard_jones = 0;  ///< [kJ/mol]
+  double van_der_waals = 0;  ///< of the short-range laws [kJ/mol]
   double coulomb = 0;        ///< [kJ/mol]
   double mesh = 0;           ///< the reciprocal-space (mesh) part of coulomb [kJ/mol]
   /// Σ R ⊗ f over pairs of bodies, R between their centres and f the force on the second [kJ/mol];
@@ -20,7 +20,7 @@ struct Load {
 
   Load() = default;
   explicit Load(std::size_t bodies) : f(bodies), tau(bodies) {}
-  double potential() const { return lennard_jones + coulomb; }
+  double potential() const { return van_der_waals + coulomb; }
 };
 
 }  // namespace polhode

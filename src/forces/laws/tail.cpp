@@ -26,7 +26,7 @@ double tail_integral(const ForceSettings& s, const ShortRange<double>& law) {
 
 }  // namespace
 
-double dispersion_tail(const Topology& topology, const ForceSettings& settings, const Box& box) {
+double dispersion_tail(const Topology& topology, const ForceSettings& settings) {
   const PairTables tables(topology, settings.mixing);
   double sum = 0;
   for (std::size_t a = 0; a < topology.parts.size(); ++a)
@@ -36,7 +36,7 @@ double dispersion_tail(const Topology& topology, const ForceSettings& settings, 
       for (const ShortRange<double>& law : tables(a, b).any_law<double>().law)
         if (!law.is_zero()) sum += number * tail_integral(settings, law);
     }
-  return 2 * units::pi / box.volume() * sum;
+  return 2 * units::pi * sum;
 }
 
 }  // namespace polhode

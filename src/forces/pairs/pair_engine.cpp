@@ -101,7 +101,7 @@ void PairEngine<T>::update(const State& state) {
 template <class T>
 void PairEngine<T>::clear(const State& state, Load& load) {
   if (load.f.size() != state.size()) load = Load(state.size());
-  load.lennard_jones = load.coulomb = load.mesh = 0;
+  load.van_der_waals = load.coulomb = load.mesh = 0;
   load.virial = {};
   std::fill_n(mesh_sums_.data(), mesh_sums_.size(), T{});
 }
@@ -113,7 +113,7 @@ void PairEngine<T>::sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>
   workers_.each(sums_.size(), [&](std::size_t c) { sum_chunk(c, loop, energies, displacements); });
   workers_.each(sums_.size(), [&](std::size_t c) { collect(c, load); });
   for (const ChunkSums<T>& sums : sums_) {
-    load.lennard_jones += sums.lennard_jones;
+    load.van_der_waals += sums.van_der_waals;
     load.coulomb += sums.coulomb;
     for (std::size_t k = 0; k < 3; ++k) load.virial[k] += sums.virial[k];
   }
@@ -179,7 +179,7 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
   const ListChunk& chunk = list_.chunks()[c];
   ChunkSums<T>& sums = sums_[c];
   std::fill_n(sums.values.data(), sums.values.size(), T{});
-  sums.lennard_jones = sums.coulomb = 0;
+  sums.van_der_waals = sums.coulomb = 0;
   sums.virial = {};
   for (std::size_t partner = chunk.part; partner < sites_.size(); ++partner)
     loop({tables_(chunk.part, partner), laws_, treatment_, energies, list_, chunk, partner,

@@ -6,9 +6,10 @@
 namespace polhode {
 
 EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint& point) {
+  const StudyPoint studied{candidate.name, {candidate.scheme}, point.step};
   std::vector<StudyRun> runs;
   for (const Outcome& run : point.runs)
-    runs.push_back({.scheme = candidate.name,
+    runs.push_back({.scheme = studied.record_name(),
                     .step = point.step,
                     .start = static_cast<int>(runs.size()),
                     .stable = run.failure.empty(),
@@ -18,8 +19,7 @@ EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint&
                     .rounding = run.rounding,
                     .parts = run.temperatures,
                     .configurational = run.configurational});
-  return efficiency_points({{candidate.name, {candidate.scheme}, point.step}}, runs, point.length)
-      .front();
+  return efficiency_points({studied}, runs, point.length).front();
 }
 
 std::vector<Curve> curves(const Advice& advice) {

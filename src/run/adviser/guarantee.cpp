@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
 #include "polhode/run/adviser/adviser.hpp"
@@ -29,7 +31,7 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
   if (advice.stopped) return std::nullopt;
   if (!advice.best) throw RunError(unreachable(advice, settings.criterion));
   const AdviserPoint& point = advice.confirmation;
-  integrator.scheme = advice.candidates[*advice.best].name;
+  integrator.scheme = named_text_of(advice.candidates[*advice.best].scheme);
   integrator.step = point.step;
   callbacks.note(fmt::format("for {}: {}", description(settings.criterion), answer(advice)));
   return Guarantee{*integrator.accuracy, point.length, point.ratio()};
@@ -54,9 +56,9 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
           json.at("length_ps"),
           {json.at("R_expected"), json.at("R_expected_error")}};
 } catch (const nlohmann::json::exception& e) {
-  throw Error(
+  throw OutputError(
       fmt::format("'{}' does not contain the accuracy guarantee of the run to be resumed ({}); "
-                  "start over with --force",
+                  "restore it, or start over",
                   file, e.what()));
 }
 

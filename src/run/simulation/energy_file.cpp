@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode {
@@ -16,7 +16,7 @@ const std::vector<Table::Column>& columns() {
   static const std::vector<Table::Column> all = {{"time", "ps"},
                                                  {"total", "kJ/mol"},
                                                  {"potential", "kJ/mol"},
-                                                 {"lennard_jones", "kJ/mol"},
+                                                 {"van_der_waals", "kJ/mol"},
                                                  {"coulomb", "kJ/mol"},
                                                  {"kinetic_translation", "kJ/mol"},
                                                  {"kinetic_rotation", "kJ/mol"},
@@ -34,7 +34,7 @@ std::array<double, 12> row_of(const Energies& e, const DegreesOfFreedom& degrees
   return {e.time,
           e.total(),
           e.potential(),
-          e.lennard_jones,
+          e.van_der_waals,
           e.coulomb,
           e.translation,
           e.kinetic() - e.translation,
@@ -70,9 +70,9 @@ void check_energies(const std::string& path, const FileMark& mark) {
   std::uint64_t rows = 0;
   each_row(path, mark.bytes, columns(), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
-    throw Error(fmt::format(
+    throw OutputError(fmt::format(
         "'{}' had {} rows when the checkpoint was written, and has {} in the same number of bytes, "
-        "so it is another file; restore the original, or start over with --force",
+        "so it is another file; restore the original, or start over",
         path, mark.frames, rows));
 }
 

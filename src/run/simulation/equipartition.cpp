@@ -3,8 +3,6 @@
 
 #include <cmath>
 
-#include "polhode/io/nested_scheme_text.hpp"
-
 namespace polhode {
 
 namespace {
@@ -28,7 +26,7 @@ std::vector<EquipartitionFit> equipartition(const std::vector<Curve>& curves) {
   std::vector<EquipartitionFit> fits;
   for (const Curve& curve : curves) {
     EquipartitionFit fit{.scheme = curve.scheme, .axes = {}, .configurational = {}};
-    if (const int order = nested_scheme_of(curve.scheme).order(); order > 0) fit.order = order;
+    if (!curve.points.empty() && curve.points[0].order > 0) fit.order = curve.points[0].order;
     for (std::size_t k = 0; k < fit.axes.size(); ++k)
       fit.axes[k] = limit(curve, fit.order, [k](const auto& point) { return point.excess[k]; });
     for (std::size_t k = 0; k < fit.configurational.size(); ++k)

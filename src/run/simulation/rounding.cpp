@@ -114,7 +114,7 @@ double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double
 }
 
 double double_drift(const Energies& e, double step) {
-  return 16 * 0x1p-53 * (e.kinetic() + std::abs(e.lennard_jones) + std::abs(e.coulomb)) / step;
+  return 16 * 0x1p-53 * (e.kinetic() + std::abs(e.van_der_waals) + std::abs(e.coulomb)) / step;
 }
 
 double double_walk(const Energies& e, double step) {

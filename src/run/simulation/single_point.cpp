@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "polhode/base/error.hpp"
 #include "polhode/base/instruction_set.hpp"
+#include "polhode/forces/pairs/overlap.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/measure/energy.hpp"
@@ -15,7 +17,8 @@ namespace {
 std::vector<std::pair<std::string, double>> terms_of(const ForceField& forces, const Load& load) {
   const ConstantTerms& constant = forces.constant_terms();
   std::vector<std::pair<std::string, double>> terms;
-  if (forces.settings().dispersion_correction) terms.emplace_back("LJ tail", constant.dispersion);
+  if (forces.settings().dispersion_correction)
+    terms.emplace_back("dispersion tail", constant.dispersion);
   const bool mesh = forces.settings().mesh.has_value();
   if (!mesh && constant.self == 0) return terms;
   terms.emplace_back(mesh ? "real space" : "pairs", load.coulomb - load.mesh - constant.coulomb());
@@ -36,6 +39,11 @@ double SinglePoint::pressure() const {
 SinglePoint single_point(const Config& config, bool derivative, const Callbacks& callbacks) {
   SinglePoint point{build_system(config), {}, {}, {}, {}};
   const System& system = point.system;
+  try {
+    check_overlap(system.topology, system.state);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
   note_molecules(system, callbacks);
   note_forces(system, callbacks);
   ForceField forces(system.topology, system.forces, system.state.box);
@@ -61,7 +69,7 @@ std::string single_point_json(const SinglePoint& point) {
     tensor.push_back({row.x, row.y, row.z});
   }
   return nlohmann::json{{"molecules", point.system.topology.size()},
-                        {"lennard_jones_kJ_per_mol", point.load.lennard_jones},
+                        {"van_der_waals_kJ_per_mol", point.load.van_der_waals},
                         {"coulomb_kJ_per_mol", point.load.coulomb},
                         {"terms_kJ_per_mol", terms},
                         {"potential_kJ_per_mol", point.load.potential()},

@@ -59,7 +59,7 @@ void TrajectorySettings::check_shadow() const {
   throw Error(fmt::format(
       "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, "
       "such as hoa2",
-      shadow_sample * units::fs_per_ps, scheme.name(), reason));
+      shadow_sample * units::fs_per_ps, name_of(NestedScheme(scheme)), reason));
 }
 
 TrajectorySettings trajectory_settings(const Config& config, double stretch) try {

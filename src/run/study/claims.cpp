@@ -57,8 +57,8 @@ Verdict runs_above(const Curve& c, double limit) {
                                                                            : Verdict::undecided;
 }
 
-/// More runs see smaller drifts, so curves are compared only if the points around their ends have
-/// the same number of runs.
+/// More runs detect a smaller energy drift, so curves are compared only if the points around their
+/// ends have the same number of runs.
 bool equal_runs(const std::vector<const Curve*>& curves) {
   std::set<int> runs;
   for (const Curve* c : curves)

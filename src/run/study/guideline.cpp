@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/nested_scheme_text.hpp"
-
 namespace polhode {
 namespace {
 
@@ -43,7 +41,7 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   at.evaluations = points[0].cost * points[0].step;
   double log_error = 0;  // of the step, relative
   if (ratio < points[0].ratio.value) {
-    const int order = nested_scheme_of(curve.scheme).order();
+    const int order = points[0].order;
     if (order == 0 || points[0].at_rounding()) return std::nullopt;
     at.exponent = order;
     at.step = points[0].step * std::pow(ratio / points[0].ratio.value, 1.0 / order);

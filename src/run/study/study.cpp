@@ -49,7 +49,7 @@ bool same(double a, double b) { return std::abs(a - b) < 1e-12; }
 
 StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point,
                  const Config& config, double near_weight, const Callbacks& callbacks) {
-  StudyRun run{.scheme = point.name,
+  StudyRun run{.scheme = point.record_name(),
                .step = point.step,
                .start = static_cast<int>(index),
                .near_weight = near_weight};
@@ -90,6 +90,11 @@ void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
       throw Error(fmt::format(
           "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
           point.name, units::fs_per_ps * point.step));
+    else if (other.name == point.name && other.record_name() != point.record_name())
+      throw Error(fmt::format(
+          "the study has two schemes with the name '{}'; tables tell schemes by their names, so "
+          "give each another one",
+          point.name));
   points.push_back(point);
 }
 
@@ -104,11 +109,11 @@ class StudyJobs {
         callbacks_(callbacks),
         workers_(workers),
         needed_(static_cast<std::size_t>(config.study.runs), false) {
-    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // of scheme and start
+    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // by scheme and run
     for (const StudyRun& run : known) steps_done[{run.scheme, run.start}].push_back(run.step);
     for (const StudyPoint& point : study_points(config.study))
       for (int r = 0; r < config.study.runs; ++r)
-        if (!contains(steps_done[{point.name, r}], point.step)) add({point, r});
+        if (!contains(steps_done[{point.record_name(), r}], point.step)) add({point, r});
     // The most expensive first, so that the last ones are short.
     std::stable_sort(jobs_.begin(), jobs_.end(),
                      [](const Job& a, const Job& b) { return a.work() > b.work(); });
@@ -165,7 +170,7 @@ class StudyJobs {
       const std::lock_guard lock(guard_);
       finished_(run);
     }
-    advance(job.work() * config_.study.length, run.scheme);
+    advance(job.work() * config_.study.length, job.point.name);
   }
 
   void advance(double by, const std::string& what) {
@@ -178,7 +183,7 @@ class StudyJobs {
   const std::function<void(const StudyRun&)>& finished_;
   const Callbacks& callbacks_;
   Workers& workers_;
-  std::vector<bool> needed_;  // starts
+  std::vector<bool> needed_;  // initial configurations
   std::vector<Job> jobs_;
   std::vector<System> starts_;
   std::map<std::string, double> near_weights_;  // of schemes
@@ -214,11 +219,18 @@ std::vector<StudyPoint> study_points(const StudySettings& settings) {
   std::vector<StudyPoint> points;
   for (const std::string& text : settings.schemes) {
     const NestedScheme scheme = nested_scheme_of(text);
+    const std::string name = label_of(text);
     for (const double h :
          settings.steps.empty() ? default_steps(scheme, settings.coarse) : settings.steps)
-      add_point(points, {one_line(text), scheme, h});
+      add_point(points, {name, scheme, h});
   }
   return points;
+}
+
+std::string StudyPoint::record_name() const {
+  const bool own_name =
+      scheme.outer.has_own_name() || (scheme.inner && scheme.inner->scheme.has_own_name());
+  return own_name ? named_text_of(scheme) : name;
 }
 
 double StudyPoint::cost(double near_weight) const {
@@ -302,9 +314,10 @@ void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
 
 /// The runs of a point by initial configuration: sums do not depend on which run ended first.
 std::vector<StudyRun> runs_of(const StudyPoint& point, const std::vector<StudyRun>& runs) {
+  const std::string name = point.record_name();
   std::vector<StudyRun> own;
   for (const StudyRun& run : runs)
-    if (run.scheme == point.name && same(run.step, point.step)) own.push_back(run);
+    if (run.scheme == name && same(run.step, point.step)) own.push_back(run);
   std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.start < b.start; });
   return own;
 }
@@ -319,6 +332,7 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     if (own.empty()) continue;
     EfficiencyPoint e;
     e.scheme = point.name;
+    e.order = point.scheme.order();
     e.step = point.step;
     e.length = length;
     e.runs = static_cast<int>(own.size());

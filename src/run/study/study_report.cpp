@@ -191,7 +191,8 @@ StudyReport::StudyReport(const Config& config_used,
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
   if (!line.best)
-    return fmt::format("no scheme reaches R = {:g} % for this system without drift", 100 * ratio);
+    return fmt::format("no scheme reaches R = {:g} % for this system without energy drift",
+                       100 * ratio);
   const CostAtRatio& best = *line.costs[*line.best];
   std::string text = fmt::format(
       "for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps", 100 * ratio,
@@ -257,7 +258,7 @@ StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix, const OutputOptions& options,
                                 const Callbacks& callbacks) {
   std::ifstream in(record, std::ios::binary);
-  if (!in) throw Error(fmt::format("there is no file '{}'", record), "--from-record");
+  if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
   const std::vector<StudyRun> runs = read_any_study_record(in, record);
   const StudyFiles files(prefix);
   check_outputs(files.tables(), options.existing);

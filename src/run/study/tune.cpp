@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <functional>
 #include <mutex>
@@ -22,84 +20,6 @@
 namespace polhode {
 namespace {
 
-ErrorTerms difference(const ErrorTerms& a, const ErrorTerms& b) {
-  return {a.alpha - b.alpha, a.beta - b.beta};
-}
-
-/// The minimum of a function of η, which is unique between position and velocity Verlet.
-FamilyMember minimise(const std::function<double(double)>& variance) {
-  constexpr int bits = 26;  // half of the digits: a minimum cannot be located more precisely
-  return {boost::math::tools::brent_find_minima(variance, 0.0, 0.5, bits).first, 0};
-}
-
-}  // namespace
-
-Scheme family_scheme(double eta, double xi) {
-  const std::array stages{B(eta), A(0.5), B(1 - 2 * eta, xi), A(0.5), B(eta)};
-  return {stages, 2};
-}
-
-ErrorCovariance& ErrorCovariance::operator+=(const ErrorCovariance& other) {
-  EE += other.EE, Ea += other.Ea, Eb += other.Eb;
-  aa += other.aa, ab += other.ab, bb += other.bb;
-  VV += other.VV;
-  return *this;
-}
-
-double ErrorCovariance::variance(const ErrorTerms& change) const {
-  const auto [x, y] = change;
-  return EE - 2 * (x * Ea + y * Eb) + x * x * aa + 2 * x * y * ab + y * y * bb;
-}
-
-ErrorCovariance error_covariance(std::span<const BracketSample> samples, double h) {
-  struct Row {
-    double E, a, b, V;
-  };
-  std::vector<Row> rows;
-  Row mean{};
-  const auto n = static_cast<double>(samples.size());
-  for (const BracketSample& s : samples) {
-    rows.push_back({s.energies.total(), h * h * s.brackets.second_derivative, h * h * s.brackets.W,
-                    s.energies.potential()});
-    const Row& r = rows.back();
-    mean.E += r.E / n, mean.a += r.a / n, mean.b += r.b / n, mean.V += r.V / n;
-  }
-  ErrorCovariance c;
-  for (const Row& r : rows) {
-    const double E = r.E - mean.E, a = r.a - mean.a, b = r.b - mean.b, V = r.V - mean.V;
-    c += {E * E / n, E * a / n, E * b / n, a * a / n, a * b / n, b * b / n, V * V / n};
-  }
-  return c;
-}
-
-FamilyMember best_plain(const ErrorCovariance& covariance, const Scheme& reference) {
-  return minimise([&](double eta) {
-    return covariance.variance(
-        difference(error_terms(family_scheme(eta, 0)), error_terms(reference)));
-  });
-}
-
-FamilyMember best_plain_at_short_steps(const ErrorCovariance& covariance) {
-  ErrorCovariance brackets = covariance;
-  brackets.EE = brackets.Ea = brackets.Eb = 0;
-  return minimise(
-      [&](double eta) { return brackets.variance(error_terms(family_scheme(eta, 0))); });
-}
-
-FamilyMember best_gradient(const ErrorCovariance& c, const Scheme& reference) {
-  // If the brackets are perfectly correlated, one combination is undetermined and kept.
-  constexpr double min_part = 1e-9;
-  const double aa = c.aa * (1 + min_part), bb = c.bb * (1 + min_part);
-  const double determinant = aa * bb - c.ab * c.ab;
-  const ErrorTerms from = error_terms(reference);
-  const double alpha = from.alpha + (c.Ea * bb - c.Eb * c.ab) / determinant;
-  const double beta = from.beta + (c.Eb * aa - c.Ea * c.ab) / determinant;
-  const double eta = (24 * alpha + 1) / 6;  // α = (6η − 1)/24, and β falls by (1 − 2η) ξ
-  return {eta, (error_terms(family_scheme(eta, 0)).beta - beta) / (1 - 2 * eta)};
-}
-
-namespace {
-
 struct Runs {
   std::vector<ErrorCovariance> covariances;
   std::vector<double> ratios;
@@ -109,8 +29,12 @@ struct Runs {
 class Series {
  public:
   Series(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
-         Workers& workers, const System& base)
-      : config_(config), settings_(settings), callbacks_(callbacks), workers_(workers) {
+         Workers& workers, const System& base, std::size_t families)
+      : config_(config),
+        settings_(settings),
+        callbacks_(callbacks),
+        workers_(workers),
+        all_(static_cast<double>(settings.runs) * (2 + 3 * static_cast<double>(families))) {
     starts_.assign(2 * static_cast<std::size_t>(settings.runs), base);
     workers.each(starts_.size(), [&](std::size_t r) {
       if (stopped()) return;
@@ -123,7 +47,7 @@ class Series {
 
   /// Runs a scheme: the first half of the initial configurations measures brackets, the second
   /// confirms.
-  Runs runs(const Scheme& scheme, bool brackets) {
+  Runs runs(const Scheme& scheme, const std::string& label, bool brackets) {
     const auto n = static_cast<std::size_t>(settings_.runs);
     Runs result{std::vector<ErrorCovariance>(brackets ? n : 0), std::vector<double>(n)};
     std::vector<std::string> failures(n);
@@ -144,7 +68,7 @@ class Series {
       if (!t.failure.empty() || stopped()) return;
       result.ratios[r] = t.statistics.energies.ratio();
       if (brackets) result.covariances[r] = error_covariance(samples, settings_.step);
-      advance(std::string(scheme.name()));
+      advance(label);
     });
     for (const std::string& failure : failures)
       if (!failure.empty()) throw RunError(failure);
@@ -154,9 +78,7 @@ class Series {
  private:
   void advance(const std::string& what) {
     const std::lock_guard lock(guard_);
-    const double all = 8 * settings_.runs;  // initial configurations of both halves, two families
-                                            // of 3 series each
-    callbacks_.report({"tuning", ++done_ / all, what});
+    callbacks_.report({"tuning", ++done_ / all_, what});
   }
 
   const Config& config_;
@@ -165,7 +87,7 @@ class Series {
   Workers& workers_;
   std::vector<System> starts_;
   std::mutex guard_;
-  double done_ = 0;
+  double done_ = 0, all_;  // initial configurations of both halves, and 3 series for each family
 };
 
 ErrorCovariance sum_without(const std::vector<ErrorCovariance>& all, std::size_t without) {
@@ -175,28 +97,36 @@ ErrorCovariance sum_without(const std::vector<ErrorCovariance>& all, std::size_t
   return sum;
 }
 
-using Choice = std::function<FamilyMember(const ErrorCovariance&)>;
-
-Tuned tuned(Series& series, const Scheme& reference, const Runs& measured, const Choice& choice) {
+Tuned tuned(Series& series, const SchemeFamily& family, const Runs& measured) {
   const std::size_t n = measured.covariances.size();
   const ErrorCovariance all = sum_without(measured.covariances, n);
-  const FamilyMember member = choice(all);
-  Tuned t{reference, family_scheme(member.eta, member.xi), member, {}, 1, {}, {}, {}};
-  std::vector<double> etas, xis;
-  for (std::size_t r = 0; r < n; ++r) {
-    const FamilyMember without = choice(sum_without(measured.covariances, r));
-    etas.push_back(without.eta), xis.push_back(without.xi);
+  const std::vector<double> best = best_parameters(all, family);
+  Tuned t{.reference = family.label(), .scheme = family.at(best), .parameters = {}};
+  std::vector<std::vector<double>> without;
+  for (std::size_t r = 0; r < n; ++r)
+    without.push_back(best_parameters(sum_without(measured.covariances, r), family));
+  for (std::size_t k = 0; k < best.size(); ++k) {
+    std::vector<double> values;
+    for (const std::vector<double>& one : without) values.push_back(one[k]);
+    t.parameters.push_back({family.parameters()[k].name, best[k], jackknife_error(values)});
   }
-  t.error = {jackknife_error(etas), jackknife_error(xis)};
-  t.predicted_gain =
-      std::sqrt(all.EE / all.variance(difference(error_terms(t.scheme), error_terms(reference))));
+  const ErrorTerms change = error_terms(t.scheme) - error_terms(family.reference());
+  t.predicted_gain = std::sqrt(all.EE / all.variance(change));
 
-  const std::vector<double> before = series.runs(reference, false).ratios;
-  const std::vector<double> after = series.runs(t.scheme, false).ratios;
+  const std::vector<double> before = series.runs(family.reference(), family.label(), false).ratios;
+  const std::vector<double> after = series.runs(t.scheme, family.label(), false).ratios;
   std::vector<double> gains;
   for (std::size_t r = 0; r < n; ++r) gains.push_back(before[r] / after[r]);
   t.reference_ratio = mean(before), t.ratio = mean(after), t.gain = mean(gains);
   return t;
+}
+
+/// The family that is asked for, or those of hoa2 and gier4.
+std::vector<SchemeFamily> families(const TuneSettings& settings, const Config& config) {
+  if (!settings.scheme.empty()) return {SchemeFamily(settings.scheme)};
+  const std::string& scheme = config.integrator.scheme;
+  if (!free_parameters(scheme).empty()) return {SchemeFamily(scheme)};
+  return {hoa2_family(), gier4_family()};
 }
 
 /// The settings, with the run file's step unless they have one.
@@ -211,25 +141,24 @@ TuneSettings complete(TuneSettings settings, const Config& config) {
   if (settings.length < min_repeats * settings.sample)
     throw Error(fmt::format(
         "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; take "
-        "longer runs, or a shorter --sample",
+        "longer runs, or a shorter interval between samples",
         settings.length * units::fs_per_ps, min_repeats, settings.sample * units::fs_per_ps));
   return settings;
 }
 
 nlohmann::json as_json(const Tuned& t) {
-  return {{"reference", t.reference.name()},
-          {"scheme", text_of(t.scheme)},
-          {"eta", t.member.eta},
-          {"eta_error", t.error.eta},
-          {"xi", t.member.xi},
-          {"xi_error", t.error.xi},
-          {"predicted_gain", t.predicted_gain},
-          {"R_reference", t.reference_ratio.value},
-          {"R_reference_error", t.reference_ratio.error},
-          {"R", t.ratio.value},
-          {"R_error", t.ratio.error},
-          {"gain", t.gain.value},
-          {"gain_error", t.gain.error}};
+  nlohmann::json json{{"reference", t.reference},
+                      {"scheme", text_of(t.scheme)},
+                      {"predicted_gain", t.predicted_gain},
+                      {"R_reference", t.reference_ratio.value},
+                      {"R_reference_error", t.reference_ratio.error},
+                      {"R", t.ratio.value},
+                      {"R_error", t.ratio.error},
+                      {"gain", t.gain.value},
+                      {"gain_error", t.gain.error}};
+  for (const TunedParameter& p : t.parameters)
+    json["parameters"][p.name] = {{"value", p.value}, {"error", p.error}};
+  return json;
 }
 
 }  // namespace
@@ -243,6 +172,7 @@ double rms_bracket(double squares, const TuneSettings& settings) {
 TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks& callbacks,
                 Workers& workers) {
   const TuneSettings settings = complete(given, config);
+  const std::vector<SchemeFamily> all = families(settings, config);
   const System base = build_system(config);
   callbacks.note(fmt::format(
       "polhode {}: tuning for {} molecules at {:g} fs, {} runs of {:g} ps that measure and {} that "
@@ -251,30 +181,35 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
       settings.length, settings.runs, name(current_instruction_set()), workers.threads()));
   note_molecules(base, callbacks);
   note_forces(base, callbacks);
-  Series series(config, settings, callbacks, workers, base);
-  const Scheme hoa2 = scheme_of("hoa2"), gier4 = scheme_of("gier4");
-  const Runs plain = series.runs(hoa2, true);
-  const ErrorCovariance sum = sum_without(plain.covariances, plain.covariances.size());
-  const double short_steps = best_plain_at_short_steps(sum).eta;
-  const Tuned first =
-      tuned(series, hoa2, plain, [&](const ErrorCovariance& c) { return best_plain(c, hoa2); });
-  const Tuned second = tuned(series, gier4, series.runs(gier4, true),
-                             [&](const ErrorCovariance& c) { return best_gradient(c, gier4); });
-  return {settings, base.topology.size(), sum, short_steps, first, second, callbacks.stopped()};
+  Series series(config, settings, callbacks, workers, base, all.size());
+  TuneResult result{.settings = settings,
+                    .molecules = base.topology.size(),
+                    .covariance = {},
+                    .short_steps = {},
+                    .families = {}};
+  for (const SchemeFamily& family : all) {
+    const Runs measured = series.runs(family.reference(), family.label(), true);
+    if (result.families.empty()) {
+      result.covariance = sum_without(measured.covariances, measured.covariances.size());
+      if (all.size() > 1) result.short_steps = best_at_short_steps(result.covariance, family)[0];
+    }
+    result.families.push_back(tuned(series, family, measured));
+  }
+  result.interrupted = callbacks.stopped();
+  return result;
 }
 
 std::string tune_json(const TuneResult& r) {
-  return nlohmann::json{{"molecules", r.molecules},
-                        {"step_fs", r.settings.step * units::fs_per_ps},
-                        {"runs", r.settings.runs},
-                        {"length_ps", r.settings.length},
-                        {"rms_first_bracket_kJ_per_mol", rms_bracket(r.covariance.aa, r.settings)},
-                        {"rms_second_bracket_kJ_per_mol", rms_bracket(r.covariance.bb, r.settings)},
-                        {"correlation", correlation(r.covariance)},
-                        {"eta_of_short_steps", r.short_steps},
-                        {"plain", as_json(r.plain)},
-                        {"gradient", as_json(r.gradient)}}
-      .dump(2);
+  nlohmann::json json{{"molecules", r.molecules},
+                      {"step_fs", r.settings.step * units::fs_per_ps},
+                      {"runs", r.settings.runs},
+                      {"length_ps", r.settings.length},
+                      {"rms_first_bracket_kJ_per_mol", rms_bracket(r.covariance.aa, r.settings)},
+                      {"rms_second_bracket_kJ_per_mol", rms_bracket(r.covariance.bb, r.settings)},
+                      {"correlation", correlation(r.covariance)}};
+  if (r.short_steps) json["eta_of_short_steps"] = *r.short_steps;
+  for (const Tuned& family : r.families) json["families"].push_back(as_json(family));
+  return json.dump(2);
 }
 
 }  // namespace polhode

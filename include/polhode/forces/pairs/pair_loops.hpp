@@ -35,7 +35,7 @@ struct ChunkSums {
   static constexpr std::size_t stride = 8;  ///< force, torque, and two numbers that stay 0
   Column<T> values;
   std::vector<std::size_t> first;  ///< of each part: its first record
-  double lennard_jones = 0, coulomb = 0;
+  double van_der_waals = 0, coulomb = 0;
   Mat3<double> virial{};
 };
 

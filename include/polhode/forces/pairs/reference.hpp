@@ -24,8 +24,8 @@ template <class Real>
 struct ReferenceLoad {
   std::vector<Vec3<Real>> f, tau;
   Mat3<Real> virial;
-  Real lennard_jones{0.0}, coulomb{0.0};
-  Real potential() const { return lennard_jones + coulomb; }
+  Real van_der_waals{0.0}, coulomb{0.0};
+  Real potential() const { return van_der_waals + coulomb; }
 };
 
 template <CutoffTreatment treatment, class Real>
@@ -73,7 +73,7 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
         if (topology.parts[bodies.part[i]].molecule.extent() > 0) load.tau[i] += pair.tau_a(R);
         load.tau[j] += pair.tau_b;
         for (std::size_t k = 0; k < 3; ++k) load.virial[k] += R[k] * pair.f;
-        load.lennard_jones += pair.lennard_jones;
+        load.van_der_waals += pair.van_der_waals;
         load.coulomb += pair.coulomb;
       }
     }
@@ -115,7 +115,7 @@ inline Load reference_derivative(const Topology& topology, const ForceSettings& 
     derivative.f.set(i, slope(exact.f[i]));
     derivative.tau.set(i, slope(exact.tau[i]));
   }
-  derivative.lennard_jones = exact.lennard_jones.slope;
+  derivative.van_der_waals = exact.van_der_waals.slope;
   derivative.coulomb = exact.coulomb.slope;
   for (std::size_t k = 0; k < 3; ++k) derivative.virial[k] = slope(exact.virial[k]);
   return derivative;

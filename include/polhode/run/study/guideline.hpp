@@ -25,7 +25,7 @@ struct CostAtRatio {
 struct Guideline {
   double ratio = 0;                               ///< R
   std::vector<std::optional<CostAtRatio>> costs;  ///< per scheme; empty: not reachable without
-                                                  ///< drift
+                                                  ///< energy drift
   std::optional<std::size_t> best;                ///< the cheapest
 };
 

@@ -26,7 +26,7 @@ inline constexpr double max_sample_interval = 0.0025;
 
 /// One run: a scheme with a step from one of the initial configurations.
 struct StudyRun {
-  std::string scheme;
+  std::string scheme;      ///< as in StudyPoint::record_name()
   double step = 0;         ///< [ps]
   int start = 0;           ///< index of the initial configuration; the same ones are used for every
                            ///< scheme
@@ -53,6 +53,7 @@ inline constexpr double drift_bound = 1;
 /// A point of the figure: all runs of a scheme with one step.
 struct EfficiencyPoint {
   std::string scheme;
+  int order = 0;      ///< of the scheme; 0 if unknown
   double step = 0;    ///< [ps]
   double length = 0;  ///< of each run [ps]
   /// Force evaluations per ps; with an inner scheme, evaluations of all forces plus those of the
@@ -63,7 +64,7 @@ struct EfficiencyPoint {
   bool stable = true;      ///< no run blew up
   Estimate ratio;          ///< R with its standard error over the runs
   double total = 0;        ///< rms fluctuation of the total energy, mean over the runs [kJ/mol]
-  Drift drift;             ///< of the series of runs, as defined in the paper
+  Drift drift;             ///< of the energy, over the series of runs, as defined in the paper
   double temperature = 0;  ///< [K]
   double rounding = 0;     ///< R due to rounding alone, mean; 0 in double precision
   /// T of rotation about each principal axis minus that of translation, over the runs that have
@@ -85,9 +86,12 @@ struct EfficiencyPoint {
 
 /// The (scheme, step) pairs that a study measures.
 struct StudyPoint {
-  std::string name;  ///< of the scheme, or its text, as in the run file
+  std::string name;  ///< of the scheme in tables and figures, see label_of()
   NestedScheme scheme;
   double step;  ///< [ps]
+  /// The scheme in a record of runs: its name, with its stages if the name is its own, so that runs
+  /// of other stages under the same name are not mistaken for its own.
+  std::string record_name() const;
   /// Force evaluations per ps.
   /// @param near_weight  cost of a near-force evaluation relative to a full one
   double cost(double near_weight) const;
@@ -112,9 +116,9 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
                         const std::function<void(const StudyRun&)>& finished,
                         const Callbacks& callbacks, Workers& workers = Workers::serial());
 
-/// The runs from the first `starts` initial configurations. Drifts are compared between points, and
-/// more runs detect smaller drifts, so a report uses the same initial configurations at every
-/// point, even if its record contains more.
+/// The runs from the first `starts` initial configurations. Points are compared by their energy
+/// drift, and more runs detect a smaller one, so a report uses the same initial configurations at
+/// every point, even if its record contains more.
 std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts);
 
 /// Points from runs, in the order of schemes and steps.

@@ -102,7 +102,7 @@ class PairRows {
     }
     add_up(pack - 1);
     if constexpr (energies) {
-      job_.sums.lennard_jones += sum(lennard_jones_);
+      job_.sums.van_der_waals += sum(van_der_waals_);
       job_.sums.coulomb += sum(coulomb_);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k) job_.sums.virial[i][k] += sum(virial_[i][k]);
@@ -132,7 +132,7 @@ class PairRows {
   // Sums over the partners in a row, for the body the row belongs to.
   struct RowSums {
     Vec3<Real> f, tau;
-    Real lennard_jones, coulomb;
+    Real van_der_waals, coulomb;
     Mat3<Real> virial;
   };
 
@@ -234,7 +234,7 @@ class PairRows {
     sums.f -= value_or_slope(pair.f);
     sums.tau += value_or_slope(pair.tau_a(R));
     if constexpr (energies) {
-      sums.lennard_jones += pair.lennard_jones;
+      sums.van_der_waals += pair.van_der_waals;
       sums.coulomb += pair.coulomb;
       for (std::size_t d = 0; d < 3; ++d) sums.virial[d] += R[d] * pair.f;
     }
@@ -261,7 +261,7 @@ class PairRows {
       const auto add = [](Pack<double>& total, Real what) {
         for (const Pack<double>& part : promote(what)) total += part;
       };
-      add(lennard_jones_, row.lennard_jones);
+      add(van_der_waals_, row.van_der_waals);
       add(coulomb_, row.coulomb);
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t k = 0; k < 3; ++k) add(virial_[i][k], row.virial[i][k]);
@@ -280,7 +280,7 @@ class PairRows {
   const bool far_apart_;       // records and sums exceed the second-level cache
   Vec3<T> unit_;
   Stage stages_[4];
-  Pack<double> lennard_jones_, coulomb_;
+  Pack<double> van_der_waals_, coulomb_;
   Mat3<Pack<double>> virial_;
 };
 

@@ -61,7 +61,7 @@ void water_pairs(const PairTable& table, const PairLaws<T>& laws, const T* own, 
     T* const to = out + p * 6 * Real::width;
     store(load.f, to);
     store(load.tau_b, to + 3 * Real::width);
-    if constexpr (energies) u += load.lennard_jones + load.coulomb;
+    if constexpr (energies) u += load.van_der_waals + load.coulomb;
   }
   store(tau_a + Vec3<Real>{u, u, u}, out);  // makes sure that every result is used
 }

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Schemes with free parameters, and the parameters that minimize the fluctuation of the energy,
+// from the covariances of the brackets in the O(h²) error (docs/theory.md, "Tuning").
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "polhode/integrate/error_terms.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/measure/shadow.hpp"
+
+namespace polhode {
+
+/// A scheme with one or two free parameters: "free x = 0.2; B(x) A(1/2) B(1 - 2*x) A(1/2) B(x)".
+/// Its O(h²) error has two terms, α and β, so a third parameter would not be determined by them.
+class SchemeFamily {
+ public:
+  /// @throws Error  unless the text is a palindrome whose α and β depend on each of one or two free
+  ///                parameters independently, and whose drifts and kicks sum to 1 for any values
+  /// @param label  of the reference; empty: its own name, or its stages
+  explicit SchemeFamily(const std::string& text, const std::string& label = {});
+
+  const std::vector<FreeParameter>& parameters() const { return parameters_; }
+  /// The member with the values of the text.
+  const Scheme& reference() const { return reference_; }
+  /// The member with other values, in the order of parameters().
+  Scheme at(std::span<const double> values) const;
+  /// What tables call the reference.
+  const std::string& label() const { return label_; }
+
+ private:
+  std::string text_, label_;
+  std::vector<FreeParameter> parameters_;
+  Scheme reference_;
+};
+
+/// B(η) A(1/2) B(1 − 2η) A(1/2) B(η), from hoa2; and with a gradient kick in the middle, from gier4
+/// [vanzon2008, Eq. 1].
+SchemeFamily hoa2_family();
+SchemeFamily gier4_family();
+
+/// Covariances of the energy E of a run and its brackets: means of products of deviations of E,
+/// a = h² V̈ and b = h² W [kJ²/mol²].
+struct ErrorCovariance {
+  double EE = 0, Ea = 0, Eb = 0, aa = 0, ab = 0, bb = 0;
+  double VV = 0;  ///< of the potential energy, the denominator of R²
+
+  ErrorCovariance& operator+=(const ErrorCovariance& other);
+  /// The variance of the energy if the scheme's error terms change by that amount: that of E − Δα
+  /// a − Δβ b, since H̃ of either scheme is constant.
+  double variance(const ErrorTerms& change) const;
+};
+ErrorCovariance error_covariance(std::span<const BracketSample> samples, double h);
+
+ErrorTerms operator-(const ErrorTerms& a, const ErrorTerms& b);
+
+/// The parameters that minimize the variance of the energy, from a run with the reference.
+std::vector<double> best_parameters(const ErrorCovariance& covariance, const SchemeFamily& family);
+/// The parameters that minimize the fluctuation of α V̈ + β W: optimal in the limit of short steps.
+std::vector<double> best_at_short_steps(const ErrorCovariance& covariance,
+                                        const SchemeFamily& family);
+
+}  // namespace polhode

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Arithmetic in the text of a scheme: numbers, names, + - * / ^, parentheses, sqrt and cbrt.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "scanner.hpp"
+
+namespace polhode {
+
+/// Values of names that were defined before.
+using NamedValues = std::map<std::string, double, std::less<>>;
+
+/// The value of the expression that comes next, in double precision, from left to right with the
+/// usual precedence: -x^2 is -(x^2), and 2^3^2 is 2^(3^2).
+/// @throws Error  with the position: for an unknown name, a division by zero, a root of a negative
+///                number, a result that is not finite, or parentheses nested too deep
+double expression(Scanner& scanner, const NamedValues& names);
+
+/// Whether a word has a meaning in expressions, so that it cannot be a name.
+bool is_function(std::string_view word);
+
+}  // namespace polhode

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""What people type wrong in their first hour, and the messages: each names the place, the value, the bound, and what to do.
+
+`wrong_inputs.py --program polhode --write FILE` writes all commands with their messages, to be read."""
+
+import sys
+
+import sandbox
+from sandbox import SMALL, Sandbox, edited
+
+WRITE = None  # a file for the messages, from the command line
+
+WATER = """[system]
+molecules = [{ model = "tip4p", count = 27 }]
+density = "0.9 g/cm3"
+"""
+BOX = """two argon atoms
+    2
+    1argon   AR    1   0.500   0.500   0.500
+    2argon   AR    2   1.500   1.500   1.500
+   2.50000   2.50000   2.50000 0 0 0.5 0 0 0
+"""
+RUN = ("run", "run.toml")
+
+
+def system(*changes):
+    return edited(SMALL, *changes)
+
+
+def scheme(text):
+    return system(('scheme = "hoa2"', f'scheme = "{text}"'))
+
+
+# What was meant, the run file, the command, and what the message must contain.
+CASES = [
+    # the command line
+    ("a verb with a typing error", "", ("rn", "run.toml"), ["rn", "'run'"]),
+    ("a verb without its argument", "", ("verify",), ["SCHEME is required", "polhode verify --help"]),
+    ("a conversion without files", "", ("convert",), ["IN is required", "polhode convert --help"]),
+    ("an analysis without a trajectory", "", ("analyze",), ["TRAJECTORY", "required", "polhode analyze --help"]),
+    ("an option that does not exist", SMALL, (*RUN, "--steps", "2"), ["--steps", "polhode run --help"]),
+    ("a run file that does not exist", "", ("run", "nowhere.toml"), ["nowhere.toml"]),
+    ("a time without a unit on the command line", SMALL, ("tune-scheme", "run.toml", "--step", "2"),
+     ["--step", "2", "no unit", '"2 fs"']),
+    ("a viscosity without a unit", SMALL, ("analyze", "out.xtc", "--viscosity", "0.855"),
+     ["--viscosity", '"0.855"', "no unit", '"0.855 mPa s"']),
+    # names
+    ("a model in capitals", WATER.replace("tip4p", "TIP4P"), RUN, ["'TIP4P'", "did you mean 'tip4p'", "run.toml:2"]),
+    ("a model with a slash", WATER.replace("tip4p", "SPC/E"), RUN, ["'SPC/E'", "did you mean 'spce'", "run.toml:2"]),
+    ("a model with a year", WATER.replace("tip4p", "TIP4P/2005"), RUN, ["'TIP4P/2005'", "did you mean 'tip4p-2005'"]),
+    ("a scheme in capitals", scheme("GIER4"), RUN, ["'GIER4'", "did you mean 'gier4'", "integrator.scheme"]),
+    ("a key with a typing error", system(("cutoff =", "cutof =")), RUN, ["'cutof'", "did you mean 'cutoff'", "run.toml:7"]),
+    ("a key of another program", system(("[run]", "[run]\nnsteps = 1000")), RUN, ["'nsteps'", "run.toml:14"]),
+    ("a key that occurs twice", system(('step = "2 fs"', 'step = "2 fs"\nstep = "4 fs"')), RUN,
+     ["'step' occurs twice", "delete one", "run.toml:12"]),
+    ("a name of version 0.1", system(('box = "2.5 nm"', 'start = "w512"')), RUN, ["'initial_configuration' since version 0.2"]),
+    # values
+    ("a number without a unit", system(('"1.0 nm"', "1.0")), RUN, ["cutoff = 1", "no unit", "nm", "forces.cutoff"]),
+    ("an accuracy as a fraction", system(('step = "2 fs"', "accuracy = 0.005")), RUN,
+     ["accuracy = 0.005", "no unit", '"0.5 %"', "integrator.accuracy"]),
+    ("a time where a length is due", system(('"1.0 nm"', '"1.0 fs"')), RUN, ["1.0 fs", "is a time", "must be a length"]),
+    ("a unit in capitals", system(('"1.0 nm"', '"1.0 NM"')), RUN, ["'NM'", "'nm'", "forces.cutoff"]),
+    ("a decimal comma", system(('"1.0 nm"', '"1,0 nm"')), RUN, ["1,0 nm", "decimal point"]),
+    ("a negative step", system(('step = "2 fs"', 'step = "-2 fs"')), RUN, ["-2 fs", "longer than 0 fs", "run.toml:11"]),
+    ("a text without quotes", system(('"2 fs"\n\n', "2 fs\n\n")), RUN, ["not TOML", 'step = "2 fs"', "run.toml:11"]),
+    # physics
+    ("a cutoff above half the box", system(('"1.0 nm"', '"1.4 nm"')), RUN, ["1.400 nm", "1.250 nm", "forces.cutoff"]),
+    ("more molecules than the box holds", system(("count = 27", "count = 40000")), RUN, ["overlap", "lower density"]),
+    ("a density beside a box", system(('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')), RUN, ["leave one out", "system.density"]),
+    # files
+    ("a triclinic box", system(('box = "2.5 nm"', 'initial_configuration = "start.gro"'), ("count = 27", "count = 2")), RUN,
+     ["triclinic", "orthorhombic", "gmx solvate -box", "start.gro:5"]),
+    ("a LAMMPS data file under another name", system(('box = "2.5 nm"', 'initial_configuration = "w.dat"')), RUN,
+     ["'w.dat'", "LAMMPS", ".data", "system.initial_configuration"]),
+    ("an initial configuration that does not exist", system(('box = "2.5 nm"', 'initial_configuration = "none.gro"')), RUN,
+     ["none.gro", "w512", "run.toml:3"]),
+    # schemes
+    ("a scheme with a missing bracket", scheme("B(1/2) A(1 B(1/2)"), RUN, ["'B(1/2)'", "character 12", "')'"]),
+    ("a scheme whose kicks do not sum to one", scheme("B(1/2) A(1) B(1/3)"), RUN, ["0.8333", "sum to 1"]),
+    ("a scheme with an unknown name", scheme("B(x) A(1/2) B(1-2*x) A(1/2) B(x)"), RUN, ["character 3", "defined", "x = 1/6;"]),
+    ("an own scheme under the name of another", scheme("hoa2: B(1/2) A(1) B(1/2)"), RUN, ["'hoa2'", "built-in", "another one"]),
+    ("two schemes of the same name in a study",
+     system(('["velocity-verlet"]', '["mine: B(1/2) A(1) B(1/2)", "mine: A(1/2) B(1) A(1/2)"]')),
+     ("study", "run.toml"), ["two schemes with the name 'mine'"]),
+]
+
+
+class WrongInputs(Sandbox):
+    def prepare(self, text):
+        self.write("start.gro", BOX)
+        self.write("w.dat", "LAMMPS data file\n\n2 atoms\n")
+        self.write("run.toml", text)
+
+    def test_messages(self):
+        for title, text, command, words in CASES:
+            self.prepare(text)
+            self.refused(command, words, title)
+
+    def test_form(self):
+        """One line, a place where there is a file, no capital and no full stop, and no word that does not help."""
+        for title, text, command, _ in CASES:
+            self.prepare(text)
+            message = self.polhode(*command).err
+            with self.subTest(case=title, message=message):
+                first, *rest = message.splitlines()
+                self.assertTrue(first.startswith("error: "), first)
+                self.assertFalse(first.endswith("."), first)
+                self.assertTrue(len(rest) == 0 or rest[0].startswith("  in   "), rest)
+                for word in ("invalid", "illegal", "failed", "please", "00000000"):
+                    self.assertNotIn(word, message.lower())
+
+    def test_listing(self):
+        """Writes all commands with their messages where --write says."""
+        for title, text, command, _ in CASES if WRITE else []:
+            self.prepare(text)
+            WRITE.write(f"{title}:\n$ polhode {' '.join(command)}\n{self.polhode(*command).err}\n")
+
+
+if __name__ == "__main__":
+    if "--write" in sys.argv:
+        at = sys.argv.index("--write")
+        WRITE = open(sys.argv[at + 1], "w", encoding="utf-8")
+        del sys.argv[at:at + 2]
+    sandbox.main()
