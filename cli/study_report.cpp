@@ -29,6 +29,8 @@ std::string note_on(const EfficiencyPoint& p, bool usable) {
                       : "beyond the end of the curve";
   if (p.drifts()) return "energy drifts, but not at longer steps";
   if (p.drift.significant()) return "significant energy drift, but small";
+  if (p.relative_drift() >= drift_bound && std::abs(p.drift.rate.value) > 2 * p.drift.rate.error)
+    return "large energy drift, but not significant: more runs decide";
   if (p.at_rounding()) return fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding);
   return "";
 }

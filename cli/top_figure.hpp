@@ -11,14 +11,19 @@ namespace polhode::cli {
 
 /// The files of a figure, all in the same folder.
 struct TopFigure {
-  std::string data, script, svg, png;
-  explicit TopFigure(const std::string& prefix)
-      : data(prefix + ".dat"), script(prefix + ".gp"), svg(prefix + ".svg"), png(prefix + ".png") {}
+  std::string prefix, data, script, svg, png;
+  explicit TopFigure(const std::string& common)
+      : prefix(common),
+        data(prefix + ".dat"),
+        script(prefix + ".gp"),
+        svg(prefix + ".svg"),
+        png(prefix + ".png") {}
   std::vector<std::string> files() const { return {data, script, svg, png}; }
 };
 
 /// Writes data and script and runs gnuplot: the ellipsoid Σ J_k ω_k² = 2E (Poinsot), in light
-/// colour the polhodes of other angular momenta at the same energy, in bold that of this top. If
+/// colour the polhodes of other angular momenta at the same energy, in bold that of this top; and
+/// next to it the same for L, on Σ L_k²/J_k = 2E. If
 /// gnuplot is missing, a warning gives the command that draws the figure later.
 ///
 /// @param J  three positive principal moments, any consistent units

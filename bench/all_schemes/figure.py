@@ -44,7 +44,7 @@ def script(result, image):
                 data.append(f"{name}d << EOD\n" + "\n".join(map(row, own[scheme][good:])) + "\nEOD")
                 plots.append(f'{name}d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 '
                              f'linecolor "{told[scheme].colour}" notitle')
-        width, labels = 0.98 / len(systems), 75 / (450 * len(systems))
+        width, labels = 0.98 / len(systems), 80 / (340 * len(systems))
         costs = [p["force_evaluations_per_ps"] for p in of["points"]]
         panels.append(f'set xrange [{0.9 * min(costs):.0f}:{1.05 * max(costs):.0f}]\n'
                       f'set lmargin at screen {labels + width * column:.3f}\n'
@@ -56,9 +56,9 @@ def script(result, image):
         key.append(f'with lines linewidth 1 linecolor "{PALE}" title "{others} others"')
     key.append('with points pointtype 2 linewidth 1.4 linecolor rgb ink title "energy not conserved"')
     return "\n".join([
-        drawing.begin(image, 450 * len(systems), 540), *data, "set multiplot", drawing.key(key, 0.9), "set logscale xy",
+        drawing.begin(image, 340 * len(systems), 480), *data, "set multiplot", drawing.key(key, 0.9), "set logscale xy",
         "set tmargin at screen 0.84", "set bmargin at screen 0.17", 'set ylabel "R  (%)" offset 1', 'set format y "%g"',
-        'set xlabel "cost:  force evaluations per ps" offset 0,0.4', "set xtics (60, 100, 150, 200, 300, 400, 600, 1000, 2000)",
+        'set xlabel "cost:  force evaluations per ps" offset 0,0.4', "set xtics (60, 100, 200, 400, 1000, 2000)",
         f'set label 1 "{CAVEAT}" at screen 0.01, screen 0.03 left noenhanced textcolor rgb ink font small',
         "set yrange [0.001:20]", *panels, "unset multiplot", ""])
 

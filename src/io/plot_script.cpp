@@ -11,24 +11,6 @@
 namespace polhode {
 namespace {
 
-// The largest R at costs of at least `from`, including the lines between points.
-double highest_beyond(const std::vector<EfficiencyCurve>& curves, double from) {
-  double highest = 0;
-  for (const EfficiencyCurve& curve : curves) {
-    const EfficiencyMark* before = nullptr;
-    for (const EfficiencyMark& mark : curve.marks) {
-      if (!mark.stable) continue;
-      if (mark.cost >= from) highest = std::max(highest, mark.ratio + mark.error);
-      if (before != nullptr && before->cost < from && mark.cost > from)
-        highest =
-            std::max(highest, before->ratio + (mark.ratio - before->ratio) * (from - before->cost) /
-                                                  (mark.cost - before->cost));
-      before = &mark;
-    }
-  }
-  return highest;
-}
-
 // The largest cost at which some curve exceeds a ratio; beyond it, all are close to the axis.
 double last_cost_above(const std::vector<EfficiencyCurve>& curves, double ratio) {
   double last = 1;
@@ -68,16 +50,14 @@ bool any_at_rounding(const EfficiencyCurve& curve) {
                      [](auto& m) { return m.stable && m.at_rounding; });
 }
 
-// Ranges of the main axes. The inset with its labels covers the upper right of the frame, beyond
-// these fractions; the linear axis is extended until no curve passes there.
+// Ranges of the axes: linear up to `highest`, as far as some curve differs from the axis; and
+// logarithmic for all points.
 void add_ranges(FigureScript& script, const std::vector<EfficiencyCurve>& curves, double highest) {
-  constexpr double inset_left = 0.34, inset_bottom = 0.36;
   const Ranges r = ranges_of(curves);
-  const double wanted = std::min(highest, 1.08 * r.ratio_high);
-  const double left = 0.6 * r.cost_low, right = 1.1 * last_cost_above(curves, 0.02 * wanted);
-  const double top =
-      std::max(wanted, highest_beyond(curves, left + inset_left * (right - left)) / inset_bottom);
-  script.number("cost_low", left).number("cost_high", right).number("ratio_high", 100 * top);
+  const double top = std::min(highest, 1.08 * r.ratio_high);
+  script.number("cost_low", 0.6 * r.cost_low);
+  script.number("cost_high", 1.1 * last_cost_above(curves, 0.02 * top));
+  script.number("ratio_high", 100 * top);
   script.number("all_cost_low", 0.8 * r.cost_low).number("all_cost_high", 1.25 * r.cost_high);
   script.number("all_ratio_low", 70 * r.ratio_low).number("all_ratio_high", 160 * r.ratio_high);
 }
@@ -151,7 +131,7 @@ std::string efficiency_script(const EfficiencyFigure& figure, const Image& image
   for (EfficiencyCurve& curve : curves)
     std::sort(curve.marks.begin(), curve.marks.end(),
               [](const auto& a, const auto& b) { return a.cost < b.cost; });
-  FigureScript script(image, 720, 580);
+  FigureScript script(image, 1000, 500);
   script.schemes(names_of(curves)).text("caption", figure.caption);
   script.number("some_end", std::any_of(curves.begin(), curves.end(), end_known));
   script.number("some_rounded", std::any_of(curves.begin(), curves.end(), any_at_rounding));
@@ -178,6 +158,16 @@ std::string advice_script(const AdviceFigure& figure, const Image& image) {
       .rows(answer.scheme, rows_of(answer))
       .end_block()
       .with("advice");
+}
+
+std::string polhode_script(const PolhodeFigure& figure, const Image& image) {
+  FigureScript script(image, 1000, 560);
+  script.file("data", figure.data);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string number = std::to_string(k + 1);
+    script.number("J" + number, figure.J[k]).number("L" + number, figure.L[k]);
+  }
+  return script.with("polhode");
 }
 
 }  // namespace polhode

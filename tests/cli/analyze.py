@@ -32,6 +32,9 @@ class Analyze(Sandbox):
         head, *rows = self.rows("polhode-analysis-msd.csv")
         self.assertEqual(head, "lag [ps],msd [nm2],msd error [nm2]")
         self.assertEqual(len(rows), 13)
+        head, *rows = self.rows("polhode-analysis-density.csv")
+        self.assertEqual(head, "time [ps],density [g/cm3],temperature [K]")
+        self.assertAlmostEqual(float(rows[-1].split(",")[0]), 26 * 0.008, 9)  # all frames
         before = self.contents()
         process = self.analyze("--run", "run.toml")
         self.assertEqual(process.returncode, 2)

@@ -136,6 +136,14 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
     for (std::size_t k = 0; k < columns; ++k) figure.columns.push_back({k + 2, "g"});
     CHECK(curves_plot(figure, "svg", warnings));
   }
+  {
+    std::ofstream data(place.folder / "top.dat");
+    data << "1 0 0\n0 1 0\n\n-1 0 0\n0 -1 0\n\n\nnan 0 0\n\n\n1 0 0\n\n\n1 0 0\n";
+  }
+  CHECK(polhode_plot((place.folder / "top").string(),
+                     {(place.folder / "top.dat").string(), {1, 2, 3}, {0.1, 0.2, 1}}, warnings));
+  CHECK(text_of(place.folder / "top.gp").find("J3 = 3\n") != std::string::npos);
+  CHECK(text_of(place.folder / "top.svg").find("polhode") != std::string::npos);
   CHECK(warnings.str() == "");
   CHECK(text_of(place.folder / "run.svg").find("</svg>") != std::string::npos);
   CHECK(text_of(place.folder / "eff.svg").find("hoa2") != std::string::npos);

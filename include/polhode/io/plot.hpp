@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/base/vec3.hpp"
+
 namespace polhode {
 
 /// The choices of a figure, as in run files.
@@ -68,10 +70,10 @@ struct EfficiencyFigure {
   double highest = 0.035;  ///< R of the linear axis
 };
 
-/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, with a
-/// logarithmic inset of all data. The largest stable step has an open symbol if a larger one is
-/// known to be unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and
-/// PREFIX.svg or PREFIX.png.
+/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, and all points on
+/// logarithmic ones. The largest stable step has an open symbol if a larger one is known to be
+/// unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and PREFIX.svg or
+/// PREFIX.png.
 bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
                      const std::string& format, std::ostream& warnings);
 
@@ -98,5 +100,16 @@ struct AdviceFigure {
 /// runs, the bound, and the answer. Writes PREFIX.gp and PREFIX.svg or PREFIX.png.
 bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
                  std::ostream& warnings);
+
+/// A free top, and a file with its curves, at which ω has three columns, in blocks separated by two
+/// blank lines: the inertia ellipsoid as a grid, polhodes of the same energy, the top's own, its ω.
+struct PolhodeFigure {
+  std::string data;
+  Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, any consistent units
+};
+
+/// The polhode on the inertia ellipsoid and, next to it, L on the ellipsoid of the same energy.
+/// Writes PREFIX.gp, PREFIX.svg and PREFIX.png.
+bool polhode_plot(const std::string& prefix, const PolhodeFigure& figure, std::ostream& warnings);
 
 }  // namespace polhode

@@ -47,6 +47,13 @@ AnalysisFile file_of_lags(const std::string& name, std::size_t lags, double inte
       std::move(figure));
 }
 
+/// The time between frames [ps]; 0 if they have no times.
+double mean_interval(const Analysis& a) {
+  if (a.interval > 0) return a.interval;
+  if (a.frames < 2) return 0;
+  return std::max(0.0, (a.last - a.first) / static_cast<double>(a.frames - 1));
+}
+
 /// The name of a quantity of one part; if there is only one molecule, its name is omitted.
 std::string of_part(const Analysis& a, std::size_t part, const std::string& what) {
   return a.topology.parts.size() == 1 ? what : a.topology.parts[part].molecule.name + " " + what;
@@ -141,11 +148,23 @@ std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
   return {std::move(time), std::move(waves)};
 }
 
-AnalysisFile dielectric_file(const AnalysisSummary& s) {
+/// A file over the time analysed so far, or over its frames if they have no times.
+/// @param frames  their number for each row
+AnalysisFile file_over_time(const Analysis& a, const std::string& name,
+                            const std::vector<double>& frames, CurvesFigure figure) {
+  const double interval = mean_interval(a);
+  figure.x_label = interval > 0 ? "time analysed  (ps)" : "frames analysed";
+  return file_over(
+      name, interval > 0 ? "time" : "frames", interval > 0 ? "ps" : "1", frames.size(),
+      [&](std::size_t k) { return interval > 0 ? interval * frames[k] : frames[k]; },
+      std::move(figure));
+}
+
+AnalysisFile dielectric_file(const Analysis& a, const AnalysisSummary& s) {
   const TotalDipole::Result& d = *s.dielectric;
-  AnalysisFile file = file_over(
-      "dielectric", "frames", "1", d.frames.size(), [&](std::size_t k) { return d.frames[k]; },
-      {{}, "dielectric constant of the frames so far", "frames", "ε", {{2, "epsilon"}}});
+  AnalysisFile file =
+      file_over_time(a, "dielectric", d.frames,
+                     {{}, "dielectric constant of the frames so far", {}, "ε", {{2, "epsilon"}}});
   file.table.columns.push_back({"epsilon", "1"});
   for (std::size_t k = 0; k < d.stages.size(); ++k) file.table.rows[k].emplace_back(d.stages[k]);
   return file;
@@ -153,14 +172,19 @@ AnalysisFile dielectric_file(const AnalysisSummary& s) {
 
 AnalysisFile density_file(const Analysis& a) {
   const BlockMeans means = a.conditions->blocks();
-  AnalysisFile file{
-      "density",
-      {{{"frames", "1"}, {"density", "g/cm3"}, {"temperature", "K"}}, {}},
-      {{}, "density in blocks of frames", "frames", "density  (g/cm³)", {{2, "density"}}}};
-  double frames = 0;
-  for (const auto& [weight, sum] : means.blocks())
-    file.table.rows.push_back({frames += weight, sum[0] / weight / units::gram_per_cm3,
-                               a.has_velocities ? sum[1] / weight : std::nan("")});
+  std::vector<double> frames;
+  for (const auto& block : means.blocks())
+    frames.push_back(block.weight + (frames.empty() ? 0 : frames.back()));
+  AnalysisFile file =
+      file_over_time(a, "density", frames,
+                     {{}, "density in blocks of frames", {}, "density  (g/cm³)", {{2, "density"}}});
+  file.table.columns.push_back({"density", "g/cm3"});
+  file.table.columns.push_back({"temperature", "K"});
+  for (std::size_t k = 0; k < frames.size(); ++k) {
+    const auto& [weight, sum] = means.blocks()[k];
+    file.table.rows[k].emplace_back(sum[0] / weight / units::gram_per_cm3);
+    file.table.rows[k].emplace_back(a.has_velocities ? sum[1] / weight : std::nan(""));
+  }
   return file;
 }
 
@@ -182,7 +206,7 @@ std::vector<AnalysisFile> analysis_files(Analysis& a, const AnalysisSummary& s, 
   if (a.reorientation) files.push_back(rotation_file(a, workers));
   if (a.velocity)
     for (AnalysisFile& file : velocity_files(a, workers)) files.push_back(std::move(file));
-  if (s.dielectric) files.push_back(dielectric_file(s));
+  if (s.dielectric) files.push_back(dielectric_file(a, s));
   if (a.density) files.push_back(density_file(a));
   std::erase_if(files, [](const AnalysisFile& file) { return file.table.rows.empty(); });
   return files;
