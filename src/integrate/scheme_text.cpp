@@ -163,10 +163,10 @@ SchemeReader reader_of(std::string_view text, std::span<const FreeParameter> val
 void check_sums(const Scheme& scheme) {
   if (scheme.consistent()) return;
   throw Error(fmt::format(
-      "the drifts A of the scheme sum to {:.17g} and the kicks B to {:.17g}{}; each must sum to "
+      "the drifts A of the scheme sum to {:.16g} and the kicks B to {:.16g}{}; each must sum to "
       "1, so that a step advances time by h; adjust the coefficients",
       scheme.total(Flow::drift), scheme.total(Flow::kick),
-      scheme.has(Flow::bath) ? fmt::format(", the baths O to {:.17g}", scheme.total(Flow::bath))
+      scheme.has(Flow::bath) ? fmt::format(", the baths O to {:.16g}", scheme.total(Flow::bath))
                              : ""));
 }
 
