@@ -27,15 +27,15 @@ def by_scheme(points):
     return result
 
 
-# A curve ends above this R, whatever its drift: ten times the R that such a study is for, and above every point at
-# which longer runs detected no drift (docs/efficiency.md: velocity Verlet, 8.9 %).
+# A curve ends above this R, whatever its energy drift: ten times the R that such a study is for, and above every point at
+# which longer runs detected no energy drift (docs/efficiency.md: velocity Verlet, 8.9 %).
 LOST = 0.1
 
 
 def usable(own):
-    """The points of a curve before the first one with a blow-up or with R above LOST. A drift does not end a curve here: with
-    two to four runs, that is one to three degrees of freedom, the test has almost no power. With two runs, a drift of twenty
-    times its error has a p-value of 3 %; and at a level of 1 %, two of 200 points without a drift would end their curves."""
+    """The points of a curve before the first one with a blow-up or with R above LOST. An energy drift does not end a curve here: with
+    two to four runs, that is one to three degrees of freedom, the test has almost no power. With two runs, an energy drift of twenty
+    times its error has a p-value of 3 %; and at a level of 1 %, two of 200 points without energy drift would end their curves."""
     good = []
     for p in own:
         if not p["stable"] or p["R"] > LOST:
@@ -80,14 +80,14 @@ def seconds_per_ps(o, run_file, chosen):
 
 def add_arguments(parser, runs, length, decorrelate, folder):
     """The options of every such study."""
-    parser.add_argument("--polhode", default="polhode", help="the program")
+    parser.add_argument("--polhode", default="polhode", help="path of polhode")
     parser.add_argument("--precision", default="mixed", choices=("mixed", "double"))
-    parser.add_argument("--runs", type=int, default=runs, help="at each point")
-    parser.add_argument("--length", type=float, default=length, help="of each [ps]")
-    parser.add_argument("--decorrelate", type=float, default=decorrelate, help="preparation of each start [ps]")
-    parser.add_argument("--threads", type=int, default=1, help="so many runs at once; wall-clock times are of one")
+    parser.add_argument("--runs", type=int, default=runs, help="runs at each point")
+    parser.add_argument("--length", type=float, default=length, help="length of each run [ps]")
+    parser.add_argument("--decorrelate", type=float, default=decorrelate, help="equilibration of each initial configuration [ps]")
+    parser.add_argument("--threads", type=int, default=1, help="number of simultaneous runs; wall-clock times are those of a single one")
     parser.add_argument("--clock", type=float, default=2, help="length of a run whose time counts [ps]")
-    parser.add_argument("--repeats", type=int, default=5, help="of those, in turn")
-    parser.add_argument("--folder", default=folder, help="keeps the studies, and goes on from them")
+    parser.add_argument("--repeats", type=int, default=5, help="number of these timed runs, interleaved")
+    parser.add_argument("--folder", default=folder, help="where the studies are stored, and resumed from")
     parser.add_argument("--output", default=f"{folder}.json")
     parser.add_argument("--figure", help="SVG or PNG")

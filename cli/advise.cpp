@@ -59,7 +59,7 @@ Config make_config(const Options& o) {
 int advise(const Options& o) {
   const Config config = make_config(o);
   const AdviserSettings settings{criterion(o, config), config.integrator.candidates, o.seconds};
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   const OutputOptions output{
       existing_files(false, o.force),
       typed_command("polhode advise", {{"", o.file},

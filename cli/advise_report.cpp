@@ -5,6 +5,7 @@
 
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/io/with_error.hpp"
 #include "polhode/run/adviser/advice_curves.hpp"
 #include "temperature_tables.hpp"
 
@@ -15,9 +16,7 @@ constexpr const char* kinds[] = {"translation", "rotation_1", "rotation_2", "rot
 
 double in_kJ_per_ns(double power) { return power / unit("kJ/mol/ns", Dimension::power); }
 
-std::string percent(const Estimate& x) {
-  return fmt::format("{:.3g} ± {:.2g} %", 100 * x.value, 100 * x.error);
-}
+std::string percent(const Estimate& x) { return with_error(100 * x.value, 100 * x.error) + " %"; }
 
 void print_candidates(const Advice& advice, const Criterion& criterion) {
   fmt::print("{:<18} {:>8} {:>12} {:>10}   R % at the steps tried\n", "scheme", "step fs",
@@ -28,7 +27,7 @@ void print_candidates(const Advice& advice, const Criterion& criterion) {
       tried += p.usable ? fmt::format(" {:.3g} fs: {:.3g}", p.step * units::fs_per_ps,
                                       100 * p.ratio().value)
                         : fmt::format(" {:.3g} fs: {}", p.step * units::fs_per_ps,
-                                      blew_up(p.runs) ? "blew up" : "drifts");
+                                      blew_up(p.runs) ? "blew up" : "energy drifts");
     fmt::print(
         "{:<18} {:>8} {:>12} {:>10}  {}\n", candidate.name,
         candidate.step > 0 ? fmt::format("{:.3g}", candidate.step * units::fs_per_ps) : "-",
@@ -59,14 +58,14 @@ void print_best(const AdviceReport& r) {
   fmt::print("  R                   {}, mean of {} independent runs of {:.3g} ps\n",
              percent(p.ratio()), p.runs.size(), p.length);
   fmt::print("  {}{}\n",
-             criterion.quality == Quality::ratio   ? "a fresh run         has R below "
-             : criterion.quality == Quality::drift ? "drift               is smaller than "
+             criterion.quality == Quality::ratio   ? "a new run           has R below "
+             : criterion.quality == Quality::drift ? "energy drift        is smaller than "
                                                    : "temperature bias    is smaller than ",
              fmt::format("{} with a probability of {:g} %, {:.2g} of what was requested",
                          bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
                          p.bound / criterion.bound));
-  fmt::print("  drift per molecule  {:.3g} ± {:.2g} kJ/mol/ns\n", in_kJ_per_ns(p.drift().value),
-             in_kJ_per_ns(p.drift().error));
+  fmt::print("  energy drift        {} kJ/mol/ns per molecule\n",
+             with_error(in_kJ_per_ns(p.drift().value), in_kJ_per_ns(p.drift().error)));
   fmt::print("  temperature         {:.2f} K",
              mean(each(p.runs, [](const Outcome& run) { return run.temperatures.all; })).value);
   const char* before = "; off by";

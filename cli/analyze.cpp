@@ -16,7 +16,7 @@ namespace {
 
 int analyze(const AnalyzeOptions& o) {
   const AnalysisInput input = analysis_input(o);
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   const AnalysisReport report =
       run_analysis(input, {existing_files(false, o.force), analyze_command(o)}, console(), workers);
   if (o.json)

@@ -4,35 +4,48 @@
 #include <fmt/core.h>
 
 #include "polhode/base/units.hpp"
+#include "polhode/io/with_error.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
 namespace {
 
-/// "2.30 ± 0.03", or the value and why it has no error.
+/// "2.300 ± 0.031", or the value with that many decimals, and why it has no error.
 std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
-  if (e.known == Known::yes)
-    return fmt::format("{:.{}f} ± {:.{}f}", e.value * scale, digits, e.error * scale, digits);
+  if (e.known == Known::yes) return with_error(e.value * scale, e.error * scale);
   return fmt::format("{:.{}f} (error not known from {})", e.value * scale, digits,
                      e.known == Known::too_short ? "so short a run" : "so few frames");
 }
 
-void print_peak(const std::string& name, const std::optional<RadialDistribution::Peak>& peak) {
-  fmt::print("{:<22}", name);
+/// Why a number is no result.
+std::string not_converged(const Convergence& c, const char* relaxation) {
+  return fmt::format("not converged: length {:.3g} ps, {} {:.2g} ps, at least {:.2g} ps needed",
+                     c.length, relaxation, c.relaxation, c.needed);
+}
+
+void print_peak(const SitePair& sites, const std::optional<RadialDistribution::Peak>& peak) {
+  const auto& [a, b] = sites;
+  fmt::print("{:<22}", fmt::format("g {}-{}", a, b));
   if (!peak) {
     fmt::print("no peak within its range\n");
     return;
   }
   fmt::print("first peak {} at {} nm; ", text(peak->height, 3), text(peak->position, 4));
-  if (peak->shell)
-    fmt::print("{} neighbours up to {:.3f} nm\n", text(peak->shell->coordination, 2),
-               peak->shell->end.value);
-  else
+  if (!peak->shell) {
     fmt::print("no minimum within its range\n");
+    return;
+  }
+  const auto& [end, around_first, around_second] = *peak->shell;
+  fmt::print("within {:.3f} nm {} {} around each {}", end.value, text(around_first, 2), b, a);
+  if (a != b) fmt::print(", {} {} around each {}", text(around_second, 2), a, b);
+  fmt::print("\n");
 }
 
 void print_part(const PartSummary& part, const AnalysisSummary& s) {
-  if (part.diffusion) {
+  if (part.diffusion && !part.diffusion_convergence.converged()) {
+    fmt::print("D of {:<17}{}\n", part.molecule,
+               not_converged(part.diffusion_convergence, "maximum lag"));
+  } else if (part.diffusion) {
     fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
                text(*part.diffusion, 3, in_1e9_m2_per_s), s.fit.from, s.fit.to);
     if (const auto D = part.corrected(s))
@@ -42,12 +55,17 @@ void print_part(const PartSummary& part, const AnalysisSummary& s) {
       fmt::print("{:<22}not corrected for finite size: {}\n", "", s.viscosity_source);
   }
   if (part.green_kubo)
-    fmt::print("{:<22}{} 1e-9 m2/s in this box, from velocities\n",
-               fmt::format("D of {}", part.molecule), text(*part.green_kubo, 3, in_1e9_m2_per_s));
+    fmt::print("{:<22}{}, from velocities\n", fmt::format("D of {}", part.molecule),
+               part.green_kubo_convergence.converged()
+                   ? text(*part.green_kubo, 3, in_1e9_m2_per_s) + " 1e-9 m2/s in this box"
+                   : not_converged(part.green_kubo_convergence, "maximum lag"));
   for (const AxisRelaxation& axis : part.axes)
     for (std::size_t k = 0; k < 2; ++k) {
       fmt::print("{:<22}", fmt::format("P{} {} {}", k + 1, part.molecule, axis.axis));
-      if (const auto& t = axis.rank[k])
+      const auto& t = axis.rank[k];
+      if (t && !t->convergence.converged())
+        fmt::print("{}\n", not_converged(t->convergence, "decay to 1/e³ within"));
+      else if (t)
         fmt::print("{} ps by integral, {} ps by exponential ({:g} to {:g} ps)\n",
                    text(t->integral, 3), text(t->exponential, 3), t->from, t->to);
       else
@@ -68,10 +86,12 @@ void print_analysis(const AnalysisReport& report) {
   if (a.has_velocities)
     fmt::print("temperature           {} K, of the velocities\n",
                text(a.conditions->temperature(), 2));
-  for (std::size_t k = 0; k < s.peaks.size(); ++k)
-    print_peak(fmt::format("g {}-{}", a.pairs[k][0], a.pairs[k][1]), s.peaks[k]);
+  for (std::size_t k = 0; k < s.peaks.size(); ++k) print_peak(a.pairs[k], s.peaks[k]);
   for (const PartSummary& part : s.parts) print_part(part, s);
-  if (const auto& d = s.dielectric)
+  if (const auto& d = s.dielectric; d && !d->convergence.converged())
+    fmt::print("dielectric constant   {}; |<M>| is {:.2f} of the rms M\n",
+               not_converged(d->convergence, "relaxation"), d->mean_over_rms);
+  else if (d)
     fmt::print("dielectric constant   {}; Kirkwood factor {}; |<M>| is {:.2f} of the rms M\n",
                text(d->constant, 2), text(d->kirkwood, 2), d->mean_over_rms);
   print_files(report.files);

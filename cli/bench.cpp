@@ -39,7 +39,7 @@ BenchmarkSettings make_settings(const Options& o) {
   if (!o.sizes.empty()) settings.sizes = o.sizes;
   if (!o.precision.empty())
     settings.precisions = {named_option<Precision>(o.precision, "--precision")};
-  const int threads = requested_threads(o.threads);
+  const int threads = requested_threads(o.threads, "--threads");
   if (threads > 1) settings.threads.push_back(threads);
   return settings;
 }

@@ -20,11 +20,11 @@ struct Options {
 
 std::string text_of(const SinglePoint& p) {
   std::string text = fmt::format("molecules         {}\n", p.system.topology.size());
-  text += fmt::format("van der Waals     {:.17g} kJ/mol\n", p.load.van_der_waals);
-  text += fmt::format("Coulomb           {:.17g} kJ/mol\n", p.load.coulomb);
+  text += fmt::format("van der Waals     {:.10g} kJ/mol\n", p.load.van_der_waals);
+  text += fmt::format("Coulomb           {:.10g} kJ/mol\n", p.load.coulomb);
   for (const auto& [name, value] : p.terms)
-    text += fmt::format("  {:<16}{:.17g} kJ/mol\n", name, value + 0.0);
-  text += fmt::format("potential         {:.17g} kJ/mol\n", p.load.potential());
+    text += fmt::format("  {:<16}{:.10g} kJ/mol\n", name, value + 0.0);
+  text += fmt::format("potential         {:.10g} kJ/mol\n", p.load.potential());
   text += fmt::format("pressure          {:.10g} bar\n", p.pressure());
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3<double> row = p.pressure_tensor[i];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// polhode: a table of verbs, one file each.
+// polhode: the first word is a verb; errors become messages and exit codes.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/memory.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/version.hpp"
@@ -20,65 +21,80 @@
 namespace polhode::cli {
 namespace {
 
-struct Verb {
-  const char* name;
-  const char* description;
-  Action (*declare)(CLI::App&);
-};
-
-const std::vector<Verb> verbs = {
-    {"run", "simulate: a trajectory with its energies and summary", run_verb},
-    {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
-    {"advise", "choose scheme and step for a required accuracy, and confirm them by runs",
-     advise_verb},
-    {"energy", "energies, and with --forces the forces and torques, of an initial configuration",
-     energy_verb},
-    {"convert",
-     "convert coordinates and trajectories between formats: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
-     convert_verb},
-    {"analyze", "structure and dynamics from a trajectory: g(r), diffusion, relaxation",
-     analyze_verb},
-    {"molecules", "list the molecule models, or show one", molecules_verb},
-    {"schemes", "list the splitting schemes, or show one", schemes_verb},
-    {"top", "rotate a free top, exactly and by NO_SQUISH, or a table of tops", top_verb},
-    {"verify", "measure the order of a scheme", verify_verb},
-    {"tune-scheme", "optimise the scheme parameters for a system and step", tune_scheme_verb},
-    {"bench", "measure the speed for water on this computer, and what limits it", bench_verb},
-};
-
 /// Options before the verb are left to the parser.
 void check_verb(const std::string& word) {
-  std::vector<std::string> names;
-  for (const Verb& verb : verbs) names.emplace_back(verb.name);
-  if (word.empty())
-    throw Error(
-        fmt::format("no verb is given; write 'polhode VERB' with one of: {}", join_names(names)));
-  if (word[0] == '-' || std::find(names.begin(), names.end(), word) != names.end()) return;
+  const std::vector<std::string> names = verb_names();
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
   throw Error(fmt::format("there is no verb '{}'{} (there are: {})", word,
                           did_you_mean(word, names), join_names(names)));
 }
 
-int run(int argc, char** argv) {
-  CLI::App app{"polhode: molecular dynamics of rigid molecules with the exact free rotor",
-               "polhode"};
-  app.set_version_flag("--version", fmt::format("polhode {}", version()));
+/// What to write in place of an option that the verb does not have.
+std::string instead_of(const std::string& option, const CLI::App& verb) {
+  if (verb.get_name() == "run" && option == "--steps")
+    return "; the length of a run is a time: write --length \"8 fs\" for 4 steps of 2 fs";
+  std::vector<std::string> names;
+  for (const CLI::Option* known : verb.get_options()) names.push_back(known->get_name());
+  return did_you_mean(option, names);
+}
+
+/// The parser's errors in the words of this program.
+Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
+  const auto verbs = app.get_subcommands();
+  const std::string help = verbs.empty() ? "" : " " + verbs[0]->get_name();
+  std::string what = uncapitalized(e.what());
+  const std::vector<std::string> left = app.remaining(true);
+  if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr && !verbs.empty() && !left.empty()) {
+    const bool option = left[0].starts_with('-');
+    what = option ? fmt::format("polhode{} has no option '{}'{}", help, left[0],
+                                instead_of(left[0], *verbs[0]))
+                  : fmt::format("'{}' is one argument too many for polhode{}", left[0], help);
+  }
+  return Error(fmt::format("{}; 'polhode help{}' lists the options", what, help));
+}
+
+/// The arguments; those of `help VERB` as those of `VERB --help`.
+std::vector<std::string> arguments(int argc, char** argv) {
+  std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words.empty()) words = {"--help"};
+  if (words[0] == "help") {
+    words.erase(words.begin());
+    words.resize(std::min<std::size_t>(words.size(), 1));
+    words.emplace_back("--help");
+  }
+  return words;
+}
+
+int run(std::vector<std::string> words) {
+  if (words[0] == "-h" || words[0] == "--help") {
+    fmt::print("{}", overview());
+    return 0;
+  }
+  CLI::App app{"polhode", "polhode"};
+  app.set_version_flag("-V,--version", fmt::format("polhode {}", version()));
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Action>> actions;
-  for (const Verb& verb : verbs) {
-    CLI::App* command = app.add_subcommand(verb.name, verb.description);
-    actions.emplace_back(command, verb.declare(*command));
-  }
-  check_verb(argc > 1 ? argv[1] : "");
+  for (const VerbGroup& group : verb_groups())
+    for (const Verb& verb : group.verbs) {
+      CLI::App* command = app.add_subcommand(verb.name, verb.description);
+      actions.emplace_back(command, verb.declare(*command));
+    }
+  check_verb(words[0]);
   try {
-    app.parse(argc, argv);
+    std::reverse(words.begin(), words.end());  // the parser takes them from the back
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
     if (e.get_exit_code() == 0) return app.exit(e);  // help, version
-    throw Error(
-        fmt::format("{}; 'polhode {} --help' lists the options", uncapitalized(e.what()), argv[1]));
+    throw parse_error(e, app);
   }
   for (const auto& [command, action] : actions)
     if (command->parsed()) return action();
   return 2;
+}
+
+void print_error(const Error& e) {
+  log("error: {}\n", printable(e.what()));
+  if (!e.where().empty()) log("  in   {}\n", printable(e.where()));
 }
 
 /// The message when memory runs out unexpectedly.
@@ -96,10 +112,14 @@ int main(int argc, char** argv) {
   using namespace polhode;
   cli::prepare_streams();
   try {
-    return cli::exit_code(cli::run(argc, argv));
+    return cli::exit_code(cli::run(cli::arguments(argc, argv)));
+  } catch (const OutputError& e) {
+    cli::print_error(e);
+    cli::log("  try  {}--force, which starts over and overwrites\n",
+             e.resumable() ? "--continue, which resumes, or " : "");
+    return cli::exit_code(2);
   } catch (const Error& e) {
-    cli::log("error: {}\n", printable(e.what()));
-    if (!e.where().empty()) cli::log("  in   {}\n", printable(e.where()));
+    cli::print_error(e);
     return cli::exit_code(2);
   } catch (const std::bad_alloc&) {
     cli::log("error: {}\n", cli::no_memory());

@@ -78,17 +78,19 @@ std::vector<Molecule> find_molecules(const std::string& name) {
 }
 
 void print_all() {
-  const std::vector<std::string> models = molecule_names();
-  std::size_t width = 0;
-  for (const std::string& model : models) width = std::max(width, model.size());
-  fmt::print("{:<{}}{:>7}{:>10}{:>7}{:>12}  {:<11} {:<15}{}\n", "name", width, "sites", "mass [u]",
-             "q [e]", "dipole [D]", "top", "source", "description");
-  for (const std::string& model : models) {
-    const Molecule m = read_molecule(model);
-    fmt::print("{:<{}}{:>7}{:10.4f}{:7g}{:12.3f}  {:<11} {:<15}{}\n", m.name, width, m.sites.size(),
-               m.mass, round_charge(m.charge()), in_debye(m.dipole()), name(m.top), m.source,
-               m.description);
+  std::vector<Molecule> models;
+  std::size_t name_width = 0, source_width = 0;
+  for (const std::string& model : molecule_names()) {
+    const Molecule& m = models.emplace_back(read_molecule(model));
+    name_width = std::max(name_width, m.name.size());
+    source_width = std::max(source_width, m.source.size());
   }
+  fmt::print("{:<{}}{:>7}{:>10}{:>7}{:>12}  {:<11} {:<{}}  {}\n", "name", name_width, "sites",
+             "mass [u]", "q [e]", "dipole [D]", "top", "source", source_width, "description");
+  for (const Molecule& m : models)
+    fmt::print("{:<{}}{:>7}{:10.4f}{:7g}{:12.3f}  {:<11} {:<{}}  {}\n", m.name, name_width,
+               m.sites.size(), m.mass, round_charge(m.charge()), in_debye(m.dipole()), name(m.top),
+               m.source, source_width, m.description);
 }
 
 }  // namespace

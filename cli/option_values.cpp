@@ -3,6 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <charconv>
+#include <cstdint>
+#include <limits>
+#include <system_error>
+
 #include "polhode/io/nested_scheme_text.hpp"
 
 namespace polhode::cli {
@@ -12,6 +17,14 @@ double positive_time(const std::string& text, const std::string& option) {
   if (!(t > 0))
     throw Error(
         fmt::format("{} = \"{}\" must be longer than 0; write for example \"2 fs\"", option, text));
+  return t;
+}
+
+double time_option(const std::string& text, const std::string& option) {
+  const double t = quantity(text, Dimension::time, option);
+  if (!(t >= 0))
+    throw Error(
+        fmt::format("{} = \"{}\" must be 0 or longer; write for example \"5 ps\"", option, text));
   return t;
 }
 
@@ -38,6 +51,21 @@ Config read_config_option(const std::string& file, const std::string& precision)
   Config config = file.empty() ? default_config() : read_config(file);
   if (!precision.empty()) set_precision(config, named_option<Precision>(precision, "--precision"));
   return config;
+}
+
+void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed) {
+  if (!temperature.empty()) {
+    config.system.temperature = quantity(temperature, Dimension::temperature, "--temperature");
+    if (!(config.system.temperature > 0))
+      throw Error(fmt::format("--temperature = \"{}\" must be above 0 K", temperature));
+  }
+  if (seed.empty()) return;
+  const char* const end = seed.data() + seed.size();
+  const auto [last, status] = std::from_chars(seed.data(), end, config.system.seed);
+  if (status != std::errc() || last != end)
+    throw Error(
+        fmt::format("--seed = \"{}\" must be a whole number from 0 to {}; write for example 2",
+                    seed, std::numeric_limits<std::uint64_t>::max()));
 }
 
 ExistingFiles existing_files(bool resume, bool force) {

@@ -22,6 +22,10 @@ namespace polhode::cli {
 /// @throws Error  if the unit is missing or the time is not positive
 double positive_time(const std::string& text, const std::string& option);
 
+/// Converts "5 ps" to ps.
+/// @throws Error  if the unit is missing or the time is negative
+double time_option(const std::string& text, const std::string& option);
+
 /// The command as it could be typed, without empty options.
 std::string typed_command(std::string command,
                           const std::vector<std::pair<std::string, std::string>>& options);
@@ -41,6 +45,11 @@ Enum named_option(const std::string& text, const std::string& option) {
 /// The run file of a path, or the default one, with a precision in place of its own if it is given.
 /// @throws Error  as read_config(); naming --precision
 Config read_config_option(const std::string& file, const std::string& precision = {});
+
+/// Sets what --temperature and --seed give, each unless it is empty.
+/// @throws Error  naming the option, if the temperature is not above 0 K, or the seed no whole
+///                number from 0
+void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed);
 
 /// What --continue and --force say of files that exist.
 /// @throws Error  if both are given

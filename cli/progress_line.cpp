@@ -11,16 +11,18 @@
 namespace polhode::cli {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point t) {
-  return std::chrono::duration<double>(Clock::now() - t).count();
-}
-
 std::string duration(double seconds) {
   const auto s = static_cast<long>(seconds + 0.5);
   return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
                   : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+}
+
+/// @param worked  fraction of the work done since the start, which took `elapsed` seconds
+std::string line_of(const Progress& now, double worked, double elapsed) {
+  if (!now.done) return fmt::format("{} {}  {}", now.job, now.detail, duration(elapsed));
+  std::string line = fmt::format("{} {:5.1f} %  {}", now.job, 100 * *now.done, duration(elapsed));
+  if (worked > 0) line += fmt::format("  {} left", duration(elapsed * (1 - *now.done) / worked));
+  return now.detail.empty() ? line : line + "  " + now.detail;
 }
 
 }  // namespace
@@ -32,31 +34,32 @@ void ProgressLine::clear() {
   shown_ = false;
 }
 
-bool ProgressLine::due(const Progress& now) {
-  if (!terminal_) return false;
-  if (now.job != job_) {
-    job_ = now.job;
-    start_ = Clock::now();
-    last_ = {};
-  }
-  if (since(last_) < 0.2 && now.done.value_or(0) < 1) return false;
-  last_ = Clock::now();
+void ProgressLine::begin(const Progress& now) {
+  job_ = now.job;
+  start_ = Clock::now();
+  done_at_start_ = now.done.value_or(0);
+  last_ = -1;
+  pace_ = {};
+}
+
+bool ProgressLine::due(const Progress& now, double elapsed) {
+  if (!terminal_) return pace_.due(now.done, elapsed);
+  if (elapsed - last_ < 0.2 && now.done.value_or(0) < 1) return false;
+  last_ = elapsed;
   return true;
 }
 
 void ProgressLine::show(const Progress& now) {
-  if (!due(now)) return;
-  const double elapsed = since(start_);
-  if (now.done) {
-    const double done = *now.done;
-    const std::string left = done > 0 ? duration(elapsed * (1 - done) / done) + " left" : "";
-    log("\r\033[K{} {:5.1f} %  {}  {}  {}", now.job, 100 * done, duration(elapsed), left,
-        now.detail);
-  } else {
-    log("\r\033[K{} {}  {}", now.job, now.detail, duration(elapsed));
-  }
+  if (now.job != job_) begin(now);
+  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+  if (!due(now, elapsed)) return;
+  const std::string line = line_of(now, now.done.value_or(0) - done_at_start_, elapsed);
+  if (terminal_)
+    log("\r\033[K{}", line);
+  else
+    log("{}\n", line);
   std::fflush(stderr);
-  shown_ = true;
+  shown_ = terminal_;
 }
 
 }  // namespace polhode::cli

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A progress line on the terminal: the fraction done and the expected end. Silent if standard error
-// is not a terminal.
+// The progress of a job on standard error, with its expected end: one line that changes on a
+// terminal, a line now and then in a log.
 #pragma once
 
 #include <chrono>
 #include <string>
 
 #include "polhode/run/callbacks.hpp"
+#include "polhode/run/progress_pace.hpp"
 
 namespace polhode::cli {
 
@@ -17,17 +18,23 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows a job's progress, at most five times a second.
+  /// Shows a job's progress: on a terminal at most five times a second, in a log as ProgressPace.
   void show(const Progress& now);
-  /// Erases the line, until progress is shown again.
+  /// Erases the line of a terminal, until progress is shown again.
   void clear();
 
  private:
-  bool due(const Progress& now);
+  using Clock = std::chrono::steady_clock;
+
+  void begin(const Progress& now);
+  bool due(const Progress& now, double elapsed);
 
   bool terminal_, shown_ = false;
   std::string job_;
-  std::chrono::steady_clock::time_point start_, last_;  // of the job, and when it was shown last
+  Clock::time_point start_;   // of the job
+  double done_at_start_ = 0;  // of a job that was resumed
+  double last_ = 0;           // when it was shown last, since the start [s]
+  ProgressPace pace_;
 };
 
 }  // namespace polhode::cli

@@ -15,7 +15,8 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, scheme, step, length, output, threads, precision;
+  std::string file, scheme, step, length, equilibrate, temperature, seed, output, threads,
+      precision;
   bool resume = false, force = false, json = false;
 };
 
@@ -31,6 +32,8 @@ Config make_config(const Options& o) {
     config.integrator.accuracy.reset();
   }
   if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
+  if (!o.equilibrate.empty()) config.run.equilibrate = time_option(o.equilibrate, "--equilibrate");
+  set_initial_motion(config, o.temperature, o.seed);
   if (!o.output.empty()) config.output.prefix = o.output;
   return config;
 }
@@ -42,13 +45,16 @@ OutputOptions output_options(const Options& o) {
                                         {"--scheme", o.scheme},
                                         {"--step", o.step},
                                         {"--length", o.length},
+                                        {"--equilibrate", o.equilibrate},
+                                        {"--temperature", o.temperature},
+                                        {"--seed", o.seed},
                                         {"--output", o.output},
                                         {"--precision", o.precision}})};
 }
 
 int run(const Options& o) {
   const OutputOptions output = output_options(o);
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   Simulation simulation(make_config(o), workers);
   try {
     return print_run(simulation.run(output, console()), simulation, o.json);
@@ -66,6 +72,12 @@ Action run_verb(CLI::App& app) {
   app.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
   app.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");
   app.add_option("--length", o->length, "length of the run: \"15 ps\"; default: the run file's");
+  app.add_option("--equilibrate", o->equilibrate,
+                 "time of velocity rescaling before the run: \"5 ps\"; default: the run file's");
+  app.add_option(
+      "--temperature", o->temperature,
+      "for drawing velocities, and for equilibration: \"298 K\"; default: the run file's");
+  app.add_option("--seed", o->seed, "of lattice and velocities; default: the run file's");
   app.add_option("--output", o->output, "prefix of the output files; default: the run file's");
   app.add_option("--precision", o->precision,
                  "precision of pair interactions, double or mixed; default: the run file's");

@@ -9,6 +9,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/io/with_error.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
@@ -33,17 +34,16 @@ std::string missing_error(Known known, std::uint64_t samples) {
   return "";
 }
 
-/// A value with its error, in a unit that both are given in.
-std::string with_error(const Estimate& e, Known known, std::uint64_t samples, int digits,
-                       const char* unit) {
-  if (known == Known::yes)
-    return fmt::format("{:.{}g} ± {:.2g} {}", e.value, digits, e.error, unit);
+/// A value with its error, or why it has none, in a unit that both are given in.
+std::string estimate_text(const Estimate& e, Known known, std::uint64_t samples, int digits,
+                          const char* unit) {
+  if (known == Known::yes) return fmt::format("{} {}", with_error(e.value, e.error), unit);
   return fmt::format("{:.{}g} {}{}", e.value, digits, unit, missing_error(known, samples));
 }
 
 std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < min_samples_reported) return not_known(samples);
-  const std::string rate = with_error(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
+  const std::string rate = estimate_text(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
   if (drift.known != Known::yes) return rate;
   return fmt::format("{}, {} (p-value {:.2g})", rate, verdict(drift), drift.p_value);
 }
@@ -57,7 +57,7 @@ void print_ratio(const RunSummary& s) {
   } else {
     fmt::print(
         "{}   (rms of total energy {:.4g} over that of the potential {:.4g} kJ/mol)\n",
-        with_error({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
+        estimate_text({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
         s.total_fluctuation, s.potential_fluctuation);
     if (s.rounding > 0)
       fmt::print(
@@ -71,7 +71,7 @@ void print_ratio(const RunSummary& s) {
 double percent(double x) { return 100 * x; }
 
 void print_drift(const RunSummary& s) {
-  fmt::print("drift                 {}{}\n", drift_text(s.drift, s.samples),
+  fmt::print("energy drift          {}{}\n", drift_text(s.drift, s.samples),
              s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision");
   if (s.shadow)
     fmt::print("shadow energy drift   {}{}; rms fluctuation {:.3g} kJ/mol\n",
@@ -98,7 +98,7 @@ void print_temperatures(const RunSummary& s) {
     const auto text = [&](std::size_t k) {
       const auto& known = s.configurational[k];
       if (!known) return std::string("-");
-      return known->known == Known::yes ? fmt::format("{:.2f} ± {:.2g}", known->value, known->error)
+      return known->known == Known::yes ? with_error(known->value, known->error)
                                         : fmt::format("{:.2f} (error not known)", known->value);
     };
     fmt::print("configurational       translation {}, rotation {}, {}, {} K\n", text(0), text(1),
@@ -137,14 +137,22 @@ void print_speed(const RunSummary& s, bool nested, const ExecutionSettings& exec
 }
 
 void print_guarantee(const GuaranteeCheck& k) {
-  const std::string what = fmt::format(
-      "R = {:.3g} ± {:.2g} % over {:.3g} ps; the accuracy guarantee is {:.3g} %",
-      100 * k.ratio.value, 100 * k.ratio.error, k.guarantee.length, 100 * k.guarantee.accuracy);
+  const std::string what =
+      fmt::format("R = {} % over {:.3g} ps; the accuracy guarantee is {:.3g} %",
+                  with_error(100 * k.ratio.value, 100 * k.ratio.error), k.guarantee.length,
+                  100 * k.guarantee.accuracy);
   fmt::print("accuracy guarantee    {}: {}\n", k.met() ? "met" : "NOT MET", what);
   if (!k.met())
     log("warning: the accuracy guarantee of [integrator] accuracy was not met: {}; give a smaller "
         "accuracy, or set the step yourself\n",
         what);
+}
+
+void print_warnings(const std::vector<Warning>& warnings) {
+  if (warnings.empty()) return;
+  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
+  for (const Warning& w : warnings)
+    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
 }
 
 void print_text(const RunReport& r) {
@@ -158,15 +166,17 @@ void print_text(const RunReport& r) {
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
   fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
   print_temperatures(s);
-  fmt::print(
-      "pressure              {:.0f}{} bar{}\n", in_bar(s.pressure.value),
-      s.pressure.known == Known::yes ? fmt::format(" ± {:.0f}", in_bar(s.pressure.error)) : "",
-      missing_error(s.pressure.known, s.samples));
+  fmt::print("pressure              {} bar{}\n",
+             s.pressure.known == Known::yes
+                 ? with_error(in_bar(s.pressure.value), in_bar(s.pressure.error))
+                 : fmt::format("{:.0f}", in_bar(s.pressure.value)),
+             missing_error(s.pressure.known, s.samples));
   fmt::print("total momentum        {:.2g} u nm/ps\n", s.momentum);
   print_evaluations(s, nested);
   print_speed(s, nested, r.execution);
   if (r.guarantee) print_guarantee(*r.guarantee);
   print_files(r.files.all());
+  print_warnings(r.warnings);
 }
 
 /// What an interrupted run left, and how it resumes.

@@ -17,8 +17,8 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string file, output = "study", length, decorrelate, threads, precision, configurational,
-                    from_record;
+  std::string file, output = "study", length, decorrelate, temperature, seed, threads, precision,
+                    configurational, from_record;
   std::vector<std::string> schemes, steps;
   int runs = 0;
   bool quick = false, force = false, json = false;
@@ -38,18 +38,21 @@ Config make_config(const Options& o) {
   if (o.runs != 0) study.runs = o.runs;
   if (!o.length.empty()) study.length = positive_time(o.length, "--length");
   if (!o.decorrelate.empty()) study.decorrelate = positive_time(o.decorrelate, "--decorrelate");
+  set_initial_motion(config, o.temperature, o.seed);
   if (!o.configurational.empty())
     study.configurational_sample = positive_time(o.configurational, "--configurational-sample");
   return config;
 }
 
 int study(const Options& o) {
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   const Config config = make_config(o);
   const auto output = [&](bool resume) {
-    return OutputOptions{
-        existing_files(resume && !o.force, o.force),
-        typed_command("polhode study", {{"", o.file}, {"--from-record", o.from_record}})};
+    return OutputOptions{existing_files(resume && !o.force, o.force),
+                         typed_command("polhode study", {{"", o.file},
+                                                         {"--temperature", o.temperature},
+                                                         {"--seed", o.seed},
+                                                         {"--from-record", o.from_record}})};
   };
   const StudyReport report =
       o.from_record.empty()
@@ -60,7 +63,8 @@ int study(const Options& o) {
   else
     print_study(report);
   if (report.interrupted)
-    log("interrupted; the same command resumes from {}\n", StudyFiles(o.output).runs);
+    log("interrupted{}; the same command resumes from {}\n",
+        report.points.empty() ? " before the first run ended" : "", StudyFiles(o.output).runs);
   return report.interrupted ? 130 : 0;
 }
 
@@ -69,13 +73,15 @@ int study(const Options& o) {
 Action study_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
-  app.add_flag("--quick", o->quick, "a small version: about three minutes on two cores");
+  app.add_flag("--quick", o->quick, "a small version: one to three minutes on two cores");
   app.add_option("--schemes", o->schemes, "names, or stages as text");
   app.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
   app.add_option("--runs", o->runs, "independent runs at each point")->check(CLI::Range(2, 1000));
   app.add_option("--length", o->length, "of each run: \"15 ps\"");
   app.add_option("--decorrelate", o->decorrelate,
                  "equilibration of each initial configuration: \"10 ps\"");
+  app.add_option("--temperature", o->temperature, "\"298 K\"; default: the run file's");
+  app.add_option("--seed", o->seed, "of the initial configurations; default: the run file's");
   app.add_option(
       "--configurational-sample", o->configurational,
       "time between samples of the configurational temperature: \"20 fs\"; default: none");

@@ -9,34 +9,40 @@
 #include <string>
 
 #include "polhode/io/output_units.hpp"
+#include "polhode/io/with_error.hpp"
 #include "temperature_tables.hpp"
 
 namespace polhode::cli {
 namespace {
 
 /// A mean over runs, with its error if there are enough of them.
-std::string with_error(const Estimate& e, int digits, int runs) {
+std::string mean_text(const Estimate& e, int digits, int runs) {
   if (!std::isfinite(e.value)) return "-";
-  const std::string value = fmt::format("{:.{}g}", e.value, digits);
-  return runs > 1 ? fmt::format("{} ± {:.2g}", value, e.error) : value;
+  return runs > 1 ? with_error(e.value, e.error) : fmt::format("{:.{}g}", e.value, digits);
+}
+
+/// What a user has to know about a point, and why it is not part of the curve if it is not.
+std::string note_on(const EfficiencyPoint& p, bool usable) {
+  if (!p.stable) return "blew up";
+  if (!usable)
+    return p.drifts() ? "drifts: beyond the end of the curve" : "beyond the end of the curve";
+  if (p.drifts()) return "drifts, but not at longer steps";
+  if (p.drift.significant()) return "drift significant, but small";
+  if (p.at_rounding()) return fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding);
+  return "";
 }
 
 void print_points(const StudyReport& report) {
   fmt::print("{:<18} {:>8} {:>10} {:>5} {:>18} {:>24}  {}\n", "scheme", "step fs", "cost 1/ps",
-             "runs", "R %", "drift kJ/mol/ps", "");
+             "runs", "R %", "energy drift kJ/mol/ps", "");
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      const std::string note = !p.stable               ? "blew up"
-                               : p.drift.significant() ? "drift significant"
-                               : i >= curve.usable     ? "unstable"
-                               : p.at_rounding()
-                                   ? fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding)
-                                   : "";
+      const std::string note = note_on(p, i < curve.usable);
       fmt::print("{:<18} {:>8.3g} {:>10.0f} {:>5} {:>18} {:>24}  {}\n", p.scheme,
                  p.step * units::fs_per_ps, p.cost, p.runs,
-                 with_error({100 * p.ratio.value, 100 * p.ratio.error}, 4, p.runs),
-                 with_error(p.drift.rate, 3, p.runs), note);
+                 mean_text({100 * p.ratio.value, 100 * p.ratio.error}, 4, p.runs),
+                 mean_text(p.drift.rate, 3, p.runs), note);
     }
 }
 
@@ -55,8 +61,8 @@ std::string cost_text(const Guideline& line, std::size_t c, std::size_t verlet) 
 void print_costs(const StudyReport& report) {
   fmt::print(
       "\nminimum cost for an R at or below the given one, in force evaluations per ps (ratio to "
-      "velocity Verlet);\n* extrapolated by the scheme's order, + the maximum step without "
-      "drift\n{:>8}",
+      "velocity Verlet);\n* extrapolated by the scheme's order, + the longest step of the "
+      "curve\n{:>8}",
       "R %");
   for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
   fmt::print("  best\n");
@@ -79,15 +85,15 @@ void print_claims(const StudyReport& report) {
     fmt::print("\nthe paper's claims [vanzon2008]{}\n",
                of_the_paper ? "" : "; they refer to 512 TIP4P waters, not to this system");
   for (const Claim& claim : report.claims)
-    fmt::print(
-        "  {}{}: {}\n", claim.text,
-        claim.value ? fmt::format(": {:.3g} ± {:.2g}", claim.value->value, claim.value->error) : "",
-        in_words(claim.verdict));
+    fmt::print("  {}{}: {}\n", claim.text,
+               claim.value ? ": " + with_error(claim.value->value, claim.value->error) : "",
+               in_words(claim.verdict));
 }
 
 }  // namespace
 
 void print_study(const StudyReport& report) {
+  if (report.points.empty()) return;
   fmt::print("{}\n\n", conditions(report.config));
   print_points(report);
   print_costs(report);

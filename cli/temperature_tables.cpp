@@ -7,6 +7,7 @@
 #include <array>
 
 #include "polhode/io/output_units.hpp"
+#include "polhode/io/with_error.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -26,7 +27,7 @@ void print_excesses(const std::vector<Curve>& curves, const std::vector<Equipart
       }))
     return;
   const auto text = [](const std::optional<Estimate>& e) {
-    return e ? fmt::format("{:.2f} ± {:.2f}", e->value, e->error) : "-";
+    return e ? with_error(e->value, e->error) : "-";
   };
   fmt::print("\n{} [K], and extrapolated to h = 0 by a + b h^k\n{:<18} {:>8}", title, "scheme",
              "step fs");

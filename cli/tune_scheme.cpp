@@ -50,7 +50,7 @@ void print(const Tuned& t) {
 
 int tune_scheme(const Options& o) {
   const TuneSettings settings = make_settings(o);
-  Workers workers(requested_threads(o.threads));
+  Workers workers(requested_threads(o.threads, "--threads"));
   const TuneResult result = tune(read_config_option(o.file), settings, console(), workers);
   if (result.interrupted) {
     log("interrupted before a result was found\n");

@@ -49,6 +49,10 @@ foreach(name IN LISTS compiled_sets)
                         "choose all, native or a list of: ${known_sets}")
   endif()
 endforeach()
+list(LENGTH compiled_sets number_of_sets)
+if(number_of_sets GREATER 1)  # the scalar one then serves only processors without any other
+  list(APPEND POLHODE_FLAGS_scalar -DPOLHODE_FALLBACK)
+endif()
 
 set(missing_sets)  # definitions that tell the code what is not there
 foreach(name IN LISTS known_sets)

@@ -21,7 +21,8 @@ polhode_choose_fft(sources)
 set(kernel_sources ${sources})
 list(FILTER sources EXCLUDE REGEX "/kernels/")
 list(FILTER kernel_sources INCLUDE REGEX "/kernels/")
-file(GLOB embedded CONFIGURE_DEPENDS data/molecules/*.toml data/molecules/*.txt data/start/*.gro data/runs/*.toml)
+file(GLOB embedded CONFIGURE_DEPENDS data/molecules/*.toml data/molecules/*.txt data/start/*.gro data/runs/*.toml
+     data/plots/*.gp data/plots/*.toml)
 polhode_embed(embedded_source ${embedded})
 
 add_library(polhode STATIC ${sources} ${embedded_source})

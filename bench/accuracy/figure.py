@@ -10,11 +10,9 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-# The colours of Okabe and Ito, as in all figures here.
-LOOKS = {"velocity-verlet": ("#0072B2", 7), "hoa2": ("#D55E00", 5), "gier4": ("#009E73", 9)}
 
 
-def draw(result, image):
+def script(result, image):
     data, schemes = [], []
     for point in result["points"]:
         if point["scheme"] not in schemes:
@@ -30,16 +28,24 @@ def draw(result, image):
             rows.append(" ".join(f"{x:.8g}" for x in numbers))
         data.append(f"${scheme.replace('-', '_')} << EOD\n" + "\n".join(rows) + "\nEOD")
 
+    looks = drawing.styles(schemes)
+
     def plots(column):
         return ", ".join(
             f'${s.replace("-", "_")} using 1:{column}:{column + 1} with yerrorbars linewidth 1.4 pointsize 0.9 pointtype '
-            f'{LOOKS.get(s, ("#404040", 13))[1]} linecolor "{LOOKS.get(s, ("#404040", 13))[0]}" title "{s}"'
-            for s in schemes)
+            f'{looks[s].filled} linecolor "{looks[s].colour}" notitle' for s in schemes)
 
-    terminal = "svg size 960,340 dynamic font 'sans-serif,13'" if image.suffix == ".svg" else "pngcairo size 960,340"
+    key = [f'with points pointtype {style.filled} linecolor "{style.colour}" title "{s}"' for s, style in looks.items()]
+    caveat = (f"{result['waters']} TIP4P waters, runs of {result['length_ps']:g} ps. Differences from the most accurate run, from the same "
+              "configurations; bars are one standard error.")
     template = Template((HERE / "figure.gp").read_text(encoding="utf-8"))
-    drawing.draw(template.substitute(image=image.name, terminal=terminal, data="\n".join(data), diffusion=plots(2),
-                                     relaxation=plots(4), temperatures=plots(6)), image)
+    return template.substitute(style=drawing.begin(image, 1000, 400), data="\n".join(data), caveat=caveat, key=drawing.key(key, 0.9),
+                               diffusion=plots(2), relaxation=plots(4), temperatures=plots(6))
+
+
+def draw(result, image):
+    """Writes the script to the folder of the image and runs gnuplot on it."""
+    drawing.draw(script(result, image), image)
 
 
 if __name__ == "__main__":

@@ -97,8 +97,8 @@ def binomial_interval(kept, runs, confidence=0.95):
 
 
 def table(cases):
-    rows = ["| system | R wanted [%] | answer | length [ps] | sets refused, surpassed | expected R [%] | 97.5 % bound [%] "
-            "| bound over wanted | mean R of fresh runs over wanted | largest | kept | below the bound |",
+    rows = ["| system | required R [%] | answer | length [ps] | sets rejected, improved | expected R [%] | 97.5 % bound [%] "
+            "| bound / required | mean R of new runs / required | maximum | met | below the bound |",
             "| --- " * 12 + "|"]
     for c in cases:
         if not c["answer"]:
@@ -114,27 +114,27 @@ def table(cases):
     if answered:
         runs = sum(c["runs"] for c in answered)
         rows.append("")
-        for key, what in (("kept", "kept the R asked for"), ("below_bound", "stayed below the bound, of which 97.5 % should")):
+        for key, what in (("kept", "met the required R"), ("below_bound", "stayed below the bound, of which 97.5 % should")):
             count = sum(c[key] for c in answered)
             low, high = binomial_interval(count, runs)
-            rows.append(f"{count} of {runs} fresh runs {what}: {100 * count / runs:.1f} %, 95 % interval "
+            rows.append(f"{count} of {runs} new runs {what}: {100 * count / runs:.1f} %, 95 % interval "
                         f"{100 * low:.1f} to {100 * high:.1f} %.")
         reached = sorted(c["reached"] for c in answered)
-        rows.append(f"Bounds are {reached[0]:.2f} to {reached[-1]:.2f} of what was asked, {fmean(reached):.2f} on the average; "
-                    f"{sum(0.8 <= r <= 1 for r in reached)} of {len(reached)} lie from 0.8 to 1.")
+        rows.append(f"Bounds are {reached[0]:.2f} to {reached[-1]:.2f} of the requirement, {fmean(reached):.2f} on average; "
+                    f"{sum(0.8 <= r <= 1 for r in reached)} of {len(reached)} are from 0.8 to 1.")
     return "\n".join(rows) + "\n"
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default="polhode", help="the built program")
+    parser.add_argument("--program", default="polhode", help="path of polhode")
     parser.add_argument("--systems", nargs="+", default=list(BOXES), choices=list(BOXES))
     parser.add_argument("--accuracies", nargs="+", type=float, default=[2, 0.5, 0.05], help="R in %%")
-    parser.add_argument("--fresh", type=int, default=10, help="fresh runs of each answer")
-    parser.add_argument("--repeats", type=int, default=1, help="questions of each kind, with their own seeds")
-    parser.add_argument("--time", type=float, default=60, help="of the adviser [s]")
-    parser.add_argument("--length", type=float, default=15, help="of the runs in question [ps]")
-    parser.add_argument("--equilibrate", type=float, default=10, help="of lattices and of fresh starts [ps]")
+    parser.add_argument("--fresh", type=int, default=10, help="new runs for each answer")
+    parser.add_argument("--repeats", type=int, default=1, help="questions of each kind, each with another seed")
+    parser.add_argument("--time", type=float, default=60, help="computing time of the adviser [s]")
+    parser.add_argument("--length", type=float, default=15, help="length of the runs for which advice is asked [ps]")
+    parser.add_argument("--equilibrate", type=float, default=10, help="equilibration of lattices and of new initial configurations [ps]")
     parser.add_argument("--threads", type=int, default=2)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path(f"{date.today()}-adviser"))

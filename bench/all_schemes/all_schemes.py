@@ -92,7 +92,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     curves.add_arguments(parser, runs=4, length=8, decorrelate=5, folder="all-schemes")
     parser.add_argument("--systems", nargs="+", default=list(SYSTEMS), choices=list(SYSTEMS))
-    parser.add_argument("--schemes", nargs="+", help="without it: all of the table")
+    parser.add_argument("--schemes", nargs="+", help="default: all of the table")
     o = parser.parse_args()
     o.polhode = machine.program(o.polhode)
     o.folder = Path(o.folder)

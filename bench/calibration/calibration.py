@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Calibration of the errors and drift tests of a run: many runs without a drift, as reported by the program.
+"""Calibration of the errors and of the test for an energy drift: many runs without energy drift, as reported by the program.
 
 Every run is suspended and resumed: the program reports on its first part, then on the first two together, then on the whole."""
 
@@ -82,7 +82,7 @@ def fired(reports, level):
 
 
 def row(system, scheme, length, reports):
-    """Fractions of runs with a significant drift are divided by the nominal ones."""
+    """Fractions of runs with a significant energy drift are divided by the nominal ones."""
     shadow = [r["shadow"] for r in reports if r["shadow"]]
     return {"system": system, "scheme": scheme, "length_ps": length, "runs": len(reports),
             "told": sum(r["drift_p_value"] is not None for r in reports) / len(reports),
@@ -109,7 +109,7 @@ def main():
     parser.add_argument("--runs", type=int, default=200)
     parser.add_argument("--first", type=int, default=1, help="seed of the first run")
     parser.add_argument("--systems", nargs="+", default=list(SYSTEMS), choices=list(SYSTEMS))
-    parser.add_argument("--lengths", nargs="+", type=float, help="of the runs [ps]; default: those of the system")
+    parser.add_argument("--lengths", nargs="+", type=float, help="lengths of the runs [ps]; default: those of the system")
     parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)))
     parser.add_argument("--output", type=Path, required=True)
     options = parser.parse_args()

@@ -51,10 +51,10 @@ def arguments():
     p.add_argument("--threads", type=numbers, default=[1, 2], help="(1,2)")
     p.add_argument("--precisions", type=words, default=["mixed", "double"], help="(mixed,double)")
     p.add_argument("--quick", action="store_true", help="small systems, short repeats")
-    p.add_argument("--json", type=Path, metavar="FILE", help="write all numbers there")
+    p.add_argument("--json", type=Path, metavar="FILE", help="write all results to this file")
     p.add_argument("--figures", type=Path, metavar="PREFIX", help="draw PREFIX-sizes.svg and PREFIX-threads.svg")
-    p.add_argument("--format", choices=("svg", "png"), default="svg", help="of the figures (svg)")
-    p.add_argument("--polhode", default="polhode", help="the program")
+    p.add_argument("--format", choices=("svg", "png"), default="svg", help="format of the figures (svg)")
+    p.add_argument("--polhode", default="polhode", help="path of polhode")
     o = p.parse_args()
     o.sizes = o.sizes or ([512, 1000] if o.quick else [512, 4096, 32768, 110592, 884736])
     if Path(o.polhode).exists():

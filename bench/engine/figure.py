@@ -10,36 +10,25 @@ from string import Template
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
-# The colours of Okabe and Ito, as in all figures here; filled marks for forces, open ones for steps.
-COLOURS = {"mixed": "#0072B2", "double": "#D55E00"}
+# Filled marks for forces, open ones for steps.
+COLOURS = dict(zip(("mixed", "double"), drawing.PALETTE))
 QUANTITIES = {"force": ("a force evaluation", (7, 5)), "step": ("a step of HOA2", (6, 4))}
 
-SCRIPT = Template("""# Restyle this and run it again: gnuplot draws ${image}.
-set encoding utf8
-set minussign
-set terminal ${terminal} background "white"
-set output "${image}"
-set border 3 linewidth 1 linecolor "#404040"
-set tics nomirror out scale 0.6 textcolor "#404040"
-set grid linewidth 0.5 linecolor "#e4e4e4"
-set key ${key} Left reverse noenhanced samplen 2.5 textcolor "#404040"
+SCRIPT = Template("""${style}
+set key outside top center horizontal maxcols 2
+set label 1 "${caveat}" at screen 0.02, screen 0.03 left noenhanced textcolor rgb ink font small
+set bmargin at screen 0.2
 set logscale x
 set format x "10^{%T}"
 set xrange [${low}:${high}]
-set xlabel "number of waters" textcolor "#404040"
-set ylabel "${label}" textcolor "#404040"
+set xlabel "number of waters"
+set ylabel "${label}"
 set yrange [${bottom}:${top}]
 
 ${data}
 
 plot ${plots}
 """)
-
-
-def terminal(form):
-    if form == "png":
-        return 'pngcairo size 1440,960 fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11"'
-    return 'svg size 720,480 dynamic enhanced font "Helvetica,15"'
 
 
 def value(system, quantity):
@@ -66,7 +55,7 @@ def speed_up(result, threads):
             yield f"{text}, {precision}", colour, marks[precision == "double"], points
 
 
-def script(curves, image, label, key, top, extra=()):
+def script(curves, image, label, caveat, top, extra=()):
     curves = [curve for curve in curves if curve[3]]
     data = [f"$curve{k} << EOD\n" + "\n".join(f"{x} {y:.6g}" for x, y in curve[3]) + "\nEOD"
             for k, curve in enumerate(curves)]
@@ -76,19 +65,21 @@ def script(curves, image, label, key, top, extra=()):
     sizes = [x for curve in curves for x, _ in curve[3]]
     values = [y for curve in curves for _, y in curve[3]]
     return SCRIPT.substitute(
-        image=image.name, terminal=terminal(image.suffix[1:]), key=key, label=label, data="\n".join(data),
+        style=drawing.begin(image, 720, 500), caveat=caveat, label=label, data="\n".join(data),
         low=f"{0.7 * min(sizes):g}", high=f"{1.4 * max(sizes):g}", bottom=0,
         top=f"{max(1.15 * max(values), top):g}", plots=", \\\n  ".join(plots))
 
 
 def draw(result, prefix, form="svg"):
     """Writes the scripts to the folder of the images and runs gnuplot on them."""
+    instruction_set = result.get("instruction_set") or result["target"]  # the word of older results
+    caveat = f"TIP4P at 1 g/cm³; polhode {result['version']} with {instruction_set} on {result['processor']}"
     image = lambda name: prefix.with_name(f"{prefix.name}-{name}.{form}")
-    drawing.draw(script(scaling(result), image("sizes"), "µs per molecule, one thread", "top left", 0), image("sizes"))
+    drawing.draw(script(scaling(result), image("sizes"), "µs per molecule, one thread", caveat, 0), image("sizes"))
     threads = max(s["threads"] for s in result["systems"])
     if threads > 1:
-        ideal = f'{threads} with lines linewidth 1 dashtype 3 linecolor "#808080" notitle'
-        drawing.draw(script(speed_up(result, threads), image("threads"), f"speed-up by {threads} threads", "bottom right",
+        ideal = f'{threads} with lines linewidth 1 dashtype 3 linecolor rgb ink title "ideal"'
+        drawing.draw(script(speed_up(result, threads), image("threads"), f"speed-up by {threads} threads", caveat,
                      1.1 * threads, [ideal]), image("threads"))
 
 

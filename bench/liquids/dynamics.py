@@ -65,16 +65,16 @@ def table(results):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--polhode", default="polhode", help="the program")
-    parser.add_argument("--runs", type=int, default=4, help="of each water, from starts of their own")
+    parser.add_argument("--polhode", default="polhode", help="path of polhode")
+    parser.add_argument("--runs", type=int, default=4, help="runs of each water model, each from another initial configuration")
     parser.add_argument("--count", type=int, default=512, help="waters in a run")
-    parser.add_argument("--length", type=float, default=200, help="of a run at constant energy [ps]")
-    parser.add_argument("--equilibrate", type=float, default=20, help="before it, with velocities rescaled [ps]")
-    parser.add_argument("--every", type=float, default=0.1, help="between frames [ps]")
-    parser.add_argument("--window", type=float, default=20, help="longest lag of correlations [ps]")
-    parser.add_argument("--folder", type=Path, default=Path("dynamics"), help="keeps the runs' numbers; finished "
+    parser.add_argument("--length", type=float, default=200, help="length of a run at constant energy [ps]")
+    parser.add_argument("--equilibrate", type=float, default=20, help="length of the equilibration with velocity rescaling [ps]")
+    parser.add_argument("--every", type=float, default=0.1, help="time between frames [ps]")
+    parser.add_argument("--window", type=float, default=20, help="maximum lag of correlations [ps]")
+    parser.add_argument("--folder", type=Path, default=Path("dynamics"), help="where results of runs are stored; finished "
                         "runs there are not made again")
-    parser.add_argument("--keep", action="store_true", help="the frames as well")
+    parser.add_argument("--keep", action="store_true", help="store the frames as well")
     o = parser.parse_args()
     o.polhode = machine.program(o.polhode)
     o.folder.mkdir(parents=True, exist_ok=True)

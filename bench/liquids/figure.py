@@ -9,18 +9,9 @@ from string import Template
 sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
-# The colours of Okabe and Ito, as in all figures here.
-COLOURS = {"tip4p": "#0072B2", "spce": "#D55E00", "tip4p-2005": "#009E73"}
-
-SCRIPT = Template("""# Restyle this and run it again: gnuplot draws ${image}.
-set encoding utf8
-set terminal ${terminal} background "white"
-set output "${image}"
-set border 3 linewidth 1 linecolor "#404040"
-set tics nomirror out scale 0.6 textcolor "#404040"
-set grid linewidth 0.5 linecolor "#e4e4e4"
-set title offset 0,-0.4 textcolor "#404040"
-set key top right textcolor "#404040" samplen 2 spacing 1.1 noenhanced Left reverse
+SCRIPT = Template("""${style}
+set title offset 0,-0.4
+set key bottom right
 
 ${data}
 
@@ -35,7 +26,7 @@ set rmargin at screen 0.555
 set title "oxygen-oxygen radial distribution, 298 K"
 set xrange [0.2:0.9]
 set yrange [0:3.5]
-plot ${plots}, 1 with lines linewidth 0.8 dashtype 3 linecolor "#404040" notitle
+plot ${plots}, 1 with lines linewidth 0.8 dashtype 3 linecolor rgb ink title "no structure"
 
 set lmargin at screen 0.655
 set rmargin at screen 0.97
@@ -51,15 +42,13 @@ unset multiplot
 
 def script(result, image):
     data, plots = [], []
-    for w in result["waters"]:
+    for w, colour in zip(result["waters"], drawing.PALETTE):
         name = "$" + w["model"].replace("-", "_")
         points = "\n".join(f"{r:g} {g:.4g}" for r, g in w["g"])
         data.append(f"{name} << EOD\n{points}\nEOD")
-        plots.append(f'{name} using 1:2 with lines linewidth 1.6 linecolor "{COLOURS[w["model"]]}" '
+        plots.append(f'{name} using 1:2 with lines linewidth 1.6 linecolor "{colour}" '
                      f'title "{w["name"]}"')
-    terminal = ('pngcairo size 2000,880 fontscale 2 linewidth 2 enhanced font "Helvetica,11"'
-                if image.suffix == ".png" else 'svg size 1000,440 dynamic enhanced font "Helvetica,14"')
-    return SCRIPT.substitute(image=image.name, terminal=terminal, data="\n".join(data), plots=", \\\n  ".join(plots))
+    return SCRIPT.substitute(style=drawing.begin(image, 1000, 440), data="\n".join(data), plots=", \\\n  ".join(plots))
 
 
 def draw(result, image):

@@ -68,10 +68,10 @@ def report(result):
     """The report stored with the JSON file: conditions, the table, each run, and how errors grow with the block length."""
     text = [f"# {', '.join(result['conditions'][:2])}", "", f"`{result['conditions'][2]}`", "",
             "At 298.15 K, with errors by the jackknife over blocks:", "", table(result), "",
-            "Each run: mean temperature, of translation and of rotation about the principal axes; R and drift of the "
+            "Each run: mean temperature, of translation and of rotation about the principal axes; R and energy drift of the "
             "total energy:", "",
             "| | run | T [K] | of translation | of rotation | potential [kJ/mol] | pressure [bar] | R [%] "
-            "| drift [kJ/mol/ps] |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
+            "| energy drift [kJ/mol/ps] |", "| --- | --- | --- | --- | --- | --- | --- | --- | --- |"]
     for w in result["waters"]:
         for k, r in enumerate(w["runs"], 1):
             axes = " ".join(f"{t:.2f}" for t in r["temperature_rotation_K"])
@@ -94,16 +94,16 @@ def report(result):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--polhode", default="polhode", help="the program")
-    parser.add_argument("--quick", action="store_true", help="2 runs of 3 ps of 216 waters: some seconds, no result")
-    parser.add_argument("--runs", type=int, default=8, help="of each water, from starts of their own; 2 at least")
-    parser.add_argument("--spread", type=float, default=8, help="two of the runs are colder and warmer by this [K]")
+    parser.add_argument("--polhode", default="polhode", help="path of polhode")
+    parser.add_argument("--quick", action="store_true", help="2 runs of 3 ps of 216 waters: a few seconds, a test without useful results")
+    parser.add_argument("--runs", type=int, default=8, help="runs of each water model, each from another initial configuration; at least 2")
+    parser.add_argument("--spread", type=float, default=8, help="two of the runs are colder and warmer by this much [K]")
     parser.add_argument("--count", type=int, default=360, help="waters in a run")
-    parser.add_argument("--length", type=float, default=100, help="of a run at constant energy [ps]")
-    parser.add_argument("--equilibrate", type=float, default=20, help="before it, with velocities rescaled [ps]")
-    parser.add_argument("--every", type=float, default=1, help="between frames for the radial distribution [ps]")
-    parser.add_argument("--blocks", type=int, default=5, help="a run is cut into, for errors")
-    parser.add_argument("--folder", type=Path, help="keeps the runs there, and reads those that it holds")
+    parser.add_argument("--length", type=float, default=100, help="length of a run at constant energy [ps]")
+    parser.add_argument("--equilibrate", type=float, default=20, help="length of the equilibration with velocity rescaling [ps]")
+    parser.add_argument("--every", type=float, default=1, help="time between frames for the radial distribution function [ps]")
+    parser.add_argument("--blocks", type=int, default=5, help="number of blocks of a run, for errors")
+    parser.add_argument("--folder", type=Path, help="where runs are stored; stored runs are read, not repeated")
     parser.add_argument("--output", default="liquids", help="prefix of the JSON and Markdown files")
     parser.add_argument("--figure", help="SVG or PNG")
     o = parser.parse_args()

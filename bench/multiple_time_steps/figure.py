@@ -9,9 +9,10 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import curves  # noqa: E402
 import drawing  # noqa: E402
 
-# The colours of Okabe and Ito, as in all figures here.
-SINGLE = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "bcss3": "#CC79A7", "gier4": "#009E73", "gier4-fd": "#56B4E9"}
-NESTED = ["#E69F00", "#000000", "#8C564B", "#7F7F7F", "#9467BD", "#BCBD22"]
+SINGLE = ("velocity-verlet", "hoa2", "bcss3", "gier4", "gier4-fd")
+NESTED = 6  # the most nested schemes
+CAVEAT = ("cost: evaluations of all forces, and of near forces times their share of the time.  outer / inner x n within r: n inner "
+          "steps an outer drift, near forces up to r.  Crossed: R above 10 %")
 
 
 def shown(points, most):
@@ -34,38 +35,47 @@ def shown(points, most):
     return {s: own[s] for s in (*[s for s in SINGLE if s in own], *nested)}
 
 
+def data_and_plots(name, curve, x, style):
+    """The data blocks of a curve and the plots of them: up to its end, and crossed beyond."""
+    good = len(curves.usable(curve))
+    data, plots = [], []
+    for part, chosen, look in (("u", curve[:good], f"linespoints pointtype {style.filled} pointsize 0.8 linewidth 1.6"),
+                               ("o", curve[good:], "points pointtype 2 pointsize 1.4 linewidth 1.6")):
+        if chosen:
+            points = "\n".join(f"{p[x]:g} {100 * p['R']:.5g}" for p in chosen)
+            data.append(f"{name}{part} << EOD\n{points}\nEOD")
+            plots.append(f'{name}{part} using 1:2 with {look} linecolor "{style.colour}" notitle')
+    return data, plots
+
+
 def script(result, image):
     data, panels = [], []
-    width = 0.98 / len(result["laws"])
-    for column, (law, of) in enumerate(result["laws"].items()):
-        drawn = shown(of["points"], len(NESTED))
-        costs = [p["force_evaluations_per_ps"] for curve in drawn.values() for p in curve]
-        for row, (x, label) in enumerate((("force_evaluations_per_ps", "cost  (force evaluations per ps)"),
+    drawn = {law: shown(of["points"], NESTED) for law, of in result["laws"].items()}
+    looks = drawing.styles(list(dict.fromkeys(s for of in drawn.values() for s in of)))
+    for column, (law, of) in enumerate(drawn.items()):
+        costs = [p["force_evaluations_per_ps"] for curve in of.values() for p in curve]
+        left, right = 0.5 * column if len(drawn) > 1 else 0, (0.5 * (column + 1) if len(drawn) > 1 else 1)
+        for row, (x, label) in enumerate((("force_evaluations_per_ps", "cost:  force evaluations per ps"),
                                           ("step_fs", "outer step  (fs)"))):
             plots = []
-            nested = iter(NESTED)
-            for k, (scheme, curve) in enumerate(drawn.items()):
-                colour = SINGLE.get(scheme) or next(nested)
-                good = len(curves.usable(curve))
-                for usable in (True, False):
-                    name = f"$c{column}r{row}k{k}u{int(usable)}"
-                    chosen = "\n".join(f"{p[x]:g} {100 * p['R']:.5g}" for p in curve[0 if usable else good:])
-                    if not chosen:
-                        continue
-                    data.append(f"{name} << EOD\n{chosen}\nEOD")
-                    style = (f'with linespoints pointtype {5 if "/" in scheme else 7} pointsize 0.6 linewidth 1.6 '
-                             f'linecolor "{colour}" title "{scheme if row == 0 else ""}"' if usable else
-                             f'with points pointtype 2 pointsize 1.4 linewidth 1.6 linecolor "{colour}" notitle')
-                    plots.append(f"{name} using 1:2 {style}")
-            panels.append(f'set lmargin at screen {0.11 + width * column}\nset rmargin at screen {width * (column + 1)}\n'
-                          f'set tmargin at screen {0.93 - 0.5 * row}\nset bmargin at screen {0.58 - 0.5 * row}\n'
-                          f'set xlabel "{label}" offset 0,0.4\n'
-                          + (f'set title "{law}"\nset logscale x\nset xtics (100, 150, 200, 300, 400, 600, 1000)\n'
+            for k, (scheme, curve) in enumerate(of.items()):
+                more, drawings = data_and_plots(f"$c{column}r{row}k{k}", curve, x, looks[scheme])
+                data += more
+                plots += drawings
+            middle, width = (left + right) / 2, (right - left) / 2
+            panels.append(f'set lmargin at screen {(left if row == 0 else middle) + 0.15 * width:.4f}\n'
+                          f'set rmargin at screen {(left if row == 0 else middle) + 0.97 * width:.4f}\n'
+                          f'set xlabel "{label}" offset 0,0.4\nset title "{law}"\n'
+                          + (f'set logscale x\nset xtics (100, 150, 200, 300, 400, 600, 1000)\n'
                              f'set xrange [{0.9 * min(costs):.0f}:{1.1 * max(costs):.0f}]\n'
-                             if row == 0 else "unset title\nunset logscale x\nset xtics autofreq\nset xrange [0:*]\n")
+                             if row == 0 else "unset logscale x\nset xtics autofreq\nset xrange [0:*]\n")
                           + f"plot {', '.join(plots)}")
-    return "\n".join([*drawing.head(image, 150 + 480 * len(result["laws"]), 860), "set yrange [0.01:30]", *data,
-                      "set multiplot", *panels, "unset multiplot", ""])
+    key = [f'with linespoints pointtype {style.filled} linewidth 1.6 linecolor "{style.colour}" title "{scheme}"'
+           for scheme, style in looks.items()]
+    return "\n".join([drawing.begin(image, 1000, 600), *data, "set multiplot", drawing.key(key, 0.77),
+                      f'set label 1 "{CAVEAT}" at screen 0.01, screen 0.03 left noenhanced textcolor rgb ink font small',
+                      "set tmargin at screen 0.72", "set bmargin at screen 0.155", 'set ylabel "R  (%)" offset 1',
+                      "set logscale y", 'set format y "%g"', "set yrange [0.01:30]", *panels, "unset multiplot", ""])
 
 
 def draw(result, image):

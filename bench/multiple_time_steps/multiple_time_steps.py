@@ -91,7 +91,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     curves.add_arguments(parser, runs=6, length=10, decorrelate=5, folder="nested")
     parser.add_argument("--laws", nargs="+", default=["cutoff", "pme"], choices=list(LAWS))
-    parser.add_argument("--reaches", nargs="+", type=float, default=list(REACHES), help="of near forces [nm]")
+    parser.add_argument("--reaches", nargs="+", type=float, default=list(REACHES), help="cutoff of the near forces [nm]")
     o = parser.parse_args()
     o.polhode = machine.program(o.polhode)
     o.folder = Path(o.folder)

@@ -1,10 +1,6 @@
-# Restyle this and run it again: gnuplot draws ${image}.
-set encoding utf8
-set minussign
-set terminal ${terminal} background "white"
-set output "${image}"
-set border 3 linewidth 1 linecolor "#404040"
-set title offset 0,-0.6 textcolor "#404040"
+${style}
+set title offset 0,-0.6
+set label 1000 "${caveat}" at screen 0.01, screen 0.02 left noenhanced textcolor rgb ink font small
 set style histogram clustered gap ${gap}
 set style fill solid 1 noborder
 set boxwidth 0.9 relative
@@ -19,7 +15,7 @@ set lmargin at screen 0.02
 set rmargin at screen 0.98
 set bmargin at screen ${strip}
 set tmargin at screen 0.99
-set key inside center center horizontal Left reverse noenhanced samplen 0.8 textcolor "#404040"
+set key inside center center horizontal Left reverse noenhanced samplen 0.8 textcolor rgb ink
 unset border
 unset tics
 unset grid
@@ -28,12 +24,12 @@ plot ${key}
 
 unset key
 set border 3
-set xtics nomirror scale 0 textcolor "#404040"
-set ytics nomirror out scale 0.6 textcolor "#404040"
+set xtics nomirror scale 0 textcolor rgb ink
+set ytics nomirror out scale 0.6 textcolor rgb ink
 set grid ytics linewidth 0.5 linecolor "#e4e4e4"
 set logscale y
 set format y "10^{%T}"
 set yrange [${low}:${high}]
-set ylabel "seconds a nanosecond" offset 1 textcolor "#404040"
+set ylabel "seconds per nanosecond" textcolor rgb ink
 ${plots}
 unset multiplot

@@ -11,11 +11,9 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-# The colours of Okabe and Ito, as in all figures here: one hue for polhode, others for the other programs.
-OURS = ("#0072B2", "#56B4E9", "#9AD0F0")
 GAP = 1.5  # bars between clusters
-KEY, PANEL = 60, 320  # heights [pixel]
-PEERS = ("#D55E00", "#009E73", "#E69F00", "#CC79A7", "#000000", "#8C510A", "#7F7F7F", "#B2ABD2")
+KEY, PANEL, CAVEAT = 60, 320, 30  # heights [pixel]
+PEERS = ("#404040", "#707070", "#9a9a9a", "#c0c0c0", "#585858", "#868686", "#aeaeae", "#d4d4d4")  # schemes have the colours
 
 
 def panels(result):
@@ -52,14 +50,22 @@ def margins(width, height, across, i):
     return "".join(f"set {side}margin at screen {place:.4f}\n" for side, place in sides.items())
 
 
+def caveat(result, names):
+    """The builds that are compared, since a build for another instruction set has another speed."""
+    versions = result.get("versions", {})
+    builds = [f"{n} {versions[n]}" for n in names if n in versions and not n.startswith("polhode")]
+    return "Builds as distributed; others are faster or slower: " + "; ".join(builds) if builds else ""
+
+
 def script(result, image):
     """The gnuplot script: a strip with the key, then a panel for each size and number of threads."""
     names = list(dict.fromkeys(r["engine"] for r in result["costs"]))
     shown = panels(result)
-    ours, peers = iter(OURS), iter(PEERS)
-    colours = [next(ours if n.startswith("polhode") else peers) for n in names]
+    ours = drawing.styles([n.removeprefix("polhode ") for n in names if n.startswith("polhode ")])
+    peers = iter(PEERS)
+    colours = [ours[n.removeprefix("polhode ")].colour if n.startswith("polhode ") else next(peers) for n in names]
     across = 2 if len(shown) > 1 else 1
-    width, height = 1020 if across == 2 else 940, PANEL * -(-len(shown) // across) + KEY
+    width, height = 1020 if across == 2 else 940, PANEL * -(-len(shown) // across) + KEY + CAVEAT
     values = [r["seconds_per_ns"] for r in result["costs"] if r["seconds_per_ns"]]
     data, plots = [], []
     for i, panel in enumerate(shown):
@@ -71,10 +77,8 @@ def script(result, image):
                      f'set title "{molecules} molecules, {threads} thread{"s" * (threads > 1)}"\n'
                      "plot " + ", \\\n  ".join(bars))
     key = [f'NaN with boxes linecolor "{c}" title "{n}"' for n, c in zip(names, colours)]
-    terminal = (f'svg size {width},{height} dynamic enhanced font "Helvetica,14"' if image.suffix != ".png" else
-                f'pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 enhanced font "Helvetica,11"')
     return Template((HERE / "figure.gp").read_text(encoding="utf-8")).substitute(
-        image=image.name, terminal=terminal, data="\n".join(data), plots="\n".join(plots),
+        style=drawing.begin(image, width, height), caveat=caveat(result, names), data="\n".join(data), plots="\n".join(plots),
         key=", \\\n  ".join(key), strip=f"{1 - KEY / height:.4f}", gap=GAP,
         low=f"{10 ** floor(log10(min(values))):g}", high=f"{2 * max(values):g}")
 

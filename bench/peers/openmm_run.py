@@ -58,13 +58,13 @@ def main():
             for i in range(len(start.labels))]
     context.setVelocities([mm.Vec3(*v) - f * b for v, f, b in zip(start.velocities, pull, back)])
     context.applyVelocityConstraints(1e-6)
-    freedoms = 6 * start.molecules - 3
+    degrees_of_freedom = 6 * start.molecules - 3
     samples, step_us = [], None
 
     def sample():
         state = context.getState(getEnergy=True)
         kinetic, potential = (e._value for e in (state.getKineticEnergy(), state.getPotentialEnergy()))
-        samples.append((kinetic + potential, potential, 2 * kinetic / freedoms / 0.00831446261815324))
+        samples.append((kinetic + potential, potential, 2 * kinetic / degrees_of_freedom / 0.00831446261815324))
 
     if order["every"] == 0:
         integrator.step(WARMUP)

@@ -12,10 +12,7 @@ sys.path.append(str(Path(__file__).resolve().parents[1]))
 import drawing  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-# The colours of Okabe and Ito, as in all figures here.
-COLOURS = {"velocity-verlet": "#0072B2", "hoa2": "#D55E00", "gier4-fd": "#009E73"}
-SYMBOLS = {"velocity-verlet": (7, 6), "hoa2": (5, 4), "gier4-fd": (9, 8)}
-GREY = "#404040"
+SCHEMES = ("velocity-verlet", "hoa2", "gier4-fd")
 
 
 def rms_potential(result):
@@ -35,7 +32,8 @@ def decade(x, up):
 
 
 def script(result, image):
-    schemes = [s for s in COLOURS if any(r["scheme"] == s for r in result["runs"])]
+    looks = drawing.styles(SCHEMES)
+    schemes = [s for s in SCHEMES if any(r["scheme"] == s for r in result["runs"])]
     data, steps, growth = [], [], []
     for s in schemes:
         for k, precision in enumerate(("mixed", "double")):
@@ -43,10 +41,10 @@ def script(result, image):
             points = "\n".join(f"{h:g} {r:.6g}" for h, r in ladder(result, s, precision))
             data.append(f"{name} << EOD\n{points}\nEOD")
             steps.append(f'{name} using 1:2 with linespoints linewidth 1.6 dashtype {2 if k else 1} pointsize '
-                         f'{1.2 if k else 0.8} pointtype {SYMBOLS[s][k]} linecolor "{COLOURS[s]}" '
+                         f'{1.2 if k else 0.8} pointtype {looks[s][1 + k]} linecolor "{looks[s].colour}" '
                          + (f'title "{s}"' if k == 0 else "notitle"))
     a, scale = result["a_kJ_per_mol"], rms_potential(result)
-    steps.append(f'{100 * a / scale:.6g} with lines linewidth 1.2 dashtype 3 linecolor "{GREY}" '
+    steps.append(f'{100 * a / scale:.6g} with lines linewidth 1.2 dashtype 3 linecolor rgb ink '
                  'title "rounding alone"')
     long = sorted({(g["scheme"], g["step_fs"]) for g in result["growth"]})
     for s, h in long:
@@ -56,21 +54,18 @@ def script(result, image):
             points = "\n".join(f"{g['window_ps']:g} {g['rms_total']:.6g}" for g in own)
             data.append(f"{name} << EOD\n{points}\nEOD")
             growth.append(f'{name} using 1:2 with linespoints linewidth 1.6 dashtype {2 if k else 1} pointsize '
-                          f'{1.2 if k else 0.8} pointtype {SYMBOLS[s][k]} linecolor "{COLOURS[s]}" '
+                          f'{1.2 if k else 0.8} pointtype {looks[s][1 + k]} linecolor "{looks[s].colour}" '
                           f'title "{s} {h:g} fs, {precision}"')
     walk = result["c_kJ_per_mol_ps"] ** 2 * 1e-3 * result["weights"]["gier4-fd"] / 6  # gier4-fd at 1 fs
-    growth.append(f'sqrt({a**2:.6g} + {walk:.6g}*x) with lines linewidth 1.2 dashtype 3 linecolor "{GREY}" '
+    growth.append(f'sqrt({a**2:.6g} + {walk:.6g}*x) with lines linewidth 1.2 dashtype 3 linecolor rgb ink '
                   'title "rounding of gier4-fd"')
     if walk > 0:  # a short run does not show it
-        growth.append(f'sqrt({walk:.6g}*x) with lines linewidth 1.2 dashtype 4 linecolor "{GREY}" title "its walk"')
+        growth.append(f'sqrt({walk:.6g}*x) with lines linewidth 1.2 dashtype 4 linecolor rgb ink title "its walk"')
     shown = [100 * r["R"] for r in result["runs"] if r["kind"] == "short" and r["lambda"] == ""]
     sizes = [g["rms_total"] for g in result["growth"]] + [sqrt(walk * 0.25) or a]
-    width, height = 1000, 440
-    terminal = (f'svg size {width},{height} dynamic enhanced font "Helvetica,14"' if image.suffix != ".png" else
-                f'pngcairo size {2 * width},{2 * height} fontscale 2 linewidth 2 enhanced font "Helvetica,11"')
     lengths = {kind: next(r["length_ps"] for r in result["runs"] if r["kind"] == kind) for kind in ("short", "long")}
     return Template((HERE / "figure.gp").read_text(encoding="utf-8")).substitute(
-        image=image.name, terminal=terminal, data="\n".join(data), steps=", \\\n  ".join(steps),
+        style=drawing.begin(image, 1000, 500), data="\n".join(data), steps=", \\\n  ".join(steps),
         growth=", \\\n  ".join(growth), short=f"{lengths['short']:g}", long=f"{lengths['long']:g}",
         low=f"{decade(min(shown), 0):g}", high=f"{decade(max(shown), 1):g}", widest=f"{1.25 * lengths['long']:g}",
         growth_low=f"{decade(min(sizes), 0):g}",

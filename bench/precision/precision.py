@@ -175,11 +175,11 @@ def write_csv(path, rows, head):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--polhode", default="polhode", help="the program")
-    parser.add_argument("--quick", action="store_true", help="one start, short runs, fewer steps: half a minute")
+    parser.add_argument("--polhode", default="polhode", help="path of polhode")
+    parser.add_argument("--quick", action="store_true", help="one initial configuration, short runs, fewer steps: half a minute")
     parser.add_argument("--starts", type=int, default=2)
-    parser.add_argument("--length", type=float, default=2, help="of the short runs [ps]")
-    parser.add_argument("--long", type=float, default=16, help="of the long runs [ps]")
+    parser.add_argument("--length", type=float, default=2, help="length of the short runs [ps]")
+    parser.add_argument("--long", type=float, default=16, help="length of the long runs [ps]")
     parser.add_argument("--output", default="precision", help="prefix of the CSV and JSON files")
     parser.add_argument("--figure", help="SVG or PNG")
     o = parser.parse_args()

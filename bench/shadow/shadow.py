@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Drift of the energy and of the shadow energy in the same runs of water, by `polhode run`: the table of
+"""Energy drift, from the energy and from the shadow energy of the same runs of water, by `polhode run`: the table of
 docs/shadow-and-bias.md."""
 
 import argparse
@@ -37,7 +37,7 @@ def sample(step):
 
 
 def run(o, scheme, step):
-    """What one run says of both drifts; the start has velocities, so the run is the same for every seed."""
+    """What one run reports about both; the start has velocities, so the run is the same for every seed."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "run.toml").write_text(
             RUN_FILE.format(system=o.system, forces=o.forces, equilibrate=o.equilibrate, length=o.length,
@@ -70,11 +70,11 @@ def table(runs):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", default="polhode", help="the built program")
-    parser.add_argument("--system", default=WATER, help="lines of the run file's table [system]")
-    parser.add_argument("--forces", default="", help="lines of its table [forces]")
-    parser.add_argument("--length", type=float, default=12, help="of each run [ps]")
-    parser.add_argument("--equilibrate", type=float, default=2, help="before it [ps]")
+    parser.add_argument("--program", default="polhode", help="path of polhode")
+    parser.add_argument("--system", default=WATER, help="lines for the table [system] of the run file")
+    parser.add_argument("--forces", default="", help="lines for the table [forces] of the run file")
+    parser.add_argument("--length", type=float, default=12, help="length of each run [ps]")
+    parser.add_argument("--equilibrate", type=float, default=2, help="length of the equilibration [ps]")
     parser.add_argument("--threads", type=int, default=1)
     parser.add_argument("--output", type=Path, default=Path(f"{date.today()}-shadow.json"))
     o = parser.parse_args()

@@ -1,18 +1,26 @@
 # Restyle this and run it again: gnuplot draws all-schemes.svg.
+image = "all-schemes.svg"
+format = "svg"
+width = 1350
+height = 540
+# The style of all figures. Above: image, format ("svg" or "png"), width and height [pixels].
 set encoding utf8
 set minussign
-set terminal svg size 1350,460 dynamic enhanced font "Helvetica,13" background "white"
-set output "all-schemes.svg"
-set border 3 linewidth 1 linecolor "#404040"
-set tics nomirror out scale 0.6 textcolor "#404040"
+ink = "#404040"
+small = format eq "png" ? ",9" : ",12"  # font, in points of a bitmap or pixels
+if (format eq "png") {
+  # Twice the pixels, for print and high-density screens.
+  set terminal pngcairo size 2*width,2*height fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11" background "white"
+} else {
+  set terminal svg size width,height dynamic enhanced font "Helvetica,15" background "white"
+}
+set output image
+set border 3 linewidth 1 linecolor rgb ink
+set tics nomirror out scale 0.6 textcolor rgb ink
 set grid linewidth 0.5 linecolor "#e4e4e4"
-set key top right textcolor "#404040" samplen 1.5 spacing 1 noenhanced font ",9"
-set logscale y
-set ylabel "R  (%)" offset 1
-set logscale x
-set xlabel "cost  (force evaluations per ps)" offset 0,0.4
-set xtics (60, 100, 150, 200, 300, 400, 600, 1000, 2000)
-set yrange [0.002:20]
+set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
+set title noenhanced textcolor rgb ink
+
 $c0k0 << EOD
 2000 0.054335
 1414.43 0.11341
@@ -164,7 +172,7 @@ $c0k19d << EOD
 176.991 135.45
 EOD
 $c0k20 << EOD
-2000 0.0031314
+2000 0.0031313
 1413.43 0.0048774
 1000 0.016213
 706.714 0.16599
@@ -194,7 +202,7 @@ $c0k22 << EOD
 250 1.719
 EOD
 $c0k22d << EOD
-176.471 29.55
+176.471 29.551
 EOD
 $c1k0 << EOD
 2000 0.0552
@@ -237,11 +245,11 @@ $c1k4 << EOD
 707.214 0.86967
 EOD
 $c1k5 << EOD
-2000 0.0037523
+2000 0.0037524
 1412.43 0.0048423
 1000 0.012279
 707.214 0.20873
-500 1.2664
+500 1.2663
 EOD
 $c1k6 << EOD
 2000 0.0095823
@@ -273,7 +281,7 @@ EOD
 $c1k10 << EOD
 2000 0.0036853
 1412.43 0.0037099
-1000 0.0046871
+1000 0.004687
 707.214 0.086964
 500 2.1372
 EOD
@@ -281,7 +289,7 @@ $c1k11 << EOD
 2000 0.0037758
 1415.09 0.0042098
 1000 0.011159
-706.714 0.095169
+706.714 0.09517
 500 0.51269
 352.941 2.5094
 EOD
@@ -295,25 +303,25 @@ EOD
 $c1k13 << EOD
 2000 0.0037211
 1413.88 0.0054396
-1000 0.017925
+1000 0.017924
 705.128 0.2076
 500 2.0459
 EOD
 $c1k14 << EOD
-2000 0.003621
+2000 0.0036211
 1414.14 0.011795
 1000 0.089804
 707.071 1.0391
 EOD
 $c1k15 << EOD
-2000 0.0073979
+2000 0.0073978
 1415.09 0.027083
 1000 0.1459
 706.714 2.6197
 EOD
 $c1k16 << EOD
 2000 0.0047897
-1412.43 0.01266
+1412.43 0.012659
 1000 0.052526
 707.214 0.78704
 EOD
@@ -339,7 +347,7 @@ $c1k19 << EOD
 2000 0.020199
 1418.44 0.045628
 1000 0.089405
-706.714 0.14696
+706.714 0.14697
 500 0.30733
 353.357 0.6944
 250 2.4403
@@ -350,7 +358,7 @@ EOD
 $c1k20 << EOD
 2000 0.003727
 1413.43 0.0049743
-1000 0.016178
+1000 0.016179
 706.714 0.087987
 500 1.7477
 EOD
@@ -382,10 +390,10 @@ $c1k22d << EOD
 EOD
 $c2k0 << EOD
 1000 0.014072
-709.22 0.026174
+709.22 0.026173
 500 0.05401
 353.357 0.10207
-250 0.21772
+250 0.21773
 176.678 0.40959
 125 0.83601
 88.4956 1.7104
@@ -430,7 +438,7 @@ $c2k5 << EOD
 500 0.0030711
 354.61 0.032418
 250 0.18033
-176.678 1.6149
+176.678 1.6148
 125 8.6991
 EOD
 $c2k6 << EOD
@@ -444,10 +452,10 @@ $c2k7 << EOD
 1000 0.0015283
 706.714 0.0020465
 500 0.0045143
-353.982 0.015278
+353.982 0.015277
 250 0.14224
 176.991 1.5255
-125 6.2227
+125 6.2226
 EOD
 $c2k8 << EOD
 1000 0.0014544
@@ -473,12 +481,12 @@ $c2k10 << EOD
 500 0.0028636
 354.61 0.018781
 250 0.23107
-176.678 1.3103
+176.678 1.3104
 EOD
 $c2k11 << EOD
 1000 0.0014018
 706.714 0.0016643
-500 0.0033691
+500 0.003369
 352.941 0.013669
 250 0.054018
 176.991 0.45791
@@ -490,7 +498,7 @@ $c2k12 << EOD
 500 0.0055067
 352.941 0.036814
 250 0.17846
-176.991 1.1349
+176.991 1.1348
 125 2.866
 EOD
 $c2k13 << EOD
@@ -549,7 +557,7 @@ $c2k19 << EOD
 706.714 0.0099941
 500 0.022154
 353.357 0.043014
-250 0.081984
+250 0.081985
 176.991 0.17665
 125 0.44193
 88.4956 3.537
@@ -558,7 +566,7 @@ $c2k19d << EOD
 62.5 65.039
 EOD
 $c2k20 << EOD
-1000 0.0015379
+1000 0.001538
 706.714 0.0023351
 500 0.0056545
 353.982 0.015547
@@ -593,19 +601,55 @@ $c2k22d << EOD
 62.5 10.683
 EOD
 set multiplot
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set bmargin at screen 0.9
+set tmargin at screen 0.99
+unset border
+unset grid
+set tics scale 0
+set format ""
+set xrange [0:1]
+set yrange [0:1]
+set key inside center center horizontal
+plot NaN notitle, \
+  keyentry with linespoints pointtype 7 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", \
+  keyentry with linespoints pointtype 5 linewidth 1.8 linecolor "#D55E00" title "hoa2", \
+  keyentry with linespoints pointtype 11 linewidth 1.8 linecolor "#117733" title "gier4", \
+  keyentry with linespoints pointtype 9 linewidth 1.8 linecolor "#009E73" title "gier4-fd", \
+  keyentry with linespoints pointtype 13 linewidth 1.8 linecolor "#CC79A7" title "bcss3", \
+  keyentry with lines linewidth 1 linecolor "#c8c8c8" title "18 others", \
+  keyentry with points pointtype 2 linewidth 1.4 linecolor rgb ink title "energy not conserved"
+unset key
+set format "%g"
+set border 3 linewidth 1 linecolor rgb ink
+set tics nomirror out scale 0.6 textcolor rgb ink
+set grid linewidth 0.5 linecolor "#e4e4e4"
+set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
+set title noenhanced textcolor rgb ink
+
+set logscale xy
+set tmargin at screen 0.84
+set bmargin at screen 0.17
+set ylabel "R  (%)" offset 1
+set format y "%g"
+set xlabel "cost:  force evaluations per ps" offset 0,0.4
+set xtics (60, 100, 150, 200, 300, 400, 600, 1000, 2000)
+set label 1 "A derivative of the forces counts as two evaluations; energy not conserved: R above 10 %, or a run blew up. R levels off at that of rounding in mixed precision." at screen 0.01, screen 0.03 left noenhanced textcolor rgb ink font small
+set yrange [0.001:20]
 set xrange [159:2100]
 set lmargin at screen 0.056
 set rmargin at screen 0.327
 set title "reaction-field"
-plot $c0k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c0k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c0k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c0k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c0k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c0k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c0k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c0k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c0k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c0k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
+plot $c0k0 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k1 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k2 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k3 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k4 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k5 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k6 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k7 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k8 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k9 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k10 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k11 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k12 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k13 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k14 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k15 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k16 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k17 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c0k18 using 1:2 with linespoints pointtype 7 pointsize 0.7 linewidth 1.8 linecolor "#0072B2" notitle, $c0k19 using 1:2 with linespoints pointtype 5 pointsize 0.7 linewidth 1.8 linecolor "#D55E00" notitle, $c0k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c0k20 using 1:2 with linespoints pointtype 11 pointsize 0.7 linewidth 1.8 linecolor "#117733" notitle, $c0k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#117733" notitle, $c0k21 using 1:2 with linespoints pointtype 9 pointsize 0.7 linewidth 1.8 linecolor "#009E73" notitle, $c0k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c0k22 using 1:2 with linespoints pointtype 13 pointsize 0.7 linewidth 1.8 linecolor "#CC79A7" notitle, $c0k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
 set xrange [159:2100]
 set lmargin at screen 0.382
 set rmargin at screen 0.653
 set title "pme"
-plot $c1k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c1k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c1k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c1k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c1k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c1k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c1k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c1k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c1k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c1k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
+plot $c1k0 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k1 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k2 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k3 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k4 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k5 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k6 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k7 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k8 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k9 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k10 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k11 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k12 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k13 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k14 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k15 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k16 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k17 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c1k18 using 1:2 with linespoints pointtype 7 pointsize 0.7 linewidth 1.8 linecolor "#0072B2" notitle, $c1k19 using 1:2 with linespoints pointtype 5 pointsize 0.7 linewidth 1.8 linecolor "#D55E00" notitle, $c1k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c1k20 using 1:2 with linespoints pointtype 11 pointsize 0.7 linewidth 1.8 linecolor "#117733" notitle, $c1k20d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#117733" notitle, $c1k21 using 1:2 with linespoints pointtype 9 pointsize 0.7 linewidth 1.8 linecolor "#009E73" notitle, $c1k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c1k22 using 1:2 with linespoints pointtype 13 pointsize 0.7 linewidth 1.8 linecolor "#CC79A7" notitle, $c1k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
 set xrange [56:1050]
 set lmargin at screen 0.709
 set rmargin at screen 0.980
 set title "co2"
-plot $c2k0 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k1 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k2 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k3 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k4 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k5 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k6 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k7 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k8 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k9 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k10 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k11 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k12 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k13 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k14 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k15 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k16 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k17 using 1:2 with lines linewidth 1 linecolor "#b8b8b8" notitle, $c2k18 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", $c2k19 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#D55E00" title "hoa2", $c2k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c2k20 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#009E73" title "gier4", $c2k21 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#56B4E9" title "gier4-fd", $c2k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#56B4E9" notitle, $c2k22 using 1:2 with linespoints pointtype 7 pointsize 0.6 linewidth 1.8 linecolor "#CC79A7" title "bcss3", $c2k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
+plot $c2k0 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k1 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k2 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k3 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k4 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k5 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k6 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k7 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k8 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k9 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k10 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k11 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k12 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k13 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k14 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k15 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k16 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k17 using 1:2 with lines linewidth 1 linecolor "#c8c8c8" notitle, $c2k18 using 1:2 with linespoints pointtype 7 pointsize 0.7 linewidth 1.8 linecolor "#0072B2" notitle, $c2k19 using 1:2 with linespoints pointtype 5 pointsize 0.7 linewidth 1.8 linecolor "#D55E00" notitle, $c2k19d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#D55E00" notitle, $c2k20 using 1:2 with linespoints pointtype 11 pointsize 0.7 linewidth 1.8 linecolor "#117733" notitle, $c2k21 using 1:2 with linespoints pointtype 9 pointsize 0.7 linewidth 1.8 linecolor "#009E73" notitle, $c2k21d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#009E73" notitle, $c2k22 using 1:2 with linespoints pointtype 13 pointsize 0.7 linewidth 1.8 linecolor "#CC79A7" notitle, $c2k22d using 1:2 with points pointtype 2 pointsize 0.9 linewidth 1.4 linecolor "#CC79A7" notitle
 unset multiplot

@@ -1,100 +1,136 @@
 # Restyle this and run it again: gnuplot draws figure1.png.
+image = './figure1.png'
+format = 'png'
+width = 720
+height = 580
+curves = 3
+array name[3]
+name[1] = 'velocity-verlet'
+name[2] = 'hoa2'
+name[3] = 'gier4-fd'
+array colour[3]
+colour[1] = '#0072B2'
+colour[2] = '#D55E00'
+colour[3] = '#009E73'
+array filled[3]
+filled[1] = 7
+filled[2] = 5
+filled[3] = 9
+array open[3]
+open[1] = 6
+open[2] = 4
+open[3] = 8
+caption = 'Lower and further left is better; R = 0 is exact dynamics. 512 tip4p; 10 runs of 15 ps a point.'
+some_end = 1
+some_rounded = 0
+cost_low = 100
+cost_high = 1100
+ratio_high = 3.5
+all_cost_low = 133.3333333
+all_cost_high = 1250
+all_ratio_low = 0.003285244724
+all_ratio_high = 14.23326172
+$points << EOD
+# velocity-verlet
+166.66667 8.8957886 0.080642891 1 0
+200 5.8898905 0.076076484 0 0
+250 3.8103222 0.044750856 0 0
+285.71429 2.8657323 0.026810255 0 0
+333.33333 2.1014306 0.019960123 0 0
+400 1.4639758 0.012035201 0 0
+500 0.93413104 0.012398277 0 0
+666.66667 0.53020233 0.0062390122 0 0
+1000 0.23144917 0.0028412263 0 0
+
+
+# hoa2
+285.71429 1.7961859 0.12684322 1 0
+333.33333 0.82927351 0.023418938 0 0
+400 0.5357535 0.015000121 0 0
+500 0.34538951 0.011537789 0 0
+666.66667 0.18539679 0.0030433541 0 0
+1000 0.083632331 0.0020232413 0 0
+
+
+# gier4-fd
+375 3.0273455 0.33979595 1 0
+428.57143 0.81967663 0.092567326 0 0
+500 0.21308828 0.014750146 0 0
+600 0.047917755 0.0017254835 0 0
+750 0.015719669 0.00024578849 0 0
+1000 0.0046932067 4.7902237e-05 0 0
+
+
+EOD
+
+# The style of all figures. Above: image, format ("svg" or "png"), width and height [pixels].
 set encoding utf8
 set minussign
-set terminal pngcairo size 1440,1080 fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11" background "white"
-set output "figure1.png"
-set border 3 linewidth 1 linecolor "#404040"
-set tics nomirror out scale 0.6 textcolor "#404040"
+ink = "#404040"
+small = format eq "png" ? ",9" : ",12"  # font, in points of a bitmap or pixels
+if (format eq "png") {
+  # Twice the pixels, for print and high-density screens.
+  set terminal pngcairo size 2*width,2*height fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11" background "white"
+} else {
+  set terminal svg size width,height dynamic enhanced font "Helvetica,15" background "white"
+}
+set output image
+set border 3 linewidth 1 linecolor rgb ink
+set tics nomirror out scale 0.6 textcolor rgb ink
 set grid linewidth 0.5 linecolor "#e4e4e4"
+set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
+set title noenhanced textcolor rgb ink
 
-# velocity-verlet: force evaluations per ps, R [%], its standard error, last stable, rounded
-$curve0 << EOD
-166.66667 8.8957886 0.0806 1 0
-200 5.8898905 0.0761 0 0
-250 3.8103222 0.0448 0 0
-285.71429 2.8657323 0.0268 0 0
-333.33333 2.1014306 0.02 0 0
-400 1.4639758 0.012 0 0
-500 0.93413104 0.0124 0 0
-666.66667 0.53020233 0.00624 0 0
-1000 0.23144917 0.00284 0 0
-EOD
-
-# hoa2: force evaluations per ps, R [%], its standard error, last stable, rounded
-$curve1 << EOD
-400 0.5357535 0.015 1 0
-500 0.34538951 0.0115 0 0
-666.66667 0.18539679 0.00304 0 0
-1000 0.083632331 0.00202 0 0
-EOD
-
-# gier4-fd: force evaluations per ps, R [%], its standard error, last stable, rounded
-$curve2 << EOD
-375 3.0273455 0.34 1 0
-428.57143 0.81967663 0.0926 0 0
-500 0.21308828 0.0148 0 0
-600 0.047917755 0.00173 0 0
-750 0.015719669 0.000246 0 0
-1000 0.0046932067 4.79e-05 0 0
-EOD
-
+# R against cost for each scheme, on linear axes, with an inset of all points on logarithmic ones. Above: for each curve its
+# name, colour, filled and open marker; caption; the ranges of the axes; some_end, some_rounded; and $points, a block per curve:
+# force evaluations per ps, R [%], its standard error, 1 at the last step before the curve ends, 1 where R is dominated by rounding.
+longest = 0
+do for [k=1:curves] { if (strlen(name[k]) > longest) { longest = strlen(name[k]) } }
+entries = curves + some_end + some_rounded
+across = longest < 20 ? 3 : longest < 40 ? 2 : 1
+rows = ceil(real(entries)/across)
 set multiplot
 set lmargin at screen 0.12
 set rmargin at screen 0.97
-set bmargin at screen 0.15
-set tmargin at screen 0.88
-set key tmargin center horizontal Left reverse noenhanced samplen 1.6 width 0 textcolor "#404040"
-set xlabel "force evaluations per ps" offset 0,0.2
-set ylabel "R  (%)" offset 0.8
-set xrange [100:1100]
-set yrange [0:3.5]
-plot \
-  $curve0 using 1:2 with lines linewidth 1.6 linecolor "#0072B2" notitle, \
-  '' using 1:2:3 with yerrorbars pointtype -1 linewidth 1 linecolor "#0072B2" notitle, \
-  '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 7 pointsize 0.9 linecolor "#0072B2" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 7 pointsize 1.26 linewidth 0 linecolor "white" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 6 pointsize 1.26 linewidth 1.6 linecolor "#0072B2" notitle, \
-  NaN with linespoints linewidth 1.6 pointtype 7 pointsize 0.9 linecolor "#0072B2" title "velocity-verlet", \
-  $curve1 using 1:2 with lines linewidth 1.6 linecolor "#D55E00" notitle, \
-  '' using 1:2:3 with yerrorbars pointtype -1 linewidth 1 linecolor "#D55E00" notitle, \
-  '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 5 pointsize 0.9 linecolor "#D55E00" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 5 pointsize 1.26 linewidth 0 linecolor "white" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 4 pointsize 1.26 linewidth 1.6 linecolor "#D55E00" notitle, \
-  NaN with linespoints linewidth 1.6 pointtype 5 pointsize 0.9 linecolor "#D55E00" title "hoa2", \
-  $curve2 using 1:2 with lines linewidth 1.6 linecolor "#009E73" notitle, \
-  '' using 1:2:3 with yerrorbars pointtype -1 linewidth 1 linecolor "#009E73" notitle, \
-  '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 9 pointsize 0.9 linecolor "#009E73" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 9 pointsize 1.26 linewidth 0 linecolor "white" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 8 pointsize 1.26 linewidth 1.6 linecolor "#009E73" notitle, \
-  NaN with linespoints linewidth 1.6 pointtype 9 pointsize 0.9 linecolor "#009E73" title "gier4-fd", \
-  NaN with points pointtype 6 pointsize 1.3 linewidth 1.6 linecolor "#404040" title "end of stability"
+set bmargin at screen 0.185
+set tmargin at screen 0.965 - 0.04*rows
+set key at screen 0.54, screen 0.985 center top horizontal maxcols across
+set label 1 caption at screen 0.02, screen 0.05 left noenhanced textcolor rgb ink font small
+set xlabel "cost:  force evaluations per ps" offset 0,0.2
+set ylabel "error:  R = rms of E / rms of V  (%)" offset 0.8
+set xrange [cost_low:cost_high]
+set yrange [0:ratio_high]
+plot for [k=1:curves] $points index k-1 using 1:2 with lines linewidth 1.6 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points index k-1 using 1:2:3 with yerrorbars pointtype -1 linewidth 1 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points index k-1 using 1:($4 == 0 ? $2 : NaN) with points pointtype filled[k] pointsize 0.9 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype filled[k] pointsize 1.26 linewidth 0 linecolor "white" notitle, \
+  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype open[k] pointsize 1.26 linewidth 1.6 linecolor rgb colour[k] notitle, \
+  for [k=1:curves] $points index k-1 using 1:($5 == 1 ? $2 : NaN) with points pointtype 2 pointsize 1.6 linewidth 1.4 linecolor rgb ink notitle, \
+  for [k=1:curves] keyentry with linespoints linewidth 1.6 pointtype filled[k] pointsize 0.9 linecolor rgb colour[k] title name[k], \
+  for [k=1:some_end] keyentry with points pointtype 6 pointsize 1.26 linewidth 1.6 linecolor rgb ink title "longer steps drift", \
+  for [k=1:some_rounded] keyentry with points pointtype 2 pointsize 1.26 linewidth 1.4 linecolor rgb ink title "rounding", \
+  NaN notitle
 
-#Everything, on logarithmic axes.
+# Everything, on logarithmic axes.
 set lmargin at screen 0.52
 set rmargin at screen 0.955
-set bmargin at screen 0.50
-set tmargin at screen 0.865
+set bmargin at screen 0.52
+set tmargin at screen 0.945 - 0.04*rows
 unset key
+unset label 1
 set border 15
 set logscale xy
-set xlabel "" 
+set xlabel ""
 set ylabel ""
-set tics font ",9"
+set tics font small
 set xtics (100, 200, 500, 1000, 2000, 5000, 10000)
-set format y "10^{%T}"
-set xrange [133.333:1250]
-set yrange [0.00328524:14.2333]
-plot \
-  $curve0 using 1:2 with lines linewidth 1 linecolor "#0072B2" notitle, \
-  '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 7 pointsize 0.45 linecolor "#0072B2" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 7 pointsize 0.63 linewidth 0 linecolor "white" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 6 pointsize 0.63 linewidth 1.6 linecolor "#0072B2" notitle, \
-  $curve1 using 1:2 with lines linewidth 1 linecolor "#D55E00" notitle, \
-  '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 5 pointsize 0.45 linecolor "#D55E00" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 5 pointsize 0.63 linewidth 0 linecolor "white" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 4 pointsize 0.63 linewidth 1.6 linecolor "#D55E00" notitle, \
-  $curve2 using 1:2 with lines linewidth 1 linecolor "#009E73" notitle, \
-  '' using 1:($4 == 0 ? $2 : NaN) with points pointtype 9 pointsize 0.45 linecolor "#009E73" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 9 pointsize 0.63 linewidth 0 linecolor "white" notitle, \
-  '' using 1:($4 == 1 ? $2 : NaN) with points pointtype 8 pointsize 0.63 linewidth 1.6 linecolor "#009E73" notitle, NaN notitle
+set format y "%g"
+set xrange [all_cost_low:all_cost_high]
+set yrange [all_ratio_low:all_ratio_high]
+plot for [k=1:curves] $points index k-1 using 1:2 with lines linewidth 1 linecolor rgb colour[k], \
+  for [k=1:curves] $points index k-1 using 1:($4 == 0 ? $2 : NaN) with points pointtype filled[k] pointsize 0.45 linecolor rgb colour[k], \
+  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype filled[k] pointsize 0.63 linewidth 0 linecolor "white", \
+  for [k=1:curves] $points index k-1 using 1:($4 == 1 ? $2 : NaN) with points pointtype open[k] pointsize 0.63 linewidth 1.6 linecolor rgb colour[k], \
+  for [k=1:curves] $points index k-1 using 1:($5 == 1 ? $2 : NaN) with points pointtype 2 pointsize 0.8 linewidth 1.4 linecolor rgb ink, \
+  NaN notitle
 unset multiplot

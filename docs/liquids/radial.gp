@@ -1,12 +1,28 @@
 # Restyle this and run it again: gnuplot draws radial.svg.
+image = "radial.svg"
+format = "svg"
+width = 1000
+height = 440
+# The style of all figures. Above: image, format ("svg" or "png"), width and height [pixels].
 set encoding utf8
-set terminal svg size 1000,440 dynamic enhanced font "Helvetica,14" background "white"
-set output "radial.svg"
-set border 3 linewidth 1 linecolor "#404040"
-set tics nomirror out scale 0.6 textcolor "#404040"
+set minussign
+ink = "#404040"
+small = format eq "png" ? ",9" : ",12"  # font, in points of a bitmap or pixels
+if (format eq "png") {
+  # Twice the pixels, for print and high-density screens.
+  set terminal pngcairo size 2*width,2*height fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11" background "white"
+} else {
+  set terminal svg size width,height dynamic enhanced font "Helvetica,15" background "white"
+}
+set output image
+set border 3 linewidth 1 linecolor rgb ink
+set tics nomirror out scale 0.6 textcolor rgb ink
 set grid linewidth 0.5 linecolor "#e4e4e4"
-set title offset 0,-0.4 textcolor "#404040"
-set key top right textcolor "#404040" samplen 2 spacing 1.1 noenhanced Left reverse
+set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
+set title noenhanced textcolor rgb ink
+
+set title offset 0,-0.4
+set key bottom right
 
 $tip4p << EOD
 0.001 0
@@ -1528,7 +1544,7 @@ set xrange [0.2:0.9]
 set yrange [0:3.5]
 plot $tip4p using 1:2 with lines linewidth 1.6 linecolor "#0072B2" title "TIP4P", \
   $spce using 1:2 with lines linewidth 1.6 linecolor "#D55E00" title "SPC/E", \
-  $tip4p_2005 using 1:2 with lines linewidth 1.6 linecolor "#009E73" title "TIP4P/2005", 1 with lines linewidth 0.8 dashtype 3 linecolor "#404040" notitle
+  $tip4p_2005 using 1:2 with lines linewidth 1.6 linecolor "#009E73" title "TIP4P/2005", 1 with lines linewidth 0.8 dashtype 3 linecolor rgb ink title "no structure"
 
 set lmargin at screen 0.655
 set rmargin at screen 0.97

@@ -1,13 +1,27 @@
 # Restyle this and run it again: gnuplot draws precision.svg.
+image = "precision.svg"
+format = "svg"
+width = 1000
+height = 500
+# The style of all figures. Above: image, format ("svg" or "png"), width and height [pixels].
 set encoding utf8
 set minussign
-set terminal svg size 1000,440 dynamic enhanced font "Helvetica,14" background "white"
-set output "precision.svg"
-set border 3 linewidth 1 linecolor "#404040"
-set tics nomirror out scale 0.6 textcolor "#404040"
+ink = "#404040"
+small = format eq "png" ? ",9" : ",12"  # font, in points of a bitmap or pixels
+if (format eq "png") {
+  # Twice the pixels, for print and high-density screens.
+  set terminal pngcairo size 2*width,2*height fontscale 2 linewidth 2 pointscale 2 enhanced font "Helvetica,11" background "white"
+} else {
+  set terminal svg size width,height dynamic enhanced font "Helvetica,15" background "white"
+}
+set output image
+set border 3 linewidth 1 linecolor rgb ink
+set tics nomirror out scale 0.6 textcolor rgb ink
 set grid linewidth 0.5 linecolor "#e4e4e4"
+set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
+set title noenhanced textcolor rgb ink
+
 set title offset 0,-0.4 textcolor "#404040"
-set key textcolor "#404040" samplen 2 spacing 1.1 noenhanced Left reverse
 
 $velocity_verlet_mixed << EOD
 0.5 0.0598298
@@ -91,41 +105,41 @@ $growth_hoa2_double << EOD
 EOD
 
 set multiplot
-set bmargin at screen 0.145
-set tmargin at screen 0.905
+set bmargin at screen 0.13
+set tmargin at screen 0.72
 
-set lmargin at screen 0.085
+set lmargin at screen 0.095
 set rmargin at screen 0.475
 set logscale xy
-set title "runs of 2 ps: mixed filled, double open"
+set title "runs of 2 ps: mixed precision filled, double open"
 set xlabel "time step  (fs)" offset 0,0.3
-set ylabel "R  (%)" offset 0.8
+set ylabel "R  (%)"
 set xtics (0.5, 1, 2, 3, 4, 5)
 set format y "10^{%T}"
 set xrange [0.42:6]
 set yrange [1e-06:10]
-set key bottom right
+set key at screen 0.28, screen 0.985 center top horizontal maxcols 2
 plot $velocity_verlet_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 7 linecolor "#0072B2" title "velocity-verlet", \
   $velocity_verlet_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 6 linecolor "#0072B2" notitle, \
   $hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2", \
   $hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" notitle, \
   $gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4-fd", \
   $gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" notitle, \
-  0.00336947 with lines linewidth 1.2 dashtype 3 linecolor "#404040" title "rounding alone"
+  0.00336947 with lines linewidth 1.2 dashtype 3 linecolor rgb ink title "rounding alone"
 
-set lmargin at screen 0.585
+set lmargin at screen 0.595
 set rmargin at screen 0.985
 set title "one run of 16 ps, in windows"
 set xlabel "length of a window  (ps)" offset 0,0.3
-set ylabel "rms of E about its mean  (kJ/mol)" offset 1.2
+set ylabel "rms of E about its mean  (kJ/mol)"
 set xtics (0.25, 0.5, 1, 2, 4, 8, 16, 32)
 set xrange [0.2:20]
-set yrange [1e-05:10]
-set key top center maxrows 3 samplen 1.6 width -1
+set yrange [1e-05:1]
+set key at screen 0.785, screen 0.985 center top horizontal maxcols 2
 plot $growth_gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4-fd 1 fs, mixed", \
   $growth_gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" title "gier4-fd 1 fs, double", \
   $growth_hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2 3 fs, mixed", \
   $growth_hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" title "hoa2 3 fs, double", \
-  sqrt(6.79722e-06 + 2.0842e-08*x) with lines linewidth 1.2 dashtype 3 linecolor "#404040" title "rounding of gier4-fd", \
-  sqrt(2.0842e-08*x) with lines linewidth 1.2 dashtype 4 linecolor "#404040" title "its walk"
+  sqrt(6.79722e-06 + 2.0842e-08*x) with lines linewidth 1.2 dashtype 3 linecolor rgb ink title "rounding of gier4-fd", \
+  sqrt(2.0842e-08*x) with lines linewidth 1.2 dashtype 4 linecolor rgb ink title "its walk"
 unset multiplot

@@ -117,8 +117,8 @@ int allowed_threads() {
   return std::min(bound_cores(), bandwidth.value_or(bound_cores()));
 }
 
-int requested_threads(const std::string& option) {
-  if (!option.empty()) return parse_thread_count(option, "--threads");
+int requested_threads(const std::string& option, const std::string& place) {
+  if (!option.empty()) return parse_thread_count(option, place);
   const char* const variable = std::getenv("POLHODE_THREADS");
   if (variable != nullptr && *variable != '\0')
     return parse_thread_count(variable, "POLHODE_THREADS");

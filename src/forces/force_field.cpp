@@ -66,7 +66,7 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
       constant_(constant_terms_of(topology, settings_, box, tail_)),
       engine_(engine(topology, settings_, box, workers)) {}
 
-/// Makes what depends on the box again if the box is another one.
+/// Recomputes what depends on the box if the box has changed.
 void ForceField::set_box(const Box& box) {
   if (box_ == box) return;
   box_.reset();

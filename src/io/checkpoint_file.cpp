@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/io/checkpoint_file.hpp"
+#include "polhode/base/output_error.hpp"
 
 #include <fmt/core.h>
 
@@ -94,18 +95,18 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
         fmt::format("the checkpoint '{}' is damaged: its checksum is wrong", path_));
   // All formats so far are sealed alike: another version with a wrong checksum is a flipped bit.
   if (const std::uint64_t version = number_at(rest_, magic.size()); version != format_version)
-    throw Error(
+    throw OutputError(
         fmt::format("the checkpoint '{}' is of format {}, and this program reads {}; resume with "
-                    "the program that wrote it, or start over with --force",
+                    "the program that wrote it, or start over",
                     path_, version, format_version));
   rest_ = rest_.substr(head, sum_at - head);
   ProgramVersion program;
   (*this)(program.version);
   (*this)(program.instruction_set);
   if (program.version != reader.version)
-    throw Error(
+    throw OutputError(
         fmt::format("the checkpoint '{}' was written by polhode {} and this is {}: the run would "
-                    "not be resumed bit for bit; use that program, or start over with --force",
+                    "not be resumed bit for bit; use that program, or start over",
                     path_, program.version, reader.version));
   if (program.instruction_set != reader.instruction_set)
     throw Error(

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <vector>
 
-#include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/io/disk.hpp"
 
 namespace polhode {
@@ -66,13 +66,13 @@ std::uint64_t file_crc64(const std::string& path, std::uint64_t from, std::uint6
 
 void check_crc64(const std::string& path, std::uint64_t from, std::uint64_t to,
                  std::uint64_t expected) {
-  if (file_crc64(path, from, to) != expected) throw Error(not_the_file(path));
+  if (file_crc64(path, from, to) != expected) throw OutputError(not_the_file(path));
 }
 
 std::string not_the_file(const std::string& path) {
   return fmt::format(
       "'{}' was changed: its checksum differs from that in the checkpoint, so the run cannot "
-      "append to it; restore the file, or start over with --force",
+      "append to it; restore the file, or start over",
       path);
 }
 

@@ -101,6 +101,16 @@ void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
   system.initial_configuration = std::move(file);
 }
 
+void read_velocities(TomlTable& table, SystemSettings& system) {
+  const auto velocities = table.text("velocities");
+  if (!velocities) return;
+  table.require(*velocities == "new" || *velocities == "from file", "velocities",
+                "must be \"from file\" or \"new\"");
+  table.require(*velocities == "new" || !system.initial_configuration.empty(), "velocities",
+                "cannot come from a file, since there is no initial configuration; leave it out");
+  system.new_velocities = *velocities == "new";
+}
+
 std::vector<std::string> resolved(const path& folder, std::vector<std::string> names) {
   for (std::string& name : names) name = resolve(folder, name);
   return names;
@@ -171,10 +181,13 @@ void read_system(TomlTable table, const path& folder, SystemSettings& system) {
   read_topology_keys(table, folder, system);
   if (system.topology.file.empty()) read_molecules(table, folder, system);
   read_extent(table, system);
+  system.temperature_given = table.has("temperature");
+  system.seed_given = table.has("seed");
   take(system.temperature, table.quantity("temperature", Dimension::temperature));
   table.require(system.temperature > 0, "temperature", "must be above 0 K");
   const auto seed = table.integer("seed");
   table.require(seed.value_or(0) >= 0, "seed", "must be 0 or more");
+  read_velocities(table, system);
   if (seed) system.seed = static_cast<std::uint64_t>(*seed);
   table.refuse_unknown();
 }

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 
 namespace polhode {
 namespace {
@@ -56,13 +56,13 @@ void check_length(const std::string& path, std::uint64_t bytes) {
   std::error_code error;
   const std::uintmax_t length = fs::file_size(path, error);
   if (error)
-    throw Error(fmt::format(
-        "'{}' cannot be opened to append to it ({}); restore it, or start over with --force", path,
-        error.message()));
+    throw OutputError(
+        fmt::format("'{}' cannot be opened to append to it ({}); restore it, or start over", path,
+                    error.message()));
   if (length < bytes)
-    throw Error(
+    throw OutputError(
         fmt::format("'{}' has {} bytes and had {} when the checkpoint was written, so data are "
-                    "missing; restore the file, or start over with --force",
+                    "missing; restore the file, or start over",
                     path, length, bytes));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A line of a text file as fields separated by blanks, with its place for errors.
+// A line of a text file as fields separated by blanks, with its position for errors.
 #pragma once
 
 #include <cstddef>

@@ -233,7 +233,7 @@ Frame read_start(const std::string& name_or_path) {
   if (!format_of(name_or_path).has_names)
     throw Error(
         fmt::format("'{0}' is of a format without atom names, which an initial configuration "
-                    "needs; add them with: polhode convert {0} start.gro --names conf.gro",
+                    "needs; convert it to GRO with the names of another file",
                     name_or_path));
   if (is_data_file(name_or_path)) return frame_of(read_lammps_data(name_or_path));
   Frame frame;

@@ -102,9 +102,8 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono:
 bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
                  std::ostream& warnings) {
   const fs::path data(csv);
-  const std::string script =
-      energy_script(data.filename().string(),
-                    fs::path(data.filename()).replace_extension(format).string(), title, format);
+  const std::string image = fs::path(data.filename()).replace_extension(format).string();
+  const std::string script = energy_script(data.filename().string(), title, {image, format});
   return draw(fs::path(data).replace_extension("gp").string(), script, warnings);
 }
 
@@ -112,19 +111,19 @@ bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ost
   const fs::path data(figure.csv);
   const std::string image = fs::path(data.filename()).replace_extension(format).string();
   return draw(fs::path(data).replace_extension("gp").string(),
-              curves_script(figure, data.filename().string(), image, format), warnings);
+              curves_script(figure, data.filename().string(), {image, format}), warnings);
 }
 
-bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
-                     const std::string& format, std::ostream& warnings, double highest) {
+bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
+                     const std::string& format, std::ostream& warnings) {
   const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", efficiency_script(curves, image, format, highest), warnings);
+  return draw(prefix + ".gp", efficiency_script(figure, {image, format}), warnings);
 }
 
 bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
                  std::ostream& warnings) {
   const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", advice_script(figure, image, format), warnings);
+  return draw(prefix + ".gp", advice_script(figure, {image, format}), warnings);
 }
 
 }  // namespace polhode

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Generates gnuplot scripts.
+// gnuplot scripts: values and data blocks, followed by a template from data/plots.
 #pragma once
 
 #include <string>
@@ -9,16 +9,18 @@
 
 namespace polhode {
 
-std::string energy_script(const std::string& csv, const std::string& image,
-                          const std::string& title, const std::string& format);
+/// An image to be drawn.
+struct Image {
+  std::string name;    ///< of the file
+  std::string format;  ///< "svg" or "png"
+};
 
-std::string curves_script(const CurvesFigure& figure, const std::string& csv,
-                          const std::string& image, const std::string& format);
+std::string energy_script(const std::string& csv, const std::string& caption, const Image& image);
 
-std::string efficiency_script(const std::vector<EfficiencyCurve>& curves, const std::string& image,
-                              const std::string& format, double highest);
+std::string curves_script(const CurvesFigure& figure, const std::string& csv, const Image& image);
 
-std::string advice_script(const AdviceFigure& figure, const std::string& image,
-                          const std::string& format);
+std::string efficiency_script(const EfficiencyFigure& figure, const Image& image);
+
+std::string advice_script(const AdviceFigure& figure, const Image& image);
 
 }  // namespace polhode

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/base/printable.hpp"
 #include "polhode/io/checksum.hpp"
 #include "polhode/io/disk.hpp"
@@ -157,8 +157,8 @@ void refuse_existing(const std::string& path, bool force) {
   if (fs::is_directory(path, error))
     throw Error(fmt::format("'{}' is a folder; the output must be a file, so give another", path));
   if (!force && fs::exists(path, error))
-    throw Error(
-        fmt::format("'{}' exists and would be overwritten; give another output, or --force", path));
+    throw OutputError(fmt::format(
+        "'{}' exists and would be overwritten; give another output, or replace it", path));
 }
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,

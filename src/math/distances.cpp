@@ -140,7 +140,7 @@ class Placing {
     if (std::abs(found - n.length) > distance_tolerance)
       throw Error(
           fmt::format("the distance of points {} and {} is {} nm, but {:.6f} nm follows from the "
-                      "others; they must agree within {} nm, or no shape has them all",
+                      "others; they must agree within {} nm for the shape to exist",
                       i + 1, n.point + 1, n.length, found, distance_tolerance));
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pocketfft without threads of its own: whoever calls it has divided the work already.
+// pocketfft without its own threads: the caller has already divided the work.
 #pragma once
 
 #define POCKETFFT_NO_MULTITHREADING

@@ -182,7 +182,7 @@ struct Hypothesis {
   double degrees_of_freedom = 0;  ///< of this variance
 };
 
-/// One spectrum with a walk of known strength besides, before normalisation.
+/// One spectrum plus a walk of known strength, before normalisation.
 /// @param walk   contribution of that walk to the square of the slope's coefficient
 /// @param scale  sum of squares of all modes, to which the likelihood is relative
 Hypothesis hypothesis(const std::vector<ModeGroup>& groups, const Spectrum& spectrum, double degree,
@@ -283,7 +283,7 @@ struct Slope {
   }
 };
 
-/// The drift with its significance, averaged over the posterior.
+/// The energy drift with its significance, averaged over the posterior.
 Drift drift_of(const Slope& slope, const std::vector<Hypothesis>& all) {
   Drift drift{{slope.rate, std::sqrt(mean_variance(all)) / slope.spread}, 0, Known::yes};
   for (const Hypothesis& h : all)

@@ -46,8 +46,8 @@ void TotalDipole::add(const State& state) {
   blocks_.add(std::array{M.x, M.y, M.z, norm2(M), state.box.volume()});
 }
 
-TotalDipole::Result TotalDipole::result(double temperature,
-                                        double surroundings_permittivity) const {
+TotalDipole::Result TotalDipole::result(double temperature, double surroundings_permittivity,
+                                        double interval) const {
   const BlockMeans means = blocks_.means();
   const auto epsilon = [&](std::span<const double> mean) {
     return permittivity(mean, temperature, surroundings_permittivity);
@@ -62,6 +62,10 @@ TotalDipole::Result TotalDipole::result(double temperature,
   if (result.mean_over_rms * result.mean_over_rms > at_rest)
     for (SeriesEstimate* const e : {&result.constant, &result.kirkwood})
       if (e->known == Known::yes) *e = {e->value, 0, Known::too_short};
+  const double length = means.empty() ? 0 : means.sum().weight * interval;
+  result.convergence = convergence(
+      length, relaxation_share(means, Mx, M2) * length, relaxations_of_dipole,
+      result.constant.known != Known::yes || still_moving(means, result.constant, epsilon));
   std::vector<BlockMeans::Block> first;
   double frames = 0;
   for (const BlockMeans::Block& block : means.blocks()) {

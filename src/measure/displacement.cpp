@@ -44,22 +44,40 @@ BlockMeans Displacement::mean_square(std::size_t part, Workers& workers) {
   return parts_[part].means(0, workers);
 }
 
+namespace {
+
+double sixth_of_slope(std::span<const double> means, double interval, const FitWindow& window) {
+  std::vector<double> t, y;
+  for (std::size_t lag = 0; lag < means.size(); ++lag) {
+    const double time = static_cast<double>(lag) * interval;
+    if (time < window.from - interval / 2 || time > window.to + interval / 2) continue;
+    t.push_back(time);
+    y.push_back(means[lag]);
+  }
+  return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
+}
+
+}  // namespace
+
 SeriesEstimate diffusion(const BlockMeans& squared, double interval, const FitWindow& window) {
-  const SeriesEstimate D = series_estimate(squared, [&](std::span<const double> means) {
-    std::vector<double> t, y;
-    for (std::size_t lag = 0; lag < means.size(); ++lag) {
-      const double time = static_cast<double>(lag) * interval;
-      if (time < window.from - interval / 2 || time > window.to + interval / 2) continue;
-      t.push_back(time);
-      y.push_back(means[lag]);
-    }
-    return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
-  });
-  constexpr double stretches = 8;  // minimum length for an error, in units of the longest lag
+  const SeriesEstimate D =
+      series_estimate(squared, [&](auto means) { return sixth_of_slope(means, interval, window); });
   const double length = squared.sum().weight * interval;
-  if (D.known == Known::yes && length < stretches * window.to)
+  if (D.known == Known::yes && length < windows_of_lags * window.to)
     return {D.value, 0, Known::too_short};
   return D;
+}
+
+Convergence diffusion_convergence(const BlockMeans& squared, double interval,
+                                  const FitWindow& window) {
+  const SeriesEstimate D = diffusion(squared, interval, window);
+  const double middle = (window.from + window.to) / 2;
+  const SeriesEstimate rise = series_estimate(squared, [&](auto means) {
+    return sixth_of_slope(means, interval, {middle, window.to}) -
+           sixth_of_slope(means, interval, {window.from, middle});
+  });
+  return convergence(squared.sum().weight * interval, window.to, windows_of_lags,
+                     D.known != Known::yes || differs(rise, D.value));
 }
 
 double yeh_hummer_correction(double temperature, double viscosity, double edge) {

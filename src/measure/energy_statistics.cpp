@@ -80,12 +80,23 @@ SeriesEstimate EnergyStatistics::ratio_with_error() const {
   return series_estimate(blocks.means(), ratio_of);
 }
 
+SeriesEstimate EnergyStatistics::temperature(const DegreesOfFreedom& n) const {
+  return series_estimate(blocks.means(), [&](auto mean) {
+    return polhode::temperature(
+        mean[translation] + mean[rotation_1] + mean[rotation_2] + mean[rotation_3], n.all());
+  });
+}
+
 SeriesEstimate EnergyStatistics::pressure() const {
   return series_estimate(blocks.means(), [](auto mean) { return mean[pressure_]; });
 }
 
 Drift EnergyStatistics::drift(std::span<const WalkStrength> walks) const {
   return series_drift(blocks.means(), time, total_, walks);
+}
+
+Drift EnergyStatistics::potential_drift() const {
+  return series_drift(blocks.means(), time, potential_);
 }
 
 void StretchStatistics::add(const Energies& now, const Energies& first, std::uint64_t length) {

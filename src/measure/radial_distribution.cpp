@@ -34,8 +34,8 @@ struct WrappedSite {
   std::uint32_t body, kind;
 };
 
-// Sites sorted by cells that are at least `reach` wide, or one cell along an edge, and not more
-// than sites.
+// Sites sorted by cells that are at least as wide as the cutoff; one cell along a short edge, and
+// at most as many cells as sites.
 struct CellSort {
   std::array<std::size_t, 3> cells;
   std::vector<WrappedSite> sites;
@@ -252,12 +252,13 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
     const bool like = pairs_[p][0] == pairs_[p][1];
     pairs_of_sites_.push_back((first * second - within) / (like ? 2 : 1));
     sites_of_first_.push_back(first);
+    sites_of_second_.push_back(second);
   }
 }
 
 void RadialDistribution::add(const State& state, Workers& workers) {
   const Vec3<double> edge = state.box.edge, half = edge / 2.0;
-  // Half an edge, as rounded by text files, still counts as half.
+  // A cutoff of half an edge is accepted if the edge was rounded in a text file.
   if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
     throw Error(
         fmt::format("the maximum distance of {:g} nm is more than half of the shortest box edge "
@@ -370,9 +371,12 @@ std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size
   const std::optional<Bins> bins = about_minimum(g, summit);
   if (!bins) return peak;
   const auto end = [&](Mean mean) { return maximum(curve(pair, mean), *bins, -1).position + 0.5; };
-  peak.shell = {
-      series_estimate(means, [&](Mean mean) { return end(mean) * width_; }),
-      series_estimate(means, [&](Mean mean) { return neighbours_within(pair, end(mean), mean); })};
+  const SeriesEstimate around_first =
+      series_estimate(means, [&](Mean mean) { return neighbours_within(pair, end(mean), mean); });
+  const double ratio = sites_of_first_[pair] / sites_of_second_[pair];
+  peak.shell = {series_estimate(means, [&](Mean mean) { return end(mean) * width_; }),
+                around_first,
+                {around_first.value * ratio, around_first.error * ratio, around_first.known}};
   return peak;
 }
 

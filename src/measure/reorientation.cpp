@@ -86,6 +86,9 @@ std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, d
   times.integral = series_estimate(correlation, [&](std::span<const double> c) {
     return trapezia(c, interval, last) + c[last] / decay_rate(c, interval, first, last);
   });
+  times.convergence =
+      convergence(correlation.sum().weight * interval, times.to, windows_of_lags,
+                  times.exponential.known != Known::yes || times.integral.known != Known::yes);
   return times;
 }
 

@@ -67,6 +67,15 @@ BlockMeans running_integral(const BlockMeans& correlation, double interval) {
   return BlockMeans(std::move(blocks));
 }
 
+Convergence integral_convergence(const BlockMeans& integral, double interval) {
+  const std::size_t last = integral.mean().size() - 1;
+  const SeriesEstimate whole = series_estimate(integral, [&](auto means) { return means[last]; });
+  const SeriesEstimate rise =
+      series_estimate(integral, [&](auto means) { return means[last] - means[last / 2]; });
+  return convergence(integral.sum().weight * interval, static_cast<double>(last) * interval,
+                     windows_of_lags, whole.known != Known::yes || differs(rise, whole.value));
+}
+
 // A block deviates from the mean by its contribution to first order.
 BlockMeans normalized(const BlockMeans& correlation) {
   const std::vector<double> C = correlation.mean();

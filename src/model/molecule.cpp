@@ -37,7 +37,7 @@ void check(const Site& site, const std::string& molecule) {
   }
 }
 
-// `rounding` bounds the moments that rounded coordinates give to a single mass point.
+// `rounding` is an upper bound of the moments that a single mass point has due to rounding.
 Top kind(Vec3<double>& J, double rounding) {
   const double tiny = same_moment * J.z;
   if (J.z <= rounding) {

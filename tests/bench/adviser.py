@@ -30,7 +30,7 @@ class Adviser(unittest.TestCase):
     def test_a_question_without_an_answer_has_its_row(self):
         table = adviser.table([{"system": "co2-125", "accuracy": 0.02, "answer": None, "why": "too slow"}])
         self.assertIn("| co2-125 | 2 | none: too slow |", table)
-        self.assertNotIn("fresh runs kept", table)
+        self.assertNotIn("new runs met", table)
         head, _, row = table.splitlines()
         self.assertEqual(row.count("|"), head.count("|"))
 
@@ -40,9 +40,9 @@ class Adviser(unittest.TestCase):
                 "reached": 0.85, "R_fresh": [0.006, 0.009], "kept": 2, "below_bound": 1, "runs": 2}
         table = adviser.table([case, {**case, "reached": 0.55}])
         self.assertIn("| 0.85 | 0.75 | 0.90 | 2 of 2 | 1 of 2 |", table)
-        self.assertIn("4 of 4 fresh runs kept the R asked for: 100.0 %", table)
-        self.assertIn("2 of 4 fresh runs stayed below the bound, of which 97.5 % should: 50.0 %", table)
-        self.assertIn("Bounds are 0.55 to 0.85 of what was asked, 0.70 on the average; 1 of 2 lie from 0.8 to 1.", table)
+        self.assertIn("4 of 4 new runs met the required R: 100.0 %", table)
+        self.assertIn("2 of 4 new runs stayed below the bound, of which 97.5 % should: 50.0 %", table)
+        self.assertIn("Bounds are 0.55 to 0.85 of the requirement, 0.70 on average; 1 of 2 are from 0.8 to 1.", table)
 
     def test_one_question_on_argon(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -48,7 +48,23 @@ class Family(unittest.TestCase):
             script = figure.script(result, Path(folder) / "a.svg")
         self.assertIn('title "bcss3"', script)
         self.assertNotIn('title "yoshida6"', script)
-        self.assertEqual(script.count("pointtype 2"), 1)
+        self.assertIn('title "1 others"', script)  # no line without a name
+        self.assertEqual(script.count("pointtype 2 "), 2)  # one curve has points beyond its end; and the legend
+
+    def test_schemes_have_the_styles_of_all_figures(self):
+        table = figure.drawing.styles(["hoa2", "a / b", "gier4-fd", "B(1/2) A(1) B(1/2)"])
+        self.assertEqual(table["hoa2"], ("#D55E00", 5, 4))
+        self.assertEqual(table["a / b"], figure.drawing.styles(["other"])["other"])
+        self.assertEqual(len(set(table.values())), 4)
+        points = curve("hoa2", 2, 2e-4, 2, (2, 4)) + curve("gier4-fd", 3, 1e-6, 4, (2, 4))
+        script = figure.script({"systems": {"pme": {"points": points, "ranking": []}}}, Path("a.svg"))
+        for scheme in ("hoa2", "gier4-fd"):
+            self.assertIn(f'pointtype {table[scheme].filled} linewidth 1.8 linecolor "{table[scheme].colour}" title "{scheme}"', script)
+
+    def test_table(self):
+        ranking = [{"R": 0.01, "schemes": [{"scheme": "bcss3", "cost": 300, "step_fs": 4, "how": ""},
+                                           {"scheme": "hoa2", "cost": 500, "step_fs": 4, "how": "+", "seconds_per_ps": 0.2}]}]
+        result = {"systems": {"pme": {"points": [], "ranking": ranking}}}
         table = all_schemes.tables(result)
         self.assertIn("| bcss3 | **300** |", table)
         self.assertIn("| hoa2 | 500+ (200 s) |", table)

@@ -57,7 +57,7 @@ class Analyze(Sandbox):
         process = self.analyze(*options, "--pairs", "OW-OW", "--cutoff", "0.1 nm", "--json")
         self.assertEqual(json.loads(process.out)["rdf"],
                          [{"pair": ["OW", "OW"], "peak_nm": None, "peak_height": None, "minimum_nm": None,
-                           "coordination": None}])
+                           "coordination": None, "coordination_of_second": None}])
 
     def test_wrong_input(self):
         before = self.contents()

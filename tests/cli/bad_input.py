@@ -205,7 +205,6 @@ class BadInput(Sandbox):
             (("--output", "nowhere/study"), ["'nowhere'", "nowhere/study"]),
         ]:
             self.refused(("study", "run.toml", *options), words, "study")
-        self.refused((), ["run", "study"], "no verb")
         self.refused(("stdy",), ["'stdy'", "'study'"], "unknown verb")
 
     def test_precision(self):

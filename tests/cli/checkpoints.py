@@ -169,10 +169,10 @@ class Checkpoints(Sandbox):
         # Checkpoints of other runs.
         restored()
         self.write("run.toml", edited(WATER, ('"297 K"', '"298 K"')))
-        self.refused("another run", "polhode run run.toml", "--output", "--force")
+        self.refused("another run", "polhode run run.toml", "temperature was 297 K and is now 298 K", "another output", "--force")
         self.write("run.toml", WATER)
-        self.refused("another run", options=("--continue", "--step", "1 fs"))
-        self.refused("another run", options=("--continue", "--precision", "mixed"))
+        self.refused("another run", "integrator.step was 2 fs and is now 1 fs;", options=("--continue", "--step", "1 fs"))
+        self.refused("another run", "forces.precision was double and is now mixed", options=("--continue", "--precision", "mixed"))
         if summary["instruction_set"] != "scalar":
             self.refused("scalar", "POLHODE_INSTRUCTION_SET", POLHODE_INSTRUCTION_SET="scalar")
         # Without --continue nothing is overwritten, and --force starts over.
@@ -212,7 +212,7 @@ class Checkpoints(Sandbox):
         self.write("start-final.gro", start)
         for key in ("massless_sites", "velocities"):
             self.write("run.toml", edited(water, ('prefix = "out"', f'prefix = "out"\n{key} = false')))
-            self.refused("another run", "contents of trajectories")
+            self.refused("another run", f"output.{key} was true and is now false")
         self.write("run.toml", water)
         self.summary("--continue")
 

@@ -25,7 +25,7 @@ class Statistics(Sandbox):
         text, report = self.both(SMALL, "--length", "2 fs")
         self.assertEqual(report["samples"], 2)
         self.assertIn("R                     not known from 2 samples", text)
-        self.assertIn("drift                 not known from 2 samples", text)
+        self.assertIn("energy drift          not known from 2 samples", text)
         for key in ("R", "R_error", "drift_kJ_per_mol_ps", "drift_error", "drift_p_value", "drift_significant", "pressure_error_bar"):
             self.assertIsNone(report[key], key)
         self.assertEqual(report["drift_verdict"], "too few samples")
@@ -48,7 +48,7 @@ class Statistics(Sandbox):
         self.assertIsNone(NO_NUMBER.search(text), text)
         study = self.polhode("study", "run.toml", "--output", "study")
         self.assertEqual(study.returncode, 0, study.err)
-        self.assertNotIn("  drift significant", study.out)  # as a note of a point
+        self.assertNotIn("significant energy drift", study.out)  # as a note of a point
         self.assertIsNone(NO_NUMBER.search(study.out), study.out)
         point = json.loads((self.folder / "study.json").read_text())["points"][0]
         self.assertIsNone(point["R"])

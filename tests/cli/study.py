@@ -40,9 +40,28 @@ class Study(Sandbox):
         self.assertFalse((self.folder / "new-runs.csv").exists())
         # The same file is refused if runs would be added to it.
         self.write(RECORD, before)
-        self.refused(("study", "run.toml"), ["another study", "--from-record", "--force"])
+        self.refused(("study", "run.toml"), ["another study", "tables of that record", "--force"])
         # Tables are not overwritten without --force.
         self.refused(("study", "run.toml", "--from-record", "old.csv", "--output", "new"), ["'new.csv'", "--force"])
+
+    def test_table_figure_and_advice_have_the_same_curves(self):
+        """With real runs up to a step that blows up: points before the end, and no others, are drawn and count."""
+        self.write("run.toml", edited(SMALL, ('["2 fs"]', '["5 fs", "10 fs", "20 fs", "400 fs"]'), ("runs = 2", "runs = 3"),
+                                      ('length = "0.1 ps"', 'length = "4 ps"'), ('["velocity-verlet"]', '["velocity-verlet", "hoa2"]')))
+        points, _ = self.points()
+        script = (self.folder / "study.gp").read_text(encoding="utf-8")
+        report = json.loads((self.folder / "study.json").read_text(encoding="utf-8"))
+        for scheme in ("velocity-verlet", "hoa2"):
+            own = [p for p in points if p["scheme"] == scheme]
+            self.assertEqual([p["step_fs"] for p in own if p["usable"]], [5, 10, 20])
+            drawn = script[script.index(f"\n# {scheme}\n"):].split("\n\n")[0].splitlines()[2:]
+            self.assertEqual(len(drawn), 3)
+            for p, line in zip(reversed(own[:3]), drawn):  # by increasing cost
+                cost, ratio, _, last, _ = map(float, line.split())
+                self.assertAlmostEqual(cost, p["force_evaluations_per_ps"], delta=1e-6 * cost)
+                self.assertAlmostEqual(ratio, 100 * p["R"], delta=1e-6 * ratio)
+                self.assertEqual(last, p["step_fs"] == 20)
+            self.assertTrue(all(row["costs"][scheme]["step_fs"] <= 20 for row in report["guidelines"] if scheme in row["costs"]))
 
     def test_schemes_of_ones_own(self):
         """A name is the label in table, figure and record; the stages decide which runs are done."""
@@ -66,7 +85,7 @@ class Study(Sandbox):
 
     def test_a_file_that_is_not_a_record(self):
         self.write("run.toml", SMALL)
-        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "--from-record"])
+        self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "record"])
         self.refused(("study", "run.toml", "--from-record", "run.toml"), ["run.toml:1", "begins with", "# study"])
 
 

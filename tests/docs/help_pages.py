@@ -17,7 +17,7 @@ def help_text(program, *verb):
 
 
 def verbs(program):
-    listed = help_text(program).partition("Subcommands:\n")[2]
+    listed = help_text(program).partition("examples\n")[0]
     return re.findall(r"^  ([\w-]+)", listed, re.M)
 
 

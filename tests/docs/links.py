@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]).resolve()
-LINK = re.compile(r"\]\(([^)\s]+)\)")
+LINK = re.compile(r"(?:\]\(|^\[[^\]\n]+\]: )([^)\s]+)", re.M)
 
 
 def anchors(document):
@@ -23,7 +23,7 @@ def broken(document):
         if re.match(r"\w+:", place):
             continue
         target = (document.parent / place).resolve() if place else document
-        line = text.count("\n", 0, link.start()) + 1
+        line = text.count("\n", 0, link.start(1)) + 1
         shown = f"{document.relative_to(ROOT)}:{line}"
         if not target.exists():
             yield f"{shown}: {place} does not exist; correct the link"

@@ -9,7 +9,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 PROGRAM = '#!/usr/bin/env bash\n[[ $1 != wrong ]] && echo "$@"\n'
 SOUND = """# Title
-[here](README.md#title)
+[here](README.md#title), [[one1990], Eq. 2], Eq. (1)
 <!-- file: water.toml -->
 ```toml
 step = "2 fs"
@@ -17,7 +17,7 @@ step = "2 fs"
 ```sh
 grep fs water.toml
 polhode run water.toml > out.txt
-./polhode run
+polhode run
 ```
 ```sh
 grep run out.txt
@@ -25,36 +25,73 @@ grep run out.txt
 ```sh no-run
 no-such-command
 ```
+
+[one1990]: docs/bibliography.md#one1990
 """
+BIBLIOGRAPHY = "@book{one1990,\n  author = {A, B},\n  title = {C},\n  publisher = {D},\n  year = {1990}\n}\n"
+EQUATION = "```math\n1 = 1 \\tag{%s}\n```\n"
+FILES = {  # a sound project besides its README
+    "docs/references.bib": BIBLIOGRAPHY,
+    "docs/bibliography.md": "# Bibliography\n\nMade from [references.bib](references.bib) by `tests/docs/bibliography.py --write`.\n\n"
+                            "### one1990\n\nB. A, *C*, D (1990)\n",
+    "docs/theory.md": EQUATION % 1 + EQUATION % 2,
+    "docs/theory-rotor.md": EQUATION % "R1",
+}
 FAULTS = [  # test, text added to the document, what the output must name
-    ("run_commands", "```sh\npolhode run\npolhode wrong\ntrue\n```\n", "README.md:20: exit code 1"),
-    ("run_commands", "```sh\ncat missing.toml | cat\n```\n", "README.md:19: exit code 1"),
-    ("links", "[there](docs/nowhere.md)\n", "README.md:18: docs/nowhere.md"),
-    ("links", "[there](#nowhere)\n", "README.md:18: no heading #nowhere"),
+    ("run_commands", "```sh\npolhode run\npolhode wrong\ntrue\n```\n", "README.md:22: exit code 1"),
+    ("run_commands", "```sh\ncat missing.toml | cat\n```\n", "README.md:21: exit code 1"),
+    ("links", "[there](docs/nowhere.md)\n", "README.md:20: docs/nowhere.md"),
+    ("links", "[there](#nowhere)\n", "README.md:20: no heading #nowhere"),
+    ("links", "[two1990]: docs/bibliography.md#two1990\n", "README.md:20: no heading #two1990"),
+    ("bibliography", "As in [one1990].\n", "README.md:20: one1990 is not linked"),
+    ("bibliography", "As in one1990.\n", "README.md:20: one1990 is not linked"),
+    ("bibliography", "As in [[two1990]].\n", "README.md lacks links"),
+    ("stated_values", "```sh no-run\npolhode study --quick  # two minutes; without --quick, three hours\npolhode study  # 2 hours\n```\n",
+     "time of study has several values, correct all but one: 3 hour (README.md:21); 2 hour (README.md:22)"),
+    ("stated_values", "<!-- help: bench -->\n```text\n  --quick   a few seconds\n```\nTake `polhode bench --quick`, a minute.\n",
+     "a few second (README.md:22); 1 minute (README.md:24)"),
+    ("stated_values", "| key | value | default |\n| --- | --- | --- |\n| `skin` | length | `\"0.1 nm\"` |\n\nThe `skin` (default: 0.2 nm).\n",
+     "README.md:24: the default of skin is 0.2nm, elsewhere 0.1nm"),
+    ("stated_values", "A derivative counts as two; a derivative\ncounts as three.\n", "2 (README.md:20); three (README.md:20)"),
+    ("stated_values", "| GROMACS | 870 |\n", "README.md:20: name the instruction set"),
+    ("stated_values", "./polhode run\n", "README.md:20: write polhode"),
+    ("equations", "By Eqs. (1) and (3),\n", "README.md:20: there is no Eq. (3)"),
+    ("equations", "By Eq. (R2),\n", "README.md:20: there is no Eq. (R2)"),
+]
+FILE_FAULTS = [  # test, file, the whole of it, what the output must name
+    ("bibliography", "docs/references.bib", BIBLIOGRAPHY.replace("{C}", "{E}"), "docs/bibliography.md lacks"),
+    ("equations", "docs/theory.md", EQUATION % 2 + EQUATION % 1, "docs/theory.md: equations are not numbered"),
+    ("equations", "src/a.hpp", "// By Eqs. (1)\n// and\n// (3).\n", "src/a.hpp:1: there is no Eq. (3)"),
+    ("equations", "docs/theory.md", EQUATION % 1 + "```math\n1 = 1\n```\n", "docs/theory.md: equations are not numbered"),
 ]
 
 
-def result(test, text):
+def result(test, files):
+    """(exit code, output) of one test over a project of texts."""
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
-        (root / "README.md").write_text(text)
+        for name, text in files.items():
+            (root / name).parent.mkdir(exist_ok=True)
+            (root / name).write_text(text)
         program = root / "program"
         program.write_text(PROGRAM)
         program.chmod(0o755)
-        place = ["--program", program, "--root", root] if test == "run_commands" else [root]
+        place = {"run_commands": ["--program", program, "--root", root], "links": [root]}.get(test, ["--root", root])
         run = subprocess.run([sys.executable, HERE / f"{test}.py", *place], text=True,
                              capture_output=True, check=False)
     return run.returncode, run.stdout + run.stderr
 
 
 wrong = []
-for test in ("run_commands", "links"):
-    code, output = result(test, SOUND)
+sound = {**FILES, "README.md": SOUND}
+for test in sorted({fault[0] for fault in FAULTS}):
+    code, output = result(test, sound)
     if code != 0:
         wrong.append(f"{test} is red on a sound document:\n{output}")
-for test, fault, named in FAULTS:
-    code, output = result(test, SOUND + fault)
+planted = [(test, "README.md", SOUND + fault, named) for test, fault, named in FAULTS] + FILE_FAULTS
+for test, name, text, named in planted:
+    code, output = result(test, {**sound, name: text})
     if code != 1 or named not in output:
         wrong.append(f"{test} does not say '{named}':\n{output}")
-print("\n".join(wrong) or f"{len(FAULTS)} planted faults found")
+print("\n".join(wrong) or f"{len(planted)} planted faults found")
 sys.exit(1 if wrong else 0)

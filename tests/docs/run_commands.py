@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs every command of the README and the manual with the built program.
 
-Per document, in order, in an empty folder where `polhode` and `./polhode` are the built program:
+Per document, in order, in an empty folder where `polhode` is the built program:
 a block fenced as ```sh is run by bash and stops at the first command that fails; ```sh no-run is
 skipped (set-up, long studies); a ```toml or ```text block below `<!-- file: NAME -->` is written to NAME.
 """
@@ -61,7 +61,6 @@ def run_document(document, shown, program):
         (folder / "bin").mkdir()
         (folder / "here").mkdir()
         (folder / "bin/polhode").symlink_to(program)
-        (folder / "here/polhode").symlink_to(program)
         count = wrong = 0
         for block in blocks(document):
             if block.kind in ("toml", "text") and block.file:

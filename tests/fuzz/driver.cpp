@@ -65,48 +65,21 @@ class Mutator {
     text.insert(line ? begin : at, many);
   }
 
+  void repeat_or_erase_line(std::string& text, std::size_t at) {
+    const std::size_t begin = text.rfind('\n', at), end = text.find('\n', at);
+    if (begin == text.npos || end == text.npos) return;
+    if (below(2))
+      text.insert(end, text.substr(begin, end - begin));
+    else
+      text.erase(begin, end - begin);
+  }
+
   std::size_t below(std::size_t n) { return n == 0 ? 0 : random_() % n; }
   template <class T>
   const T& pick(const std::vector<T>& of) {
     return of[below(of.size())];
   }
   void mutate(std::string& text) {
-    static const std::vector<std::string> words{"0",
-                                                "-1",
-                                                "1e308",
-                                                "-1e-308",
-                                                "nan",
-                                                "inf",
-                                                "99999999999999999999",
-                                                "4294967296",
-                                                "2147483647",
-                                                "-2147483648",
-                                                "0x7f",
-                                                "",
-                                                " ",
-                                                "\n",
-                                                "\r\n",
-                                                "\t",
-                                                ";",
-                                                "#",
-                                                "\"",
-                                                "\\",
-                                                "[",
-                                                "]",
-                                                "{",
-                                                "}",
-                                                "=",
-                                                ".",
-                                                ",",
-                                                "\xff",
-                                                std::string(1, '\0'),
-                                                "é",
-                                                "1.5",
-                                                "#include",
-                                                "#define A A",
-                                                "#ifdef",
-                                                "[ atoms ]",
-                                                "[[site]]"};
     const std::size_t at = below(text.size()), length = below(text.size() - at + 1);
     const std::size_t few = std::min<std::size_t>(length, 1 + below(16));
     switch (below(10)) {
@@ -117,10 +90,10 @@ class Mutator {
         if (!text.empty()) text[at] = static_cast<char>(below(256));
         break;
       case 2:
-        text.insert(at, pick(words));
+        text.insert(at, pick(words_));
         break;
       case 3:
-        text.replace(at, few, pick(words));
+        text.replace(at, few, pick(words_));
         break;
       case 4:
         text.erase(at, few);
@@ -131,15 +104,9 @@ class Mutator {
       case 6:
         text.insert(at, text.substr(below(text.size()), few));
         break;
-      case 7: {  // a line twice, or not at all
-        const std::size_t begin = text.rfind('\n', at), end = text.find('\n', at);
-        if (begin == text.npos || end == text.npos) break;
-        if (below(2))
-          text.insert(end, text.substr(begin, end - begin));
-        else
-          text.erase(begin, end - begin);
+      case 7:
+        repeat_or_erase_line(text, at);
         break;
-      }
       case 8: {  // the beginning of this and the end of another
         const std::string& other = pick(seeds_);
         text = text.substr(0, at) + other.substr(below(other.size()));
@@ -151,6 +118,43 @@ class Mutator {
     }
   }
 
+  // What readers treat specially.
+  inline static const std::vector<std::string> words_ = {"0",
+                                                         "-1",
+                                                         "1e308",
+                                                         "-1e-308",
+                                                         "nan",
+                                                         "inf",
+                                                         "99999999999999999999",
+                                                         "4294967296",
+                                                         "2147483647",
+                                                         "-2147483648",
+                                                         "0x7f",
+                                                         "",
+                                                         " ",
+                                                         "\n",
+                                                         "\r\n",
+                                                         "\t",
+                                                         ";",
+                                                         "#",
+                                                         "\"",
+                                                         "\\",
+                                                         "[",
+                                                         "]",
+                                                         "{",
+                                                         "}",
+                                                         "=",
+                                                         ".",
+                                                         ",",
+                                                         "\xff",
+                                                         std::string(1, '\0'),
+                                                         "é",
+                                                         "1.5",
+                                                         "#include",
+                                                         "#define A A",
+                                                         "#ifdef",
+                                                         "[ atoms ]",
+                                                         "[[site]]"};
   std::vector<std::string> seeds_;
   std::mt19937_64 random_;
 };

@@ -49,6 +49,10 @@ FAULTS = [
     ("contents", "src/io/file.cpp", "// TO" "DO\n", 5),
     ("contents", "docs/notes.md", "Look in /ho" "me/someone.\n", 2),
     ("contents", "src/io/file.cpp", "\n" * 500, 500),
+    ("function_size", "src/io/file.cpp", "int g() {\n" + "  ++x;\n" * 59 + "}\n", 5),
+    ("function_size", "src/io/file.cpp", "struct S {\n  S()\n      : x{1} {\n" + "    ++x;\n" * 59 + "  }\n};\n", 6),
+    ("function_size", "src/io/file.cpp",
+     "int g() {\n  return [] {\n    return [&x](auto) {\n      return [] { return 1; }();\n    }(2);\n  }();\n}\n", 8),
     ("words", "docs/notes.md", "It is long,\nand Goes\non.\n", 3),
     ("words", "docs/notes.md", "It takes some 20 ps.\n", 2),
     ("words", "docs/glossary.md", "\n| do not write | write |\n| --- | --- |\n", 1),
@@ -56,6 +60,7 @@ FAULTS = [
     ("words", "tests/reference/a.cpp", "int x; // goes on\n", 3),
     ("words", "src/io/file.cpp", 'auto text = "a run that goes "\n            "on";\n', 5),
     ("words", "tests/reference/a.py", "x = 1  # goes on\n", 3),
+    ("words", "tests/reference/a.py", 'option(help="it "\n       "goes on")\n', 4),
     ("words", "tests/reference/a.py", 'def f():\n    """A run.\n\n    It goes on."""\n', 6),
 ]
 

@@ -56,11 +56,13 @@ def prose_of_cpp(text):
 
 
 def prose_of_python(text):
-    """The comments and docstrings at their positions; everything else is blank."""
+    """The comments, docstrings and help texts of options at their positions; everything else is blank."""
     rows = [blank(line) for line in text.splitlines(keepends=True)]
+    before = ["", ""]
     for token in tokenize.generate_tokens(io.StringIO(text).readline):
-        is_docstring = token.type == tokenize.STRING and token.string.startswith('"""')
-        if is_docstring or token.type == tokenize.COMMENT:
+        is_text = token.string.startswith('"""') or before in (["help", "="], ["description", "="])
+        before = before if token.type in (tokenize.STRING, tokenize.NL) else [before[1], token.string]
+        if token.type == tokenize.STRING and is_text or token.type == tokenize.COMMENT:
             row, column = token.start
             for line in token.string.replace("#", " ", 1).split("\n"):
                 rows[row - 1] = rows[row - 1][:column] + line + rows[row - 1][column + len(line):]

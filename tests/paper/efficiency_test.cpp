@@ -41,7 +41,7 @@ std::map<std::pair<std::string, int>, EfficiencyPoint> measured(
         config, {}, [&](const StudyRun& run) { runs.push_back(run); }, {}, workers);
   }
   std::map<std::pair<std::string, int>, EfficiencyPoint> by_fs;
-  for (const EfficiencyPoint& p : efficiency_points(points, runs))
+  for (const EfficiencyPoint& p : efficiency_points(points, runs, config.study.length))
     by_fs[{p.scheme, static_cast<int>(std::lround(p.step * 1000))}] = p;
   return by_fs;
 }

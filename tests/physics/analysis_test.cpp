@@ -120,7 +120,7 @@ TEST_CASE("files without names, velocities or massless sites, and with few digit
   }
   const AnalysisSummary s = summary(b, {.surroundings_permittivity = tin_foil});
   CHECK(!s.dielectric);
-  CHECK(s.viscosity_source.find("--temperature") != std::string::npos);
+  CHECK(s.viscosity_source.find("give a temperature") != std::string::npos);
 
   settings.what = {Observable::velocity};
   Frames refused(poor);

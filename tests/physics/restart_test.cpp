@@ -83,6 +83,21 @@ RunState stored(const RunState& at) {
   return checkpoint.at;
 }
 
+// Energies every 3 steps of 25: those of the last step are not part of a longer run.
+TrajectorySettings settings_of(const char* name, Precision precision) {
+  const double step = 0.002;
+  const NestedScheme scheme = nested_scheme_of(name);
+  return {.scheme = scheme.outer,
+          .step = step,
+          .length = 25 * step,
+          .sample = 3 * step,
+          .lambda = precision == Precision::mixed ? 1 : 1e-4,
+          .inner = scheme.inner,
+          .configurational_sample = 6 * step,
+          .seed = 4,
+          .stretch = 9 * step};
+}
+
 }  // namespace
 
 TEST_CASE("a run can be resumed from any step bit for bit, for any number of threads") {
@@ -96,18 +111,7 @@ TEST_CASE("a run can be resumed from any step bit for bit, for any number of thr
         CAPTURE(int(electrostatics));
         CAPTURE(int(precision));
         CAPTURE(name);
-        // Energies every 3 steps of 25: those of the last step are not part of a longer run.
-        const double step = 0.002;
-        const NestedScheme scheme = nested_scheme_of(name);
-        const TrajectorySettings settings{.scheme = scheme.outer,
-                                          .step = step,
-                                          .length = 25 * step,
-                                          .sample = 3 * step,
-                                          .lambda = precision == Precision::mixed ? 1 : 1e-4,
-                                          .inner = scheme.inner,
-                                          .configurational_sample = 6 * step,
-                                          .seed = 4,
-                                          .stretch = 9 * step};
+        const TrajectorySettings settings = settings_of(name, precision);
         std::vector<RunState> kept;
         System whole = mixture(electrostatics, precision);
         ForceField forces(whole.topology, whole.forces, whole.state.box);

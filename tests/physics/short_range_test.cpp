@@ -266,8 +266,8 @@ TEST_CASE("sites inside the inner limit have no energy") {
   CHECK(inner_limit_note({{{read_molecule("tip4p"), 1}}}).empty());
 }
 
-// A symmetric scheme of second order keeps the energy to C h² without drift: halving the step
-// divides the error by 4, to within the next order.
+// A symmetric scheme of second order keeps the energy to C h² without energy drift: halving the
+// step divides the error by 4, to within the next order.
 TEST_CASE("runs with all short-range laws conserve the energy") {
   for (const Example& system : systems()) {
     CAPTURE(system.name);

@@ -4,7 +4,7 @@
 
 namespace polhode {
 
-/// Calls of operator new so far.
+/// Calls of operator new and malloc so far.
 long allocations();
 
 /// Those during an action.

@@ -39,7 +39,7 @@ TEST_CASE("a changed byte of a file is detected, and bytes after the checked par
   std::ofstream(file) << "0123456789, and less of it";
   check_crc64(file, 0, 10, sum);
   std::ofstream(file) << "0123456780";
-  check_error([&] { check_crc64(file, 0, 10, sum); }, {file.c_str(), "checksum", "--force"});
+  check_error([&] { check_crc64(file, 0, 10, sum); }, {file.c_str(), "checksum", "start over"});
   std::ofstream(file) << "012345678";
   check_error([&] { check_crc64(file, 0, 10, sum); }, {file.c_str(), "9 bytes", "10"});
   fs::remove(path);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Errors and drifts of series whose correlation is known: calibrated over many series, from both
+// Errors and slopes of series whose correlation is known: calibrated over many series, from both
 // sides.
 #include "polhode/measure/correlated_series.hpp"
 
@@ -107,10 +107,10 @@ Calibration calibrated(const Settings& s) {
 
 // Over 2000 series a fraction of 0.01 is known to 0.0022. At most twice the nominal fractions, from
 // sixteen correlation times on (docs/statistics.md). The test is cautious where the noise is white,
-// because it allows for noise that is not; the lower side is "a drift is seen".
+// because it allows for noise that is not; the lower side is "an energy drift is detected".
 TEST_CASE(
-    "without a drift, the drift test gives false positives at its stated rate, for any correlation "
-    "time") {
+    "without an energy drift, the test for one gives false positives at its stated rate, for any "
+    "correlation time") {
   for (const Settings& s :
        {Settings{.rho = 0}, Settings{.rho = std::exp(-1.0 / 8)},
         Settings{.rho = std::exp(-1.0 / 25)}, Settings{.rho = std::exp(-1.0 / 62)},
@@ -200,7 +200,8 @@ TEST_CASE("a random walk of unknown strength is not reported as a drift") {
     CHECK(c.spread > 0.9);
     CHECK(c.spread < 1.6);
   }
-  // Without a walk the test is conservative, but it detects a drift of 20 errors of white noise.
+  // Without a walk the test is conservative, but it detects an energy drift of 20 errors of white
+  // noise.
   const double error = std::sqrt(12) / std::pow(1000, 1.5);
   CHECK(calibrated({.told = Settings::Walk::unknown_strength}).at_5 < 0.05);
   CHECK(calibrated({.drift = 20 * error, .told = Settings::Walk::unknown_strength}).at_1 > 0.9);

@@ -63,7 +63,7 @@ TEST_CASE(
   refused(2, {{0, 1, 0}}, {"the distance of points 1 and 2 is 0 nm; it must be above 0 nm"});
   auto list = all_distances(chiral);
   list[5].length += 0.01;
-  refused(5, list, {"no shape has them all"});
+  refused(5, list, {"for the shape to exist"});
   // A hinge: two triangles with a common edge fold.
   refused(4, {{0, 1, 0.1}, {0, 2, 0.1}, {1, 2, 0.1}, {1, 3, 0.1}, {2, 3, 0.1}, {0, 3, 0.3}},
           {"the distance of points"});

@@ -11,6 +11,9 @@ using namespace polhode;
 
 namespace {
 
+// Five rms fluctuations during a run of law(), 1 kJ/mol in 10 ps.
+const Drift matters{{0.5, 0.01}, 1e-6};
+
 // Points on an exact law R = c hᵏ.
 std::vector<EfficiencyPoint> law(const std::string& scheme, double c, int k, double evaluations) {
   std::vector<EfficiencyPoint> points;
@@ -21,6 +24,8 @@ std::vector<EfficiencyPoint> law(const std::string& scheme, double c, int k, dou
     p.step = fs / 1000;
     p.cost = evaluations / p.step;
     p.runs = 10;
+    p.length = 10;
+    p.total = 1;
     p.ratio = {c * std::pow(fs, k), 0.02 * c * std::pow(fs, k)};
     points.push_back(p);
   }
@@ -50,12 +55,44 @@ TEST_CASE("costs are interpolated along the power law, and extrapolated by the o
   CHECK(above->step == 0.008);
 }
 
-TEST_CASE("a curve ends at the first step that drifts or blows up") {
+TEST_CASE("a drift matters from one rms fluctuation of the energy during a run") {
+  EfficiencyPoint p;
+  p.runs = 4;
+  p.length = 8;
+  p.total = 0.0132;
+  // GIER4 at 4 fs in a small study: significant, a third of the fluctuation.
+  p.drift = {{0.0006, 0.00006}, 0.002};
+  CHECK(p.relative_drift() == doctest::Approx(0.0006 * 8 / 0.0132).epsilon(1e-12));
+  CHECK(!p.drifts());
+  CHECK(p.conserves());  // 0.36 ± 3.2 × 0.036
+  p.drift.rate = {-0.0017, 0.0001};
+  CHECK(p.drifts());
+  p.drift.p_value = 0.02;
+  CHECK(!p.drifts());
+  CHECK(!p.conserves());
+  p.drift.rate = {0, 0.0006};  // t = 3.18 for three degrees of freedom: up to 1.16
+  CHECK(p.relative_drift_bound() == doctest::Approx(3.1824 * 0.0006 * 8 / 0.0132).epsilon(1e-4));
+  CHECK(!p.conserves());
+  p.runs = 1;
+  CHECK(!p.conserves());
+}
+
+TEST_CASE("a curve ends where from one step on all drift, or at the first that blows up") {
   auto points = law("hoa2", 3e-4, 2, 2);
-  points[3].drift.p_value = 0.001;
+  points[2].drift = matters;
+  CHECK(curves(points)[0].usable == 6);  // a lone drift in the middle
+  points[3].drift = matters;
+  CHECK(curves(points)[0].usable == 6);
+  for (const std::size_t i : {4, 5}) points[i].drift = {{0.001, 1e-5}, 1e-6};
+  CHECK(curves(points)[0].usable == 6);  // significant, but too small to matter
+  for (const std::size_t i : {4, 5}) points[i].drift = matters;
   const auto all = curves(points);
-  CHECK(all[0].usable == 3);
-  CHECK(cost_at(all[0], points[4].ratio.value)->step == points[2].step);
+  CHECK(all[0].usable == 2);
+  CHECK(cost_at(all[0], points[4].ratio.value)->step == points[1].step);
+  points[2].drift = {};
+  CHECK(curves(points)[0].usable == 3);
+  points[5].stable = false;  // together with the drifts before it
+  CHECK(curves(points)[0].usable == 3);
   points[1].stable = false;
   CHECK(curves(points)[0].usable == 1);
   points[0].stable = false;

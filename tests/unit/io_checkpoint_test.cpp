@@ -207,7 +207,7 @@ TEST_CASE("a checkpoint with one wrong bit, or truncated anywhere, is refused") 
   const std::uint64_t sum = crc64(other.data() + 32, end - 32, crc64(other.data(), 24));
   other.replace(end, 8, reinterpret_cast<const char*>(&sum), 8);
   check_error([&] { CheckpointReader(other, path, program); },
-              {"format 99", "newest.bin", "--force"});
+              {"format 99", "newest.bin", "start over"});
 }
 
 TEST_CASE(
@@ -228,7 +228,7 @@ TEST_CASE(
       },
       {"newest.bin", "avx2", "sse4", "POLHODE_INSTRUCTION_SET=avx2"});
   check_error([&] { last_checkpoint(files, "of that run", program); },
-              {"newest.bin", "another run", "polhode run a.toml", "--output", "--force"});
+              {"newest.bin", "another run", "polhode run a.toml", "another output", "start over"});
 }
 
 TEST_CASE("the previous checkpoint is used if the newest is damaged or missing") {
@@ -252,5 +252,5 @@ TEST_CASE("the previous checkpoint is used if the newest is damaged or missing")
   write(files.newest, newest.substr(0, 100));
   write(files.previous, damaged);
   check_error([&] { last_checkpoint(files, c.identity, program); },
-              {"newest.bin", "100 bytes", "previous.bin", "checksum", "--force"});
+              {"newest.bin", "100 bytes", "previous.bin", "checksum", "start over"});
 }

@@ -36,8 +36,10 @@ TEST_CASE("the default run is the paper's system") {
   CHECK(config.forces.switch_from == 0.85);
 }
 
-TEST_CASE("every key of a run file is read") {
-  const Config config = parse_config(R"([system]
+namespace {
+
+// Values that differ from the defaults.
+constexpr const char* all_tables = R"([system]
 molecules = [{ model = "tip4p", count = 100 }]
 box = ["3 nm", "3 nm", "40 A"]
 temperature = "310 K"
@@ -74,8 +76,12 @@ configurational_sample = "40 fs"
 sites = ["tip4p.OW", "tip4p.OW"]
 sigma = "0.3 nm"
 epsilon = "100 K"
-)",
-                                     "x.toml");
+)";
+
+}  // namespace
+
+TEST_CASE("every key of a system and its forces is read") {
+  const Config config = parse_config(all_tables, "x.toml");
   CHECK(config.system.box->z == 4);
   CHECK(config.system.temperature == 310);
   CHECK(config.system.seed == 7);
@@ -87,6 +93,10 @@ epsilon = "100 K"
   CHECK(config.forces.mixing.pairs.front().sigma == 0.3);
   CHECK(std::isinf(config.forces.dielectric));
   CHECK(config.forces.skin == 0.2);
+}
+
+TEST_CASE("every key of an integrator, a run, its output and a study is read") {
+  const Config config = parse_config(all_tables, "x.toml");
   CHECK(config.integrator.scheme == "gier4");
   CHECK(config.integrator.step == 5 * 1e-3);
   CHECK(config.integrator.lambda == 1e-3);

@@ -224,7 +224,7 @@ TEST_CASE("existing outputs are not overwritten without --force") {
   refuse_existing(file, false);
   write_file(file, [](std::ostream& out) { out << "first"; });
   CHECK(text_of(file) == "first");
-  check_error([&] { refuse_existing(file, false); }, {"a.csv' exists", "--force"});
+  check_error([&] { refuse_existing(file, false); }, {"a.csv' exists", "another output"});
   refuse_existing(file, true);
   check_error([&] { refuse_existing(folder / "none/a.csv", false); }, {"there is no folder"});
   check_error([&] { refuse_existing(folder.path.string(), true); }, {"is a folder"});

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "polhode/io/gnuplot_text.hpp"
+#include "polhode/io/scheme_styles.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;
@@ -37,9 +38,10 @@ constexpr const char* shell =
     "/"
     "bin/sh";
 
-const std::vector<EfficiencyCurve> curves = {
-    {"hoa2", {{1000, 0.001, 1e-4}, {250, 0.012, 1e-3}, {200, 0.5, 0.1, false}}},
-    {"gier4", {{3000, 1e-6, 1e-7}, {300, 0.02, 1e-3}}}};
+const EfficiencyFigure study{
+    {{"hoa2", {{1000, 0.001, 1e-4}, {250, 0.012, 1e-3}, {200, 0.5, 0.1, false}}},
+     {"gier4", {{3000, 1e-6, 1e-7}, {300, 0.02, 1e-3}}}},
+    "four runs"};
 
 }  // namespace
 
@@ -48,15 +50,62 @@ TEST_CASE("without gnuplot there is a warning, and the script is kept") {
   setenv("PATH", place.folder.c_str(), 1);
   std::ostringstream warnings;
   const std::string prefix = (place.folder / "efficiency").string();
-  CHECK(!efficiency_plot(prefix, curves, "svg", warnings));
+  CHECK(!efficiency_plot(prefix, study, "svg", warnings));
   CHECK(warnings.str().find("gnuplot is not installed") != std::string::npos);
   CHECK(warnings.str().find("gnuplot efficiency.gp") != std::string::npos);
   const std::string script = text_of(prefix + ".gp");
-  CHECK(script.find("set output './efficiency.svg'") != std::string::npos);
+  CHECK(script.find("image = './efficiency.svg'\n") != std::string::npos);
+  CHECK(script.find("caption = 'four runs'\n") != std::string::npos);
+  CHECK(script.find("set output image\n") != std::string::npos);
   // R in %; the longest stable step is marked only where a longer one is unstable.
   CHECK(script.find("250 1.2 0.1 1 0\n1000 0.1 0.01 0 0\n") != std::string::npos);
   CHECK(script.find("300 2 0.1 0 0\n") != std::string::npos);
   CHECK(script.find("200 50") == std::string::npos);
+}
+
+TEST_CASE("a figure has a curve for each scheme, in the scheme's style") {
+  const Place place;
+  setenv("PATH", place.folder.c_str(), 1);
+  std::ostringstream warnings;
+  const std::string prefix = (place.folder / "figure").string();
+  efficiency_plot(prefix, study, "svg", warnings);
+  const auto has_curves = [&] {
+    const std::string script = text_of(prefix + ".gp");
+    CHECK(script.find("curves = 2\n") != std::string::npos);
+    std::vector<std::string> names;
+    for (const EfficiencyCurve& curve : study.curves) names.push_back(curve.scheme);
+    const std::vector<SchemeStyle> styles = scheme_styles(names);
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      const std::string at = "[" + std::to_string(k + 1) + "] = ";
+      CHECK(script.find("name" + at + "'" + names[k] + "'\n") != std::string::npos);
+      CHECK(script.find("colour" + at + "'" + styles[k].colour + "'\n") != std::string::npos);
+      CHECK(script.find("filled" + at + std::to_string(styles[k].filled)) != std::string::npos);
+      CHECK(script.find("\n# " + names[k] + "\n") != std::string::npos);
+    }
+  };
+  has_curves();
+  advice_plot(prefix, {{{"hoa2", {{1, 0.01, 0.001}}, {}}, {"gier4", {}, {{2, 0.01}}}}, 0.01, {}},
+              "svg", warnings);
+  has_curves();
+}
+
+TEST_CASE("many curves that can be separated have a panel each") {
+  const Place place;
+  setenv("PATH", place.folder.c_str(), 1);
+  std::ostringstream warnings;
+  const auto script_of = [&](std::size_t columns, bool separable) {
+    CurvesFigure figure{(place.folder / "g.csv").string(), "g", "r", "g", {}, separable};
+    for (std::size_t k = 0; k < columns; ++k) figure.columns.push_back({k + 2, "O-`H`"});
+    curves_plot(figure, "svg", warnings);
+    return text_of(place.folder / "g.gp");
+  };
+  const auto panels = [](const std::string& script) {
+    return script.find("set multiplot") != std::string::npos;
+  };
+  CHECK(panels(script_of(5, true)));
+  CHECK(!panels(script_of(4, true)));
+  CHECK(!panels(script_of(5, false)));
+  CHECK(script_of(5, true).find("name[5] = 'O-`H`'\n") != std::string::npos);
 }
 
 TEST_CASE("figures are drawn if gnuplot is installed") {
@@ -70,8 +119,23 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
   const bool drawn = energy_plot((place.folder / "run.csv").string(), "a \"run\"", "svg", warnings);
   if (!drawn && warnings.str().find("not installed") != std::string::npos) return;
   CHECK(drawn);
-  CHECK(efficiency_plot((place.folder / "eff").string(), curves, "svg", warnings));
+  CHECK(efficiency_plot((place.folder / "eff").string(), study, "svg", warnings));
   CHECK(efficiency_plot((place.folder / "none").string(), {}, "svg", warnings));
+  CHECK(advice_plot(
+      (place.folder / "advice").string(),
+      {{{"hoa2", {{1, 0.01, 0.001}}, {{1, 0.01}, {2, 0.003}}}, {"B(1/2) A(1) B(1/2)", {}, {}}},
+       0.01,
+       AdviceMark{1.5, 0.006, 0.001}},
+      "svg", warnings));
+  for (const std::size_t columns : {1, 2, 5}) {
+    CurvesFigure figure{(place.folder / "many.csv").string(), "many", "r", "g", {}, true};
+    std::ofstream csv(figure.csv);
+    csv << "r,a,b,c,d,e\n";
+    for (int k = 1; k < 9; ++k) csv << k << ",1,2,3," << 1.0 / k << ",5\n";
+    csv.close();
+    for (std::size_t k = 0; k < columns; ++k) figure.columns.push_back({k + 2, "g"});
+    CHECK(curves_plot(figure, "svg", warnings));
+  }
   CHECK(warnings.str() == "");
   CHECK(text_of(place.folder / "run.svg").find("</svg>") != std::string::npos);
   CHECK(text_of(place.folder / "eff.svg").find("hoa2") != std::string::npos);

@@ -154,13 +154,14 @@ TEST_CASE("figures cross out points dominated by rounding") {
   const auto script = [&](bool rounded) {
     std::ostringstream warnings, text;
     efficiency_plot(prefix.string(),
-                    {{"gier4", {{3000, 3e-5, 1e-6, true, rounded}, {300, 0.02, 1e-3}}}}, "svg",
+                    {{{"gier4", {{3000, 3e-5, 1e-6, true, rounded}, {300, 0.02, 1e-3}}}}}, "svg",
                     warnings);
     text << std::ifstream(prefix.string() + ".gp").rdbuf();
     return text.str();
   };
-  CHECK(script(true).find("title \"rounding\"") != std::string::npos);
-  CHECK(script(false).find("title \"rounding\"") == std::string::npos);
+  CHECK(script(true).find("some_rounded = 1\n") != std::string::npos);
+  CHECK(script(true).find("3000 0.003 0.0001 0 1\n") != std::string::npos);
+  CHECK(script(false).find("some_rounded = 0\n") != std::string::npos);
   for (const char* extension : {".gp", ".svg"})
     std::filesystem::remove(prefix.string() + extension);
 }

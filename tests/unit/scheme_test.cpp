@@ -88,8 +88,9 @@ TEST_CASE("gradient kicks per step follow from the stages") {
 }
 
 // α and β of the O(h²) error. Those of the family B(η) A(1/2) B(1 − 2η, ξ) A(1/2) B(η) are known in
-// closed form (docs/theory.md); for every other scheme they vanish where the order is above 2, to
-// the rounding of coefficients with 15 digits, of size 1 to 2 and cubed: 1e-14. And only there.
+// closed form (docs/theory.md, Eq. (6)); for every other scheme they vanish where the order is
+// above 2, to the rounding of coefficients with 15 digits, of size 1 to 2 and cubed: 1e-14. And
+// only there.
 TEST_CASE("the error of second order follows from the stages") {
   for (const double eta : {0.1, 0.1931833275037836, 0.5})
     for (const double xi : {0.0, 0.02}) {

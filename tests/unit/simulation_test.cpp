@@ -119,10 +119,11 @@ TEST_CASE("existing outputs are refused, unless they are to be replaced") {
   const Folder folder;
   CHECK(Simulation(config_in(folder)).run().end == RunEnd::complete);
   const std::string energies = bytes(folder / "out-energies.csv");
-  check_error([&] { Simulation(config_in(folder)).run(); }, {"out-checkpoint.bin", "--force"});
+  check_error([&] { Simulation(config_in(folder)).run(); },
+              {"out-checkpoint.bin", "resume it", "start over"});
   std::filesystem::remove(folder / "out-checkpoint.bin");
   check_error([&] { Simulation(config_in(folder)).run(); },
-              {"exists and would be overwritten", "--force"});
+              {"exists and would be overwritten", "replace it"});
   CHECK(Simulation(config_in(folder)).run({.existing = ExistingFiles::replace}).end ==
         RunEnd::complete);
   CHECK(bytes(folder / "out-energies.csv") == energies);

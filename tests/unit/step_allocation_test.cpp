@@ -2,9 +2,11 @@
 // No step allocates.
 #include <doctest/doctest.h>
 
+#include <cstdlib>
 #include <string>
 
 #include "allocations.hpp"
+#include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
@@ -47,4 +49,27 @@ TEST_CASE("a step does not allocate, with inner steps or a bath or without") {
                     FreeDrift{scene.bodies, Workers::serial()}, Idle{});
   bathed.advance(scene.state, 0.001);
   CHECK(allocations_of([&] { bathed.advance(scene.state, 0.001, 3); }) == 0);
+}
+
+TEST_CASE("a step with forces from a mesh does not allocate, for any library of transforms") {
+  const auto by_malloc = [] {
+    void* volatile memory = std::malloc(3);
+    std::free(memory);
+  };
+  CHECK(allocations_of(by_malloc) > 0);  // they are counted
+  for (const Precision precision : {Precision::double_precision, Precision::mixed}) {
+    CAPTURE(int(precision));
+    scenes::Scene scene = scenes::lattice({{"tip4p", 64}}, 0.35, 1.6, 5);
+    ForceSettings settings{.cutoff = 0.6, .switch_from = 0.5, .skin = 0.15};
+    settings.truncation = Truncation::site_switch;
+    settings.electrostatics = Electrostatics::pme;
+    settings.precision = precision;
+    settings.mesh = MeshSettings{{12, 14, 15}, 5, 5, settings.cutoff};  // all usual factors
+    ForceField forces(scene.topology, settings, scene.state.box);
+    Integrator integrator(scheme_of("gier4"), scene.bodies, forces);
+    integrator.advance(scene.state, 1e-5);
+    const std::size_t rebuilds = forces.list_rebuilds();
+    CHECK(allocations_of([&] { integrator.advance(scene.state, 1e-5, 3); }) == 0);
+    CHECK(forces.list_rebuilds() == rebuilds);
+  }
 }

@@ -89,8 +89,8 @@ TEST_CASE("no step has an R below the floor") {
   CHECK(found_step(search, searched({5e-4, 2, 0}, search)).step == 0);  // no step is stable
 }
 
-// A drift of 10⁻⁵ R per ps is 10⁻⁸ at R = 10⁻³, at 1.41 fs; successive steps differ by a factor of
-// 1.25.
+// An energy drift of 10⁻⁵ R per ps is 10⁻⁸ at R = 10⁻³, at 1.41 fs; successive steps differ by a
+// factor of 1.25.
 TEST_CASE("a bound on the drift is met by trying a ladder of steps") {
   const StepSearch search{{Quality::drift, 1e-8}, 2, 0.0005};
   const double step = found_step(search, searched({5e-4, 2}, search)).step;

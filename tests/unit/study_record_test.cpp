@@ -76,7 +76,7 @@ TEST_CASE("a record of a study is read completely, or refused with the line") {
   CHECK(!read("hoa2;0.002;1;0;nan;nan;nan;nan;nan\n")[0].stable);
 
   const auto refused = [&](const char* from, const char* to, const char* what) {
-    check_error([&] { read(line + replaced(line, from, to)); }, {"runs.csv:5", what, "--force"});
+    check_error([&] { read(line + replaced(line, from, to)); }, {"runs.csv:5", what, "start over"});
   };
   refused("297", "nan", "'nan' where the temperature must be a finite number");
   refused("3e-05", "inf", "'inf' where the R must be a finite number");
@@ -90,11 +90,11 @@ TEST_CASE("a record of a study is read completely, or refused with the line") {
   refused(";297", "", "8 fields and must have 9");
   refused(";297", ";297;1", "10 fields and must have 9");
   refused("\n", "\n", "the same scheme, step and initial configuration as");
-  check_error([&] { read("scheme;step\n"); }, {"runs.csv:4", "2 columns", "--force"});
+  check_error([&] { read("scheme;step\n"); }, {"runs.csv:4", "2 columns", "start over"});
   check_error([&] { read(line + "\x01\n"); }, {"runs.csv:5", "0x01"});
   std::istringstream other("# study 0\n" + line), no_head("# study " + text_hash("") + "\n" + line);
   check_error([&] { read_study_record(other, "runs.csv", provenance); },
-              {"runs.csv:1", "another study", "--force"});
+              {"runs.csv:1", "another study", "start over"});
   check_error([&] { read_study_record(no_head, "runs.csv", {}); },
-              {"runs.csv:2", "with the column names", "--force"});
+              {"runs.csv:2", "with the column names", "start over"});
 }

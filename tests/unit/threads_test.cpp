@@ -70,7 +70,7 @@ TEST_CASE("the number of threads is that of the option, else of the environment,
   CHECK(requested_threads(all) == all);
   for (const int n : {0, -3, all + 1})
     check_error([&] { requested_threads(n); },
-                {fmt::format("'{}'", n).c_str(), bound.c_str(), "core", "--threads"});
+                {fmt::format("'{}'", n).c_str(), bound.c_str(), "core", "threads"});
   const std::string too_many = std::to_string(all + 1);
   for (const char* text : {"0", "-1", "two", "1.5", "1 2", "99999999999", too_many.c_str()}) {
     setenv("POLHODE_THREADS", text, 1);
@@ -78,7 +78,8 @@ TEST_CASE("the number of threads is that of the option, else of the environment,
     check_error([&] { requested_threads(std::nullopt); },
                 {quoted.c_str(), bound.c_str(), "core", "POLHODE_THREADS"});
   }
-  check_error([] { requested_threads("two"); }, {"'two'", bound.c_str(), "--threads"});
+  check_error([] { requested_threads("two"); }, {"'two'", bound.c_str(), "threads"});
+  check_error([] { requested_threads("two", "--threads"); }, {"--threads"});
   CHECK(requested_threads("1") == 1);
   setenv("POLHODE_THREADS", "", 1);
   CHECK(requested_threads("") == all);

@@ -23,7 +23,7 @@ InstructionSet current_instruction_set();
 /// Use this instruction set from now on; for tests and benchmarks. Not while other threads compute.
 void force_instruction_set(InstructionSet instruction_set);
 
-// A file in a `targets` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
+// A file in a `kernels` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
 // build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares them for all
 // instruction sets, POLHODE_CURRENT_LOOPS selects the current one, and POLHODE_CURRENT_OVERLOAD
 // does so for overloaded functions, given the type of a function pointer.

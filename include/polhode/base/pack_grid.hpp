@@ -76,7 +76,7 @@ struct RunPair {
 #endif
     if constexpr (!single_vector) return v.second;
   }
-  /// Stores the first run, then the second.
+  /// Stores both runs, one after the other.
   void store(T* p) const {
     if constexpr (single_vector)
       hn::StoreU(v, Tag(), p);

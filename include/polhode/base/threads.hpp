@@ -24,6 +24,7 @@ std::optional<int> group_bandwidth(const std::string& membership,
 int requested_threads(std::optional<int> option);
 
 /// The same for the option as it was typed; empty if not given.
-int requested_threads(const std::string& option);
+/// @param place  of the option, for errors: "--threads"
+int requested_threads(const std::string& option, const std::string& place = "threads");
 
 }  // namespace polhode

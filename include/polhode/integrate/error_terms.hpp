@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The O(h²) error terms of a palindromic scheme, computed from its stages (docs/theory.md, "The
-// shadow energy").
+// The O(h²) error terms of a palindromic scheme, computed from its stages (docs/theory.md,
+// Eq. (10)).
 #pragma once
 
 #include "polhode/integrate/scheme.hpp"

@@ -39,8 +39,8 @@ concept StateBath = std::same_as<F, NoBath> ||
   {bath(state, t, at)};
 };
 
-/// What an integrator carries from step to step: an integrator that takes it over continues bitwise
-/// identically.
+/// What an integrator keeps from step to step: another integrator that is given it continues bit
+/// for bit as the first.
 struct IntegratorMemory {
   Load load;              ///< of the last evaluation
   bool current = false;   ///< whether it belongs to the current positions
@@ -67,7 +67,7 @@ class Integrator {
       std::same_as<Bath, NoBath>
       : Integrator(scheme, bodies, forces, FreeDrift{bodies, workers}, NoBath{}, lambda, workers) {}
 
-  /// @param drift, bath  kept by value: std::ref() for one that has a state of its own
+  /// @param drift, bath  kept by value: std::ref() for one that has a state
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, Drift drift, Bath bath,
              double lambda = 1e-4, Workers& workers = Workers::serial())
       : scheme_(scheme),
@@ -198,9 +198,9 @@ class Integrator {
     current_ = true;
   }
 
-  /// The additional part of e^{B̂(ξ)t} over e^{Bt}: ξ h² ∇W [vanzon2008, Eq. 5], where ∇W is twice
-  /// the derivative of f and τ along the displacement that they would cause (docs/theory.md, "The
-  /// gradient kick"). h in ξ h² is the full step, whatever the fraction of the kick.
+  /// What e^{B̂(ξ)t} adds to e^{Bt}: ξ h² ∇W [vanzon2008, Eq. 5], where ∇W is twice
+  /// the derivative of f and τ along the displacement that they would cause (docs/theory.md,
+  /// Eq. (14)). h in ξ h² is the full step, whatever the fraction of the kick.
   void exact_gradient_kick(State& state, double t, double xi_h2) {
     gradient_direction(state, bodies_, load_, dq_, dtheta_, workers_);
     forces_.directional_derivative(state, dq_, dtheta_, gradient_load_);

@@ -96,8 +96,9 @@ class NestedIntegrator {
                    double lambda = 1e-4, Workers& workers = Workers::serial(), Bath bath = {})
       : inner_(scheme.inner.value().scheme, bodies, near, lambda, workers),
         slow_(full, near, inner_, bodies.size()),
-        outer_(scheme.outer, bodies, slow_, InnerSteps{inner_, scheme.inner->steps},
-               std::move(bath), lambda, workers) {}
+        outer_(scheme.outer, bodies, slow_,
+               InnerSteps<Integrator<Near>>{inner_, scheme.inner->steps}, std::move(bath), lambda,
+               workers) {}
   NestedIntegrator(const NestedIntegrator&) = delete;
   NestedIntegrator& operator=(const NestedIntegrator&) = delete;
 

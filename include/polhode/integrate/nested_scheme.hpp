@@ -39,7 +39,7 @@ struct NestedScheme {
 
   /// Evaluations of the near forces per step of the outer scheme, in addition to its
   /// force_evaluations() of the total forces. Outer and inner kicks at the same positions share
-  /// one; the displaced positions of a finite difference need one of their own.
+  /// one; the displaced positions of a finite difference need another.
   int near_evaluations() const {
     if (!inner) return 0;
     const bool shared = inner->scheme.starts_with_kick() || inner->scheme.ends_with_kick();

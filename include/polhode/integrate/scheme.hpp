@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A splitting scheme as data: a palindrome of drifts e^{aAh} and kicks e^{bB̂(ξ)h} [vanzon2008, Eq.
-// 1], and of baths where there is a temperature to keep.
+// 1], and of baths if the temperature is controlled.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// What a stage does. Whoever looks at a flow does so in a `switch` without `default`: the compiler
-/// then names every place where a new flow has to be thought of.
+/// What a stage does. Code that depends on the flow uses a `switch` without `default`, so that the
+/// compiler reports every switch in which a new flow is missing.
 enum class Flow {
   drift,  ///< free flight and free rotation: changes positions and attitudes
   kick,   ///< forces and torques act: changes momenta
@@ -61,7 +61,7 @@ struct Stage {
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
   /// Whether this stage and `next`, right after it, are one stage of both lengths. Baths are not:
-  /// each has random numbers of its own.
+  /// each has separate random numbers.
   constexpr bool joins(const Stage& next) const {
     switch (flow) {
       case Flow::drift:

@@ -26,6 +26,9 @@ struct SystemSettings {
   std::optional<double> density;    ///< [u/nm³], if there is no initial configuration
   std::optional<Vec3<double>> box;  ///< [nm], if there is no initial configuration
   double temperature = 297;         ///< [K]
+  bool temperature_given = false;   ///< in the run file
+  bool seed_given = false;          ///< likewise
+  bool new_velocities = false;      ///< drawn even if the initial configuration has some
   std::uint64_t seed = 1;
   /// Path of a coordinate file; "w512" is the built-in one; empty: lattice.
   std::string initial_configuration;

@@ -100,7 +100,7 @@ struct GromacsTopology {
   std::string file;
 };
 
-/// What a text says, with all that it includes.
+/// Parses the text of a topology, with all files that it includes.
 /// @param file     its name in errors
 /// @param defines  macros that are defined before the first line, "FLEXIBLE" or "NAME=VALUE"
 /// @throws Error   with file and line: what was found, and what was expected

@@ -24,8 +24,9 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings,
                  std::chrono::seconds limit = std::chrono::seconds(60));
 
 /// The energies of a run against time: deviation of the total energy from its mean, and potential
-/// energy, in two panels. `csv` must have the columns "time [ps]", "potential [kJ/mol]" and "total
-/// [kJ/mol]"; image and script are written next to it, with its name and other extensions.
+/// energy, in two panels, with the title and R above. `csv` must have the columns "time [ps]",
+/// "potential [kJ/mol]" and "total [kJ/mol]"; image and script are written next to it, with its
+/// name and other extensions.
 /// @param format  "svg" or "png"
 bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
                  std::ostream& warnings);
@@ -39,6 +40,7 @@ struct CurvesFigure {
     std::string title;
   };
   std::vector<Column> columns{};  ///< to be drawn
+  bool separable = false;         ///< draw many curves in a panel each
 };
 
 /// Draws the figure; script and image are written next to the CSV file, with its name and other
@@ -49,7 +51,7 @@ bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ost
 /// Accuracy and cost of a scheme at one step.
 struct EfficiencyMark {
   double cost;               ///< force evaluations per ps
-  double ratio;              ///< R = rms of E over rms of V [1]
+  double ratio;              ///< R = rms of E divided by rms of V [1]
   double error;              ///< of R [1]
   bool stable = true;        ///< false: the step is too large for the scheme; not drawn
   bool at_rounding = false;  ///< R is dominated by rounding
@@ -60,12 +62,18 @@ struct EfficiencyCurve {
   std::vector<EfficiencyMark> marks;  ///< in any order
 };
 
-/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes up to `highest` R, with a
+struct EfficiencyFigure {
+  std::vector<EfficiencyCurve> curves;
+  std::string caption{};   ///< below the axes: under which conditions costs are compared
+  double highest = 0.035;  ///< R of the linear axis
+};
+
+/// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, with a
 /// logarithmic inset of all data. The largest stable step has an open symbol if a larger one is
 /// known to be unstable; points at the rounding floor are crossed out. Writes PREFIX.gp and
 /// PREFIX.svg or PREFIX.png.
-bool efficiency_plot(const std::string& prefix, const std::vector<EfficiencyCurve>& curves,
-                     const std::string& format, std::ostream& warnings, double highest = 0.035);
+bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
+                     const std::string& format, std::ostream& warnings);
 
 /// R of a scheme against its cost.
 struct AdviceMark {

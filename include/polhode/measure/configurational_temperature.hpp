@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Configurational temperatures, from the forces and their derivative only (docs/theory.md,
-// "Equipartition").
+// Eq. (36)).
 #pragma once
 
 #include <array>

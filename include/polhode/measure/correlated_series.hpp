@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Statistics of quantities that are correlated in time: means with errors and drifts with their
+// Statistics of quantities that are correlated in time: means with errors and slopes with their
 // significance, estimated from the slowest modes of a run (docs/statistics.md).
 #pragma once
 
@@ -28,19 +28,21 @@ struct SeriesEstimate {
 
 /// The energy drift of one run, or of a series of runs.
 struct Drift {
-  Estimate rate;       ///< error 0 unless it is known
-  double p_value = 1;  ///< probability of such a slope if there is no drift; 1 unless it is known
+  Estimate rate;  ///< error 0 unless it is known
+  double p_value =
+      1;  ///< probability of such a slope if there is no energy drift; 1 unless it is known
   Known known = Known::too_few_samples;
   bool significant() const;
 };
 
-/// A drift with a smaller p-value is significant.
+/// An energy drift with a smaller p-value is significant.
 inline constexpr double significance = 0.01;
 
 /// Minimum number of blocks for an error; runs with few samples have one block per sample.
 inline constexpr std::size_t min_samples = 12;
 
-/// The drift over a series of independent runs: the mean of their slopes and its standard error.
+/// The energy drift over a series of independent runs: the mean of their slopes and its standard
+/// error.
 Drift drift_of_series(std::span<const double> rates);
 
 /// A statistic computed from the means of all quantities, with its standard error: the influences

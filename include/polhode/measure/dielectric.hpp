@@ -5,7 +5,7 @@
 #include <limits>
 #include <vector>
 
-#include "polhode/measure/correlated_series.hpp"
+#include "polhode/measure/convergence.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -25,6 +25,7 @@ class TotalDipole {
     SeriesEstimate constant;  ///< ε
     SeriesEstimate kirkwood;  ///< (⟨M²⟩ − ⟨M⟩²)/Σ μ², the Kirkwood g factor: 1 for uncorrelated
                               ///< dipoles
+    Convergence convergence;     ///< of both
     double mean_over_rms = 0;    ///< |⟨M⟩|/√⟨M²⟩: small for a sufficiently long run
     std::vector<double> stages;  ///< ε from the first block, from the first two, and so on
     std::vector<double> frames;  ///< number of frames that each of these is based on
@@ -34,7 +35,8 @@ class TotalDipole {
   /// permittivity ε': ε = 1 + g for tin foil; for a reaction field, ε' is that of the field
   /// [neumann1983]. ⟨M⟩² is about ⟨M²⟩ divided by the number of independent values of M: above a
   /// tenth of ⟨M²⟩ no error is given.
-  Result result(double temperature, double surroundings_permittivity) const;
+  /// @param interval  between frames [ps]
+  Result result(double temperature, double surroundings_permittivity, double interval = 1) const;
 
  private:
   std::vector<Vec3<double>> dipole_;  // of each part, body frame

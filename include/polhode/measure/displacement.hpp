@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/measure/convergence.hpp"
 #include "polhode/measure/time_correlation.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -58,10 +59,15 @@ struct FitWindow {
 
 /// D = slope/6 of the mean-square displacement [nm²/ps], by a least-squares line through the lags
 /// within the window (Einstein relation; allen2017, section 2.7). NaN if there are fewer than two.
-/// No error is given for runs shorter than eight times the longest lag.
+/// No error is given for runs shorter than eight times the maximum lag.
 /// @param interval  between lags [ps]
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);
+
+/// Of that coefficient: the run has `windows_of_lags` times the longest lag, and the slopes in the
+/// two halves of the window do not differ, as they do while molecules are still in their cages.
+Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,
+                                  const FitWindow& window);
 
 /// Yeh-Hummer finite-size correction: the amount by which the periodic images lower the diffusion
 /// coefficient in a cubic box [nm²/ps], ξ k_B T/(6 π η L) with ξ = 2.837297 [yeh2004, Eq. 12].

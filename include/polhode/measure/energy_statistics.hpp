@@ -30,35 +30,39 @@ struct EnergyStatistics {
   double potential() const;              ///< mean [kJ/mol]
   double total_fluctuation() const;      ///< rms deviation from the mean [kJ/mol]
   double potential_fluctuation() const;  ///< likewise
-  /// R: rms fluctuation of the total energy over that of the potential energy [vanzon2008]. Not a
-  /// number if the potential energy is constant.
+  /// R: rms fluctuation of the total energy divided by that of the potential energy [vanzon2008].
+  /// Not a number if the potential energy is constant.
   double ratio() const;
   Temperatures temperatures(const DegreesOfFreedom& degrees_of_freedom) const;  ///< means [K]
 
   /// R with its standard error.
   SeriesEstimate ratio_with_error() const;
+  /// The mean temperature of all degrees of freedom [K] with its standard error.
+  SeriesEstimate temperature(const DegreesOfFreedom& degrees_of_freedom) const;
   /// The mean pressure [kJ/mol/nm³] with its standard error.
   SeriesEstimate pressure() const;
-  /// The drift of the total energy [kJ/mol/ps].
-  /// @param walks  variance per time of the random walk that it performs [(kJ/mol)²/ps]
+  /// The energy drift [kJ/mol/ps].
+  /// @param walks  variance per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;
+  /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
+  Drift potential_drift() const;
 };
 
-/// R over stretches of a trajectory, one after the other.
+/// R of consecutive parts of a trajectory, of equal length.
 struct StretchStatistics {
-  std::uint64_t samples = 0;     ///< in the stretch that is under way
+  std::uint64_t samples = 0;     ///< in the current part
   std::array<double, 4> sums{};  ///< over these: total and potential energy, their squares
   std::uint64_t stretches = 0;
   double mean = 0, squares = 0;  ///< of R; sum of squared deviations
 
   /// @param first   of the trajectory
-  /// @param length  of a stretch in samples
+  /// @param length  of a part in samples
   void add(const Energies& now, const Energies& first, std::uint64_t length);
-  /// The mean with its standard error; nothing with fewer than two stretches.
+  /// The mean with its standard error; nothing with fewer than two parts.
   std::optional<Estimate> ratio() const;
 };
 
-/// All that is kept of the samples along a trajectory.
+/// Statistics of the samples of a trajectory; the samples are not stored.
 struct TrajectoryStatistics {
   EnergyStatistics energies;
   ShadowStatistics shadow;

@@ -54,7 +54,9 @@ class RadialDistribution {
 
   struct Shell {
     SeriesEstimate end;           ///< position of the smallest g beyond the peak [nm]
-    SeriesEstimate coordination;  ///< number of neighbours up to it
+    SeriesEstimate coordination;  ///< number of sites of the second selection around one of the
+                                  ///< first, up to it
+    SeriesEstimate of_second;     ///< of the first around one of the second
   };
   struct Peak {
     SeriesEstimate position;     ///< [nm]
@@ -83,10 +85,10 @@ class RadialDistribution {
   std::vector<SitePair> pairs_;
   double cutoff_, width_;
   std::size_t bins_;
-  std::vector<std::vector<std::pair<Vec3<double>, std::size_t>>> sites_;  // of each part: r, kind
-  std::vector<std::size_t> bodies_;                                       // of each part
-  std::vector<std::vector<std::vector<Count>>> counts_;                   // [kind][kind]
-  std::vector<double> pairs_of_sites_, sites_of_first_;                   // of each pair
+  std::vector<std::vector<std::pair<Vec3<double>, std::size_t>>> sites_;   // of each part: r, kind
+  std::vector<std::size_t> bodies_;                                        // of each part
+  std::vector<std::vector<std::vector<Count>>> counts_;                    // [kind][kind]
+  std::vector<double> pairs_of_sites_, sites_of_first_, sites_of_second_;  // of each pair
   TimeBlocks blocks_;  // of counts times the volume, for all pairs, and of the volume
 };
 

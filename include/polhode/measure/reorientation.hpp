@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/measure/convergence.hpp"
 #include "polhode/measure/time_correlation.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -51,6 +52,7 @@ struct RelaxationTimes {
   SeriesEstimate integral;
   SeriesEstimate exponential;  ///< of C ~ exp(−t/τ) between `from` and `to`
   double from = 0, to = 0;
+  Convergence convergence;  ///< of both; the run has `windows_of_lags` times the lag `to`
 };
 
 /// The exponential is fitted where C is between 1/e and 1/e³: librations have decayed by then, and

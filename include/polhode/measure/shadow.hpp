@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shadow energy: what a second-order scheme conserves much better than the energy
-// (docs/theory.md, "The shadow energy").
+// (docs/theory.md, Eqs. (7) and (34)).
 #pragma once
 
 #include <cstdint>
@@ -60,14 +60,14 @@ struct ShadowSummary {
   std::uint64_t samples = 0;
   double fluctuation = 0;  ///< rms [kJ/mol]
   Drift drift;             ///< [kJ/mol/ps]
-  /// How many times sooner a drift becomes significant than by the energy: its standard error
-  /// falls with the length of a run as t^{−3/2}, so the times go as the errors to the power 2/3.
-  /// Nothing if one of the errors is not known.
+  /// How many times sooner an energy drift becomes significant than by the energy: its standard
+  /// error falls with the length of a run as t^{−3/2}, so the times go as the errors to the power
+  /// 2/3. Nothing if one of the errors is not known.
   std::optional<double> time_gain;
 };
 
 /// Nothing if there are fewer than three samples.
-/// @param raw   the drift of the energy over the same time
+/// @param raw   the energy drift over the same time
 std::optional<ShadowSummary> shadow_summary(const ShadowStatistics& statistics, const Drift& raw);
 
 }  // namespace polhode

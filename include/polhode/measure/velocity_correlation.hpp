@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/measure/convergence.hpp"
 #include "polhode/measure/time_correlation.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -37,6 +38,10 @@ class VelocityCorrelation {
 /// ∫₀^t C dt' at each lag by the trapezoidal rule: the Green-Kubo diffusion coefficient [nm²/ps]
 /// once C has decayed [allen2017, section 2.7].
 BlockMeans running_integral(const BlockMeans& correlation, double interval);
+
+/// Of its value at the last lag: the run has `windows_of_lags` times that lag, and the integral
+/// does not differ from that up to half of it.
+Convergence integral_convergence(const BlockMeans& integral, double interval);
 
 /// C(t)/C(0): 1 at lag 0, without an error. As it is if C(0) vanishes.
 BlockMeans normalized(const BlockMeans& correlation);

@@ -2,7 +2,7 @@
 // The motion of the centre of mass. It does not contribute to temperature or diffusion, so the
 // program keeps the centre of mass at rest: the total momentum of an initial configuration and the
 // net force of a mesh are removed, and kinetic energies, temperatures, pressures and displacements
-// are relative to the centre of mass (docs/theory.md, "The centre of mass").
+// are relative to the centre of mass (docs/theory.md, Eq. (32)).
 #pragma once
 
 #include "polhode/base/workers.hpp"

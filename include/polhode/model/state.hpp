@@ -12,7 +12,7 @@ struct State {
   Vec3Column p;               ///< momenta [u nm/ps], lab
   QuaternionColumn attitude;  ///< body → lab; its transposed matrix is S
   Vec3Column ell;             ///< angular momenta about the centres [u nm²/ps], lab
-  Box box;          ///< [nm]; it may change at any time, and whoever needs it reads it here
+  Box box;          ///< [nm]; it may change at any time, so code that needs it reads it here
   double time = 0;  ///< [ps]
 
   State() = default;

@@ -80,6 +80,63 @@ constexpr void unroll(const Function& f) {
   (std::make_index_sequence<count>{});
 }
 
+/// The equation of the angle G = X F, multiplied by X:
+/// (1 - c1 + c2 - c3) (G + 2 X G') = K3 + K2 G + K1 G^2.
+/// It contains the powers of X: X^n in c_n and X^(n+1) in element n of each K.
+template <class Real>
+struct AngleEquation {
+  std::array<Real, 3> K1, K2, K3;
+  Real c1, c2, c3;
+};
+
+/// e plus the products K1_j d_a d_b with a + b = n - 2 - j, except those with d_(n-2).
+template <std::size_t n, class Real, std::size_t terms>
+[[gnu::always_inline]] inline Real plus_products(Real e, const std::array<Real, 3>& K1,
+                                                 const std::array<Real, terms>& d) {
+  unroll<3>([&](auto power) {
+    constexpr std::size_t j = power, first = j == 0 ? 1 : 0;
+    if constexpr (n >= 2 + j + 2 * first) {
+      constexpr std::size_t k = n - 2 - j;
+      Real pairs(0);
+      unroll<(k + 1) / 2 - first>([&](auto a) {
+        constexpr std::size_t b = a + first;
+        pairs = pairs + d[b] * d[k - b];
+      });
+      pairs = pairs + pairs;
+      if constexpr (k % 2 == 0) pairs = pairs + d[k / 2] * d[k / 2];
+      e = e + K1[j] * pairs;
+    }
+  });
+  return e;
+}
+
+/// The angle G as the sum of `terms` terms d_n of order X^(n+1):
+/// (2n+3) d_n = ((2n+1) c1 + K2_0) d_(n-1) + ... The newest terms enter last and the division by
+/// 2n+3 is absorbed into their coefficients: the dependency chain per term is two operations long.
+template <std::size_t terms, class Real>
+[[gnu::always_inline]] inline Real angle_sum(const AngleEquation<Real>& of) {
+  std::array<Real, terms> d;
+  Real angle(0);
+  unroll<terms>([&](auto count) {
+    constexpr std::size_t n = count;
+    constexpr auto number = [](std::size_t k) { return constant<Real>(static_cast<double>(k)); };
+    const Real divided = Real(1) / number(2 * n + 3);
+    Real e(0);
+    if constexpr (n < 3) e = of.K3[n];
+    e = plus_products<n>(e, of.K1, d);
+    if constexpr (n >= 3) e = e + (of.c3 * number(2 * n - 3) + of.K2[2]) * d[n - 3];
+    if constexpr (n >= 2) {
+      const Real twice_d0 = n == 2 ? d[0] : d[0] + d[0];  // d_0 d_0 occurs once
+      e = e + (of.K2[1] - of.c2 * number(2 * n - 1) + of.K1[0] * twice_d0) * d[n - 2];
+    }
+    d[n] = e * divided;
+    if constexpr (n >= 1)
+      d[n] = d[n] + ((of.c1 * number(2 * n + 1) + of.K2[0]) * divided) * d[n - 1];
+    angle = angle + d[n];
+  });
+  return angle;
+}
+
 }  // namespace series
 
 /// Number of terms, and the largest |omega t| for which they suffice.
@@ -151,7 +208,7 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
                    (denominator * denominator);
   const Vec3<Real> M2{L2.x + A.x * eta, L2.y + A.y * eta, L2.z + A.z * eta};
 
-  // The angle: terms d_n of order X^(n+1).
+  // The equation of the angle.
   const Vec3<Real> c{series::triangle(i.x, i.y, i.z), series::triangle(i.y, i.z, i.x),
                      series::triangle(i.z, i.x, i.y)};
   const Real PX = P * X, QX = Q * X, yX = Axz * M2.y * X, PQX = PX * QX, sum = PX + QX;
@@ -163,42 +220,8 @@ Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<R
   const auto K2 =
       coefficients(i.x * m.x + c.x * X * M2.x, Real(2) * i.y * m.y, i.z * m.z + c.z * X * M2.z);
   const auto K3 = coefficients(c.x * m.x, c.y * m.y, c.z * m.z);
-  const Real c1 = sum + yX, c2 = PQX + yX * sum, c3 = PQX * yX;
-
-  // (2n+3) d_n = ((2n+1) c1 + K2_0) d_(n-1) + ... The newest terms enter last and the division by
-  // 2n+3 is absorbed into their coefficients: the dependency chain per term is two operations long.
-  std::array<Real, order.angle> d;
-  Real angle(0);
-  series::unroll<order.angle>([&](auto count) {
-    constexpr std::size_t n = count;
-    constexpr auto number = [](std::size_t k) { return constant<Real>(static_cast<double>(k)); };
-    const Real divided = Real(1) / number(2 * n + 3);
-    Real e(0);
-    if constexpr (n < 3) e = K3[n];
-    // K1 times the products d_a d_b, a + b = n - 2 - j, except those with d_(n-2)
-    series::unroll<3>([&](auto power) {
-      constexpr std::size_t j = power, first = j == 0 ? 1 : 0;
-      if constexpr (n >= 2 + j + 2 * first) {
-        constexpr std::size_t k = n - 2 - j;
-        Real pairs(0);
-        series::unroll<(k + 1) / 2 - first>([&](auto a) {
-          constexpr std::size_t b = a + first;
-          pairs = pairs + d[b] * d[k - b];
-        });
-        pairs = pairs + pairs;
-        if constexpr (k % 2 == 0) pairs = pairs + d[k / 2] * d[k / 2];
-        e = e + K1[j] * pairs;
-      }
-    });
-    if constexpr (n >= 3) e = e + (c3 * number(2 * n - 3) + K2[2]) * d[n - 3];
-    if constexpr (n >= 2) {
-      const Real twice_d0 = n == 2 ? d[0] : d[0] + d[0];  // d_0 d_0 occurs once
-      e = e + (K2[1] - c2 * number(2 * n - 1) + K1[0] * twice_d0) * d[n - 2];
-    }
-    d[n] = e * divided;
-    if constexpr (n >= 1) d[n] = d[n] + ((c1 * number(2 * n + 1) + K2[0]) * divided) * d[n - 1];
-    angle = angle + d[n];
-  });
+  const Real angle =
+      series::angle_sum<order.angle, Real>({K1, K2, K3, sum + yX, PQX + yX * sum, PQX * yX});
 
   const Real C2 = Real(1) - QX, D2 = Real(1) - PX;
   return {denominator * E, S * (L.x * C2 + rate.x * SE) * (i.x + angle),

@@ -25,8 +25,8 @@ struct Progress {
 struct Callbacks {
   /// Called often, by any thread, but by one at a time.
   std::function<void(const Progress&)> progress{};
-  /// Asked often, by any thread, several at a time: true ends the job soon, with what was computed
-  /// so far.
+  /// Called often, by any thread, by several at a time: true ends the job soon, with the results so
+  /// far.
   std::function<bool()> stop{};
   /// A line of text, without its end: a note on the input, or what the job does next.
   std::function<void(const std::string& text)> message{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The output files of a job: what becomes of existing ones, and the lock that keeps other processes
-// from them.
+// The output files of a job: whether existing ones are refused, replaced or resumed, and the lock
+// against other processes.
 #pragma once
 
 #include <cstdint>

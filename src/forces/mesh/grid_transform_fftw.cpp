@@ -50,8 +50,8 @@ template <class T>
 struct GridTransform<T>::Plans {
   using Plan = typename Library<T>::Plan;
   Plan rows, rows_back;        // along x, in place
-  Plan along_y, along_y_back;  // from a plane of the grid to a plane of waves
-  Plan along_z, along_z_back;  // from the waves to the scratch space of a task
+  Plan along_y, along_y_back;  // from a plane of the grid to its coefficients
+  Plan along_z, along_z_back;  // from these to the scratch space of a task
 
   Plans(const MeshGrid<T>& grid, T* at, std::size_t row, std::size_t plane, T* waves) {
     const auto whole = [](std::size_t n) { return static_cast<int>(n); };

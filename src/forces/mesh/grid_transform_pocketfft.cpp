@@ -14,7 +14,7 @@ struct GridTransform<T>::Plans {
 
 namespace {
 
-/// Numbers of a row of waves, in whole packs of the widest kind.
+/// Length of a row of Fourier coefficients in numbers, in whole packs of the widest kind.
 template <class T>
 std::size_t numbers(const MeshGrid<T>& grid) {
   return Column<T>::padded(2 * (grid.points[0] / 2 + 1));

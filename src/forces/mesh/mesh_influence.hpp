@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The influence function: the factor of each wave of the charges on the mesh.
+// The influence function: the factor of each Fourier coefficient of the mesh.
 #pragma once
 
 #include <array>

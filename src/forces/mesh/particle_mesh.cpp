@@ -315,7 +315,7 @@ MeshLoad ParticleMesh<T>::convolve_on(Field& field, bool energies) {
   return load;
 }
 
-/// Waves of one k_y: transform along z, multiply by the influence function, transform back.
+/// All k of one k_y: transforms along z, multiplies by the influence function, transforms back.
 template <class T>
 void ParticleMesh<T>::convolve_row(Field& field, std::size_t y, T* waves, const T** rows,
                                    WaveSums* sums) {

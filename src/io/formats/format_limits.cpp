@@ -88,8 +88,8 @@ void FrameFit::check_time(const FrameExtent& frame) const {
   if (std::abs(frame.time - due) <= 0.01 * std::abs(interval_) + rounding) return;
   throw Error(
       fmt::format("frame {} is at {:g} ps instead of {:g} ps: the first two are {:g} ps apart, and "
-                  "a .{} file has one interval for all frames; choose evenly spaced frames by "
-                  "--from, --to and --every, or write another format",
+                  "a .{} file has one interval for all frames; choose evenly spaced frames, "
+                  "or write another format",
                   before_ + 1, frame.time, due, interval_, format_));
 }
 

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "format.hpp"
-#include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/io/checksum.hpp"
 #include "polhode/io/disk.hpp"
 
@@ -94,7 +94,7 @@ void check_h5md(const std::string& path, const FileMark& mark) {
     for (std::uint64_t frame = 0; sum && frame < mark.frames; ++frame)
       sum = h5md::frame_checksum(series, frame, *sum);
   }
-  if (sum != mark.checksum && mark.frames > 0) throw Error(not_the_file(path));
+  if (sum != mark.checksum && mark.frames > 0) throw OutputError(not_the_file(path));
 }
 
 }  // namespace polhode

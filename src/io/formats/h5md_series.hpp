@@ -21,8 +21,8 @@ struct Series {
   std::vector<hsize_t> row;
 };
 
-/// The dataset of a series: step and time are datasets themselves, all others have one next to
-/// these.
+/// The path of the values of a series: step and time are datasets, all others are groups with step,
+/// time and value.
 std::string value_path(const std::string& name);
 
 /// The names within a group.

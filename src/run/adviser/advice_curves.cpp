@@ -19,7 +19,7 @@ EfficiencyPoint efficiency_point(const Candidate& candidate, const AdviserPoint&
                     .rounding = run.rounding,
                     .parts = run.temperatures,
                     .configurational = run.configurational});
-  return efficiency_points({studied}, runs).front();
+  return efficiency_points({studied}, runs, point.length).front();
 }
 
 std::vector<Curve> curves(const Advice& advice) {

@@ -19,7 +19,7 @@ const char* name(Quality quality) {
     case Quality::ratio:
       return "R";
     case Quality::drift:
-      return "drift";
+      return "energy drift";
     case Quality::temperature_bias:
       return "temperature bias";
   }
@@ -33,7 +33,8 @@ std::string bound_text(Quality quality, double bound) {
 }
 
 std::string description(const Criterion& criterion) {
-  return fmt::format("{} {} of at most {}", criterion.quality == Quality::ratio ? "an" : "a",
+  return fmt::format("{} {} of at most {}",
+                     criterion.quality == Quality::temperature_bias ? "a" : "an",
                      name(criterion.quality), bound_text(criterion.quality, criterion.bound));
 }
 
@@ -52,7 +53,8 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
       fmt::format("no scheme was found that meets {} for this system", description(criterion));
   if (!reached)
     return text +
-           "; every step that was tried blew up or drifted: equilibrate longer, or check the "
+           "; every step that was tried blew up or had an energy drift: equilibrate longer, or "
+           "check the "
            "initial configuration";
   text += fmt::format("; the smallest bound reached is {}, with {} at {:.3g} fs",
                       bound_text(criterion.quality, reached->bound), best->name,
@@ -63,7 +65,8 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
         "avoid it",
         100 * reached->max_rounding());
   if (criterion.quality != Quality::ratio)
-    text += "; the bound includes the error of the mean, which a longer --time or --length reduces";
+    text +=
+        "; the bound includes the error of the mean, which a longer search or longer runs reduce";
   return text;
 }
 

@@ -42,7 +42,7 @@ constexpr int most_lengthenings = 4;
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
 /// The first of them after which a longer step may be tried instead.
 constexpr double telling = 1.0 / 3;
-/// Fractions of the time: of choosing runs, of timings, and the minimum of confirming runs.
+/// Fractions of the time: for choosing runs, for timings, and at least for confirming runs.
 constexpr double choosing_share = 0.35, clock_share = 0.1, min_confirming_share = 0.3;
 /// Length of preliminary runs, relative to that of runs near the final step.
 constexpr double way = 0.5;
@@ -56,8 +56,8 @@ constexpr double hopeless = 1.25;
 /// Cost limit of configurational temperatures relative to the force evaluations of a run, and the
 /// cost of one sample in force evaluations.
 constexpr double temperature_share = 0.03, sample_cost = 2;
-/// p-value below which a drift of the choosing runs ends the range of steps; smaller than that of a
-/// verdict, since there are about a dozen tests.
+/// p-value below which an energy drift of the choosing runs ends the range of steps; smaller than
+/// that of a verdict, since there are about a dozen tests.
 constexpr double significance_level = 0.001;
 
 /// A run to be performed.
@@ -288,7 +288,7 @@ class Adviser {
 
   /// Runs every promising candidate with the steps that are still needed.
   void search_steps() {
-    // About five steps of each scheme, with 3.3 ω force evaluations per ps at R of half a percent.
+    // Runs with about five steps per scheme; R of 0.5 % costs about 3.3 ω force evaluations per ps.
     const double runs = 5.0 * choosing * static_cast<double>(advice_.candidates.size());
     const double max_length = std::min(config_.run.length, 600 / frequency_);
     const double length = std::clamp(affordable(budget(choosing_share), runs, 3.3 * frequency_),
@@ -437,7 +437,7 @@ class Adviser {
     }
   }
 
-  /// Changes the step of a candidate, with the same time per step.
+  /// Changes the step of a candidate; the computing time per step stays the same.
   static void set_step(Candidate& candidate, double step) {
     candidate.seconds *= candidate.step / step;
     candidate.step = step;

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
@@ -55,9 +56,9 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
           json.at("length_ps"),
           {json.at("R_expected"), json.at("R_expected_error")}};
 } catch (const nlohmann::json::exception& e) {
-  throw Error(
+  throw OutputError(
       fmt::format("'{}' does not contain the accuracy guarantee of the run to be resumed ({}); "
-                  "start over with --force",
+                  "restore it, or start over",
                   file, e.what()));
 }
 

@@ -58,7 +58,8 @@ void name_atoms(Frame& frame, const Topology& topology) {
   throw Error(
       fmt::format(
           "there are {} atoms without names, and the molecules have {} sites, {} of them with "
-          "mass; give the molecules in the order of the file, or atom names by --names",
+          "mass; give the molecules in the order of the file, or a file with the names of the "
+          "atoms",
           frame.atoms.size(), atom_count(topology), atom_count(topology, MasslessSites::omit)),
       frame.source);
 }
@@ -90,13 +91,12 @@ class Assembly {
     if (!(window <= most_lags))
       throw Error(
           fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; the maximum is {:g}, so "
-                      "give a shorter one by --window",
+                      "give a shorter one",
                       settings_.window, window, result_.interval, most_lags));
     const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
-                   fmt::format("{} lags of {:.0f} bodies", lags, bodies),
-                   "take a shorter --window");
+                   fmt::format("{} lags of {:.0f} bodies", lags, bodies), "take a shorter window");
     if (wanted(Observable::msd) && result_.topology.size() == 1)
       leave_out({Observable::msd},
                 "displacements are relative to the centre of mass of all molecules, and there is "
@@ -154,7 +154,7 @@ class Assembly {
       if (!wanted(what)) continue;
       const std::string& name = observable_names()[static_cast<std::size_t>(what)];
       if (settings_.what.contains(what))
-        throw Error(fmt::format("there is no '{}': {}; leave it out of --what", name, why));
+        throw Error(fmt::format("there is no '{}': {}; leave it out", name, why));
       result_.notes.push_back(fmt::format("no {}: {}", name, why));
     }
   }
@@ -166,7 +166,7 @@ class Assembly {
     if (!(cutoff / settings_.bin <= most_bins))
       throw Error(
           fmt::format("bins of {:g} nm make {:g} bins up to {:g} nm; the maximum is {:g}, so give "
-                      "wider ones by --bin",
+                      "wider ones",
                       settings_.bin, cutoff / settings_.bin, cutoff, most_bins));
     result_.radial.emplace(result_.topology, RadialSettings{result_.pairs, cutoff, settings_.bin});
   }
@@ -193,8 +193,9 @@ class Assembly {
     if (states.size() < 2) return "time correlations need at least two frames";
     result_.interval = settings_.interval.value_or(states[1].state.time - states[0].state.time);
     if (result_.interval > 0) return {};
-    return fmt::format("the first frames have the times {:g} and {:g} ps; give --interval",
-                       states[0].state.time, states[1].state.time);
+    return fmt::format(
+        "the first frames have the times {:g} and {:g} ps; give the interval between them",
+        states[0].state.time, states[1].state.time);
   }
 
   // At worst, files store times as floats: a relative rounding error of 2⁻²⁴.
@@ -205,8 +206,8 @@ class Assembly {
     if (std::abs(time - due) <= 0.01 * result_.interval + rounding) return;
     throw Error(
         fmt::format("frame {} is at {:g} ps instead of {:g} ps, the first two being {:g} ps apart: "
-                    "correlations need evenly spaced frames; choose other observables by --what, "
-                    "or give --interval",
+                    "correlations need evenly spaced frames; choose other observables, or give "
+                    "the interval between frames",
                     result_.frames + 1, time, due, result_.interval));
   }
 

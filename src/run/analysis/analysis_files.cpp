@@ -56,7 +56,7 @@ AnalysisFile radial_file(const Analysis& a) {
   const RadialDistribution& radial = *a.radial;
   AnalysisFile file =
       file_over("rdf", "r", "nm", radial.bins(), [&](std::size_t k) { return radial.middle(k); },
-                {{}, "radial distribution of sites", "r  (nm)", "g", {}});
+                {{}, "radial distribution of sites", "r  (nm)", "g", {}, true});
   for (std::size_t p = 0; p < a.pairs.size(); ++p) {
     const std::string name = a.pairs[p][0] + "-" + a.pairs[p][1];
     add(file, "g " + name, "1", radial.g(p));

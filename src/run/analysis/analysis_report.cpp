@@ -64,34 +64,48 @@ nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
   return {{"value", e.value * scale}, {"error", known_error(e) * scale}};
 }
 
+/// The same with whether it may be taken for a result; if not, why.
+nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, double scale = 1) {
+  nlohmann::json one = pair(e, scale);
+  one["converged"] = c.converged();
+  if (!c.converged())
+    one.update({{"length_ps", c.length}, {"relaxation_ps", c.relaxation}, {"needed_ps", c.needed}});
+  return one;
+}
+
 /// Null for numbers that do not exist without a peak.
 nlohmann::json peak_json(const SitePair& sites,
                          const std::optional<RadialDistribution::Peak>& peak) {
   if (!peak)
-    return {{"pair", sites},
-            {"peak_nm", nullptr},
-            {"peak_height", nullptr},
-            {"minimum_nm", nullptr},
-            {"coordination", nullptr}};
-  return {{"pair", sites},
-          {"peak_nm", pair(peak->position)},
-          {"peak_height", pair(peak->height)},
-          {"minimum_nm", peak->shell ? nlohmann::json(peak->shell->end.value) : nlohmann::json()},
-          {"coordination", peak->shell ? pair(peak->shell->coordination) : nlohmann::json()}};
+    return {{"pair", sites},           {"peak_nm", nullptr},
+            {"peak_height", nullptr},  {"minimum_nm", nullptr},
+            {"coordination", nullptr}, {"coordination_of_second", nullptr}};
+  return {
+      {"pair", sites},
+      {"peak_nm", pair(peak->position)},
+      {"peak_height", pair(peak->height)},
+      {"minimum_nm", peak->shell ? nlohmann::json(peak->shell->end.value) : nlohmann::json()},
+      {"coordination", peak->shell ? pair(peak->shell->coordination) : nlohmann::json()},
+      {"coordination_of_second", peak->shell ? pair(peak->shell->of_second) : nlohmann::json()}};
 }
 
 nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {
   nlohmann::json one = {{"molecule", part.molecule}, {"count", part.count}};
-  if (part.diffusion) one["D_1e-9_m2_per_s"] = pair(*part.diffusion, in_1e9_m2_per_s);
+  if (part.diffusion)
+    one["D_1e-9_m2_per_s"] =
+        converging(*part.diffusion, part.diffusion_convergence, in_1e9_m2_per_s);
   if (const auto D = part.corrected(s))
-    one["D_without_images_1e-9_m2_per_s"] = pair(*D, in_1e9_m2_per_s);
-  if (part.green_kubo) one["D_green_kubo_1e-9_m2_per_s"] = pair(*part.green_kubo, in_1e9_m2_per_s);
+    one["D_without_images_1e-9_m2_per_s"] =
+        converging(*D, part.diffusion_convergence, in_1e9_m2_per_s);
+  if (part.green_kubo)
+    one["D_green_kubo_1e-9_m2_per_s"] =
+        converging(*part.green_kubo, part.green_kubo_convergence, in_1e9_m2_per_s);
   for (const AxisRelaxation& axis : part.axes)
     for (std::size_t k = 0; k < 2; ++k) {
       nlohmann::json& time = one["relaxation"][axis.axis][fmt::format("P{}", k + 1)];
       if (const auto& t = axis.rank[k])
-        time = {{"integral_ps", pair(t->integral)},
-                {"exponential_ps", pair(t->exponential)},
+        time = {{"integral_ps", converging(t->integral, t->convergence)},
+                {"exponential_ps", converging(t->exponential, t->convergence)},
                 {"fit_ps", {t->from, t->to}}};
     }
   return one;
@@ -143,8 +157,8 @@ std::string analysis_json(const AnalysisReport& report) {
         in_1e9_m2_per_s * *s.finite_size_correction;
   for (const PartSummary& part : s.parts) json["parts"].push_back(part_json(part, s));
   if (const auto& d = s.dielectric)
-    json["dielectric"] = {{"constant", pair(d->constant)},
-                          {"kirkwood", pair(d->kirkwood)},
+    json["dielectric"] = {{"constant", converging(d->constant, d->convergence)},
+                          {"kirkwood", converging(d->kirkwood, d->convergence)},
                           {"mean_over_rms_dipole", d->mean_over_rms}};
   json["files"] = report.files;
   return json.dump(2);

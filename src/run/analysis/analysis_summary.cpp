@@ -27,16 +27,17 @@ constexpr double near = 5;                     // [K]: the viscosity of water ch
 void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
   if (settings.viscosity) {
     s.viscosity = settings.viscosity;
-    s.viscosity_source = "--viscosity";
+    s.viscosity_source = "as given";
     return;
   }
-  s.viscosity_source = "there is no published viscosity for these molecules; give --viscosity";
+  s.viscosity_source = "there is no published viscosity for these molecules; give it";
   if (a.topology.parts.size() != 1) return;
   for (const PublishedViscosity& known : published) {
     if (a.topology.parts.front().molecule.name != known.model) continue;
     if (!s.temperature || std::abs(*s.temperature - published_temperature) > near) {
-      s.viscosity_source = fmt::format("the published viscosity is for {:g} K; give --viscosity",
-                                       published_temperature);
+      s.viscosity_source =
+          fmt::format("the published viscosity is for {:g} K; give that of this temperature",
+                      published_temperature);
       return;
     }
     s.viscosity = quantity(known.value, Dimension::viscosity, "viscosity");
@@ -82,10 +83,17 @@ std::vector<AxisRelaxation> relaxations_of(Analysis& a, std::size_t part, Worker
 PartSummary part_summary(Analysis& a, std::size_t part, AnalysisSummary& s,
                          const SummarySettings& settings, Workers& workers) {
   const auto& [molecule, count] = a.topology.parts[part];
-  PartSummary p{molecule.name, count, diffusion_of(a, part, s, settings, workers), {}, {}};
+  PartSummary p;
+  p.molecule = molecule.name;
+  p.count = count;
+  p.diffusion = diffusion_of(a, part, s, settings, workers);
+  if (p.diffusion)
+    p.diffusion_convergence =
+        diffusion_convergence(a.displacement->mean_square(part, workers), a.interval, s.fit);
   if (a.velocity && count > 0 && a.topology.size() > 1) {
     const BlockMeans integral = running_integral(a.velocity->linear(part, workers), a.interval);
     p.green_kubo = series_estimates(integral).back();
+    p.green_kubo_convergence = integral_convergence(integral, a.interval);
   }
   p.axes = relaxations_of(a, part, workers);
   return p;
@@ -96,19 +104,26 @@ void find_correction(AnalysisSummary& s, const Analysis& a, const SummarySetting
   if (!cubic(a.box))
     s.viscosity_source = "the finite-size correction is for cubic boxes only";
   else if (!s.temperature)
-    s.viscosity_source = "no temperature: the frames have no velocities; give --temperature";
+    s.viscosity_source = "no temperature: the frames have no velocities; give a temperature";
   else if (s.viscosity)
     s.finite_size_correction = yeh_hummer_correction(*s.temperature, *s.viscosity,
                                                      std::cbrt(a.conditions->volume().value));
+}
+
+/// Between frames, also if no correlation needed it [ps].
+double interval_of(const Analysis& a) {
+  if (a.interval > 0 || a.frames < 2) return a.interval;
+  return (a.last - a.first) / static_cast<double>(a.frames - 1);
 }
 
 void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
   if (!settings.surroundings_permittivity)
     s.notes.push_back("no dielectric: " + settings.no_surroundings);
   else if (!s.temperature)
-    s.notes.push_back("no dielectric constant: the frames have no velocities; give --temperature");
+    s.notes.push_back("no dielectric constant: the frames have no velocities; give a temperature");
   else
-    s.dielectric = a.dipole->result(*s.temperature, *settings.surroundings_permittivity);
+    s.dielectric =
+        a.dipole->result(*s.temperature, *settings.surroundings_permittivity, interval_of(a));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "polhode/base/output_error.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/simulation/identity.hpp"
@@ -210,7 +211,7 @@ std::string run_identity(const Config& config, const System& system) {
                 config.output.trajectory_every, config.forces.skin});
   all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
   all += motion_of_start(config, system) + outputs_of(config.output, system.topology);
-  return text_hash(all);
+  return text_hash(all) + '\n' + settings_text(config);
 }
 
 void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
@@ -237,13 +238,11 @@ Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
 Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
                               const ProgramVersion& reader) {
   Checkpoint checkpoint = read_checkpoint(path, reader);
-  if (checkpoint.identity != identity)
-    throw Error(
-        fmt::format("the checkpoint '{}' belongs to another run, started with '{}': molecules, "
-                    "initial configuration or velocities, forces, scheme, step, equilibration, "
-                    "samples or contents of trajectories differ; give that run file with the same "
-                    "options, another --output, or start over with --force",
-                    path, checkpoint.command));
+  if (!same_run(checkpoint.identity, identity))
+    throw OutputError(
+        fmt::format("the checkpoint '{}' belongs to another run, started with '{}': {}; give that "
+                    "run file with the same options, another output, or start over",
+                    path, checkpoint.command, differences(checkpoint.identity, identity)));
   return checkpoint;
 }
 
@@ -264,9 +263,8 @@ std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
                                        "from it, with the same results",
                                        damage, files.previous)};
   } catch (const DamagedCheckpoint& e) {
-    throw Error(
-        fmt::format("{}; {}; start over with --force, or start another run from the last frame",
-                    damage, e.what()));
+    throw OutputError(fmt::format("{}; {}; start over, or start another run from the last frame",
+                                  damage, e.what()));
   }
 }
 

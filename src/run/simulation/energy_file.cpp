@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode {
@@ -70,9 +70,9 @@ void check_energies(const std::string& path, const FileMark& mark) {
   std::uint64_t rows = 0;
   each_row(path, mark.bytes, columns(), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
-    throw Error(fmt::format(
+    throw OutputError(fmt::format(
         "'{}' had {} rows when the checkpoint was written, and has {} in the same number of bytes, "
-        "so it is another file; restore the original, or start over with --force",
+        "so it is another file; restore the original, or start over",
         path, mark.frames, rows));
 }
 

@@ -2,8 +2,14 @@
 #include "polhode/run/simulation/identity.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
+#include <map>
 #include <sstream>
+#include <tuple>
+
+#include "polhode/forces/laws/setting_names.hpp"
+#include "polhode/io/output_units.hpp"
 
 namespace polhode {
 namespace {
@@ -19,6 +25,21 @@ std::string law_identity(const Site& site) {
       id += fmt::format(" {}", table.coefficients<double>()[4 * k]);
   }
   return id + ' ';
+}
+
+/// The first line, a hash of everything that a run depends on.
+std::string_view hash_of(std::string_view run_identity) {
+  return run_identity.substr(0, run_identity.find('\n'));
+}
+
+/// The other lines by their key; a checkpoint of an older program has none.
+std::map<std::string, std::string> settings_of(const std::string& run_identity) {
+  std::map<std::string, std::string> settings;
+  std::istringstream lines(run_identity);
+  for (std::string line; std::getline(lines, line);)
+    if (const auto end = line.find(" = "); end != line.npos)
+      settings[line.substr(0, end)] = line.substr(end + 3);
+  return settings;
 }
 
 }  // namespace
@@ -51,6 +72,56 @@ std::string identity(const Config& config, const System& system,
   if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
     id << ' ' << mixing;
   return id.str();
+}
+
+std::string settings_text(const Config& config) {
+  const auto fs = [](double t) { return fmt::format("{:.12g} fs", t * units::fs_per_ps); };
+  const auto& [system, forces, integrator, run, output] =
+      std::tie(config.system, config.forces, config.integrator, config.run, config.output);
+  std::string text;
+  const auto add = [&](const char* key, const auto& value) {
+    text += fmt::format("{} = {}\n", key, value);
+  };
+  add("system.temperature", fmt::format("{:g} K", system.temperature));
+  add("system.seed", system.seed);
+  add("forces.truncation", name_of(forces.truncation));
+  add("forces.electrostatics", name_of(forces.electrostatics));
+  add("forces.precision", name_of(forces.precision));
+  add("forces.cutoff", fmt::format("{:.12g} nm", forces.cutoff));
+  add("forces.switch", fmt::format("{:.12g} nm", forces.switch_from));
+  add("forces.smoothness", forces.smoothness);
+  add("forces.dielectric", forces.dielectric);
+  add("forces.damping", fmt::format("{:.12g} 1/nm", forces.damping));
+  add("forces.pme_accuracy", forces.pme_accuracy);
+  add("forces.dispersion_correction", forces.dispersion_correction);
+  add("forces.skin", fmt::format("{:.12g} nm", forces.skin));
+  add("integrator.scheme", integrator.scheme);
+  add("integrator.step", fs(integrator.step));
+  add("integrator.lambda", integrator.lambda);
+  add("run.equilibrate", fs(run.equilibrate));
+  add("run.sample", fs(run.sample));
+  add("run.shadow_sample", run.shadow_sample ? fs(*run.shadow_sample) : "default");
+  add("run.configurational_sample", fs(run.configurational_sample));
+  add("output.trajectory_every", fs(output.trajectory_every));
+  add("output.formats", fmt::format("{}", fmt::join(output.formats, ", ")));
+  add("output.massless_sites", output.massless_sites);
+  add("output.velocities", output.velocities);
+  return text;
+}
+
+bool same_run(std::string_view one, std::string_view other) {
+  return hash_of(one) == hash_of(other);
+}
+
+std::string differences(const std::string& then, const std::string& now) {
+  const auto before = settings_of(then), after = settings_of(now);
+  std::string text;
+  for (const auto& [key, value] : before)
+    if (const auto found = after.find(key); found != after.end() && found->second != value)
+      text += fmt::format("{}{} was {} and is now {}", text.empty() ? "" : ", ", key, value,
+                          found->second);
+  if (!text.empty()) return text;
+  return "molecules, parameters of pairs, initial configuration or velocities differ";
 }
 
 }  // namespace polhode

@@ -14,6 +14,7 @@
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
+#include "polhode/run/simulation/contact.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 
 namespace polhode {
@@ -56,16 +57,19 @@ struct TimedForces {
 
 /// Ends the trajectory but keeps its results.
 struct BlowUp : RunError {
-  using RunError::RunError;
+  BlowUp(const std::string& what, std::string why) : RunError(what), cause(std::move(why)) {}
+  std::string cause;
 };
 
 [[noreturn]] void throw_blow_up(const TrajectorySettings& s, std::size_t step,
-                                const std::string& what) {
-  throw BlowUp(fmt::format(
-      "the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for {}, or the "
-      "initial configuration is too far from equilibrium: try {:g} fs, or equilibrate first",
-      step, static_cast<double>(step) * s.step, what, s.step * units::fs_per_ps,
-      name_of({s.scheme, s.inner}), s.step * 500));
+                                const std::string& cause) {
+  throw BlowUp(
+      fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
+                  "{}, or the initial configuration is too far from equilibrium: try {:g} fs, or "
+                  "equilibrate first",
+                  step, static_cast<double>(step) * s.step, cause, s.step * units::fs_per_ps,
+                  name_of({s.scheme, s.inner}), s.step * 500),
+      cause);
 }
 
 /// Computing time by part, added to that of an earlier part of the run.
@@ -221,7 +225,7 @@ class Propagator::Impl {
     leave_last_sample();
     const std::size_t last = settings_.steps();
     bool stopped = false;
-    std::string failure;
+    std::string failure, cause;
     try {
       if (statistics_.energies.samples == 0) {
         checkpoint(watch);
@@ -235,11 +239,13 @@ class Propagator::Impl {
       if (steps_ % interval_ != 0) last_sample(watch);
     } catch (const BlowUp& e) {
       failure = e.what();
+      cause = e.cause;
     }
     clocks_->add_motion();
     Trajectory result = trajectory();
     result.stopped = stopped;
     result.failure = std::move(failure);
+    result.cause = std::move(cause);
     return result;
   }
 
@@ -268,19 +274,27 @@ class Propagator::Impl {
   }
 
   void step(bool energies) {
+    before_ = system_.state;
     try {
       integrator_.apply([&](auto& integrator) {
         integrator.advance(system_.state, settings_.step, 1, energies);
       });
     } catch (const RunError& e) {
-      throw_blow_up(settings_, steps_ + 1, e.what() + inner_limit_note(system_.topology));
+      blow_up(steps_ + 1, e.what() + inner_limit_note(system_.topology));
     }
     ++steps_;
     system_.state.time = start_ + static_cast<double>(steps_) * settings_.step;
     if (!std::isfinite(last_load().potential()))
-      throw_blow_up(
-          settings_, steps_,
-          "the potential energy is no longer a finite number" + inner_limit_note(system_.topology));
+      blow_up(steps_, "the potential energy is no longer a finite number" +
+                          inner_limit_note(system_.topology));
+  }
+
+  /// @param step  that failed; the molecules to blame are those of the state now, or before it
+  [[noreturn]] void blow_up(std::size_t step, std::string cause) const {
+    std::string contact = strongest_contact(system_, system_.state);
+    if (contact.empty()) contact = strongest_contact(system_, before_);
+    if (!contact.empty()) cause += "; " + contact;
+    throw_blow_up(settings_, step, cause);
   }
 
   const Load& last_load() {
@@ -295,7 +309,7 @@ class Propagator::Impl {
     return complete_;
   }
 
-  /// A sample between two intervals is none of those of a longer trajectory.
+  /// At the end, possibly between two samples: a longer trajectory would not have this one.
   void last_sample(const Watch& watch) {
     before_last_sample_ = run_state();
     sample(watch);
@@ -327,14 +341,13 @@ class Propagator::Impl {
                                   workers_);
     clocks_->forces_of_sample(clocks_->in_forces() - before);
     if (!std::isfinite(now.total()))
-      throw_blow_up(
-          settings_, steps_,
-          "the total energy is no longer a finite number" + inner_limit_note(system_.topology));
+      blow_up(steps_,
+              "the total energy is no longer a finite number" + inner_limit_note(system_.topology));
     return now;
   } catch (const BlowUp&) {
     throw;
   } catch (const RunError& e) {
-    throw_blow_up(settings_, steps_, e.what() + inner_limit_note(system_.topology));
+    blow_up(steps_, e.what() + inner_limit_note(system_.topology));
   }
 
   /// Whether this sample is one of those that are taken every `every` [ps]; 0: never.
@@ -362,10 +375,10 @@ class Propagator::Impl {
   void check_total(const Energies& now) const {
     const Energies& first = statistics_.energies.first;
     if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
-      throw_blow_up(settings_, steps_,
-                    fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the "
-                                "initial kinetic energy",
-                                first.total(), now.total()));
+      blow_up(steps_,
+              fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the "
+                          "initial kinetic energy",
+                          first.total(), now.total()));
   }
 
   System& system_;
@@ -380,6 +393,7 @@ class Propagator::Impl {
   TrajectoryStatistics statistics_;
   std::optional<Clocks> clocks_;
   std::optional<RunState> before_last_sample_;
+  State before_;  // the last step
 };
 
 Propagator::Propagator(System& system, ForceField& forces, const TrajectorySettings& settings,

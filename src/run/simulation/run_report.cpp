@@ -20,8 +20,8 @@ json number_if(bool known, double value) {
   return known && std::isfinite(value) ? json(value) : json();
 }
 
-/// Keys of a drift; error, p-value and significance are null if they are not known, and the verdict
-/// gives the reason.
+/// Keys of an energy drift; error, p-value and significance are null if they are not known, and the
+/// verdict gives the reason.
 json drift_json(const Drift& drift, std::uint64_t samples) {
   const bool known = drift.known == Known::yes;
   return {{"drift_kJ_per_mol_ps", number_if(samples >= min_samples_reported, drift.rate.value)},
@@ -94,6 +94,17 @@ json shadow_json(const ShadowSummary& shadow) {
   return report;
 }
 
+json warnings_json(const std::vector<Warning>& warnings) {
+  json list = json::array();
+  for (const Warning& w : warnings)
+    list.push_back({{"kind", w.kind},
+                    {"value", w.value},
+                    {"bound", w.bound},
+                    {"text", w.text},
+                    {"remedy", w.remedy}});
+  return list;
+}
+
 json guarantee_json(const std::optional<GuaranteeCheck>& k) {
   if (!k) return {};
   return {{"accuracy", k->guarantee.accuracy},
@@ -130,6 +141,7 @@ std::string run_json(const RunReport& r) {
           known ? json{{"value", known->value},
                        {"error", number_if(known->known == Known::yes, known->error)}}
                 : json());
+  report["warnings"] = warnings_json(r.warnings);
   report["guarantee"] = guarantee_json(r.guarantee);
   return report.dump(2);
 }

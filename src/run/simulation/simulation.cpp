@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <utility>
 
-#include "polhode/base/error.hpp"
 #include "polhode/base/instruction_set.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/base/version.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
@@ -91,7 +91,7 @@ const std::string& Simulation::identity() {
   return identity_;
 }
 
-// At the very start it is an equilibration of no length.
+// Before the first step: an equilibration of length zero.
 RunState Simulation::run_state() {
   if (trajectory_started()) return propagator().run_state();
   return at_ ? *at_ : RunState{.state = system_.state, .equilibrated = 0.0};
@@ -133,10 +133,11 @@ std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& n
     if (resumes) callbacks.note("note: there is no checkpoint; the run starts from the beginning");
     if (options.existing != ExistingFiles::replace &&
         std::filesystem::exists(names.checkpoints.newest))
-      throw Error(
-          fmt::format("'{}' exists: the run was started before; resume it with --continue, give "
-                      "another --output, or start over with --force",
-                      names.checkpoints.newest));
+      throw OutputError(
+          fmt::format("'{}' exists: the run was started before; resume it, give another output, or "
+                      "start over",
+                      names.checkpoints.newest),
+          true);
     check_outputs(names.all(), options.existing);
     return found;
   }
@@ -239,7 +240,17 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
       name_of({settings_->scheme, settings_->inner}), settings_->step * units::fs_per_ps,
       with.instruction_set, with.threads));
   note_molecules(system_, callbacks);
+  note_velocities(system_, config_, callbacks);
   note_forces(system_, callbacks);
+}
+
+// Forces on a lattice say nothing about the step.
+void Simulation::note_warnings(const Callbacks& callbacks) const {
+  const bool lattice = config_.system.initial_configuration.empty() && config_.run.equilibrate == 0;
+  for (const auto& warning :
+       {cutoff_of_ions(system_), velocities_of_file(system_, config_),
+        lattice ? std::nullopt : step_near_stability(system_, *settings_, workers_)})
+    if (warning) callbacks.note(line_of(*warning));
 }
 
 RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbacks) {
@@ -259,6 +270,7 @@ RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbac
 
   if (!equilibrate(callbacks, &files)) return {RunEnd::interrupted_equilibrating, {}};
   files.keep(noise_);
+  note_warnings(callbacks);
   const Trajectory trajectory = run_trajectory(files, callbacks);
   if (!trajectory.failure.empty()) {
     if (trajectory.statistics.energies.samples > 0)
@@ -286,7 +298,9 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                    execution(),
                    names,
                    {},
+                   {},
                    trajectory.stopped};
+  report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
   if (guarantee_ && !trajectory.stopped)
     report.guarantee = check_guarantee(*guarantee_, trajectory.statistics);
   return report;

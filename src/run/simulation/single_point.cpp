@@ -3,7 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "polhode/base/error.hpp"
 #include "polhode/base/instruction_set.hpp"
+#include "polhode/forces/pairs/overlap.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/measure/energy.hpp"
@@ -37,6 +39,11 @@ double SinglePoint::pressure() const {
 SinglePoint single_point(const Config& config, bool derivative, const Callbacks& callbacks) {
   SinglePoint point{build_system(config), {}, {}, {}, {}};
   const System& system = point.system;
+  try {
+    check_overlap(system.topology, system.state);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
   note_molecules(system, callbacks);
   note_forces(system, callbacks);
   ForceField forces(system.topology, system.forces, system.state.box);

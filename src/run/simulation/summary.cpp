@@ -37,6 +37,8 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.total_fluctuation = energies.total_fluctuation();
   s.potential_fluctuation = energies.potential_fluctuation();
   s.temperatures = energies.temperatures(s.degrees_of_freedom);
+  s.temperature = energies.temperature(s.degrees_of_freedom);
+  s.potential_drift = energies.potential_drift();
   s.pressure = energies.pressure();
   s.ratio = energies.ratio_with_error();
   s.configurational = trajectory.statistics.configurational.temperatures();

@@ -72,6 +72,8 @@ void bring_to_rest(System& system) {
   system.removed_velocity = norm(velocity);
   system.removed_temperature = temperature(total_mass(system.bodies) * norm2(velocity) / 2,
                                            degrees_of_freedom(system.topology).all());
+  system.file_temperature = temperature(energies(system.state, system.bodies, Load{}).kinetic(),
+                                        degrees_of_freedom(system.topology).all());
 }
 
 void scale(Vec3Column& v, double factor) {
@@ -110,12 +112,14 @@ System build_system(const Config& config) {
     system.state = std::move(fitted.state);
     system.fit_deviation = fitted.deviation;
     system.massless_deviation = fitted.massless_deviation;
-    system.new_velocities = !fitted.has_velocities;
+    system.new_velocities = !fitted.has_velocities || config.system.new_velocities;
   }
   system.bodies = Bodies(system.topology);
   try {
     check_edges(system.state.box);
-    check_overlap(system.topology, system.state);
+    // The equilibration moves the molecules of a lattice apart.
+    if (!(config.system.initial_configuration.empty() && config.run.equilibrate > 0))
+      check_overlap(system.topology, system.state);
   } catch (const Error& e) {
     throw e.at(config.source);
   }

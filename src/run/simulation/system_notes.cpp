@@ -37,6 +37,20 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
                     "has no temperature"));
 }
 
+void note_velocities(const System& system, const Config& config, const Callbacks& callbacks) {
+  const SystemSettings& s = config.system;
+  if (system.new_velocities || !(s.temperature_given || s.seed_given)) return;
+  const std::string unused = !s.temperature_given ? "the seed is"
+                             : config.run.equilibrate > 0
+                                 ? "the temperature is for the equilibration only, the seed is"
+                             : s.seed_given ? "temperature and seed are"
+                                            : "the temperature is";
+  callbacks.note(fmt::format(
+      "note: the velocities are those of the initial configuration, {:.4g} K; {} not used for "
+      "them; velocities = \"new\" in [system] draws new ones",
+      system.file_temperature, unused));
+}
+
 void note_forces(const System& system, const Callbacks& callbacks) {
   const ForceSettings& forces = system.forces;
   if (const std::string mixing = description(forces.mixing); !mixing.empty())

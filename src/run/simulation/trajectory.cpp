@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/simulation/trajectory.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/run/simulation/propagator.hpp"
+#include "polhode/run/simulation/separation.hpp"
 
 namespace polhode {
 
@@ -28,6 +32,8 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
     done = from->equilibrated.value();
     forces.resume_from(from->list, system.state.box);
   }
+  const double begin = system.state.time - done;
+  if (done == 0) separate_molecules(system, watch.stop, workers);
   while (done < length) {
     RunState here;  // an unfinished piece is repeated
     if (watch.checkpoint)
@@ -39,7 +45,11 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
     const Trajectory part = run_trajectory(
         system, forces, {scheme, step, std::max(piece, step), interval}, within, workers);
     done += piece;
-    if (!part.failure.empty()) throw RunError("while equilibrating, " + part.failure);
+    if (!part.failure.empty())
+      throw RunError(fmt::format(
+          "the equilibration blew up after {:.4f} ps, in steps of {:g} fs: {}; take a lower "
+          "density, or another initial configuration",
+          system.state.time - begin, step * units::fs_per_ps, part.cause));
     if (watch.checkpoint && (part.stopped || (watch.due && watch.due())))
       watch.checkpoint(std::move(here));
     if (part.stopped) return false;

@@ -11,6 +11,13 @@ double relative_error(const EfficiencyPoint& p) { return p.ratio.error / p.ratio
 
 }  // namespace
 
+std::size_t points_before_end(const std::vector<EfficiencyPoint>& points) {
+  std::size_t count = 0;
+  while (count < points.size() && points[count].stable) ++count;
+  while (count > 0 && points[count - 1].drifts()) --count;
+  return count;
+}
+
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
   std::vector<Curve> all;
   for (const EfficiencyPoint& p : points) {
@@ -22,16 +29,9 @@ std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points) {
   for (Curve& curve : all) {
     std::sort(curve.points.begin(), curve.points.end(),
               [](const auto& a, const auto& b) { return a.step < b.step; });
-    while (curve.usable < curve.points.size() && curve.points[curve.usable].usable())
-      ++curve.usable;
+    curve.usable = points_before_end(curve.points);
   }
   return all;
-}
-
-Curve regardless_of_drift(Curve curve) {
-  curve.usable = 0;
-  while (curve.usable < curve.points.size() && curve.points[curve.usable].stable) ++curve.usable;
-  return curve;
 }
 
 std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {

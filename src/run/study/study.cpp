@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -13,6 +14,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
+#include "polhode/math/prediction.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
@@ -107,7 +109,7 @@ class StudyJobs {
         callbacks_(callbacks),
         workers_(workers),
         needed_(static_cast<std::size_t>(config.study.runs), false) {
-    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // of scheme and start
+    std::map<std::pair<std::string, int>, std::vector<double>> steps_done;  // by scheme and run
     for (const StudyRun& run : known) steps_done[{run.scheme, run.start}].push_back(run.step);
     for (const StudyPoint& point : study_points(config.study))
       for (int r = 0; r < config.study.runs; ++r)
@@ -181,7 +183,7 @@ class StudyJobs {
   const std::function<void(const StudyRun&)>& finished_;
   const Callbacks& callbacks_;
   Workers& workers_;
-  std::vector<bool> needed_;  // starts
+  std::vector<bool> needed_;  // initial configurations
   std::vector<Job> jobs_;
   std::vector<System> starts_;
   std::map<std::string, double> near_weights_;  // of schemes
@@ -190,6 +192,20 @@ class StudyJobs {
 };
 
 }  // namespace
+
+double EfficiencyPoint::relative_drift() const {
+  return total > 0 ? std::abs(drift.rate.value) * length / total : 0;
+}
+
+double EfficiencyPoint::relative_drift_bound() const {
+  if (runs < 2) return std::numeric_limits<double>::infinity();
+  const double error = total > 0 ? drift.rate.error * length / total : 0;
+  return relative_drift() + t_quantile(0.975, runs - 1) * error;
+}
+
+bool EfficiencyPoint::drifts() const {
+  return drift.p_value < significance && relative_drift() >= drift_bound;
+}
 
 StudySettings quick(StudySettings settings) {
   settings.runs = 4;
@@ -278,10 +294,11 @@ void add_excesses(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
 
 /// Means over the runs that did not blow up.
 void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
-  std::vector<double> ratios, drifts, temperatures, roundings;
+  std::vector<double> ratios, totals, drifts, temperatures, roundings;
   for (const StudyRun& run : runs) {
     if (!run.stable) continue;
     ratios.push_back(run.ratio);
+    totals.push_back(run.total);
     drifts.push_back(run.drift);
     temperatures.push_back(run.temperature);
     roundings.push_back(run.rounding);
@@ -289,6 +306,7 @@ void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
   point.stable = ratios.size() == runs.size();
   if (ratios.empty()) return;
   point.ratio = mean(ratios);
+  point.total = mean(totals).value;
   point.drift = drift_of_series(drifts);
   point.temperature = mean(temperatures).value;
   point.rounding = mean(roundings).value;
@@ -307,7 +325,7 @@ std::vector<StudyRun> runs_of(const StudyPoint& point, const std::vector<StudyRu
 }  // namespace
 
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
-                                               const std::vector<StudyRun>& runs) {
+                                               const std::vector<StudyRun>& runs, double length) {
   std::vector<EfficiencyPoint> result;
   for (const StudyPoint& point : points) {
     const std::vector<StudyRun> own = runs_of(point, runs);
@@ -316,6 +334,7 @@ std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& po
     e.scheme = point.name;
     e.order = point.scheme.order();
     e.step = point.step;
+    e.length = length;
     e.runs = static_cast<int>(own.size());
     std::vector<double> weights;
     for (const StudyRun& run : own) weights.push_back(run.near_weight);

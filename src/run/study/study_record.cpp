@@ -14,7 +14,7 @@
 #include <tuple>
 
 #include "../../io/formats/lines.hpp"
-#include "polhode/base/error.hpp"
+#include "polhode/base/output_error.hpp"
 #include "polhode/run/simulation/identity.hpp"
 
 namespace polhode {
@@ -57,12 +57,11 @@ std::size_t columns(std::string_view head, const Lines& lines) {
     return count;
   lines.refuse(
       fmt::format("the record has {} columns, but records of runs have {}, {}, {}, {} or {}; it is "
-                  "of a later version, so give another --output, or start over with --force",
+                  "of a later version, so give another output, or start over",
                   count, first_fields, second_fields, third_fields, fourth_fields, fields));
 }
 
-constexpr const char* remedy =
-    "; delete the line, so that its run is repeated, or start over with --force";
+constexpr const char* remedy = "; delete the line, so that its run is repeated, or start over";
 
 /// The fields of a line, separated by semicolons.
 class Fields {
@@ -150,7 +149,7 @@ std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
   auto line = lines.next();
   check_head(line.value_or(""), lines);
   std::vector<StudyRun> runs;
-  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and start
+  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and initial configuration
   std::size_t count = 0;
   while ((line = lines.next())) {
     if (line->starts_with('#')) continue;
@@ -159,7 +158,7 @@ std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
       continue;
     }
     if (count == 0)
-      lines.refuse("the line with the column names is missing; start over with --force");
+      lines.refuse("the line with the column names is missing; restore it, or start over");
     const Fields fields(*line, count, lines);
     StudyRun run = record_run(fields, count);
     if (!met.emplace(run.scheme, run.step, run.start).second)
@@ -184,8 +183,8 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
     if (head != identity_line(provenance))
       lines.refuse(
           fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
-                      "other initial configurations; give another --output, --force to start over, "
-                      "or --from-record for its tables",
+                      "other initial configurations; give another output, start over, or "
+                      "make the tables of that record alone",
                       path));
   });
 }
@@ -200,10 +199,12 @@ std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string&
 
 StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)
     : path_(path) {
-  if (!force && std::filesystem::exists(path)) {
-    std::ifstream in(path, std::ios::binary);
-    known_ = read_study_record(in, path, provenance);
-  }
+  if (!force && std::filesystem::exists(path)) try {
+      std::ifstream in(path, std::ios::binary);
+      known_ = read_study_record(in, path, provenance);
+    } catch (const Error& e) {
+      throw OutputError(e);
+    }
   write_file(path, [&](std::ostream& out) {
     out << fmt::format("{}\n# polhode {}, instruction set {}\n{}\n", identity_line(provenance),
                        provenance.version, provenance.instruction_set, record_head);

@@ -36,6 +36,7 @@ Table point_table(const StudyReport& report) {
                    {"drift", "kJ/mol/ps"},
                    {"drift_error", "kJ/mol/ps"},
                    {"drift_p_value", "1"},
+                   {"relative_drift", "1"},
                    {"temperature", "K"},
                    {"R_rounding", "1"},
                    {"rounded", "1"},
@@ -44,11 +45,11 @@ Table point_table(const StudyReport& report) {
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      table.rows.push_back({p.scheme, p.step * units::fs_per_ps, p.cost,
-                            static_cast<double>(p.runs), p.stable ? 1.0 : 0.0,
-                            i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
-                            p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.temperature,
-                            p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
+      table.rows.push_back(
+          {p.scheme, p.step * units::fs_per_ps, p.cost, static_cast<double>(p.runs),
+           p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
+           p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.relative_drift(),
+           p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
       add_excesses(table.rows.back(), p);
     }
   return table;
@@ -70,6 +71,7 @@ nlohmann::json as_json(const EfficiencyPoint& p, bool usable) {
       {"drift_kJ_per_mol_ps", p.drift.rate.value},
       {"drift_error", error_of(p.drift.rate)},
       {"drift_p_value", p.runs > 1 ? nlohmann::json(p.drift.p_value) : nlohmann::json()},
+      {"relative_drift", p.relative_drift()},
       {"temperature_K", p.temperature},
       {"R_rounding", p.rounding},
       {"rounded", p.at_rounding()},
@@ -97,17 +99,27 @@ nlohmann::json as_json(const Claim& claim) {
   return row;
 }
 
-std::vector<EfficiencyCurve> figure_curves(const StudyReport& report) {
-  std::vector<EfficiencyCurve> figure_data;
+/// What a reader of the figure has to know to compare the curves.
+std::string caption(const Config& config) {
+  std::string molecules;
+  for (const auto& [model, count] : config.system.molecules)
+    molecules += fmt::format("{}{} {}", molecules.empty() ? "" : ", ", count, model);
+  return fmt::format(
+      "Lower and further left is better; R = 0 is exact dynamics. {}; {} runs of {:g} ps a point.",
+      molecules.empty() ? config.source : molecules, config.study.runs, config.study.length);
+}
+
+EfficiencyFigure figure(const StudyReport& report) {
+  EfficiencyFigure figure{{}, caption(report.config)};
   for (const Curve& curve : report.curves) {
-    figure_data.push_back({curve.scheme, {}});
+    figure.curves.push_back({curve.scheme, {}});
     for (std::size_t i = 0; i < curve.points.size(); ++i) {
       const EfficiencyPoint& p = curve.points[i];
-      figure_data.back().marks.push_back(
+      figure.curves.back().marks.push_back(
           {p.cost, p.ratio.value, p.ratio.error, i < curve.usable, p.at_rounding()});
     }
   }
-  return figure_data;
+  return figure;
 }
 
 void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance,
@@ -117,7 +129,7 @@ void write_study(const StudyFiles& files, const StudyReport& report, const Prove
   write_file(files.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
   pass_messages(callbacks, [&](std::ostream& warnings) {
     for (const char* format : {"svg", "png"})
-      efficiency_plot(files.prefix, figure_curves(report), format, warnings);
+      efficiency_plot(files.prefix, figure(report), format, warnings);
   });
 }
 
@@ -141,7 +153,8 @@ StudyReport report_of(Config config, const System& system, const std::vector<Stu
         "the tables use the first {} initial configurations; {} runs from later ones are left out",
         config.study.runs, runs.size() - counted.size()));
   config.forces.mixing = system.forces.mixing;  // known after the topology file is read
-  StudyReport report(config, efficiency_points(study_points(config.study), counted));
+  StudyReport report(config,
+                     efficiency_points(study_points(config.study), counted, config.study.length));
   write_study(files, report, provenance, callbacks);
   return report;
 }
@@ -154,13 +167,16 @@ std::string conditions(const Config& config) {
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
-      "every scheme; energies at least every 2.5 fs or every step; drift significant below a "
-      "p-value of {:g}",
+      "every scheme; energies at least every 2.5 fs or every step; a curve ends where from one "
+      "step "
+      "on all drift: with a p-value below {:g}, and during a run by at least {:g} rms fluctuation "
+      "of "
+      "the energy",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,
       config.study.runs, config.study.length, config.study.decorrelate, config.system.temperature,
-      significance);
+      significance, drift_bound);
 }
 
 StudyReport::StudyReport(const Config& config_used,
@@ -175,7 +191,8 @@ StudyReport::StudyReport(const Config& config_used,
 std::string advice(const StudyReport& report, double ratio) {
   const Guideline line = guidelines(report.curves, {ratio})[0];
   if (!line.best)
-    return fmt::format("no scheme reaches R = {:g} % for this system without drift", 100 * ratio);
+    return fmt::format("no scheme reaches R = {:g} % for this system without energy drift",
+                       100 * ratio);
   const CostAtRatio& best = *line.costs[*line.best];
   std::string text = fmt::format(
       "for R = {:g} % use {} at {:.2g} fs: {:.0f} force evaluations per ps", 100 * ratio,
@@ -241,7 +258,7 @@ StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix, const OutputOptions& options,
                                 const Callbacks& callbacks) {
   std::ifstream in(record, std::ios::binary);
-  if (!in) throw Error(fmt::format("there is no file '{}'", record), "--from-record");
+  if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
   const std::vector<StudyRun> runs = read_any_study_record(in, record);
   const StudyFiles files(prefix);
   check_outputs(files.tables(), options.existing);

@@ -141,7 +141,7 @@ TuneSettings complete(TuneSettings settings, const Config& config) {
   if (settings.length < min_repeats * settings.sample)
     throw Error(fmt::format(
         "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; take "
-        "longer runs, or a shorter --sample",
+        "longer runs, or a shorter interval between samples",
         settings.length * units::fs_per_ps, min_repeats, settings.sample * units::fs_per_ps));
   return settings;
 }

@@ -13,8 +13,8 @@ namespace polhode {
 /// table; 0 for the others.
 double inner_limit(const ShortRangeLaw& law);
 
-/// What may have happened if the energy is not a finite number: "; a pair of argon.Ar may have come
-/// closer than 0.0775 nm, where its law ends". Empty if all laws are defined at all distances.
+/// A possible cause of an energy that is not finite: "; a pair of argon.Ar may have come closer
+/// than 0.0775 nm, where its law ends". Empty if all laws are defined at all distances.
 std::string inner_limit_note(const Topology& topology);
 
 /// @throws Error  if a table ends before the cutoff or, with a molecule switch, before the largest

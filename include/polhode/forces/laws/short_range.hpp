@@ -28,7 +28,7 @@ class ShortRange {
   ShortRange<float> rounded() const {
     return std::visit([](const auto& law) { return ShortRange<float>(law.rounded()); }, law_);
   }
-  /// The law of Lennard-Jones, if it is that.
+  /// The Lennard-Jones law; the law must be one.
   LennardJones<T> lennard_jones() const { return std::get<LennardJones<T>>(law_); }
 
   template <class Real>

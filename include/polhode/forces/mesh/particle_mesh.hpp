@@ -106,7 +106,7 @@ class ParticleMesh {
   std::unique_ptr<Field> derivative_;  // of the field; allocated when it is first requested
   bool has_potential_ = false;
   std::array<Axis, 3> axes_;
-  // Along a row of waves, as in ConvolveJob.
+  // Along a row of Fourier coefficients, as in ConvolveJob.
   Column<T> weight_, kx_, kx_squared_;
   // One row for each |k_y| and |k_z|.
   Column<T> influence_, slope_;

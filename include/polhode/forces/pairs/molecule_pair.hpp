@@ -53,95 +53,29 @@ class MoleculeSwitch {
   typename Switch<T>::template Value<Real> at_R_;  // w(R) and w'(R)
 };
 
-/// All sites a of the first molecule with a few sites b of the second. Each step is done for all
-/// pairs before the next begins, so that no operation waits for the result of the one before.
-template <CutoffTreatment treatment, bool energies, class Shape, class Real>
+/// The pairs of all sites a of the first molecule with a group of sites b of the second. A step of
+/// the computation is done for all pairs before the next begins, so that no operation waits for the
+/// result of the one before; what a step yields is a variable of its own (the compiler keeps fewer
+/// members of one class in registers).
+template <class Shape, class Real>
 class SitePairs {
  public:
+  static constexpr std::size_t at_once = Shape::template at_once<Real>;
+  template <class Number>
+  using PerSite = std::array<Number, at_once>;  // [k], for the k-th site b of the group
+  template <class Number>
+  using PerPair = std::array<std::array<Number, Shape::max_a>, at_once>;  // [k][a]
+
   [[gnu::always_inline]] SitePairs(const Shape& shape, std::size_t first_b)
       : shape_(shape), first_b_(first_b) {}
 
-  /// The vectors r from a to b, and 1/r, 1/r², 1/r³.
-  template <class SitesOfA, class SitesOfB>
-  [[gnu::always_inline]] void find_distances(const Vec3<Real>& R, const SitesOfA& site_a,
-                                             const SitesOfB& site_b) {
-    each_b([&](auto k, std::size_t b)
-               __attribute__((always_inline)) { arm_[k] = site_b(b), f_b_[k] = {}; });
-    each_pair([&](auto k, auto a, std::size_t) __attribute__((always_inline)) {
-      r_[k][a] = R + arm_[k] - site_a(a);
-      r2_[k][a] = norm2(r_[k][a]);
-    });
-    each_pair([&](auto k, auto a, std::size_t) __attribute__((always_inline)) {
-      inverse_r_[k][a] = InversePowers<Real>(r2_[k][a]);
-    });
-  }
-
-  /// The polynomial subtracted from 1/r, and its −u'/r, by Horner's rule in y = 1 − r²/a².
-  template <class T>
-  [[gnu::always_inline]] void find_polynomials(const SmoothPart<T>& law) {
-    each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-      y_[k][a] = C(1) - r2_[k][a] * C(law.inverse_a2);
-      smooth_u_[k][a] = Polynomial<Real>(C(law.u[law.degree + 1]));
-      smooth_s_[k][a] = Polynomial<Real>(C(law.s[law.degree]));
-    });
-    for (int n = law.degree; n-- > 0;)
-      each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-        smooth_s_[k][a].step(y_[k][a], C(law.s[n]));
-      });
-    if constexpr (need_u)
-      for (int n = law.degree + 1; n-- > 0;)
-        each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-          smooth_u_[k][a].step(y_[k][a], C(law.u[n]));
-        });
-  }
-
-  /// −u'/r of each pair, summed over its laws; adds up the energies if they are needed.
-  template <class Law, class T>
-  [[gnu::always_inline]] void apply_laws(const PairStrengths<Law>& strengths,
-                                         const PairLaws<T>& laws, PairLoad<Real>& load) {
-    each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
-      const SiteTruncation<treatment, Real, T> truncated(laws, inverse_r_[k][a], r2_[k][a]);
-      const std::size_t pair = b * shape_.sites_a + a;
-      const auto coulomb = [&]() __attribute__((always_inline)) {
-        const PairValue<Real> value = coulomb_of(k, a, C(strengths.charge[pair]), truncated, laws);
-        if constexpr (need_u) load.coulomb += value.u;
-        return value.s;
-      };
-      const auto short_range = [&]() __attribute__((always_inline)) {
-        const PairValue<Real> value = truncated(strengths.law[pair]);
-        if constexpr (need_u) load.van_der_waals += value.u;
-        return value.s;
-      };
-      s_[k][a] = !shape_.short_range(a, b) ? coulomb()
-                 : !shape_.coulomb(a, b)   ? short_range()
-                                           : coulomb() + short_range();
-    });
-  }
-
-  /// The force s r of each pair acts on b's sites: their sum, and its torque about b's centre.
-  [[gnu::always_inline]] void add_forces(PairLoad<Real>& load) {
-    each_pair([&](auto k, auto a, std::size_t)
-                  __attribute__((always_inline)) { add_scaled(f_b_[k], s_[k][a], r_[k][a]); });
-    each_b([&](auto k, std::size_t) __attribute__((always_inline)) {
-      load.f += f_b_[k];
-      add_cross(load.tau_b, arm_[k], f_b_[k]);
-    });
-  }
-
- private:
-  using C = Constant<Real>;
-  static constexpr std::size_t at_once = Shape::template at_once<Real>;
-  static constexpr bool need_u = energies || treatment == CutoffTreatment::molecule_switch;
-  template <class Number>
-  using PerPair = std::array<std::array<Number, Shape::max_a>, at_once>;
-
   template <class Body>
-  [[gnu::always_inline]] void each_b(const Body& body) const {  // body(k, b), b the k-th site
+  [[gnu::always_inline]] void each_b(const Body& body) const {  // body(k, b)
     for (std::size_t k = 0; k < at_once; ++k)
       if (first_b_ + k < shape_.sites_b) body(k, first_b_ + k);
   }
   template <class Body>
-  [[gnu::always_inline]] void each_pair(const Body& body) const {  // body(k, a, b)
+  [[gnu::always_inline]] void each(const Body& body) const {  // body(k, a, b)
     for (std::size_t k = 0; k < at_once; ++k)
       for (std::size_t a = 0; a < shape_.sites_a; ++a)
         if (const std::size_t b = first_b_ + k;
@@ -150,43 +84,136 @@ class SitePairs {
   }
   template <class Body>
   [[gnu::always_inline]] void each_charged(const Body& body) const {  // body(k, a)
-    each_pair([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
+    each([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
       if (shape_.coulomb(a, b)) body(k, a);
     });
   }
 
-  // K q q (1/r − P(r)) up to the cutoff if a polynomial P is subtracted, otherwise K q q (1/r + k
-  // r² − c), truncated.
-  template <class Truncation, class T>
-  [[gnu::always_inline]] PairValue<Real> coulomb_of(std::size_t k, std::size_t a, C charge,
-                                                    const Truncation& truncated,
-                                                    const PairLaws<T>& laws) const {
-    if constexpr (is_smooth(treatment)) {
-      Real u = inverse_r_[k][a].first() - smooth_u_[k][a].value(y_[k][a]);
-      Real s = inverse_r_[k][a].third() - smooth_s_[k][a].value(y_[k][a]);
-      if constexpr (treatment == CutoffTreatment::smooth) {
-        const auto within = r2_[k][a] < Real(laws.cutoff * laws.cutoff);
-        u = select(within, u, Real(0));
-        s = select(within, s, Real(0));
-      }
-      return {charge * u, charge * s};
-    } else {
-      return truncated([&]<class Number>(const InversePowers<Number>& inverse_r, Number r2)
-                           __attribute__((always_inline)) {
-                             const PairValue<Number> unit = laws.reaction_field(inverse_r, r2);
-                             return PairValue<Number>{charge * unit.u, charge * unit.s};
-                           });
-    }
+  template <class Value>
+  [[gnu::always_inline]] auto compute(const Value& value) const {  // value(k, a, b) of each pair
+    PerPair<decltype(value(std::size_t{}, std::size_t{}, std::size_t{}))> values;
+    each([&](auto k, auto a, std::size_t b)
+             __attribute__((always_inline)) { values[k][a] = value(k, a, b); });
+    return values;
   }
 
+ private:
   const Shape& shape_;
   std::size_t first_b_;
-  std::array<Vec3<Real>, at_once> arm_, f_b_;  // from b's centre; the force on the site
-  PerPair<Vec3<Real>> r_;
-  PerPair<Real> r2_, s_, y_;
-  PerPair<InversePowers<Real>> inverse_r_;
-  PerPair<Polynomial<Real>> smooth_u_, smooth_s_;
 };
+
+/// The polynomial P that is subtracted from 1/r between charges, and its −P'/r, for each pair: by
+/// Horner's rule in y = 1 − r²/a², all pairs one step at a time. Nothing if no polynomial is used.
+template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class T>
+[[gnu::always_inline]] inline auto smooth_parts(
+    const SitePairs<Shape, Real>& pairs,
+    const typename SitePairs<Shape, Real>::template PerPair<Real>& r2, const SmoothPart<T>& law) {
+  using C = Constant<Real>;
+  using Pairs = SitePairs<Shape, Real>;
+  typename Pairs::template PerPair<PairValue<Real>> parts;
+  if constexpr (is_smooth(treatment)) {
+    typename Pairs::template PerPair<Real> y;
+    typename Pairs::template PerPair<Polynomial<Real>> u, s;
+    pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
+      y[k][a] = C(1) - r2[k][a] * C(law.inverse_a2);
+      u[k][a] = Polynomial<Real>(C(law.u[law.degree + 1]));
+      s[k][a] = Polynomial<Real>(C(law.s[law.degree]));
+    });
+    for (int n = law.degree; n-- > 0;)
+      pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
+        s[k][a].step(y[k][a], C(law.s[n]));
+      });
+    if constexpr (need_u)
+      for (int n = law.degree + 1; n-- > 0;)
+        pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
+          u[k][a].step(y[k][a], C(law.u[n]));
+        });
+    pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
+      parts[k][a] = {u[k][a].value(y[k][a]), s[k][a].value(y[k][a])};
+    });
+  }
+  return parts;
+}
+
+/// Two charges, with charge = K q q: 1/r − P(r) up to the cutoff if a polynomial P is subtracted,
+/// otherwise 1/r + k r² − c, truncated.
+template <CutoffTreatment treatment, class Real, class T>
+[[gnu::always_inline]] inline PairValue<Real> coulomb_pair(
+    Constant<Real> charge, const SiteTruncation<treatment, Real, T>& truncated,
+    const PairLaws<T>& laws, const InversePowers<Real>& inverse_r, const Real& r2,
+    const PairValue<Real>& smooth) {
+  if constexpr (is_smooth(treatment)) {
+    Real u = inverse_r.first() - smooth.u, s = inverse_r.third() - smooth.s;
+    if constexpr (treatment == CutoffTreatment::smooth) {
+      const auto within = r2 < Real(laws.cutoff * laws.cutoff);
+      u = select(within, u, Real(0));
+      s = select(within, s, Real(0));
+    }
+    return {charge * u, charge * s};
+  } else {
+    return truncated([&]<class Number>(const InversePowers<Number>& powers, Number square)
+                         __attribute__((always_inline)) {
+                           const PairValue<Number> unit = laws.reaction_field(powers, square);
+                           return PairValue<Number>{charge * unit.u, charge * unit.s};
+                         });
+  }
+}
+
+/// One pair: u and −u'/r of each of its laws. Returns the sum of −u'/r and adds up the energies.
+template <bool need_u, class Shape, class Real, class Coulomb, class ShortRange>
+[[gnu::always_inline]] inline Real sum_of_laws(const Shape& shape, std::size_t a, std::size_t b,
+                                               const Coulomb& coulomb,
+                                               const ShortRange& short_range,
+                                               PairLoad<Real>& load) {
+  const auto add = [](const PairValue<Real>& value, Real& energy) __attribute__((always_inline)) {
+    if constexpr (need_u) energy += value.u;
+    return value.s;
+  };
+  return !shape.short_range(a, b) ? add(coulomb(), load.coulomb)
+         : !shape.coulomb(a, b)
+             ? add(short_range(), load.van_der_waals)
+             : add(coulomb(), load.coulomb) + add(short_range(), load.van_der_waals);
+}
+
+/// Adds the forces and energies of a group of pairs, as described at molecule_pair().
+template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class Law, class T,
+          class SitesOfA, class SitesOfB>
+[[gnu::always_inline]] inline void add_pairs(const SitePairs<Shape, Real>& pairs,
+                                             const Shape& shape,
+                                             const PairStrengths<Law>& strengths,
+                                             const PairLaws<T>& laws, const Vec3<Real>& R,
+                                             const SitesOfA& site_a, const SitesOfB& site_b,
+                                             PairLoad<Real>& load) {
+  typename SitePairs<Shape, Real>::template PerSite<Vec3<Real>> arm, f_b;
+  pairs.each_b([&](auto k, std::size_t b)
+                   __attribute__((always_inline)) { arm[k] = site_b(b), f_b[k] = {}; });
+  const auto r = pairs.compute([&](auto k, auto a, auto) __attribute__((always_inline)) {
+    return R + arm[k] - site_a(a);
+  });
+  const auto r2 = pairs.compute([&](auto k, auto a, auto)
+                                    __attribute__((always_inline)) { return norm2(r[k][a]); });
+  const auto inverse_r = pairs.compute([&](auto k, auto a, auto) __attribute__((always_inline)) {
+    return InversePowers<Real>(r2[k][a]);
+  });
+  const auto smooth = smooth_parts<treatment, need_u>(pairs, r2, laws.smooth);
+  const auto s = pairs.compute([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
+    const SiteTruncation<treatment, Real, T> truncated(laws, inverse_r[k][a], r2[k][a]);
+    const std::size_t pair = b * shape.sites_a + a;
+    return sum_of_laws<need_u>(
+        shape, a, b,
+        [&]() __attribute__((always_inline)) {
+          return coulomb_pair(Constant<Real>(strengths.charge[pair]), truncated, laws,
+                              inverse_r[k][a], r2[k][a], smooth[k][a]);
+        },
+        [&]() __attribute__((always_inline)) { return truncated(strengths.law[pair]); }, load);
+  });
+  pairs.each([&](auto k, auto a, std::size_t)
+                 __attribute__((always_inline)) { add_scaled(f_b[k], s[k][a], r[k][a]); });
+  pairs.each_b([&](auto k, std::size_t) __attribute__((always_inline)) {
+    load.f += f_b[k];
+    add_cross(load.tau_b, arm[k], f_b[k]);
+  });
+}
 
 /// Sums over the site pairs of molecules a and b. The cutoff treatments are
 ///
@@ -209,20 +236,19 @@ template <CutoffTreatment treatment, bool energies, class Shape, class Real, cla
 [[gnu::always_inline]] inline PairLoad<Real> molecule_pair(
     const Shape& shape, const PairStrengths<Law>& strengths, const PairLaws<T>& laws,
     const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b) {
-  constexpr std::size_t at_once = Shape::template at_once<Real>;
+  constexpr bool by_molecule = treatment == CutoffTreatment::molecule_switch;
+  constexpr std::size_t at_once = SitePairs<Shape, Real>::at_once;
   const auto sum_over_sites = [&]() __attribute__((always_inline)) {
     PairLoad<Real> load;
     each(
         shape.groups_b(Count<at_once>{}), [&](auto group) __attribute__((always_inline)) {
-          SitePairs<treatment, energies, Shape, Real> pairs(shape, group * at_once);
-          pairs.find_distances(R, site_a, site_b);
-          if constexpr (is_smooth(treatment)) pairs.find_polynomials(laws.smooth);
-          pairs.apply_laws(strengths, laws, load);
-          pairs.add_forces(load);
+          const SitePairs<Shape, Real> pairs(shape, group * at_once);
+          add_pairs<treatment, energies || by_molecule>(pairs, shape, strengths, laws, R, site_a,
+                                                        site_b, load);
         });
     return load;
   };
-  if constexpr (treatment == CutoffTreatment::molecule_switch) {
+  if constexpr (by_molecule) {
     const MoleculeSwitch<Real, T> switched(laws.switching, R);
     PairLoad<Real> load = sum_over_sites();
     switched.apply_to(load);

@@ -18,7 +18,7 @@ struct AdviceFiles {
   std::vector<std::string> all() const;
 };
 
-/// Advice with what it answers.
+/// The advice, and the requirement that it answers.
 struct AdviceReport {
   Advice advice;
   Criterion criterion;
@@ -36,7 +36,7 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
 /// Names with units, as "step_fs"; what is not known is null.
 std::string advice_json(const AdviceReport& report);
 
-/// "R", "drift" or "temperature bias".
+/// "R", "energy drift" or "temperature bias".
 const char* name(Quality quality);
 
 /// A bound on a quality in the unit that users enter: "0.5 %", "0.1 kJ/mol/ns".

@@ -49,14 +49,14 @@ struct Advice {
 };
 
 /// The frequency of the fastest degrees of freedom [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
-/// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, each molecule's mean of its own: Einstein's
-/// frequency of a liquid, from the forces at one moment.
+/// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, averaged over each kind of molecule separately:
+/// the Einstein frequency of a liquid, from the forces at one time.
 double einstein_frequency(const System& system, Workers& workers = Workers::serial());
 
-/// Advice for a run like that of the run file, from its start after its equilibration: of its
-/// length, where the time allows, else of as much as it does. As many runs at once as there are
-/// workers. What is computed depends on the clock: it determines how long runs may be, and what
-/// schemes cost.
+/// Advice for the run of a run file, from runs that begin with its initial configuration after its
+/// equilibration. They have its length if the time allows, otherwise a shorter one; each worker
+/// performs one at a time. Results depend on the clock, which limits the lengths of runs and
+/// measures what schemes cost.
 Advice advise(const Config& config, const AdviserSettings& settings,
               const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 

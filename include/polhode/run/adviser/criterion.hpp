@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a user asks of a run, as a number with a bound: the energy's fluctuation R, its drift, or
-// how far the temperatures of translation and rotation are apart.
+// What a user asks of a run, as a number with a bound: the energy's fluctuation R, the energy
+// drift, or how far the temperatures of translation and rotation are apart.
 #pragma once
 
 #include <array>
@@ -44,20 +44,20 @@ struct Criterion {
 /// meet it. With a probability of 0.975 for each, fewer than 95 of 100 do so once in 20 times.
 inline constexpr double guarantee_probability = 0.975;
 
-/// What the quality stays below with guarantee_probability. For R it is that of a fresh run; a
-/// drift or a bias is a property of scheme and step that a single run is too noisy to show, so it
-/// is that of the mean over all runs that there could be. The bias is the largest of several, and
-/// each has its share of the error probability. Infinite if a run blew up.
+/// The bound below which the quality stays with guarantee_probability. For R it is a bound for a
+/// new run. A single run is too noisy to show energy drift or bias, which are properties of scheme
+/// and step, so for these it bounds the mean over infinitely many runs. The bias is the largest of
+/// several, and each has its share of the error probability. Infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
-/// The least upper_bound() of R that runs over a part of their length leave to hope for over the
-/// whole: R grows with the length, and its scatter falls no faster than that of independent
-/// stretches, as the root of the length.
+/// The smallest upper_bound() of R that runs can still have at their full length, from a part of
+/// it: R grows with the length, and its scatter decreases no faster than that of independent parts,
+/// as the root of the length.
 /// @param part  of the length, above 0 and at most 1
 double optimistic_bound(const std::vector<Outcome>& runs, double part);
 
-/// Whether runs over a part of their length leave hope that the whole of it keeps the bound. Of a
-/// drift and a bias parts of runs say too little.
+/// Whether runs can still meet the bound at their full length, from a part of it. True for an
+/// energy drift or a bias, about which parts of runs say too little.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
 /// Whether a run blew up, or the energies drift: as in a study, with a p-value below

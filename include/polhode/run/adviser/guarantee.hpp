@@ -36,8 +36,8 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
 
 struct GuaranteeCheck {
   Guarantee guarantee;
-  /// Mean R over stretches of the guaranteed length; over the whole run if it is shorter than two
-  /// stretches. The error is 0 if it is not known.
+  /// Mean R of parts of the guaranteed length; of the whole run if it is shorter than two
+  /// parts. The error is 0 if it is not known.
   Estimate ratio;
   bool met() const { return ratio.value <= guarantee.accuracy; }
 };

@@ -21,7 +21,7 @@ struct StepPoint {
 /// extrapolation.
 ///
 /// Runs with two steps from the same initial configuration are not independent: they sample the
-/// same stretch of the trajectory. Therefore each initial configuration has its own line, and the
+/// same part of the trajectory. Therefore each initial configuration has its own line, and the
 /// uncertainty of the mean line is estimated from the scatter of these; the scatter of a single run
 /// is estimated from the runs themselves, step by step.
 class StepModel {

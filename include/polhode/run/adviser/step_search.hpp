@@ -23,8 +23,8 @@ struct StepSearch {
 ///
 /// For R, the search aims at the step where R equals the bound, first by the scheme's order and
 /// then by interpolation, and ends with points at 1, 0.9 and 0.8 of that step: R must stay below
-/// the bound in nearly all runs, so the final step is smaller. For a drift or a bias, which noise
-/// hides at small steps, the steps form a ladder up to where the bound is violated.
+/// the bound in nearly all runs, so the final step is smaller. For an energy drift or a bias, which
+/// noise hides at small steps, the steps form a ladder up to where the bound is violated.
 /// @param points  so far, ordered by step
 std::optional<double> next_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 

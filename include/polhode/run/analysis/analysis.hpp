@@ -50,7 +50,7 @@ struct Analysis {
   std::vector<std::string> notes;  ///< observables that were skipped, and warnings
 
   std::optional<Conditions> conditions;  ///< computed in every analysis
-  bool density = false;                  ///< whether they were requested themselves
+  bool density = false;                  ///< whether to report them as a result
   std::vector<SitePair> pairs;
   std::optional<RadialDistribution> radial;
   std::optional<Displacement> displacement;

@@ -38,8 +38,10 @@ struct AxisRelaxation {
 struct PartSummary {
   std::string molecule;
   std::size_t count = 0;
-  std::optional<SeriesEstimate> diffusion;   ///< from displacements, in this box [nm²/ps]
+  std::optional<SeriesEstimate> diffusion;  ///< from displacements, in this box [nm²/ps]
+  Convergence diffusion_convergence;
   std::optional<SeriesEstimate> green_kubo;  ///< from velocities, integrated over all lags [nm²/ps]
+  Convergence green_kubo_convergence;
   std::vector<AxisRelaxation> axes;
 
   /// D in an infinite box; empty where it or its correction is unknown.
@@ -50,7 +52,7 @@ struct AnalysisSummary {
   std::optional<double> temperature;  ///< [K]
   FitWindow fit;                      ///< of the diffusion coefficient [ps]
   std::optional<double> viscosity;    ///< [u/(nm ps)]
-  std::string viscosity_source;       ///< "--viscosity", or the publication; else why there is none
+  std::string viscosity_source;       ///< "as given", or the publication; else why there is none
   std::optional<double> finite_size_correction;  ///< Yeh-Hummer finite-size correction, to be added
                                                  ///< to diffusion [nm²/ps]
   std::vector<PartSummary> parts;

@@ -28,8 +28,9 @@ struct Checkpoint {
   std::optional<OutputMarks> outputs;  ///< nothing before they begin
 };
 
-/// What must be the same for a run to resume, as a hash: molecules, start with its velocities,
-/// forces, scheme, step, equilibration, and what is written how often; not its length.
+/// What must be the same for a run to resume, as a hash and settings_text(): molecules, start with
+/// its velocities, forces, scheme, step, equilibration, and what is written how often; not its
+/// length.
 std::string run_identity(const Config& config, const System& system);
 
 /// The files of checkpoints: the newest and the one before it.

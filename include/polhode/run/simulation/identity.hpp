@@ -4,6 +4,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <string_view>
 
 #include "polhode/run/simulation/system.hpp"
 
@@ -13,5 +14,14 @@ namespace polhode {
 /// @param numbers  further parameters of the computation, such as times
 std::string identity(const Config& config, const System& system,
                      std::initializer_list<double> numbers);
+
+/// The settings that a run depends on besides its system, one a line: "integrator.step = 2 fs".
+std::string settings_text(const Config& config);
+
+/// Whether two identities, a hash with settings_text() below it, are of the same run.
+bool same_run(std::string_view one, std::string_view other);
+
+/// What differs between the identities of two runs: "integrator.step was 2 fs and is now 1 fs".
+std::string differences(const std::string& then, const std::string& now);
 
 }  // namespace polhode

@@ -29,7 +29,7 @@ class Propagator {
   /// @throws RunError  if the trajectory blows up
   void advance(std::size_t steps);
   /// Continues to the length of the settings and takes a last sample there, or where the watch
-  /// stops it. A trajectory that blows up ends there and says so in `failure`.
+  /// stops it. A trajectory that blows up ends there, and `failure` reports it.
   Trajectory run(const Watch& watch = {});
 
   /// Steps done since the start of the trajectory.

@@ -12,7 +12,7 @@ namespace polhode {
 
 struct ResumableRun {
   System system;
-  std::uint64_t seed = 0;           ///< of its start
+  std::uint64_t seed = 0;           ///< of its initial configuration
   std::optional<RunState> state{};  ///< nothing before the first step
 };
 

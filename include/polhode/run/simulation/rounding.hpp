@@ -53,7 +53,7 @@ double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double
 /// every energy, 2⁻⁵³ of its size each.
 double double_walk(const Energies& energies, double step);
 
-/// The largest drift of the energy that rounding in double precision can make [kJ/mol/ps]: all of
+/// The largest energy drift that rounding in double precision can make [kJ/mol/ps]: all of
 /// these roundings of one sign.
 double double_drift(const Energies& energies, double step);
 
@@ -62,8 +62,9 @@ double double_drift(const Energies& energies, double step);
 double drift_rate(const EnergyStatistics& energies, double step);
 
 /// The rms deviation of the total energy from its mean that rounding alone makes in a run
-/// [kJ/mol]. A walk over t has the mean variance t/6 about its own mean (t/2 about its start, less
-/// t/3 for the mean). The energy's own noise comes on top: σ² = power² h t Σw²/6 + energy².
+/// [kJ/mol]. A walk over t has the mean variance t/6 about its own mean (t/2 about its first value,
+/// minus t/3 for the mean). The noise of the energy itself is added: σ² = power² h t Σw²/6 +
+/// energy².
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length);
 

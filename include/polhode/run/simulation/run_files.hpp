@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files of a run: which there are, and how they grow with it and with its checkpoints.
+// The files of a run: created or resumed, appended to at samples, synced at checkpoints.
 #pragma once
 
 #include <chrono>
@@ -28,13 +28,13 @@ struct RunFileNames {
 /// after a checkpoint that says so; nothing is on the disk without a checkpoint that knows of it.
 class RunFiles {
  public:
-  /// @param from  resumes the files at their lengths then; what was written later is removed
+  /// @param from  checkpoint to resume from: the files are truncated to their lengths in it
   /// @throws Error  if one of them was changed; then none is modified
   RunFiles(const RunFileNames& names, const Topology& topology, const Config& config,
            const Provenance& provenance, const std::string& identity,
            const FoundCheckpoint* from = nullptr);
 
-  /// Keeps the noise of the forces at the start with every checkpoint.
+  /// Stores the noise of the initial forces in every checkpoint.
   void keep(const ForceNoise& noise) { checkpoint_.noise = noise; }
 
   /// Appends energies, and a frame where one is due.
@@ -42,12 +42,12 @@ class RunFiles {
   void sample(std::size_t step, const State& state, const Energies& energies);
   /// Whether the time between two checkpoints has passed.
   bool due() const;
-  /// Brings all files to the disk, then writes the checkpoint.
+  /// Syncs all files to disk, then writes the checkpoint.
   /// @throws RunError  if there is no room
   void checkpoint(RunState at);
-  /// Until which step the last checkpoint reaches; nothing before the first.
+  /// The step of the last checkpoint; nothing before the first.
   std::optional<std::size_t> last_checkpoint_step() const { return last_checkpoint_step_; }
-  /// Brings what there is to the disk.
+  /// Syncs all files to disk.
   void flush();
 
  private:
@@ -62,8 +62,8 @@ class RunFiles {
   Provenance provenance_;
   double interval_;  // between checkpoints [s]
   std::size_t steps_per_frame_;
-  bool others_;            // checkpoints of another run may be there
-  Checkpoint checkpoint_;  // what all of them have in common
+  bool others_;            // checkpoints of another run may exist
+  Checkpoint checkpoint_;  // the fields that are the same in all of them
   std::optional<EnergyFile> energies_;
   std::vector<std::unique_ptr<FrameWriter>> trajectories_;
   std::size_t next_frame_ = 0;

@@ -4,10 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "polhode/run/adviser/guarantee.hpp"
 #include "polhode/run/simulation/run_files.hpp"
-#include "polhode/run/simulation/summary.hpp"
+#include "polhode/run/simulation/warnings.hpp"
 
 namespace polhode {
 
@@ -22,12 +23,10 @@ struct RunReport {
   TrajectorySettings settings;
   ExecutionSettings execution;
   RunFileNames files;
+  std::vector<Warning> warnings;            ///< what is probably wrong
   std::optional<GuaranteeCheck> guarantee;  ///< of a complete run with a bound on R
   bool interrupted = false;
 };
-
-/// Fewer samples show no fluctuation and no slope at all.
-inline constexpr std::uint64_t min_samples_reported = 3;
 
 /// "significant", "not significant", or why it is not known which.
 std::string verdict(const Drift& drift);

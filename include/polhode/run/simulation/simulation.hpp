@@ -18,8 +18,8 @@
 
 namespace polhode {
 
-/// How Simulation::run() ended. What was interrupted resumes from a checkpoint, except the choice
-/// of a step, which leaves no file.
+/// How Simulation::run() ended. An interrupted equilibration or trajectory resumes from a
+/// checkpoint; an interrupted choice of the step has written no file and starts over.
 enum class RunEnd {
   complete,
   interrupted,                ///< in the trajectory
@@ -50,18 +50,18 @@ class Simulation {
   const State& state() const { return system_.state; }
   /// Steps of the trajectory done so far.
   std::size_t steps() const;
-  /// Energies of the current state, from a force evaluation of its own that leaves the trajectory
+  /// Energies of the current state, from a separate force evaluation that leaves the trajectory
   /// as it is.
   Energies energies() const;
   /// Statistics of the trajectory so far.
   RunSummary summary();
 
   /// If the run file asks for an accuracy, lets the adviser choose the step, and the scheme unless
-  /// the run file has one. run() does so itself.
+  /// the run file has one. run() calls it.
   /// @return  false if it was interrupted
   /// @throws RunError  if no scheme meets the accuracy
   bool choose_step(const Callbacks& callbacks = {});
-  /// Equilibrates as the run file asks, unless that is done. step() and run() do so themselves.
+  /// Equilibrates as the run file asks, once. step() and run() call it.
   /// @return  false if it was interrupted; another call resumes it
   /// @throws RunError  if it blows up
   bool equilibrate(const Callbacks& callbacks = {});
@@ -99,6 +99,7 @@ class Simulation {
   RunState run_state();
   void resume(Checkpoint checkpoint);
   void note_begin(const Callbacks& callbacks) const;
+  void note_warnings(const Callbacks& callbacks) const;
   bool equilibrate(const Callbacks& callbacks, RunFiles* files);
   bool trajectory_started() const;
   Propagator& propagator();

@@ -10,6 +10,9 @@
 
 namespace polhode {
 
+/// Fewer samples show no fluctuation and no slope at all.
+inline constexpr std::uint64_t min_samples_reported = 3;
+
 struct RunSummary {
   std::size_t molecules = 0;
   std::size_t steps = 0;
@@ -29,6 +32,8 @@ struct RunSummary {
   SeriesEstimate pressure;                                  ///< mean [kJ/mol/nm³]
   double momentum = 0;                                      ///< |Σ p| at the end [u nm/ps]
   Temperatures temperatures;                                ///< means over the run [K]
+  SeriesEstimate temperature;                               ///< that of all motions [K]
+  Drift potential_drift;                                    ///< [kJ/mol/ps]
   DegreesOfFreedom degrees_of_freedom;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
   std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if there are

@@ -21,7 +21,10 @@ struct System {
   double temperature;             ///< target temperature [K]
   double fit_deviation = 0;       ///< of the initial configuration from the rigid models [nm]
   double massless_deviation = 0;  ///< of its massless sites, whose positions are recomputed [nm]
-  bool new_velocities = true;     ///< the initial configuration had none, or it is a lattice
+  /// Momenta were drawn: the initial configuration has no velocities, or the run file wants new
+  /// ones.
+  bool new_velocities = true;
+  double file_temperature = 0;  ///< of the velocities of the initial configuration, if kept [K]
   /// Velocity of the centre of mass in an initial configuration with velocities [nm/ps], and
   /// its contribution to the temperature [K]; it is removed.
   double removed_velocity = 0, removed_temperature = 0;

@@ -7,10 +7,14 @@
 
 namespace polhode {
 
-/// The molecules of a topology file, and how their rigid shapes were determined; the distance of
-/// atoms in the initial configuration from the rigid bodies, if it exceeds rounding, and of
-/// massless sites, if it exceeds what that of the atoms explains.
+/// The molecules of a topology file, and how their rigid shapes were determined; the distances of
+/// atoms in the initial configuration from those of the rigid bodies, if they exceed rounding, and
+/// those of massless sites, if they exceed the distances of the atoms.
 void note_molecules(const System& system, const Callbacks& callbacks);
+
+/// What becomes of the velocities of the initial configuration, if it has any and the run file
+/// gives a temperature or a seed for them.
+void note_velocities(const System& system, const Config& config, const Callbacks& callbacks);
 
 /// The mixing rule and explicit pairs, unless all pairs follow the default rule; grid, order and
 /// split of a mesh; a net charge.

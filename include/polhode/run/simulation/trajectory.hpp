@@ -37,14 +37,14 @@ struct RunState {
   Timings timings;
 };
 
-/// What may be done along the way; all of it is optional.
+/// Callbacks during a trajectory, all of them optional.
 struct Watch {
   /// Called at every sample with the number of steps done.
   std::function<void(std::size_t steps, const State&, const Energies&)> sample;
-  /// Asked after every step; true ends the trajectory there, with a last sample.
+  /// Called after every step; true ends the trajectory there, with a last sample.
   std::function<bool()> stop;
-  /// Asked after every step: whether `checkpoint` is to be called. It is called in any case at the
-  /// start, where the watch stops the trajectory, and at the end.
+  /// Called after every step: whether to call `checkpoint` then. `checkpoint` is called in any case
+  /// at the start, when `stop` ends the trajectory, and at the end.
   std::function<bool()> due;
   std::function<void(RunState)> checkpoint;
   /// Called at samples that have error brackets.
@@ -60,13 +60,14 @@ struct Trajectory {
   std::uint64_t near_derivatives = 0;
   std::uint64_t measurements = 0;  ///< force evaluations for energies alone
   bool stopped = false;            ///< by the watch
-  std::string failure;             ///< why it blew up; empty if it did not
-  std::size_t list_rebuilds = 0;   ///< of the neighbour list, with those before the start
+  std::string failure;             ///< why it blew up, when, and what to try; empty if it did not
+  std::string cause;               ///< why alone, with the two molecules that collided
+  std::size_t list_rebuilds = 0;   ///< of the neighbour list, including those before the first step
   Timings timings;
 };
 
 /// Moves the system's state along. Total energy is sampled at synchronised steps. A trajectory that
-/// blows up ends there and says so, with the step and what to try, in `failure`: an energy is not
+/// blows up ends there, and `failure` reports it, with the step and remedies: an energy is not
 /// finite, or the total energy has changed by more than the kinetic energy at the start. The
 /// trajectory is the same for any number of threads. A last sample between two intervals, at the
 /// end or where it was stopped, is none of those that a longer trajectory has.
@@ -75,8 +76,9 @@ Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySe
                           const Watch& watch = {}, Workers& workers = Workers::serial(),
                           const RunState* from = nullptr);
 
-/// Prepares a system at its temperature: a trajectory with velocities rescaled at intervals, and
-/// the total momentum removed. The step is at most 1 fs, so that rough starts relax.
+/// Prepares a system at its temperature: molecules that overlap are moved apart
+/// (separate_molecules()), then a trajectory with velocities rescaled at intervals, and the total
+/// momentum removed. The step is at most 1 fs, so that rough initial configurations relax.
 /// Checkpoints are taken between two rescalings.
 /// @return  false if the watch stopped it
 /// @throws RunError  if it blows up

@@ -21,12 +21,12 @@ struct TrajectorySettings {
   double shadow_sample = 0;            ///< between error brackets [ps], at some samples; 0: none
   std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
   double configurational_sample = 0;   ///< as shadow_sample, of configurational temperatures [ps]
-  std::uint64_t seed = 0;              ///< of the signs that these take
-  double stretch = 0;                  ///< R is also found over stretches so long [ps]; 0: none
+  std::uint64_t seed = 0;              ///< of their random signs
+  double stretch = 0;  ///< R is also computed for parts of this length [ps]; 0: none
 
   std::size_t steps() const;
   std::size_t steps_per_sample() const;
-  /// How many samples of the energies there are to one that is taken every `interval` [ps].
+  /// The number of samples of the energies per sample that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;
 
   /// Whether the scheme has a shadow energy of order h² that can be measured.
@@ -36,7 +36,7 @@ struct TrajectorySettings {
 };
 
 /// The trajectory of a run file.
-/// @param stretch  length of the stretches for which R is computed as well [ps]; 0: none
+/// @param stretch  length of the parts for which R is computed as well [ps]; 0: none
 /// @throws Error  with the run file: if the length is shorter than a step, or of too many steps, or
 ///                if a shadow energy is requested for a scheme that has none
 TrajectorySettings trajectory_settings(const Config& config, double stretch = 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Results of a study: the cost of each scheme at a given accuracy, the R at which one scheme
-// overtakes another, and the largest R at which each is free of drift.
+// overtakes another, and where the curve of each scheme ends.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ struct CostAtRatio {
   double evaluations = 0;     ///< force evaluations per step
   double exponent = 0;        ///< local d log R / d log h
   bool extrapolated = false;  ///< below the smallest R measured, using the scheme's order
-  bool at_max_step = false;   ///< the largest step without drift, whose R is below the given one
+  bool at_max_step = false;   ///< the largest step of the curve, whose R is below the given one
 };
 
 struct Guideline {
   double ratio = 0;                               ///< R
   std::vector<std::optional<CostAtRatio>> costs;  ///< per scheme; empty: not reachable without
-                                                  ///< drift
+                                                  ///< energy drift
   std::optional<std::size_t> best;                ///< the cheapest
 };
 
@@ -33,14 +33,17 @@ struct Guideline {
 struct Curve {
   std::string scheme;
   std::vector<EfficiencyPoint> points;
-  std::size_t usable = 0;  ///< number of points before the first that drifts or blows up
+  std::size_t usable = 0;  ///< number of points before the end
 };
+
+/// The number of points before the end of a curve, which all tables, claims and figures use. A
+/// curve ends at the first step with a run that blew up, and before it where all steps up to there
+/// drift(): a single step that drifts while a longer one does not is an accident of the runs.
+/// @param points  ordered by step
+std::size_t points_before_end(const std::vector<EfficiencyPoint>& points);
 
 /// The curves of a study, in the order in which its points name the schemes.
 std::vector<Curve> curves(const std::vector<EfficiencyPoint>& points);
-
-/// The curve up to where a run blew up, ignoring drift: for comparing costs only.
-Curve regardless_of_drift(Curve curve);
 
 /// The cost at R, by interpolating log h over log R between neighbouring usable points; if even the
 /// largest usable step has a smaller R, the cost of that step.

@@ -46,11 +46,16 @@ struct StudyRun {
   std::optional<ByMotion<double>> configurational{};
 };
 
+/// A drift matters if it changes the energy during a run by at least this many rms fluctuations of
+/// the energy: by at least R, in units of the rms fluctuation of the potential energy.
+inline constexpr double drift_bound = 1;
+
 /// A point of the figure: all runs of a scheme with one step.
 struct EfficiencyPoint {
   std::string scheme;
-  int order = 0;    ///< of the scheme; 0 if unknown
-  double step = 0;  ///< [ps]
+  int order = 0;      ///< of the scheme; 0 if unknown
+  double step = 0;    ///< [ps]
+  double length = 0;  ///< of each run [ps]
   /// Force evaluations per ps; with an inner scheme, evaluations of all forces plus those of the
   /// near forces times their weight.
   double cost = 0;
@@ -58,7 +63,8 @@ struct EfficiencyPoint {
   int runs = 0;
   bool stable = true;      ///< no run blew up
   Estimate ratio;          ///< R with its standard error over the runs
-  Drift drift;             ///< of the series of runs, as defined in the paper
+  double total = 0;        ///< rms fluctuation of the total energy, mean over the runs [kJ/mol]
+  Drift drift;             ///< of the energy, over the series of runs, as defined in the paper
   double temperature = 0;  ///< [K]
   double rounding = 0;     ///< R due to rounding alone, mean; 0 in double precision
   /// T of rotation about each principal axis minus that of translation, over the runs that have
@@ -66,8 +72,14 @@ struct EfficiencyPoint {
   std::array<std::optional<Estimate>, 3> excess;
   /// Configurational minus kinetic temperature of each kind of motion, likewise [K].
   ByMotion<std::optional<Estimate>> configurational_excess;
-  /// No run blew up, and the drift is not significant.
-  bool usable() const { return stable && drift.p_value >= significance; }
+  /// Change of the energy by the drift during a run, in rms fluctuations of the energy.
+  double relative_drift() const;
+  /// Upper end of its 95 % interval; infinite with fewer than two runs.
+  double relative_drift_bound() const;
+  /// The drift is significant, and it matters.
+  bool drifts() const;
+  /// The drift does not matter, whether it is significant or not, with 95 % confidence.
+  bool conserves() const { return stable && relative_drift_bound() < drift_bound; }
   /// R is dominated by rounding.
   bool at_rounding() const { return stable && ratio.value < rounding_margin * rounding; }
 };
@@ -104,13 +116,14 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
                         const std::function<void(const StudyRun&)>& finished,
                         const Callbacks& callbacks, Workers& workers = Workers::serial());
 
-/// The runs from the first `starts` initial configurations. Drifts are compared between points, and
-/// more runs detect smaller drifts, so a report uses the same initial configurations at every
-/// point, even if its record contains more.
+/// The runs from the first `starts` initial configurations. Points are compared by their energy
+/// drift, and more runs detect a smaller one, so a report uses the same initial configurations at
+/// every point, even if its record contains more.
 std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts);
 
 /// Points from runs, in the order of schemes and steps.
+/// @param length  of each run [ps]
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,
-                                               const std::vector<StudyRun>& runs);
+                                               const std::vector<StudyRun>& runs, double length);
 
 }  // namespace polhode

@@ -50,7 +50,7 @@ StudyReport run_study(const Config& config, const std::string& prefix = "study",
                       const OutputOptions& options = {}, const Callbacks& callbacks = {},
                       Workers& workers = Workers::serial());
 
-/// Tables and figure of an existing record, by whichever version, without new runs.
+/// Tables and figure of an existing record, made by any version, without new runs.
 /// @throws Error  as run_study(), or if there is no such record
 StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix = "study",
@@ -59,7 +59,7 @@ StudyReport report_study_record(const Config& config, const std::string& record,
 /// Names with units, as "step_fs"; what is not known is null.
 std::string study_json(const StudyReport& report);
 
-/// Cutoff, start, runs and energies of a study, in a sentence.
+/// Cutoff, initial configuration, runs and energies of a study, in a sentence.
 std::string conditions(const Config& config);
 
 /// "for R = 0.5 % use SCHEME at H fs: N force evaluations per ps, X times fewer than velocity

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Optimal parameters of schemes for one system and step: η of the hoa2 family and η and ξ of the
-// gier4 family, or the free parameters of any palindrome (docs/theory.md, "Tuning").
+// gier4 family, or the free parameters of any palindrome (docs/theory.md, Eq. (35)).
 #pragma once
 
 #include <optional>
@@ -35,9 +35,9 @@ struct Tuned {
   std::string reference;
   Scheme scheme;
   std::vector<TunedParameter> parameters;
-  double predicted_gain = 1;            ///< R of the reference over R, from the covariances
+  double predicted_gain = 1;            ///< R of the reference divided by R, from the covariances
   Estimate reference_ratio{}, ratio{};  ///< R of both in the confirming runs
-  Estimate gain{};  ///< R of the reference over R, in runs from the same initial
+  Estimate gain{};  ///< R of the reference divided by R, in runs from the same initial
                     ///< configurations
 };
 

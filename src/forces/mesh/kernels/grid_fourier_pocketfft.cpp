@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// pocketfft's algorithm on packs. It is a template on the numbers of a series, so a pack in their
-// place transforms as many series as the pack has lanes.
+// pocketfft's algorithm on packs. It is a template on the number type, so with packs it transforms
+// one series per lane at once.
 #include "../fourier_loops.hpp"
+#include "pack_series.hpp"
 #include "polhode/base/pack_transpose.hpp"
 
 namespace polhode::POLHODE_LOOPS {

@@ -135,27 +135,31 @@ class Search {
 
   // Collects the runs of slots along x in cells within range of a cell, in all images.
   void gather_runs(const std::array<std::size_t, 3>& cell) {
-    constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
     runs_.clear();
     const auto at = [&](std::size_t d) { return static_cast<int>(cell[d]); };
-    for (const Row& row : rows_) {
+    for (const Row& row : rows_)
       over_images(at(2) + row.z, at(2) + row.z, 2, [&](std::size_t z, std::size_t, int image_z) {
         over_images(at(1) + row.y, at(1) + row.y, 1, [&](std::size_t y, std::size_t, int image_y) {
-          over_images(
-              at(0) - row.half_width, at(0) + row.half_width, 0,
-              [&](std::size_t from, std::size_t to, int image_x) {
-                const std::uint32_t image = Neighbour::bits({image_x, image_y, image_z});
-                grid_.over_strips(from, to, [&](std::size_t x0, std::size_t x1) {
-                  const std::size_t last = partner_ * grid_.size() + grid_.index(x1, y, z);
-                  const Run run{job_.slots.cell_begin(grid_, partner_, grid_.index(x0, y, z)),
-                                job_.slots.cell_end[last]};
-                  if (run.begin != run.end)
-                    runs_.push_back({run, image, {image_x * one, image_y * one, image_z * one}});
-                });
-              });
+          gather_row(at(0) - row.half_width, at(0) + row.half_width, {y, z}, {image_y, image_z});
         });
       });
-    }
+  }
+
+  // Those in cells from - to along x, in a row of cells at y, z and in its images along y and z.
+  void gather_row(int from, int to, std::array<std::size_t, 2> yz, std::array<int, 2> images) {
+    constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
+    const std::size_t y = yz[0], z = yz[1];
+    over_images(from, to, 0, [&](std::size_t first, std::size_t last, int image_x) {
+      const Neighbour::Image image{image_x, images[0], images[1]};
+      grid_.over_strips(first, last, [&](std::size_t x0, std::size_t x1) {
+        const std::size_t end = partner_ * grid_.size() + grid_.index(x1, y, z);
+        const Run run{job_.slots.cell_begin(grid_, partner_, grid_.index(x0, y, z)),
+                      job_.slots.cell_end[end]};
+        if (run.begin != run.end)
+          runs_.push_back(
+              {run, Neighbour::bits(image), {image.x * one, image.y * one, image.z * one}});
+      });
+    });
   }
 
   const ListJob& job_;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The derivative of the pair loops, in mixed precision.
-#include "pair_rows.hpp"
+#include "pair_shapes.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 
-void pair_derivative(const PairJob<float>& job) { pair_derivative_of(job); }
+void pair_derivative(const PairJob<float>& job) { derivative_of_shapes(job); }
 
 }  // namespace polhode::POLHODE_LOOPS

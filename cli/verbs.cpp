@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "verbs.hpp"
+
+#include <fmt/core.h>
+
+namespace polhode::cli {
+
+const std::vector<VerbGroup>& verb_groups() {
+  static const std::vector<VerbGroup> groups = {
+      {"simulate",
+       {{"new", "write a commented run file to start from", new_verb},
+        {"run", "simulate: a trajectory with its energies and summary", run_verb},
+        {"energy", "energies of an initial configuration; forces and torques, too", energy_verb},
+        {"analyze", "structure and dynamics from a trajectory: g(r), diffusion, relaxation",
+         analyze_verb},
+        {"convert", "convert coordinates and trajectories: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
+         convert_verb}}},
+      {"choose a scheme and a step",
+       {{"advise", "choose both for a required accuracy, and confirm them by runs", advise_verb},
+        {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
+        {"tune-scheme", "optimise the scheme parameters for a system and step", tune_scheme_verb},
+        {"verify", "measure the order of a scheme", verify_verb}}},
+      {"look up and try out",
+       {{"molecules", "list the molecule models, or show one", molecules_verb},
+        {"schemes", "list the splitting schemes, or show one", schemes_verb},
+        {"top", "rotate a free top, exactly and by NO_SQUISH, or a table of tops", top_verb},
+        {"bench", "measure the speed for water on this computer, and what limits it",
+         bench_verb}}}};
+  return groups;
+}
+
+std::vector<std::string> verb_names() {
+  std::vector<std::string> names;
+  for (const VerbGroup& group : verb_groups())
+    for (const Verb& verb : group.verbs) names.emplace_back(verb.name);
+  return names;
+}
+
+std::string overview() {
+  std::string text =
+      "polhode: molecular dynamics of rigid molecules with the exact free rotor\n"
+      "Usage: polhode VERB [FILE] [options]\n";
+  for (const VerbGroup& group : verb_groups()) {
+    text += fmt::format("\n{}\n", group.title);
+    for (const Verb& verb : group.verbs)
+      text += fmt::format("  {:<12} {}\n", verb.name, verb.description);
+  }
+  return text +
+         "\nexamples\n"
+         "  polhode run --length \"1 ps\"                 512 TIP4P waters, without a run file\n"
+         "  polhode new water                           a run file of your own: water.toml\n"
+         "  polhode advise water.toml --accuracy \"1 %\"  the cheapest scheme and step for R = 1 "
+         "%\n"
+         "\n'polhode help VERB' lists the options of a verb; 'polhode -V' prints the version.\n";
+}
+
+}  // namespace polhode::cli

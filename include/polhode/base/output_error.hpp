@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Existing outputs of a job that stand in its way.
+#pragma once
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+
+/// Files of an earlier job that can neither be overwritten nor continued as they are. The text says
+/// to give another output, to restore a file, or to start over; how the caller asks for that is
+/// added by the front end.
+class OutputError : public Error {
+ public:
+  /// @param resumable  whether the earlier job can also be resumed
+  explicit OutputError(const std::string& what_and_remedy, bool resumable = false)
+      : Error(what_and_remedy), resumable_(resumable) {}
+  explicit OutputError(const Error& error) : Error(error) {}
+
+  bool resumable() const { return resumable_; }
+
+ private:
+  bool resumable_ = false;
+};
+
+}  // namespace polhode

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// How long a step a scheme can take of a harmonic oscillation.
+#pragma once
+
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+/// The largest ω h at which a scheme is stable for an oscillator of frequency ω: up to there the
+/// trace of the matrix of one step is between −2 and 2 [allen2017, section 3.2]. 2 for Verlet. A
+/// bath is left out.
+double stability_limit(const Scheme& scheme);
+
+}  // namespace polhode

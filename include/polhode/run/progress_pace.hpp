@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// When the progress of a job is worth a line in a log.
+#pragma once
+
+#include <cmath>
+#include <optional>
+
+namespace polhode {
+
+/// A line at each tenth of a job, or a minute after the last line, whichever comes first; no two
+/// within a second, so that short jobs have none.
+class ProgressPace {
+ public:
+  /// Whether a line is due; if it is, it counts as written.
+  /// @param done     fraction of the work, if its amount is known
+  /// @param elapsed  since the job began [s]
+  bool due(std::optional<double> done, double elapsed) {
+    const double tenths = std::floor(10 * done.value_or(0) + 1e-9);
+    const double since = elapsed - last_;
+    if (since < 1 || (tenths <= tenths_ && since < 60)) return false;
+    tenths_ = tenths;
+    last_ = elapsed;
+    return true;
+  }
+
+ private:
+  double tenths_ = 0, last_ = 0;  // at the last line
+};
+
+}  // namespace polhode

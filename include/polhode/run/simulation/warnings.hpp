@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// What is probably wrong with a simulation, with what to do about it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/run/simulation/summary.hpp"
+
+namespace polhode {
+
+/// One thing that is probably wrong. It does not end a run, nor change its exit code.
+struct Warning {
+  std::string kind;  ///< "temperature", "R", "drift", "relaxation", "pressure", "ions", "step",
+                     ///< "velocities"
+  double value = 0;  ///< what was found, in the unit that `text` gives
+  double bound = 0;  ///< what it exceeds, likewise
+  std::string text;
+  std::string remedy;
+};
+
+/// "warning: text; remedy".
+std::string line_of(const Warning& warning);
+
+/// Ions without the interactions beyond the cutoff: molecules with a net charge, and electrostatics
+/// that is plain Coulomb, or a reaction field. The value is the largest net charge [e].
+std::optional<Warning> cutoff_of_ions(const System& system);
+
+/// Velocities of the initial configuration that do not have the temperature that the run file
+/// gives, although nothing changes it: the deviation exceeds four standard deviations of a
+/// canonical kinetic temperature, T √(2/n) for n degrees of freedom.
+std::optional<Warning> velocities_of_file(const System& system, const Config& config);
+
+/// A step beyond `near_stability` of the stability limit of the scheme, for the fastest degrees of
+/// freedom at the state of the system. The value is the step times their Einstein frequency.
+std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
+                                           Workers& workers = Workers::serial());
+
+/// The fastest motions of a liquid are about twice as fast as its Einstein frequency, so the limit
+/// itself would come too late.
+inline constexpr double near_stability = 0.4;
+
+/// All of the above, and those that the results of a run show (docs/manual/outputs.md, Warnings).
+std::vector<Warning> warnings(const RunSummary& summary, const System& system,
+                              const TrajectorySettings& settings, const Config& config,
+                              Workers& workers = Workers::serial());
+
+/// Those of the results alone.
+std::vector<Warning> warnings_of_results(const RunSummary& summary,
+                                         std::optional<double> temperature_wanted);
+
+/// The standard deviation of the mean temperature of runs at constant energy whose momenta were
+/// drawn, or rescaled, at a temperature T [K]: at most T/√(2n) for n degrees of freedom.
+///
+/// The kinetic energy then is that of T, the potential energy that of the configuration, with the
+/// canonical variance k_B T² C. The run shares the difference among all degrees of freedom, hence
+/// T² C k_B/(C + n k_B/2)², which is largest for C = n k_B/2, as of harmonic oscillators.
+double temperature_scatter(double temperature, double degrees_of_freedom);
+
+}  // namespace polhode

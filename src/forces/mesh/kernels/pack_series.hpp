@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Series of packs for pocketfft. Its own arrays are allocated in each call; those of packs take
+// memory that the thread keeps, so that no evaluation of forces allocates after the first.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "../../../math/pocketfft.hpp"
+#include "polhode/base/column.hpp"
+#include "polhode/base/pack.hpp"
+
+namespace polhode::POLHODE_LOOPS {
+namespace {
+
+/// An array of numbers that are not initialised. Of those in use, the last taken is returned first.
+template <class Number>
+class PackSeries {
+ public:
+  explicit PackSeries(std::size_t size) {
+    Column<std::byte>& memory = kept.at(in_use++);
+    if (memory.size() < size * sizeof(Number)) memory = Column<std::byte>(size * sizeof(Number));
+    numbers_ = reinterpret_cast<Number*>(memory.data());
+  }
+  ~PackSeries() { --in_use; }
+  PackSeries(const PackSeries&) = delete;
+  PackSeries& operator=(const PackSeries&) = delete;
+
+  Number& operator[](std::size_t i) { return numbers_[i]; }
+  Number* data() { return numbers_; }
+
+ private:
+  // For the series of a caller and the scratch space that pocketfft needs to transform it.
+  static inline thread_local std::array<Column<std::byte>, 2> kept;
+  static inline thread_local std::size_t in_use = 0;
+  Number* numbers_;
+};
+
+}  // namespace
+}  // namespace polhode::POLHODE_LOOPS
+
+namespace pocketfft::detail {
+
+template <class T>
+class arr<polhode::Pack<T>> : public polhode::POLHODE_LOOPS::PackSeries<polhode::Pack<T>> {
+  using polhode::POLHODE_LOOPS::PackSeries<polhode::Pack<T>>::PackSeries;
+};
+template <class T>
+class arr<cmplx<polhode::Pack<T>>>
+    : public polhode::POLHODE_LOOPS::PackSeries<cmplx<polhode::Pack<T>>> {
+  using polhode::POLHODE_LOOPS::PackSeries<cmplx<polhode::Pack<T>>>::PackSeries;
+};
+
+}  // namespace pocketfft::detail

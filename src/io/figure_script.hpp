@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Composes a gnuplot script: values that a template uses, the common style, the template itself.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plot_script.hpp"
+
+namespace polhode {
+
+/// A script under construction. Texts are quoted so that nothing in them is evaluated; templates
+/// contain no text of users.
+class FigureScript {
+ public:
+  /// @param width, height  in pixels; bitmaps have twice as many
+  FigureScript(const Image& image, int width, int height);
+
+  FigureScript& number(std::string_view name, double value);
+  FigureScript& text(std::string_view name, std::string_view value);
+  /// A file next to the script.
+  FigureScript& file(std::string_view name, std::string_view path);
+  /// Arrays of gnuplot, from 1; one empty element if there are none.
+  FigureScript& numbers(std::string_view name, std::span<const double> values);
+  FigureScript& texts(std::string_view name, std::span<const std::string> values);
+  /// The number of schemes, their names, colours and markers: `curves`, `name`, `colour`, `filled`,
+  /// `open`.
+  FigureScript& schemes(const std::vector<std::string>& names);
+
+  /// Begins a data block, to which rows() adds curves.
+  FigureScript& block(std::string_view name);
+  /// A curve of the data block, each on lines of its own, with a comment; gnuplot's `index` is its
+  /// number from 0.
+  FigureScript& rows(std::string_view comment, std::span<const std::vector<double>> rows);
+  FigureScript& end_block();
+
+  /// The script, with the style and the template data/plots/NAME.gp.
+  std::string with(std::string_view name) const;
+
+ private:
+  std::string text_;
+};
+
+}  // namespace polhode

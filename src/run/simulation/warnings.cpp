@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/warnings.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/integrate/stability.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/run/adviser/adviser.hpp"
+
+namespace polhode {
+namespace {
+
+/// Standard deviations beyond which a difference is no chance: two normal values of a thousand.
+constexpr double far = 3;
+/// The bounds below which nothing is wrong whatever the statistics, each relative to what the
+/// comment says.
+constexpr double min_temperature_difference = 0.01;  // the temperature wanted
+constexpr double max_ratio = 0.05;                   // R itself
+constexpr double min_drift_share = 0.5;              // R
+constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
+constexpr double min_fall = 0.02;                    // the kinetic energy
+constexpr double max_pressure_kbar = 5;
+/// p-value of the slope of the potential energy, which relaxes slowly in any liquid.
+constexpr double falling = 0.001;
+
+double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+
+std::optional<Warning> temperature_warning(const RunSummary& s, double wanted) {
+  const double n = s.degrees_of_freedom.all();
+  if (n == 0 || s.samples == 0) return std::nullopt;
+  // If the error is not known, the momentary temperature stands for the mean.
+  const double error =
+      s.temperature.known == Known::yes ? s.temperature.error : wanted * std::sqrt(2 / n);
+  const double chance = far * std::hypot(temperature_scatter(wanted, n), error);
+  const double bound = std::max(min_temperature_difference * wanted, chance);
+  const double difference = s.temperature.value - wanted;
+  if (!(std::abs(difference) > bound)) return std::nullopt;
+  return Warning{
+      "temperature", s.temperature.value, bound,
+      fmt::format("the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, and a run of a "
+                  "system of this size is within {:.2g} K of it",
+                  s.temperature.value, wanted, std::abs(difference),
+                  difference > 0 ? "too hot" : "too cold", bound),
+      "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]"};
+}
+
+std::optional<Warning> ratio_warning(const RunSummary& s) {
+  if (s.samples < min_samples_reported || !(s.ratio.value > max_ratio)) return std::nullopt;
+  return Warning{
+      "R", s.ratio.value, max_ratio,
+      fmt::format("R is {:.3g} %, above {:g} %: the total energy is conserved so badly that "
+                  "averages are biased",
+                  100 * s.ratio.value, 100 * max_ratio),
+      "take a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
+}
+
+std::optional<Warning> drift_warning(const RunSummary& s) {
+  if (!s.drift.significant() || !(s.potential_fluctuation > 0)) return std::nullopt;
+  // The rms deviation of a straight line from its mean is its rise over √12.
+  const double drifted =
+      std::abs(s.drift.rate.value) * s.length / std::sqrt(12.0) / s.potential_fluctuation;
+  const double bound = std::max(min_drift_share * s.ratio.value, min_drift_ratio);
+  if (!(drifted > bound)) return std::nullopt;
+  return Warning{
+      "drift", drifted, bound,
+      fmt::format(
+          "the total energy drifts by {:.3g} ± {:.2g} kJ/mol/ps, which alone makes R {:.2g} "
+          "% (bound: {:.2g} %)",
+          s.drift.rate.value, s.drift.rate.error, 100 * drifted, 100 * bound),
+      "take a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};
+}
+
+std::optional<Warning> relaxation_warning(const RunSummary& s) {
+  const Drift& slope = s.potential_drift;
+  const double fall = -slope.rate.value * s.length;
+  const double kinetic = s.degrees_of_freedom.all() * units::boltzmann * s.temperatures.all / 2;
+  if (slope.known != Known::yes || slope.p_value > falling || !(fall > min_fall * kinetic))
+    return std::nullopt;
+  return Warning{
+      "relaxation", fall, min_fall * kinetic,
+      fmt::format("the potential energy still falls: by {:.3g} kJ/mol in this run, {:.2g} % of the "
+                  "kinetic energy (bound: {:g} %; p-value {:.2g}), so averages are not those of "
+                  "equilibrium",
+                  fall, 100 * fall / kinetic, 100 * min_fall, slope.p_value),
+      "equilibrate longer, and begin again from the final state of this run"};
+}
+
+std::optional<Warning> pressure_warning(const RunSummary& s) {
+  const double pressure = in_bar(s.pressure.value) / 1000, bound = max_pressure_kbar;  // [kbar]
+  const double error = s.pressure.known == Known::yes ? in_bar(s.pressure.error) / 1000 : 0;
+  if (s.samples < min_samples_reported || !(std::abs(pressure) - far * error > bound))
+    return std::nullopt;
+  return Warning{
+      "pressure", pressure, bound,
+      fmt::format("the mean pressure is {:.3g} kbar, beyond ± {:g} kbar: {}", pressure, bound,
+                  pressure > 0 ? "liquids at ordinary temperatures are compressed by a sixth there"
+                               : "liquids tear long before"),
+      pressure > 0 ? "take a lower density, or equilibrate if molecules still overlap"
+                   : "take a higher density"};
+}
+
+bool is_plain(Electrostatics electrostatics) {
+  return electrostatics == Electrostatics::coulomb ||
+         electrostatics == Electrostatics::reaction_field;
+}
+
+}  // namespace
+
+std::string line_of(const Warning& warning) {
+  return fmt::format("warning: {}; {}", warning.text, warning.remedy);
+}
+
+double temperature_scatter(double temperature, double degrees_of_freedom) {
+  return temperature / std::sqrt(2 * degrees_of_freedom);
+}
+
+std::optional<Warning> cutoff_of_ions(const System& system) {
+  if (!is_plain(system.forces.electrostatics)) return std::nullopt;
+  const Molecule* ion = nullptr;
+  constexpr double neutral = 1e-6;  // [e], of the decimals of charges
+  for (const auto& part : system.topology.parts)
+    if (part.count > 0 && std::abs(part.molecule.charge()) > neutral &&
+        (!ion || std::abs(part.molecule.charge()) > std::abs(ion->charge())))
+      ion = &part.molecule;
+  if (!ion || system.topology.size() < 2) return std::nullopt;
+  return Warning{
+      "ions", ion->charge(), neutral,
+      fmt::format("'{}' has a charge of {:+.3g} e, and {} between ions are cut off at {:g} nm, "
+                  "where they are still strong: ions gather at that distance",
+                  ion->name, ion->charge(),
+                  system.forces.electrostatics == Electrostatics::coulomb
+                      ? "Coulomb forces"
+                      : "the forces of a reaction field",
+                  system.forces.cutoff),
+      "write electrostatics = \"pme\" in [forces]"};
+}
+
+std::optional<Warning> velocities_of_file(const System& system, const Config& config) {
+  const double n = degrees_of_freedom(system.topology).all();
+  if (system.new_velocities || !config.system.temperature_given || config.run.equilibrate > 0 ||
+      n == 0)
+    return std::nullopt;
+  constexpr double far_from_canonical = 4;
+  const double wanted = config.system.temperature;
+  const double bound = far_from_canonical * wanted * std::sqrt(2 / n);
+  if (!(std::abs(system.file_temperature - wanted) > bound)) return std::nullopt;
+  return Warning{
+      "velocities", system.file_temperature, bound,
+      fmt::format(
+          "the velocities of the initial configuration have {:.4g} K, and the run file asks "
+          "for {:g} K (they differ by more than the {:.2g} K of chance)",
+          system.file_temperature, wanted, bound),
+      "write velocities = \"new\" in [system], or equilibrate"};
+}
+
+std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
+                                           Workers& workers) {
+  if (settings.inner || degrees_of_freedom(system.topology).all() == 0) return std::nullopt;
+  const double reached = settings.step * einstein_frequency(system, workers);
+  const double bound = near_stability * stability_limit(settings.scheme);
+  if (!(reached > bound)) return std::nullopt;
+  return Warning{
+      "step", reached, bound,
+      fmt::format("the step of {:g} fs is near the end of stability of {}: times the frequency of "
+                  "the fastest motions it is {:.2g}, above {:.2g}",
+                  settings.step * units::fs_per_ps, name_of({settings.scheme, settings.inner}),
+                  reached, bound),
+      fmt::format("take at most {:.2g} fs", settings.step * units::fs_per_ps * bound / reached)};
+}
+
+std::vector<Warning> warnings_of_results(const RunSummary& s,
+                                         std::optional<double> temperature_wanted) {
+  std::vector<Warning> all;
+  const auto add = [&](const std::optional<Warning>& warning) {
+    if (warning) all.push_back(*warning);
+  };
+  if (temperature_wanted) add(temperature_warning(s, *temperature_wanted));
+  add(ratio_warning(s));
+  add(drift_warning(s));
+  add(relaxation_warning(s));
+  add(pressure_warning(s));
+  return all;
+}
+
+std::vector<Warning> warnings(const RunSummary& s, const System& system,
+                              const TrajectorySettings& settings, const Config& config,
+                              Workers& workers) {
+  // The velocities of a file may have any temperature, unless the run file asks for one.
+  const bool any_temperature =
+      !system.new_velocities && !config.system.temperature_given && config.run.equilibrate == 0;
+  std::vector<Warning> all = warnings_of_results(
+      s, any_temperature ? std::nullopt : std::optional(config.system.temperature));
+  for (const auto& warning : {step_near_stability(system, settings, workers),
+                              cutoff_of_ions(system), velocities_of_file(system, config)})
+    if (warning) all.push_back(*warning);
+  return all;
+}
+
+}  // namespace polhode

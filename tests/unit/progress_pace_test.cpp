@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/progress_pace.hpp"
+
+#include <doctest/doctest.h>
+
+namespace polhode {
+
+TEST_CASE("a log has a line at each tenth of a job") {
+  ProgressPace pace;
+  int lines = 0;
+  for (int percent = 0; percent <= 100; ++percent)
+    if (pace.due(percent / 100.0, 5.0 * percent)) {
+      CHECK(percent % 10 == 0);
+      ++lines;
+    }
+  CHECK(lines == 10);
+}
+
+TEST_CASE("a slow job has a line each minute") {
+  for (const bool known : {true, false}) {
+    ProgressPace pace;
+    int lines = 0;
+    for (int second = 0; second <= 600; ++second)  // 10 minutes, in which 5 % of the work is done
+      lines += pace.due(known ? std::optional(second / 12000.0) : std::nullopt, second) ? 1 : 0;
+    CHECK(lines == 10);
+  }
+}
+
+TEST_CASE("a job of less than a second has no line in a log") {
+  ProgressPace pace;
+  for (int percent = 0; percent <= 100; ++percent)
+    CHECK(!pace.due(percent / 100.0, 0.009 * percent));
+}
+
+}  // namespace polhode

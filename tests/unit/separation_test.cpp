@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/separation.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+#include "polhode/base/error.hpp"
+#include "polhode/forces/pairs/overlap.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/run/simulation/contact.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
+
+using namespace polhode;
+
+namespace {
+
+Config benzene(const std::string& density, const std::string& cutoff, int seed) {
+  return parse_config(R"([system]
+molecules = [{ model = "benzene", count = 40 }]
+temperature = "300 K"
+density = ")" + density +
+                          "\"\nseed = " + std::to_string(seed) + R"(
+[forces]
+cutoff = ")" + cutoff + R"("
+[run]
+equilibrate = "1 ps"
+)",
+                      "benzene.toml");
+}
+
+bool overlaps(const System& system) {
+  try {
+    check_overlap(system.topology, system.state);
+    return false;
+  } catch (const Error&) {
+    return true;
+  }
+}
+
+double kinetic_temperature(const System& system) {
+  return temperature(energies(system.state, system.bodies, Load{}).kinetic(),
+                     degrees_of_freedom(system.topology).all());
+}
+
+}  // namespace
+
+TEST_CASE("a lattice of benzene at the density of the liquid is moved apart and equilibrates") {
+  int overlapping = 0;
+  for (int seed = 1; seed <= 3; ++seed) {
+    CAPTURE(seed);
+    const Config config = benzene("0.876 g/cm3", "0.8 nm", seed);
+    System system = build_system(config);
+    if (overlaps(system)) ++overlapping;
+    CHECK(separate_molecules(system) > 0);
+    CHECK(!overlaps(system));
+    CHECK(separate_molecules(system) == 0);  // it stays so
+    ForceField forces(system.topology, system.forces, system.state.box);
+    CHECK(equilibrate(system, forces, 0.2));
+    CHECK(kinetic_temperature(system) == doctest::Approx(300));
+  }
+  CHECK(overlapping > 0);
+}
+
+TEST_CASE("no move is longer than the cap, and momenta stay") {
+  System system = build_system(benzene("0.876 g/cm3", "0.8 nm", 1));
+  const State before = system.state;
+  int steps = 0;
+  separate_molecules(system, [&] { return ++steps > 1; });
+  double farthest = 0;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    farthest = std::max(farthest, norm(system.state.q[i] - before.q[i]));
+    CHECK(norm(system.state.p[i] - before.p[i]) == 0);
+    CHECK(norm(system.state.ell[i] - before.ell[i]) == 0);
+  }
+  CHECK(farthest == doctest::Approx(max_separation_move));  // and it was reached
+}
+
+TEST_CASE("a liquid stays as it is") {
+  System water = build_system(default_config());
+  const State before = water.state;
+  CHECK(separate_molecules(water) == 0);
+  for (std::size_t i = 0; i < before.size(); ++i) CHECK(norm(water.state.q[i] - before.q[i]) == 0);
+}
+
+TEST_CASE("at several times the density of the liquid the error names two molecules") {
+  System system = build_system(benzene("4 g/cm3", "0.5 nm", 1));
+  try {
+    separate_molecules(system);
+    FAIL("no error");
+  } catch (const RunError& e) {
+    const std::string text = e.what();
+    for (const char* part : {"still overlap", "(benzene)", "nm apart", "take a lower density"})
+      CHECK(text.find(part) != std::string::npos);
+  }
+}
+
+TEST_CASE("the strongest contact names molecules, kinds, sites and their distance") {
+  const Config config = parse_config(R"([system]
+molecules = [{ model = "argon", count = 20 }, { model = "co2", count = 10 }]
+density = "0.5 g/cm3"
+[forces]
+cutoff = "0.5 nm"
+)",
+                                     "run.toml");
+  System system = build_system(config);
+  const Vec3<double> carbon = system.state.q[25];
+  const Vec3<double> box = system.state.box.edge;
+  system.state.q.set(7, carbon + Vec3<double>{0, 0, box.z});  // of another image, and
+  system.state.attitude.set(25, {1, 0, 0, 0});                // the axis is along x
+  system.state.q.add(7, {0.03, 0.04, 0});
+  const std::string text = strongest_contact(system, system.state);
+  CAPTURE(text);
+  CHECK(text.find("8 (argon)") != std::string::npos);
+  CHECK(text.find("26 (co2)") != std::string::npos);
+  CHECK(text.find("0.0500 nm apart") != std::string::npos);
+  system.state.q.set(7, {std::nan(""), 0, 0});
+  CHECK(strongest_contact(system, system.state).empty());
+}

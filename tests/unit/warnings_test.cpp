@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/warnings.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "folder.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/run/simulation/simulation.hpp"
+
+using namespace polhode;
+
+namespace {
+
+/// A run of 64 waters for 10 ps without anything to object to.
+RunSummary good() {
+  RunSummary s;
+  s.length = 10;
+  s.samples = 1000;
+  s.ratio = {0.005, 0.0002, Known::yes};
+  s.potential_fluctuation = 20;
+  s.drift = {{0.001, 0.001}, 0.3, Known::yes};
+  s.potential_drift = {{-0.1, 0.2}, 0.6, Known::yes};
+  s.degrees_of_freedom = {189, {64, 64, 64}};
+  s.temperatures.all = 300;
+  s.temperature = {300, 1, Known::yes};
+  s.pressure = {0, 1, Known::yes};
+  return s;
+}
+
+std::string kinds(const RunSummary& s, std::optional<double> wanted = 300) {
+  std::string all;
+  for (const Warning& w : warnings_of_results(s, wanted)) {
+    CHECK(!w.text.empty());
+    CHECK(!w.remedy.empty());
+    CHECK(std::abs(w.value) > 0);
+    CHECK(w.bound > 0);
+    all += w.kind + " ";
+  }
+  return all;
+}
+
+System system_of(const std::string& text) { return build_system(parse_config(text, "run.toml")); }
+
+std::string salt(const std::string& electrostatics) {
+  return R"([system]
+molecules = [{ model = "spce", count = 20 }, { model = "na-spce", count = 1 },
+             { model = "cl-spce", count = 1 }]
+density = "0.5 g/cm3"
+[forces]
+cutoff = "0.5 nm"
+electrostatics = ")" +
+         electrostatics + "\"\n";
+}
+
+}  // namespace
+
+TEST_CASE("a run without anything to object to has no warnings") { CHECK(kinds(good()).empty()); }
+
+TEST_CASE("a mean temperature beyond three standard deviations is a warning") {
+  RunSummary s = good();
+  const double sd = std::hypot(300 / std::sqrt(2 * 381.0), 1);  // of runs from drawn momenta; error
+  s.temperature.value = 300 + 2.9 * sd;
+  CHECK(kinds(s).empty());
+  s.temperature.value = 300 + 3.1 * sd;
+  CHECK(kinds(s) == "temperature ");
+  CHECK(kinds(s, std::nullopt).empty());
+  s.temperature.value = 300 - 3.1 * sd;
+  CHECK(kinds(s) == "temperature ");
+  // Of a large system, less than 1 % is nothing to object to.
+  s.degrees_of_freedom = {3e6, {1e6, 1e6, 1e6}};
+  s.temperature = {302.9, 0.01, Known::yes};
+  CHECK(kinds(s).empty());
+  s.temperature.value = 303.1;
+  CHECK(kinds(s) == "temperature ");
+}
+
+TEST_CASE("without an error, the momentary scatter of the temperature counts") {
+  RunSummary s = good();
+  s.temperature = {300 + 3.1 * 300 * std::hypot(1 / std::sqrt(762.0), 0), 0, Known::too_short};
+  CHECK(kinds(s).empty());
+  s.temperature.value = 300 + 3.1 * 300 * std::sqrt(1 / 762.0 + 2 / 381.0);
+  CHECK(kinds(s) == "temperature ");
+}
+
+TEST_CASE("R above 5 % is a warning") {
+  RunSummary s = good();
+  s.ratio.value = 0.049;
+  CHECK(kinds(s).empty());
+  s.ratio.value = 0.31;
+  CHECK(kinds(s) == "R ");
+  s.ratio.value = std::nan("");
+  CHECK(kinds(s).empty());
+}
+
+TEST_CASE("a drift is a warning if it is significant and makes up half of R") {
+  RunSummary s = good();
+  // A line that rises by √12 times R of the potential fluctuation makes the whole of R.
+  const double whole = s.ratio.value * s.potential_fluctuation * std::sqrt(12.0) / s.length;
+  s.drift = {{0.6 * whole, 0.01 * whole}, 1e-6, Known::yes};
+  CHECK(kinds(s) == "drift ");
+  s.drift.p_value = 0.02;
+  CHECK(kinds(s).empty());
+  s.drift = {{0.4 * whole, 0.01 * whole}, 1e-6, Known::yes};
+  CHECK(kinds(s).empty());
+  // 0.1 % of the fluctuation of the potential energy is nothing to object to, however small R is.
+  s.ratio.value = 1e-5;
+  s.drift.rate.value = 0.9e-3 * s.potential_fluctuation * std::sqrt(12.0) / s.length;
+  CHECK(kinds(s).empty());
+  s.drift.rate.value = -1.1e-3 * s.potential_fluctuation * std::sqrt(12.0) / s.length;
+  CHECK(kinds(s) == "drift ");
+}
+
+TEST_CASE("a potential energy that still falls is a warning, one that rises is not") {
+  RunSummary s = good();
+  const double kinetic = 381 * 0.00831446 * 300 / 2;
+  s.potential_drift = {{-0.021 * kinetic / s.length, 0.1}, 1e-5, Known::yes};
+  CHECK(kinds(s) == "relaxation ");
+  s.potential_drift.p_value = 0.01;
+  CHECK(kinds(s).empty());
+  s.potential_drift = {{-0.019 * kinetic / s.length, 0.1}, 1e-5, Known::yes};
+  CHECK(kinds(s).empty());
+  s.potential_drift = {{0.1 * kinetic / s.length, 0.1}, 1e-5, Known::yes};
+  CHECK(kinds(s).empty());
+}
+
+TEST_CASE("a pressure beyond 5 kbar is a warning") {
+  RunSummary s = good();
+  const double kbar = 1000 * unit("bar", Dimension::pressure);
+  for (const double sign : {1.0, -1.0}) {
+    s.pressure = {sign * 5.2 * kbar, 0.1 * kbar, Known::yes};
+    CHECK(kinds(s).empty());  // less than three errors above
+    s.pressure = {sign * 5.4 * kbar, 0.1 * kbar, Known::yes};
+    CHECK(kinds(s) == "pressure ");
+  }
+}
+
+TEST_CASE("ions with a truncated Coulomb law or a reaction field are a warning") {
+  for (const char* bad : {"coulomb", "reaction-field"}) {
+    const auto warning = cutoff_of_ions(system_of(salt(bad)));
+    REQUIRE(warning);
+    CHECK(std::abs(warning->value) == doctest::Approx(1));
+    CHECK(warning->text.find("0.5 nm") != std::string::npos);
+    CHECK(warning->remedy.find("pme") != std::string::npos);
+  }
+  CHECK(!cutoff_of_ions(system_of(salt("pme"))));
+  CHECK(
+      !cutoff_of_ions(system_of("[system]\nmolecules = [{ model = \"spce\", count = 20 }]\n"
+                                "density = \"0.5 g/cm3\"\n[forces]\ncutoff = \"0.4 nm\"\n")));
+}
+
+TEST_CASE("a step near the stability limit is a warning") {
+  const std::string text = R"([system]
+initial_configuration = "w512"
+molecules = [{ model = "tip4p" }]
+)";
+  const Config config = parse_config(text, "run.toml");
+  const System system = build_system(config);
+  TrajectorySettings settings = trajectory_settings(config);
+  settings.scheme = scheme_of("velocity-verlet");
+  settings.step = 0.002;
+  CHECK(!step_near_stability(system, settings));
+  settings.step = 0.008;  // R is 31 %
+  const auto warning = step_near_stability(system, settings);
+  REQUIRE(warning);
+  CHECK(warning->text.find("8 fs") != std::string::npos);
+  CHECK(warning->bound == doctest::Approx(near_stability * 2).epsilon(1e-3));
+}
+
+TEST_CASE("velocities of a file: kept, reported, compared with the temperature, or new ones") {
+  const Folder folder;
+  const std::string keys = R"(
+molecules = [{ model = "argon", count = 32 }]
+[forces]
+cutoff = "0.6 nm"
+[run]
+length = "0.02 ps"
+[output]
+plot = "none"
+trajectory_every = "0 ps"
+prefix = ")" + (folder / "out") +
+                           "\"\n";
+  const auto config = [&](const std::string& first) {
+    return parse_config("[system]\n" + first + keys, "run.toml");
+  };
+  const std::string hot = "density = \"0.9 g/cm3\"\ntemperature = \"300 K\"";
+  Simulation(config(hot)).run();
+  const std::string file = "initial_configuration = \"" + (folder / "out-final.gro") + "\"\n";
+  const auto notes = [&](const std::string& first) {
+    std::string all;
+    Callbacks callbacks;
+    callbacks.message = [&](const std::string& line) { all += line + "\n"; };
+    Simulation(config(file + first)).run({.existing = ExistingFiles::replace}, callbacks);
+    return all;
+  };
+  const auto has = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  CHECK(!has(notes(""), "velocities"));  // nothing is ignored
+  Simulation(config(hot)).run({.existing = ExistingFiles::replace});
+  const std::string contradicted = notes("temperature = \"90 K\"\nseed = 3");
+  CHECK(has(contradicted, "temperature and seed are not used"));
+  CHECK(has(contradicted, "warning: the velocities of the initial configuration have"));
+  Simulation(config(hot)).run({.existing = ExistingFiles::replace});
+  CHECK(!has(notes("temperature = \"310 K\""), "warning: the velocities"));  // within chance
+  const std::string fresh = "velocities = \"new\"\ntemperature = \"90 K\"";
+  Simulation(config(hot)).run({.existing = ExistingFiles::replace});
+  CHECK(!has(notes(fresh), "velocities"));
+  Simulation(config(hot)).run({.existing = ExistingFiles::replace});
+  const Simulation drawn(config(file + fresh));
+  const Energies now = drawn.energies();
+  CHECK(temperature(now.kinetic(), degrees_of_freedom(drawn.system().topology).all()) ==
+        doctest::Approx(90));
+}
