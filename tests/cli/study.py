@@ -79,6 +79,10 @@ class Study(Sandbox):
         (stages,), _ = self.points("--output", "stages", "--schemes", mine[6:])
         self.assertEqual({**stages, "scheme": "mine"}, point)
         self.assertTrue(stages["scheme"].startswith("B(0.16666"), stages["scheme"])
+        # A table of the run file gives the name as well.
+        self.write("table.toml", edited(SMALL, ("velocity-verlet", "mine"), ("[study]", f'[schemes]\nmine = "{mine[6:]}"\n\n[study]')))
+        process = self.polhode("study", "table.toml", "--json", "--output", "table")
+        self.assertEqual(json.loads(process.out)["points"], [point], process.err)
         (other,), _ = self.points("--schemes", mine.replace("1/6", "1/5"))
         self.assertEqual((other["scheme"], other["runs"]), ("mine", 2))
         self.assertNotEqual(other["R"], point["R"])
