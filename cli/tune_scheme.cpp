@@ -75,9 +75,8 @@ Action tune_scheme_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
   app.add_option("--scheme", o->scheme,
-                 "stages with one or two free parameters, \"free x = 0.2; B(x) A(1/2) B(1-2*x) "
-                 "A(1/2) B(x)\"; default: the "
-                 "run file's scheme if it has any, otherwise the families of hoa2 and gier4");
+                 "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; default: the run "
+                 "file's if it has any, or else the families of hoa2 and gier4");
   app.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
   app.add_option("--runs", o->runs,
                  "number of runs for the measurement, and again for the confirmation")

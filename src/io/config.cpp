@@ -33,6 +33,7 @@ Config parse_config(std::string_view text, const std::string& file) {
   auto system = table.table("system");
   auto forces = table.table("forces");
   auto pairs = table.tables("pair");
+  auto schemes = table.table("schemes");
   auto integrator = table.table("integrator");
   auto run = table.table("run");
   auto output = table.table("output");
@@ -55,10 +56,11 @@ Config parse_config(std::string_view text, const std::string& file) {
     config.cutoff_place = forces->where("cutoff");
   }
   if (pairs) read_pairs(*pairs, config.system, file, config.forces.mixing);
-  if (integrator) read_integrator(*integrator, config.integrator);
+  const OwnSchemes own = schemes ? read_schemes(*schemes) : OwnSchemes{};
+  if (integrator) read_integrator(*integrator, config.integrator, own);
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);
-  if (study) read_study(*study, config.study);
+  if (study) read_study(*study, config.study, own);
   set_precision(config, config.forces.precision);
   return config;
 }

@@ -22,10 +22,14 @@ void check_scheme(const std::string& scheme, std::string_view key, const TomlTab
 }
 
 // A list of schemes, if the key exists.
-void take_schemes(TomlTable& table, std::string_view key, std::vector<std::string>& schemes) {
+void take_schemes(TomlTable& table, std::string_view key, std::vector<std::string>& schemes,
+                  const OwnSchemes& own) {
   take(schemes, table.texts(key));
   table.require(!schemes.empty(), key, "must name at least one scheme");
-  for (const std::string& scheme : schemes) check_scheme(scheme, key, table);
+  for (std::string& scheme : schemes) {
+    scheme = with_own_schemes(scheme, own);
+    check_scheme(scheme, key, table);
+  }
 }
 
 constexpr auto must_be_accuracy =
@@ -43,10 +47,11 @@ constexpr auto must_be_time = "must be 0 ps or longer, and 1e6 us (one second) a
 
 }  // namespace
 
-void read_integrator(TomlTable table, IntegratorSettings& integrator) {
+void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own) {
   integrator.scheme_given = table.has("scheme");
   take(integrator.scheme, table.text("scheme"));
   table.require(!integrator.scheme.empty(), "scheme", "must name a scheme, for example \"hoa2\"");
+  integrator.scheme = with_own_schemes(integrator.scheme, own);
   check_scheme(integrator.scheme, "scheme", table);
   take_time(table, "step", integrator.step, "2 fs");
   table.require(integrator.step > 0, "step", "must be longer than 0 fs");
@@ -55,7 +60,7 @@ void read_integrator(TomlTable table, IntegratorSettings& integrator) {
                 "accuracy", must_be_accuracy);
   table.require(!integrator.accuracy || !table.has("step"), "accuracy",
                 "cannot be combined with a step, which it chooses itself; leave one out");
-  take_schemes(table, "candidates", integrator.candidates);
+  take_schemes(table, "candidates", integrator.candidates, own);
   integrator.lambda_given = table.has("lambda");
   if (integrator.lambda_given) integrator.lambda_place = table.where("lambda");
   take(integrator.lambda, table.number("lambda"));
@@ -102,8 +107,8 @@ void read_output(TomlTable table, OutputSettings& output) {
   table.refuse_unknown();
 }
 
-void read_study(TomlTable table, StudySettings& study) {
-  take_schemes(table, "schemes", study.schemes);
+void read_study(TomlTable table, StudySettings& study, const OwnSchemes& own) {
+  take_schemes(table, "schemes", study.schemes, own);
   for (const std::string& text : table.texts("steps").value_or(std::vector<std::string>{})) {
     try {
       study.steps.push_back(quantity(text, Dimension::time, "steps", "2 fs"));

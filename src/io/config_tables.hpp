@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,10 +23,16 @@ void read_forces(TomlTable table, ForceSettings& forces);
 /// The tables [[pair]]; the names of sites are checked against the molecules.
 void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,
                 const std::string& file, Mixing& mixing);
-void read_integrator(TomlTable table, IntegratorSettings& integrator);
+/// The texts of the schemes in the table [schemes], by name, as "mine: B(1/2) A(1) B(1/2)".
+using OwnSchemes = std::map<std::string, std::string, std::less<>>;
+OwnSchemes read_schemes(TomlTable table);
+/// A name of one of them, alone or on either side of a slash, replaced by its text.
+std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
+
+void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own);
 void read_run(TomlTable table, RunSettings& run);
 void read_output(TomlTable table, OutputSettings& output);
-void read_study(TomlTable table, StudySettings& study);
+void read_study(TomlTable table, StudySettings& study, const OwnSchemes& own);
 
 template <class T>
 void take(T& value, const std::optional<T>& found) {

@@ -55,10 +55,11 @@ const Format& format_named(std::string_view extension, const std::string& file) 
   if (format != formats.end()) return *format;
   std::vector<std::string> known;
   for (const Format& f : formats) known.emplace_back(f.extension);
-  throw Error(
-      fmt::format("'{}' has no known extension{}; there are: {}; a LAMMPS data file is "
-                  "read under a name that ends in .data or .lmp",
-                  file, did_you_mean(std::string(extension), known), join_names(known)));
+  const auto near = nearest_name(extension, known);
+  throw Error(fmt::format(
+      "'{}' has no known extension{}; there are: {}; a LAMMPS data file is read under a name that "
+      "ends in .data or .lmp",
+      file, near ? fmt::format(" (did you mean '{}'?)", *near) : "", join_names(known)));
 }
 
 const Format& writable_format(const std::string& path) {

@@ -97,9 +97,10 @@ Molecule read_molecule(const std::string& name_or_path) {
   if (const auto text = embedded_text(path)) return parse_molecule(*text, path);
   const auto names = molecule_names();
   const auto near = did_you_mean(name_or_path, names);
-  throw Error(fmt::format(
-      "there is no molecule '{}'{} (there are: {}; a path to your own file ends in .toml)",
-      name_or_path, near, join_names(names)));
+  throw Error(
+      fmt::format("there is no molecule '{}'{} ('polhode molecules' lists all of them; the "
+                  "path of a file of your own ends in .toml)",
+                  name_or_path, near));
 }
 
 }  // namespace polhode

@@ -23,6 +23,8 @@ class TomlTable {
   TomlTable(const toml::table& table, std::string file, std::string path = {})
       : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
 
+  /// The names of all keys.
+  std::vector<std::string> keys() const;
   bool has(std::string_view key) { return find(key) != nullptr; }
 
   // The value of a key, if it exists.

@@ -42,15 +42,17 @@ CASES = [
     ("a run file that does not exist", "", ("run", "nowhere.toml"), ["nowhere.toml"]),
     ("a time without a unit on the command line", SMALL, ("tune-scheme", "run.toml", "--step", "2"),
      ["--step", "2", "no unit", '"2 fs"']),
-    ("a viscosity without a unit", SMALL, ("analyze", "out.xtc", "--viscosity", "0.855"),
+    ("a viscosity without a unit", SMALL, ("analyze", "out.xtc", "--run", "run.toml", "--viscosity", "0.855"),
      ["--viscosity", '"0.855"', "no unit", '"0.855 mPa s"']),
     # names
-    ("a model in capitals", WATER.replace("tip4p", "TIP4P"), RUN, ["'TIP4P'", "did you mean 'tip4p'", "run.toml:2"]),
+    ("a model in capitals", WATER.replace("tip4p", "TIP4P"), RUN, ["'TIP4P'", "did you mean 'tip4p'", "polhode molecules", "run.toml:2"]),
     ("a model with a slash", WATER.replace("tip4p", "SPC/E"), RUN, ["'SPC/E'", "did you mean 'spce'", "run.toml:2"]),
     ("a model with a year", WATER.replace("tip4p", "TIP4P/2005"), RUN, ["'TIP4P/2005'", "did you mean 'tip4p-2005'"]),
     ("a scheme in capitals", scheme("GIER4"), RUN, ["'GIER4'", "did you mean 'gier4'", "integrator.scheme"]),
     ("a key with a typing error", system(("cutoff =", "cutof =")), RUN, ["'cutof'", "did you mean 'cutoff'", "run.toml:7"]),
     ("a key of another program", system(("[run]", "[run]\nnsteps = 1000")), RUN, ["'nsteps'", "run.toml:14"]),
+    ("a pressure in a table that has none", system(('"100 K"', '"100 K"\npressure = "1 bar"')), RUN,
+     ["'pressure'", "there are: ", "temperature", "run.toml:5"]),
     ("a key that occurs twice", system(('step = "2 fs"', 'step = "2 fs"\nstep = "4 fs"')), RUN,
      ["'step' occurs twice", "delete one", "run.toml:12"]),
     ("a name of version 0.1", system(('box = "2.5 nm"', 'start = "w512"')), RUN, ["'initial_configuration' since version 0.2"]),
@@ -106,6 +108,8 @@ class WrongInputs(Sandbox):
                 self.assertTrue(first.startswith("error: "), first)
                 self.assertFalse(first.endswith("."), first)
                 self.assertTrue(len(rest) == 0 or rest[0].startswith("  in   "), rest)
+                names = first.partition("there are: ")[2].split(", ")
+                self.assertEqual(len(names), len(set(names)), "a name is listed twice")
                 for word in ("invalid", "illegal", "failed", "please", "00000000"):
                     self.assertNotIn(word, message.lower())
 

@@ -236,6 +236,22 @@ TEST_CASE("the damped shifted force has a damping, and a site switch for Lennard
   check_text(law + "pme_accuracy = 1e-4", {"no meaning without electrostatics = \"pme\""});
 }
 
+TEST_CASE("a table of own schemes gives names to texts") {
+  const std::string own = system_table + "[schemes]\nmine = \"b = 1/2; B(b) A(1) B(b)\"\n";
+  const auto scheme = [&](const std::string& text) {
+    return parse_config(own + "[integrator]\nscheme = \"" + text + "\"\n", "x").integrator.scheme;
+  };
+  CHECK(scheme("mine") == "mine: b = 1/2; B(b) A(1) B(b)");
+  CHECK(scheme("hoa2") == "hoa2");
+  CHECK(scheme("mine / mine x 2 within 0.5 nm") ==
+        "mine: b = 1/2; B(b) A(1) B(b) / mine: b = 1/2; B(b) A(1) B(b) x 2 within 0.5 nm");
+  CHECK(parse_config(own + "[study]\nschemes = [\"hoa2\", \"mine\"]\n", "x").study.schemes[1] ==
+        "mine: b = 1/2; B(b) A(1) B(b)");
+  check_text("[schemes]\nmine = \"B(1/2) A(1)\"", {"sum to 1", "schemes.mine"});
+  check_text("[schemes]\nhoa2 = \"B(1) A(1)\"", {"built-in scheme", "schemes.hoa2"});
+  check_text("[schemes]\nmine = 1", {"text in quotes", "schemes.mine"});
+}
+
 TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
   const ForceSettings pme =
       parse_config(system_table + "[forces]\nelectrostatics = \"pme\"\npme_accuracy = 1e-5\n", "x")

@@ -202,6 +202,7 @@ TEST_CASE("a scheme of one's own has a name, an order and free parameters") {
   CHECK(mine.order() == 2);
   CHECK(scheme_of("B(1/6) A(1/2) B(2/3, 1/48) A(1/2) B(1/6)").order() == 0);
   CHECK(scheme_of("A(1) B(1)").order() == 0);
+  CHECK(scheme_of("B(0.16667) A(1/2) B(0.66666, 0.02083) A(1/2) B(0.16667)").order() == 0);
 
   const char* text = "free b = 0.2; c = 1 - 2*b; free x = 1/48; B(b) A(1/2) B(c, x) A(1/2) B(b)";
   const std::vector<FreeParameter> free = free_parameters(text);

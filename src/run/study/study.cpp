@@ -86,15 +86,15 @@ StudyRun one_run(const System& start, std::size_t index, const StudyPoint& point
 // Records identify runs by scheme and step, so each must be unique.
 void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   for (const StudyPoint& other : points)
-    if (other.name == point.name && same(other.step, point.step))
+    if (other.name == point.name && other.record_name() != point.record_name())
+      throw Error(
+          fmt::format("the study has two schemes with the name '{}'; tables tell schemes by their "
+                      "names, so give one of them another name",
+                      point.name));
+    else if (other.name == point.name && same(other.step, point.step))
       throw Error(fmt::format(
           "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
           point.name, units::fs_per_ps * point.step));
-    else if (other.name == point.name && other.record_name() != point.record_name())
-      throw Error(fmt::format(
-          "the study has two schemes with the name '{}'; tables tell schemes by their names, so "
-          "give each another one",
-          point.name));
   points.push_back(point);
 }
 
