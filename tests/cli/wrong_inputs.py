@@ -35,10 +35,10 @@ def scheme(text):
 CASES = [
     # the command line
     ("a verb with a typing error", "", ("rn", "run.toml"), ["rn", "'run'"]),
-    ("a verb without its argument", "", ("verify",), ["SCHEME is required", "polhode verify --help"]),
-    ("a conversion without files", "", ("convert",), ["IN is required", "polhode convert --help"]),
-    ("an analysis without a trajectory", "", ("analyze",), ["TRAJECTORY", "required", "polhode analyze --help"]),
-    ("an option that does not exist", SMALL, (*RUN, "--steps", "2"), ["--steps", "polhode run --help"]),
+    ("a verb without its argument", "", ("verify",), ["SCHEME is required", "polhode help verify"]),
+    ("a conversion without files", "", ("convert",), ["IN is required", "polhode help convert"]),
+    ("an analysis without a trajectory", "", ("analyze",), ["TRAJECTORY", "required", "polhode help analyze"]),
+    ("an option that does not exist", SMALL, (*RUN, "--steps", "2"), ["--steps", "--length", "polhode help run"]),
     ("a run file that does not exist", "", ("run", "nowhere.toml"), ["nowhere.toml"]),
     ("a time without a unit on the command line", SMALL, ("tune-scheme", "run.toml", "--step", "2"),
      ["--step", "2", "no unit", '"2 fs"']),
