@@ -56,10 +56,12 @@ Config read_config_option(const std::string& file, const std::string& precision)
 void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed) {
   if (!temperature.empty()) {
     config.system.temperature = quantity(temperature, Dimension::temperature, "--temperature");
+    config.system.temperature_given = true;
     if (!(config.system.temperature > 0))
       throw Error(fmt::format("--temperature = \"{}\" must be above 0 K", temperature));
   }
   if (seed.empty()) return;
+  config.system.seed_given = true;
   const char* const end = seed.data() + seed.size();
   const auto [last, status] = std::from_chars(seed.data(), end, config.system.seed);
   if (status != std::errc() || last != end)

@@ -80,6 +80,17 @@ class Warnings(Sandbox):
         self.assertEqual(warnings, {})
         self.assertNotIn("WARNING", out + notes)
 
+    def test_a_temperature_on_the_line_is_for_new_velocities(self):
+        self.done("run", DEFAULT, "--length", "20 fs", "--output", "before")
+        kept = edited(DEFAULT, ('"w512"', '"before-final.gro"'))
+        _, warnings, notes = self.both(kept, "--length", "20 fs", "--temperature", "500 K", "--seed", "3")
+        self.assertIn("temperature and seed are not used", notes)
+        self.assertIn("warning: the velocities of the initial configuration have", notes)
+        self.assertIn("velocities of the initial configuration were kept", warnings["temperature"]["remedy"])
+        fresh = edited(kept, ("molecules =", 'velocities = "new"\nmolecules ='))
+        _, warnings, notes = self.both(fresh, "--length", "20 fs", "--temperature", "300 K", "--seed", "3")
+        self.assertNotIn("velocities", notes)
+
     def test_a_step_that_is_too_long(self):
         out, warnings, notes = self.both(DEFAULT, "--scheme", "velocity-verlet", "--step", "8 fs")
         self.assertLessEqual({"R", "step"}, set(warnings))
