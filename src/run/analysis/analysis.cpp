@@ -81,7 +81,8 @@ class Assembly {
     result_.density = requested(Observable::density);
     if (requested(Observable::rdf)) begin_radial();
     if (requested(Observable::dielectric)) begin_dipole();
-    if (!(requested(Observable::msd) || requested(Observable::rotation) || requested(Observable::velocity)))
+    if (!(requested(Observable::msd) || requested(Observable::rotation) ||
+          requested(Observable::velocity)))
       return;
     if (const std::string why = no_interval(states); !why.empty()) {
       leave_out({Observable::msd, Observable::rotation, Observable::velocity}, why);

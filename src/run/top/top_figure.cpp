@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "top_figure.hpp"
+#include "polhode/run/top/top_figure.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
-#include <iostream>
 #include <numbers>
+#include <ostream>
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/gnuplot_text.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
+#include "polhode/run/outputs.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 namespace {
 
 namespace fs = std::filesystem;
@@ -240,15 +241,16 @@ std::string script_text(const TopFigure& figure, const Vec3<double>& J, const Ve
 
 }  // namespace
 
-void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L) {
+void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
+              const Callbacks& callbacks) {
   const double twice_E = L.x * L.x / J.x + L.y * L.y / J.y + L.z * L.z / J.z;
   if (!(twice_E > 0) || !std::isfinite(twice_E))
     throw Error(
         "the inertia ellipsoid of this top has no three finite axes (J = 0, L = 0, or overflow in "
-        "these units), so it cannot be drawn; leave out --output");
+        "these units), so it cannot be drawn; leave out the figure");
   write_file(figure.data, [&](std::ostream& out) { out << data_text(J, L, twice_E); });
   write_file(figure.script, [&](std::ostream& out) { out << script_text(figure, J, L, twice_E); });
-  run_gnuplot(figure.script, std::cerr);
+  pass_messages(callbacks, [&](std::ostream& warnings) { run_gnuplot(figure.script, warnings); });
 }
 
-}  // namespace polhode::cli
+}  // namespace polhode
