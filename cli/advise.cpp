@@ -8,64 +8,38 @@
 
 #include "advise_report.hpp"
 #include "console.hpp"
+#include "criterion_options.hpp"
+#include "job_options.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/threads.hpp"
 #include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
 namespace {
 
-struct Options {
-  std::string file, accuracy, drift, temperature_bias, length, output = "advice", threads,
-                                                               precision;
+struct Options : JobOptions {
+  CriterionOptions criterion;
+  std::string length, output = "advice";
   std::vector<std::string> schemes;
-  double seconds = 60;
-  bool force = false, json = false;
+  double seconds = AdviserSettings{}.seconds;
+  bool force = false;
 };
 
-double fraction_option(const std::string& text, const std::string& option) {
-  const double value = quantity(text, Dimension::fraction, option);
-  if (!(value > 0 && value < 1))
-    throw Error(fmt::format("{} = \"{}\" must be above 0 % and below 100 %", option, text));
-  return value;
-}
-
-Criterion criterion(const Options& o, const Config& config) {
-  if (!o.drift.empty()) {
-    const double drift = quantity(o.drift, Dimension::power, "--drift");
-    if (!(drift > 0))
-      throw Error(fmt::format("--drift = \"{}\" must be above 0 kJ/mol/ns", o.drift));
-    return {Quality::drift, drift};
-  }
-  if (!o.temperature_bias.empty())
-    return {Quality::temperature_bias, fraction_option(o.temperature_bias, "--temperature-bias")};
-  if (!o.accuracy.empty()) return {Quality::ratio, fraction_option(o.accuracy, "--accuracy")};
-  if (config.integrator.accuracy) return {Quality::ratio, *config.integrator.accuracy};
-  throw Error(
-      "no accuracy is requested; give --accuracy \"0.5 %\", --drift \"0.1 kJ/mol/ns\" or "
-      "--temperature-bias \"0.5 %\"");
-}
-
 Config make_config(const Options& o) {
-  Config config = read_config_option(o.file, o.precision);
-  if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
-  for (const std::string& scheme : o.schemes) scheme_option(scheme, "--schemes");
-  if (!o.schemes.empty()) config.integrator.candidates = o.schemes;
+  Config config = o.config();
+  set_time(config.run.length, o.length, "--length");
+  set_schemes(config.integrator.candidates, o.schemes, "--schemes");
   return config;
 }
 
 int advise(const Options& o) {
   const Config config = make_config(o);
-  const AdviserSettings settings{criterion(o, config), config.integrator.candidates, o.seconds};
-  Workers workers(requested_threads(o.threads, "--threads"));
-  const OutputOptions output{
-      existing_files(false, o.force),
-      typed_command("polhode advise", {{"", o.file},
-                                       {"--accuracy", o.accuracy},
-                                       {"--drift", o.drift},
-                                       {"--temperature-bias", o.temperature_bias}})};
+  const AdviserSettings settings{criterion_option(o.criterion, config.integrator),
+                                 config.integrator.candidates, o.seconds};
+  Workers workers = o.workers();
+  const OutputOptions output{existing_files(false, o.force),
+                             o.command({"--accuracy", "--drift", "--temperature-bias"})};
   const AdviceReport report = run_adviser(config, settings, o.output, output, console(), workers);
   if (report.advice.stopped) {
     log("interrupted before the search ended; no file was written\n");
@@ -83,16 +57,9 @@ int advise(const Options& o) {
 
 Action advise_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
-  auto* const accuracy = app.add_option("--accuracy", o->accuracy, "largest R of a run: \"0.5 %\"");
-  auto* const drift =
-      app.add_option("--drift", o->drift, "largest energy drift per molecule: \"0.1 kJ/mol/ns\"");
-  app.add_option(
-         "--temperature-bias", o->temperature_bias,
-         "largest difference between the temperatures of translation and rotation: \"0.5 %\"")
-      ->excludes(accuracy)
-      ->excludes(drift);
-  drift->excludes(accuracy);
+  o->declare(app, "simultaneous runs");
+  o->declare_precision(app);
+  o->criterion.declare(app);
   app.add_option("--schemes", o->schemes,
                  "names, or stages as text, instead of the run file's candidates");
   app.add_option("--length", o->length,
@@ -101,12 +68,7 @@ Action advise_verb(CLI::App& app) {
       ->check(CLI::Range(0.1, 1e6))
       ->capture_default_str();
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
-  app.add_option("--precision", o->precision,
-                 "precision of pair interactions, double or mixed; default: the run file's");
-  app.add_option("--threads", o->threads,
-                 "number of simultaneous runs; default: one for each available core");
   app.add_flag("--force", o->force, "overwrite output files that exist");
-  app.add_flag("--json", o->json, "print the advice as JSON");
   return [o] { return advise(*o); };
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // polhode bench: how fast this computer simulates water, and what limits it.
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <fstream>
 #include <memory>
@@ -63,7 +63,9 @@ int bench(const Options& o) {
 Action bench_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_flag("--quick", o->quick, "512 waters only, fewer and shorter repeats: a few seconds");
-  app.add_option("--sizes", o->sizes, "numbers of waters; default: 512,4096")
+  app.add_option(
+         "--sizes", o->sizes,
+         fmt::format("numbers of waters; default: {}", fmt::join(BenchmarkSettings{}.sizes, ",")))
       ->delimiter(',')
       ->check(CLI::Range(1, 100'000'000));
   app.add_option("--precision", o->precision,

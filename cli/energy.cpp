@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "energy_report.hpp"
 #include "option_values.hpp"
 #include "polhode/run/simulation/single_point.hpp"
 #include "streams.hpp"
@@ -18,48 +19,13 @@ struct Options {
   bool forces = false, gradient = false, json = false;
 };
 
-std::string text_of(const SinglePoint& p) {
-  std::string text = fmt::format("molecules         {}\n", p.system.topology.size());
-  text += fmt::format("van der Waals     {:.10g} kJ/mol\n", p.load.van_der_waals);
-  text += fmt::format("Coulomb           {:.10g} kJ/mol\n", p.load.coulomb);
-  for (const auto& [name, value] : p.terms)
-    text += fmt::format("  {:<16}{:.10g} kJ/mol\n", name, value + 0.0);
-  text += fmt::format("potential         {:.10g} kJ/mol\n", p.load.potential());
-  text += fmt::format("pressure          {:.10g} bar\n", p.pressure());
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<double> row = p.pressure_tensor[i];
-    text += fmt::format("  {}             {:14.6f} {:14.6f} {:14.6f} bar\n", "xyz"[i], row.x, row.y,
-                        row.z);
-  }
-  return text;
-}
-
-void print_csv(const SinglePoint& p) {
-  fmt::print("body,molecule,fx,fy,fz,taux,tauy,tauz{}\n",
-             p.derivative ? ",dfx,dfy,dfz,dtaux,dtauy,dtauz" : "");
-  const auto print = [](const Vec3<double>& v) {
-    fmt::print(",{:.17g},{:.17g},{:.17g}", v.x, v.y, v.z);
-  };
-  const System& system = p.system;
-  for (std::size_t i = 0; i < system.state.size(); ++i) {
-    fmt::print("{},{}", i + 1, system.topology.parts[system.bodies.part[i]].molecule.name);
-    print(p.load.f[i]);
-    print(p.load.tau[i]);
-    if (p.derivative) {
-      print(p.derivative->f[i]);
-      print(p.derivative->tau[i]);
-    }
-    fmt::print("\n");
-  }
-}
-
 int energy(const Options& o) {
   const Callbacks notes{.message = [](const std::string& text) { log("{}\n", text); }};
   const SinglePoint point = single_point(read_config_option(o.file), o.gradient, notes);
   const bool csv = o.forces || o.gradient;
   const std::string text = o.json ? single_point_json(point) + "\n" : text_of(point);
   std::fputs(text.c_str(), csv ? stderr : stdout);
-  if (csv) print_csv(point);
+  if (csv) print_loads(point);
   return 0;
 }
 

@@ -3,12 +3,14 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <limits>
 #include <system_error>
 
 #include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
 
 namespace polhode::cli {
 
@@ -26,6 +28,27 @@ double time_option(const std::string& text, const std::string& option) {
     throw Error(
         fmt::format("{} = \"{}\" must be 0 or longer; write for example \"5 ps\"", option, text));
   return t;
+}
+
+void set_time(double& time, const std::string& text, const std::string& option) {
+  if (!text.empty()) time = positive_time(text, option);
+}
+
+std::vector<double> sorted_times(const std::vector<std::string>& texts, const std::string& option) {
+  std::vector<double> times;
+  for (const std::string& text : texts) times.push_back(positive_time(text, option));
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
+std::string time_text(double time) {
+  return time < 1 ? fmt::format("{:g} fs", time * units::fs_per_ps) : fmt::format("{:g} ps", time);
+}
+
+void set_schemes(std::vector<std::string>& schemes, const std::vector<std::string>& texts,
+                 const std::string& option) {
+  for (const std::string& text : texts) scheme_option(text, option);
+  if (!texts.empty()) schemes = texts;
 }
 
 std::string typed_command(std::string command,

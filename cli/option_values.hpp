@@ -26,6 +26,22 @@ double positive_time(const std::string& text, const std::string& option);
 /// @throws Error  if the unit is missing or the time is negative
 double time_option(const std::string& text, const std::string& option);
 
+/// Sets a time if its option is given.
+/// @throws Error  as positive_time()
+void set_time(double& time, const std::string& text, const std::string& option);
+
+/// The times in ascending order.
+/// @throws Error  as positive_time()
+std::vector<double> sorted_times(const std::vector<std::string>& texts, const std::string& option);
+
+/// A time for help texts: "2 ps", "20 fs".
+std::string time_text(double time);
+
+/// Sets names or texts of schemes if their option is given.
+/// @throws Error  as scheme_option()
+void set_schemes(std::vector<std::string>& schemes, const std::vector<std::string>& texts,
+                 const std::string& option);
+
 /// The command as it could be typed, without empty options.
 std::string typed_command(std::string command,
                           const std::vector<std::pair<std::string, std::string>>& options);

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "console.hpp"
+#include "job_options.hpp"
 #include "option_values.hpp"
-#include "polhode/base/threads.hpp"
 #include "polhode/run/simulation/simulation.hpp"
 #include "run_report.hpp"
 #include "streams.hpp"
@@ -14,14 +14,13 @@
 namespace polhode::cli {
 namespace {
 
-struct Options {
-  std::string file, scheme, step, length, equilibrate, temperature, seed, output, threads,
-      precision;
-  bool resume = false, force = false, json = false;
+struct Options : JobOptions {
+  std::string scheme, step, length, equilibrate, output;
+  bool resume = false, force = false;
 };
 
 Config make_config(const Options& o) {
-  Config config = read_config_option(o.file, o.precision);
+  Config config = o.config();
   if (!o.scheme.empty()) {
     scheme_option(o.scheme, "--scheme");
     config.integrator.scheme = o.scheme;
@@ -31,30 +30,17 @@ Config make_config(const Options& o) {
     config.integrator.step = positive_time(o.step, "--step");
     config.integrator.accuracy.reset();
   }
-  if (!o.length.empty()) config.run.length = positive_time(o.length, "--length");
+  set_time(config.run.length, o.length, "--length");
   if (!o.equilibrate.empty()) config.run.equilibrate = time_option(o.equilibrate, "--equilibrate");
-  set_initial_motion(config, o.temperature, o.seed);
   if (!o.output.empty()) config.output.prefix = o.output;
   return config;
 }
 
-OutputOptions output_options(const Options& o) {
-  // Only options that affect the results.
-  return {existing_files(o.resume, o.force),
-          typed_command("polhode run", {{"", o.file},
-                                        {"--scheme", o.scheme},
-                                        {"--step", o.step},
-                                        {"--length", o.length},
-                                        {"--equilibrate", o.equilibrate},
-                                        {"--temperature", o.temperature},
-                                        {"--seed", o.seed},
-                                        {"--output", o.output},
-                                        {"--precision", o.precision}})};
-}
-
 int run(const Options& o) {
-  const OutputOptions output = output_options(o);
-  Workers workers(requested_threads(o.threads, "--threads"));
+  const OutputOptions output{existing_files(o.resume, o.force),
+                             o.command({"--scheme", "--step", "--length", "--equilibrate",
+                                        "--temperature", "--seed", "--output", "--precision"})};
+  Workers workers = o.workers();
   Simulation simulation(make_config(o), workers);
   try {
     return print_run(simulation.run(output, console()), simulation, o.json);
@@ -68,24 +54,17 @@ int run(const Options& o) {
 
 Action run_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  o->declare(app, "threads");
+  o->declare_precision(app);
   app.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
   app.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");
   app.add_option("--length", o->length, "length of the run: \"15 ps\"; default: the run file's");
   app.add_option("--equilibrate", o->equilibrate,
                  "time of velocity rescaling before the run: \"5 ps\"; default: the run file's");
-  app.add_option(
-      "--temperature", o->temperature,
-      "for drawing velocities, and for equilibration: \"298 K\"; default: the run file's");
-  app.add_option("--seed", o->seed, "of lattice and velocities; default: the run file's");
+  o->declare_initial_motion(app);
   app.add_option("--output", o->output, "prefix of the output files; default: the run file's");
-  app.add_option("--precision", o->precision,
-                 "precision of pair interactions, double or mixed; default: the run file's");
-  app.add_option("--threads", o->threads,
-                 "number of threads; default: one for each available core");
   app.add_flag("--continue", o->resume, "resume from the last checkpoint; start if there is none");
   app.add_flag("--force", o->force, "overwrite output files that exist");
-  app.add_flag("--json", o->json, "print the summary as JSON");
   return [o] { return run(*o); };
 }
 

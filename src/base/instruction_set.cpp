@@ -14,18 +14,18 @@ namespace {
 
 InstructionSet initial_instruction_set() {
   const std::vector<InstructionSet> instruction_sets = available_instruction_sets();
-  const char* wanted = std::getenv("POLHODE_INSTRUCTION_SET");
+  const char* requested = std::getenv("POLHODE_INSTRUCTION_SET");
   if (std::getenv("POLHODE_TARGET") != nullptr)
     throw Error(
         "the environment variable POLHODE_TARGET is called POLHODE_INSTRUCTION_SET since version "
         "0.2; set POLHODE_INSTRUCTION_SET");
-  if (wanted == nullptr || *wanted == '\0') return instruction_sets.back();
+  if (requested == nullptr || *requested == '\0') return instruction_sets.back();
   std::string list;
   for (const InstructionSet instruction_set : instruction_sets) {
-    if (name(instruction_set) == std::string_view(wanted)) return instruction_set;
+    if (name(instruction_set) == std::string_view(requested)) return instruction_set;
     list += std::string(list.empty() ? "" : ", ") + name(instruction_set);
   }
-  throw Error("POLHODE_INSTRUCTION_SET = '" + std::string(wanted) +
+  throw Error("POLHODE_INSTRUCTION_SET = '" + std::string(requested) +
               "' is no instruction set of this program on this processor; choose one of: " + list);
 }
 

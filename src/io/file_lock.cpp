@@ -61,7 +61,7 @@ FileLock::FileLock(std::string path) : path_(std::move(path)) {
   }
   const std::string text = std::string(head) + this_process() + "\n";
   // On a full disk the lock works but lacks the owner's name.
-  [[maybe_unused]] const bool told =
+  [[maybe_unused]] const bool written =
       ::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) > 0;
 }
 

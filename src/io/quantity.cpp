@@ -173,17 +173,17 @@ double unit_at(std::string_view rest, const QuantityText& source) {
     throw Error(
         no_unit(source.name, fmt::format("\"{}\"", source.text), source.dimension, source.example));
   if (const Unit* u = find(symbol, source.dimension)) return u->value;
-  const auto wanted = symbols(source.dimension);
+  const auto known = symbols(source.dimension);
   const auto [article, noun, example] = words(source.dimension);
   for (const Unit& u : all_units)
     if (u.symbol == symbol)
       source.refuse(fmt::format(" is {} {}; it must be {} {}, in one of: {}",
                                 words(u.dimension).article, words(u.dimension).noun, article, noun,
-                                join_names(wanted)));
-  const auto near = nearest_name(symbol, wanted);
+                                join_names(known)));
+  const auto near = nearest_name(symbol, known);
   source.refuse(fmt::format(": there is no unit '{}' of {}{}; there are: {}", symbol, noun,
                             near ? fmt::format(" (did you mean '{}'?)", *near) : "",
-                            join_names(wanted)));
+                            join_names(known)));
 }
 
 }  // namespace

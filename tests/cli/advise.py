@@ -115,8 +115,8 @@ class Advise(Sandbox):
     def test_other_qualities(self):
         for option, value in (("--drift", "2 kJ/mol/ns"), ("--temperature-bias", "20 %")):
             found = self.advice(GAS, option, value, "--force", "--schemes", "velocity-verlet")
-            self.assertLessEqual(found["best"]["confirmation"]["bound"], found["wanted"] * 1e-3
-                                 if option == "--drift" else found["wanted"])
+            self.assertLessEqual(found["best"]["confirmation"]["bound"], found["requested"] * 1e-3
+                                 if option == "--drift" else found["requested"])
 
     def test_the_runs_that_confirm_decide(self):
         """For a bound close to the detectable drift, the proposed step is sometimes too long and is rejected by new runs."""
@@ -126,11 +126,11 @@ class Advise(Sandbox):
             process = self.polhode("advise", "run.toml", "--drift", "0.08 kJ/mol/ns", "--time", "0.5", "--json", "--force")
             self.assertIn(process.returncode, (0, 1), process.err)
             found = json.loads(process.out)
-            wanted = found["wanted"] * 1e-3
+            bound = found["requested"] * 1e-3
             if found["best"]:
-                self.assertLessEqual(found["best"]["confirmation"]["bound"], wanted)
+                self.assertLessEqual(found["best"]["confirmation"]["bound"], bound)
             for runs in found["refused"]:
-                self.assertTrue(runs["blew_up"] or runs["bound"] > wanted)
+                self.assertTrue(runs["blew_up"] or runs["bound"] > bound)
             refused += len(found["refused"])
         self.assertGreater(refused, 0)
 

@@ -41,7 +41,7 @@ class Configurational(Sandbox):
             self.temperatures("--force", "--length", length)
             self.assertEqual(self.temperatures("--continue"), whole)
         self.write("run.toml", edited(ASKED, ('"20 fs"', '"40 fs"')))
-        self.refused(("run", "run.toml", "--continue"), ["another run", "samples"])
+        self.refused(("run", "run.toml", "--continue"), ["another run", "run.configurational_sample was 20 fs and is now 40 fs"])
 
     def test_a_study_has_them_with_the_kinetic_ones(self):
         self.write("run.toml", WATER)

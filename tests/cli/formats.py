@@ -168,10 +168,12 @@ class Formats(Sandbox):
     def test_errors_of_convert_have_a_remedy(self):
         self.done("run", WATER)
         for arguments, parts in [
-            (["out-trajectory.xtc", "a.gro"], ["has no atom names", "--names"]),
+            (["out-trajectory.xtc", "a.gro"], ["has no atom names", "conf.gro"]),
             (["out-trajectory.xtc", "a.grp"], ["'a.grp' has no known extension", "'gro'"]),
             (["out-trajectory.gro", "out-trajectory.pdb"], ["exists and would be overwritten", "--force"]),
-            (["out-trajectory.gro", "a.pdb", "--from", "1 ps"], ["no frame", "--from"]),
+            (["out-trajectory.gro", "a.pdb", "--from", "1 ps"], ["no frame", "first and the last time"]),
+            (["out-trajectory.gro", "a.pdb", "--every", "0"], ["every 0th frame", "1 or more"]),
+            (["out-trajectory.gro", "a.pdb", "--from", "2 ps", "--to", "1 ps"], ["2 ps", "1 ps", "exchange"]),
             (["run.toml", "a.pdb"], ["'run.toml' has no known extension"]),
         ]:
             before = self.contents()

@@ -75,6 +75,13 @@ class Interrupts(Sandbox):
         self.assertIn("--continue", process.err)
         self.assertEqual(set(self.contents()), {"run.toml", "out-checkpoint.bin"})
 
+    def test_study_without_a_run(self):
+        """There is nothing to tabulate."""
+        self.write("run.toml", edited(LONG, ('"0.1 ps"', '"1000 ps"')))
+        process = self.interrupted(lambda: self.lines("study-runs.csv") > 2, signal.SIGINT, "study", "run.toml")
+        self.assertEqual(process.out, "")
+        self.assertIn("before the first run ended; the same command resumes from study-runs.csv", process.err)
+
     def test_study(self):
         study = edited(SMALL, ('["2 fs"]', '["2 fs", "4 fs"]'), ('"0.1 ps"', '"2 ps"'), ("runs = 2", "runs = 12"))
         self.write("run.toml", study)

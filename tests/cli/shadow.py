@@ -56,7 +56,7 @@ class Shadow(Sandbox):
             self.shadow("--force", "--length", length)
             self.assertEqual(self.shadow("--continue"), whole)
         self.write("run.toml", edited(SHADOW, ('"20 fs"', '"40 fs"')))
-        self.refused(("run", "run.toml", "--continue"), ["another run", "samples"])
+        self.refused(("run", "run.toml", "--continue"), ["another run", "run.shadow_sample was"])
 
     def test_impossible_values_of_shadow_sample(self):
         for value, *words in (("-1 fs", "-1 fs", "0 fs"), ("20", "no unit", '"20 fs"'), ("1 nm", "length", "time"),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""The manual shows the --help of each verb as the program prints it; with --write the manual is updated.
+"""The manual shows the --help of each verb as the program prints it; with --write the manual is updated. No default in
+a help text is a number of its own.
 
 The page docs/manual/VERB.md contains it in the fenced block below `<!-- help: VERB -->`, and the index
 docs/manual/README.md that of the program below `<!-- help -->`.
@@ -45,6 +46,9 @@ def main():
             page.write_text(text[:block.start(1)] + current + text[block.end(1):], encoding="utf-8")
         else:
             wrong.append(f"{shown} shows another help than the program prints; run this test with --write")
+    for source in sorted((options.root / "cli").glob("*.cpp")):
+        if written := re.search(r'default: \\"[\d.]+', source.read_text(encoding="utf-8")):
+            wrong.append(f"{source.name} writes '{written[0]}'; take the number from the settings")
     print("\n".join(wrong) or "the manual shows what the program prints")
     sys.exit(1 if wrong else 0)
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Existing outputs of a job that stand in its way.
+// Existing outputs that a job cannot use.
 #pragma once
 
 #include "polhode/base/error.hpp"

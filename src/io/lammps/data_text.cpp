@@ -187,7 +187,7 @@ void Parser::mass(const FieldLine& line) {
   data_.types[type(line, 0)].mass = mass;
 }
 
-// The law in the fields from k on: that of the pair style, Lennard-Jones if it is not known.
+// The law in the fields from k on: that of the pair style, Lennard-Jones if none is given.
 TypePair Parser::short_range(const FieldLine& line, std::size_t k) const {
   TypePair pair{.place = line.place()};
   const auto law = law_of_pair_style(data_.pair_style);

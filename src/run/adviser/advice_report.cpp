@@ -109,7 +109,7 @@ nlohmann::json as_json(const AdviceReport& report) {
   const Advice& advice = report.advice;
   const Criterion& criterion = report.criterion;
   nlohmann::json json{{"quality", name(criterion.quality)},
-                      {"wanted", criterion.bound},
+                      {"requested", criterion.bound},
                       {"probability", guarantee_probability},
                       {"interrupted", advice.stopped},
                       {"candidates", nlohmann::json::array()},
@@ -118,7 +118,7 @@ nlohmann::json as_json(const AdviceReport& report) {
                       {"best", nullptr},
                       {"runner_up", nullptr}};
   if (criterion.quality == Quality::drift)
-    json["wanted"] = in_kJ_per_ns(criterion.bound), json["unit"] = "kJ/mol/ns per molecule";
+    json["requested"] = in_kJ_per_ns(criterion.bound), json["unit"] = "kJ/mol/ns per molecule";
   for (const Candidate& candidate : advice.candidates)
     json["candidates"].push_back(as_json(candidate));
   for (const auto& [key, sets] :

@@ -41,26 +41,26 @@ double exponent(const AdviserPoint& a, const AdviserPoint& b) {
 }
 
 /// A step larger than the largest usable one, limited to a safe increase.
-double longer(double wanted, double largest_usable, double end) {
-  return std::min({wanted, max_growth * largest_usable, std::sqrt(largest_usable * end)});
+double longer(double proposed, double largest_usable, double end) {
+  return std::min({proposed, max_growth * largest_usable, std::sqrt(largest_usable * end)});
 }
 
 /// Where the mean of log R equals the bound, extrapolated with the scheme's order.
 double meeting(const StepSearch& search, const Range& range) {
   const auto& p = range.usable;
-  const double wanted = std::log(search.criterion.bound);
+  const double log_bound = std::log(search.criterion.bound);
   const double order = search.order == 0 ? 2 : search.order;
-  if (log_ratio(p.front()) > wanted) {
+  if (log_ratio(p.front()) > log_bound) {
     const double slope = p.size() > 1 ? std::max(min_slope, exponent(p[0], p[1])) : order;
-    const double step = p.front().step * std::exp((wanted - log_ratio(p.front())) / slope);
+    const double step = p.front().step * std::exp((log_bound - log_ratio(p.front())) / slope);
     return std::max(step, max_shrinking * p.front().step);
   }
   for (std::size_t i = 0; i + 1 < p.size(); ++i)
-    if (log_ratio(p[i + 1]) > wanted)
-      return p[i].step * std::exp((wanted - log_ratio(p[i])) / exponent(p[i], p[i + 1]));
+    if (log_ratio(p[i + 1]) > log_bound)
+      return p[i].step * std::exp((log_bound - log_ratio(p[i])) / exponent(p[i], p[i + 1]));
   const AdviserPoint& last = p.back();
   const double slope = p.size() > 1 ? std::max(order, exponent(p[p.size() - 2], last)) : order;
-  return last.step * std::exp((wanted - log_ratio(last)) / slope);
+  return last.step * std::exp((log_bound - log_ratio(last)) / slope);
 }
 
 /// The same, limited to a safe increase.
@@ -113,8 +113,8 @@ double three_digits(double step) {
 std::optional<double> lengthened(double step, double reached, double exponent, double too_long) {
   constexpr double most = 1.25, least = 1.02;
   if (!(reached > 0) || reached >= most_caution) return std::nullopt;
-  const double wanted = step * std::min(most, std::pow(aim / reached, 1 / exponent));
-  const double longer = three_digits(std::min(wanted, std::sqrt(step * too_long)));
+  const double proposed = step * std::min(most, std::pow(aim / reached, 1 / exponent));
+  const double longer = three_digits(std::min(proposed, std::sqrt(step * too_long)));
   return longer >= least * step ? std::optional(longer) : std::nullopt;
 }
 

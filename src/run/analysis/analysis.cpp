@@ -78,10 +78,11 @@ class Assembly {
     result_.box = first.box;
     result_.has_velocities = states.front().has_velocities;
     result_.conditions.emplace(result_.topology);
-    result_.density = wanted(Observable::density);
-    if (wanted(Observable::rdf)) begin_radial();
-    if (wanted(Observable::dielectric)) begin_dipole();
-    if (!(wanted(Observable::msd) || wanted(Observable::rotation) || wanted(Observable::velocity)))
+    result_.density = requested(Observable::density);
+    if (requested(Observable::rdf)) begin_radial();
+    if (requested(Observable::dielectric)) begin_dipole();
+    if (!(requested(Observable::msd) || requested(Observable::rotation) ||
+          requested(Observable::velocity)))
       return;
     if (const std::string why = no_interval(states); !why.empty()) {
       leave_out({Observable::msd, Observable::rotation, Observable::velocity}, why);
@@ -97,14 +98,14 @@ class Assembly {
     const auto bodies = static_cast<double>(result_.topology.size());
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
                    fmt::format("{} lags of {:.0f} bodies", lags, bodies), "take a shorter window");
-    if (wanted(Observable::msd) && result_.topology.size() == 1)
+    if (requested(Observable::msd) && result_.topology.size() == 1)
       leave_out({Observable::msd},
                 "displacements are relative to the centre of mass of all molecules, and there is "
                 "only one molecule");
-    else if (wanted(Observable::msd))
+    else if (requested(Observable::msd))
       result_.displacement.emplace(result_.topology, lags);
-    if (wanted(Observable::rotation)) result_.reorientation.emplace(result_.topology, lags);
-    if (!wanted(Observable::velocity)) return;
+    if (requested(Observable::rotation)) result_.reorientation.emplace(result_.topology, lags);
+    if (!requested(Observable::velocity)) return;
     if (result_.has_velocities)
       result_.velocity.emplace(result_.topology, lags);
     else
@@ -143,7 +144,7 @@ class Assembly {
   }
 
  private:
-  bool wanted(Observable what) const {
+  bool requested(Observable what) const {
     return settings_.what.empty() || settings_.what.contains(what);
   }
 
@@ -151,7 +152,7 @@ class Assembly {
 
   void leave_out(std::initializer_list<Observable> whats, const std::string& why) {
     for (const Observable what : whats) {
-      if (!wanted(what)) continue;
+      if (!requested(what)) continue;
       const std::string& name = observable_names()[static_cast<std::size_t>(what)];
       if (settings_.what.contains(what))
         throw Error(fmt::format("there is no '{}': {}; leave it out", name, why));
@@ -162,7 +163,7 @@ class Assembly {
   void begin_radial() {
     result_.pairs = settings_.pairs.empty() ? site_pairs(result_.topology) : settings_.pairs;
     const double half = result_.box.shortest_edge() / 2;
-    const double cutoff = settings_.cutoff.value_or(std::min(1.0, half));
+    const double cutoff = settings_.cutoff.value_or(std::min(default_rdf_cutoff, half));
     if (!(cutoff / settings_.bin <= most_bins))
       throw Error(
           fmt::format("bins of {:g} nm make {:g} bins up to {:g} nm; the maximum is {:g}, so give "

@@ -139,14 +139,14 @@ void draw_momenta(System& system, std::uint64_t seed) {
   draw_momenta(system.state, system.topology, system.temperature, seed);
 }
 
-void rescale(State& state, const Topology& topology, const Bodies& bodies, double wanted) {
+void rescale(State& state, const Topology& topology, const Bodies& bodies, double target) {
   remove_total_momentum(state, bodies);
   const Energies e = energies(state, bodies, Load{});
   const DegreesOfFreedom n = degrees_of_freedom(topology);
   const double now = temperature(e.translation, n.translation);
   const double turning = temperature(e.kinetic() - e.translation, n.all() - n.translation);
-  if (now > 0) scale(state.p, std::sqrt(wanted / now));
-  if (turning > 0) scale(state.ell, std::sqrt(wanted / turning));
+  if (now > 0) scale(state.p, std::sqrt(target / now));
+  if (turning > 0) scale(state.ell, std::sqrt(target / turning));
 }
 
 }  // namespace polhode

@@ -23,6 +23,9 @@ namespace polhode {
 
 enum class Observable { rdf, msd, rotation, velocity, dielectric, density };
 
+/// Cutoff of g(r) where none is given and half of the shortest edge is not shorter [nm].
+inline constexpr double default_rdf_cutoff = 1;
+
 struct AnalysisSettings {
   /// Empty: all that the frames allow. If observables are requested explicitly, those that the
   /// frames do not allow are an error.
@@ -31,8 +34,8 @@ struct AnalysisSettings {
   std::optional<double> interval;  ///< between frames, overrides their times [ps]
   double window = 10;              ///< largest lag of correlation functions [ps]
   std::vector<SitePair> pairs;     ///< empty: `site_pairs`
-  std::optional<double> cutoff;    ///< cutoff of g(r); default 1 nm, at most half of the shortest
-                                   ///< edge
+  std::optional<double> cutoff;    ///< of g(r); default: `default_rdf_cutoff`, at most half of the
+                                   ///< shortest edge
   double bin = 0.002;              ///< of g(r) [nm]
 };
 

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
+#include "polhode/run/callbacks.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 
 /// The files of a figure, all in the same folder.
 struct TopFigure {
@@ -29,6 +30,7 @@ struct TopFigure {
 /// @param J  three positive principal moments, any consistent units
 /// @param L  body-frame angular momentum, not zero
 /// @throws Error  if a moment or L is zero, or a file cannot be written
-void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L);
+void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
+              const Callbacks& callbacks = {});
 
-}  // namespace polhode::cli
+}  // namespace polhode

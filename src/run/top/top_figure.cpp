@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "top_figure.hpp"
+#include "polhode/run/top/top_figure.hpp"
 
 #include <fmt/ostream.h>
 
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <numbers>
+#include <ostream>
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
+#include "polhode/run/outputs.hpp"
 
-namespace polhode::cli {
+namespace polhode {
 namespace {
 
 using Curve = std::vector<Vec3<double>>;
@@ -136,14 +137,17 @@ void write_data(std::ostream& out, const Vec3<double>& J, const Vec3<double>& L,
 
 }  // namespace
 
-void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L) {
+void draw_top(const TopFigure& figure, const Vec3<double>& J, const Vec3<double>& L,
+              const Callbacks& callbacks) {
   const double twice_E = L.x * L.x / J.x + L.y * L.y / J.y + L.z * L.z / J.z;
   if (!(twice_E > 0) || !std::isfinite(twice_E))
     throw Error(
         "the inertia ellipsoid of this top has no three finite axes (J = 0, L = 0, or overflow in "
-        "these units), so it cannot be drawn; leave out --output");
+        "these units), so it cannot be drawn; leave out the figure");
   write_file(figure.data, [&](std::ostream& out) { write_data(out, J, L, twice_E); });
-  polhode_plot(figure.prefix, {figure.data, J, L}, std::cerr);
+  pass_messages(callbacks, [&](std::ostream& warnings) {
+    polhode_plot(figure.prefix, {figure.data, J, L}, warnings);
+  });
 }
 
-}  // namespace polhode::cli
+}  // namespace polhode

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Molecules as text and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/model/molecule.hpp"
+
+namespace polhode::cli {
+
+/// A molecule with its sites.
+void print_molecule(const Molecule& molecule);
+/// A line for each molecule.
+void print_molecules(const std::vector<Molecule>& molecules);
+
+/// An array, or the one molecule itself if `one`.
+std::string molecules_json(const std::vector<Molecule>& molecules, bool one);
+
+}  // namespace polhode::cli

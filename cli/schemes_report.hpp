@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Schemes as text and as JSON.
+#pragma once
+
+#include <string>
+
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode::cli {
+
+/// A scheme with its stages and its error.
+void print_scheme(const Scheme& scheme);
+/// All schemes of the table, a line each.
+void print_schemes();
+
+std::string scheme_json(const Scheme& scheme);
+std::string schemes_json();
+
+}  // namespace polhode::cli

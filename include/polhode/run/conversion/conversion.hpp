@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Frames of a file converted to another format.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <string>
+
+#include "polhode/run/outputs.hpp"
+
+namespace polhode {
+
+struct Conversion {
+  std::string from, to;  ///< files, whose endings are those of their formats
+  std::string names;  ///< file with the names of the atoms; empty: `from` has them, or `to` needs
+                      ///< none
+  std::size_t every = 1;  ///< every how many of the selected frames one is written
+  double first = -std::numeric_limits<double>::infinity();  ///< earlier frames are skipped [ps]
+  double last = std::numeric_limits<double>::infinity();    ///< later frames are skipped [ps]
+};
+
+struct ConversionResult {
+  std::size_t frames = 0;    ///< that were written
+  bool interrupted = false;  ///< and no file was written
+};
+
+/// Writes the selected frames to a file, whole or not at all. A message says if velocities are
+/// lost.
+/// @throws Error  if a format is not known or lacks names that the other needs, if no frame is
+///                selected, or as check_outputs()
+ConversionResult convert(const Conversion& conversion, const OutputOptions& options,
+                         const Callbacks& callbacks = {});
+
+}  // namespace polhode

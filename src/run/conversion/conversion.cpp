@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/conversion/conversion.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/draft.hpp"
+#include "polhode/io/frame_file.hpp"
+
+namespace polhode {
+namespace {
+
+std::optional<Frame> read_names(const std::string& file) {
+  if (file.empty()) return std::nullopt;
+  if (!format_traits(file).names)
+    throw Error(fmt::format(
+        "'{}' is of a format without atom names; give a GRO, PDB or XYZ file for them", file));
+  Frame frame;
+  if (!open_frames(file)->next(frame))
+    throw Error(fmt::format("'{}' contains no atoms; give a file of the same system", file));
+  return frame;
+}
+
+void check_names(const Frame& frame, const Conversion& c) {
+  if (!format_traits(c.to).names) return;
+  for (const AtomKind& kind : frame.kinds)
+    if (kind.name.empty())
+      throw Error(
+          fmt::format("'{}' has no atom names, which '{}' needs; give a file of the same "
+                      "atoms with their names, such as conf.gro",
+                      c.from, c.to));
+}
+
+void check_selection(const Conversion& c) {
+  if (c.every == 0) throw Error("every 0th frame is no frame; the number must be 1 or more");
+  if (c.first > c.last)
+    throw Error(
+        fmt::format("the first time, {:g} ps, is later than the last, {:g} ps; exchange them",
+                    c.first, c.last));
+}
+
+// Times in files are rounded, to floats or to some decimals.
+double slack(double time) { return 1e-6 * std::max(1.0, std::abs(time)); }
+
+}  // namespace
+
+ConversionResult convert(const Conversion& c, const OutputOptions& options,
+                         const Callbacks& callbacks) {
+  check_selection(c);
+  const FormatTraits format = format_traits(c.to);
+  const std::optional<Frame> names = read_names(c.names);
+  const auto reader = open_frames(c.from, names ? &*names : nullptr);
+  check_outputs({c.to}, options.existing);
+  Draft draft(c.to, Draft::Name::unique);
+  auto writer = create_frames(draft.path(), {});
+
+  ConversionResult result;
+  std::size_t read = 0;
+  bool lost = false;
+  for (Frame frame; reader->next(frame) && !(frame.time > c.last + slack(c.last));) {
+    if (callbacks.stopped()) return {0, true};
+    callbacks.report({"converting", reader->fraction_read()});
+    if (frame.time < c.first - slack(c.first) || read++ % c.every != 0) continue;
+    if (result.frames++ == 0) check_names(frame, c);
+    lost = lost || (frame.has_velocities && !format.velocities);
+    complete_elements(frame);
+    writer->write(frame);
+  }
+  if (result.frames == 0)
+    throw Error(fmt::format("'{}' has no frame between the first and the last time; choose others",
+                            c.from));
+  writer->mark();
+  writer.reset();
+  draft.finish();
+  if (lost)
+    callbacks.note(fmt::format("note: velocities are not written; the format {} has none", c.to));
+  return result;
+}
+
+}  // namespace polhode

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/top/top.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr const char* axis_names[] = {"1", "2", "3"};
+
+void measure(TopTrack& track, const Vec3<double>& J, const Vec3<double>& L0,
+             const FreeRotation& exact) {
+  const auto energy = [&](const Vec3<double>& l) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += J[k] == 0 ? 0 : l[k] / J[k] * l[k];
+    return sum;
+  };
+  const double E = energy(L0), l = norm(L0);
+  track.energy_error = E == 0 ? 0 : energy(track.L) / E - 1;
+  track.momentum_error = l == 0 ? 0 : norm(track.L) / l - 1;
+  const Quaternion<double> off = conjugate(exact.rotation) * track.attitude;
+  track.angle = 2 * std::atan2(norm(off.vector()), std::abs(off.w));
+}
+
+std::vector<TopSample> samples_of(const Vec3<double>& J, const Vec3<double>& L, double step,
+                                  double steps) {
+  std::vector<TopSample> samples;
+  const double shown = std::min(steps, 20.0);
+  TopSample now{0, closed_rotation(J, L, 0), {{}, L}, {{}, L}};
+  samples.push_back(now);
+  double next = 1;
+  for (double n = 1; n <= steps; ++n) {
+    const auto advance = [&](TopTrack& track, RotorMethod method) {
+      const FreeRotation r = free_rotation(J, track.L, step, method);
+      track.attitude = normalized(track.attitude * r.rotation);
+      track.L = r.L;
+    };
+    advance(now.series, RotorMethod::series);
+    advance(now.no_squish, RotorMethod::no_squish);
+    if (n < std::floor(next * steps / shown)) continue;
+    ++next;
+    now.t = n * step;
+    now.exact = closed_rotation(J, L, now.t);
+    measure(now.series, J, L, now.exact);
+    measure(now.no_squish, J, L, now.exact);
+    samples.push_back(now);
+  }
+  return samples;
+}
+
+}  // namespace
+
+void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std::string& name_J,
+               const std::string& where) {
+  const auto refuse = [&](const std::string& text, const std::string& key) {
+    throw Error(text, where + ", " + key);
+  };
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::string moment = name_J + axis_names[k], momentum = std::string("L") + axis_names[k];
+    if (!std::isfinite(J[k]) || J[k] < 0)
+      refuse(fmt::format("{} = {} is not a principal moment: it must be finite and at least 0, as "
+                         "a sum of masses times squares; give the moments of a mass distribution",
+                         moment, J[k]),
+             moment);
+    if (!std::isfinite(L[k]))
+      refuse(fmt::format("{} = {} is not finite; give a finite number", momentum, L[k]), momentum);
+    if (J[k] == 0 && L[k] != 0)
+      refuse(
+          fmt::format("{} = {} must be 0 where {} = 0: a linear body cannot spin about its axis; "
+                      "set {} = 0",
+                      momentum, L[k], moment, momentum),
+          momentum);
+  }
+  if (!std::isfinite(t)) refuse(fmt::format("t = {} is not finite; give a finite number", t), "t");
+  const int zeros = (J.x == 0) + (J.y == 0) + (J.z == 0);
+  if (zeros > 1)
+    refuse(fmt::format("{} of three moments are 0, at most one may be: two vanish only for a "
+                       "point; give the moments of a body, or of a linear one",
+                       zeros),
+           name_J + "1 to " + name_J + "3");
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double others = J[(k + 1) % 3] + J[(k + 2) % 3];
+    // Moments often have only five digits, so flat bodies, J3 = J1 + J2, may fail by rounding.
+    if (J[k] > others * (1 + 1e-4))
+      refuse(fmt::format("{}{} = {} is larger than the sum of the other two moments, {}, which no "
+                         "mass distribution allows; correct one of the three",
+                         name_J, axis_names[k], J[k], others),
+             name_J + axis_names[k]);
+  }
+}
+
+TopTrajectory integrate_top(const Vec3<double>& J, const Vec3<double>& L, double step,
+                            double length) {
+  check_top(J, L, 0, "J", "J, L");
+  double speed = 0;
+  for (std::size_t k = 0; k < 3; ++k) speed = std::hypot(speed, J[k] == 0 ? 0 : L[k] / J[k]);
+  if (step == 0) step = speed == 0 ? 1 : 0.2 / speed;
+  if (length == 0) length = 200 * step;
+  if (!(step > 0) || !std::isfinite(step) || !(length >= step) || !(length / step <= 1e8))
+    throw Error(fmt::format("step = {} and length = {} must give 1 to 100000000 steps; give a "
+                            "positive step and a length of at least one step",
+                            step, length),
+                "step, length");
+  return {step, speed * step, samples_of(J, L, step, std::floor(length / step * (1 + 1e-12)))};
+}
+
+}  // namespace polhode
