@@ -25,11 +25,12 @@ std::string mean_text(const Estimate& e, int digits, int runs) {
 std::string note_on(const EfficiencyPoint& p, bool usable) {
   if (!p.stable) return "blew up";
   if (!usable)
-    return p.drifts() ? "drifts: beyond the end of the curve" : "beyond the end of the curve";
-  if (p.drifts()) return "drifts, but not at longer steps";
-  if (p.drift.significant()) return "drift significant, but small";
+    return p.drifts() ? "energy drifts: beyond the end of the curve"
+                      : "beyond the end of the curve";
+  if (p.drifts()) return "energy drifts, but not at longer steps";
+  if (p.drift.significant()) return "significant energy drift, but small";
   if (p.relative_drift() >= drift_bound && std::abs(p.drift.rate.value) > 2 * p.drift.rate.error)
-    return "drift large, but not significant: more runs decide";
+    return "large energy drift, but not significant: more runs decide";
   if (p.at_rounding()) return fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding);
   return "";
 }

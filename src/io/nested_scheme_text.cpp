@@ -17,7 +17,7 @@ namespace {
 constexpr int max_steps = 1000;
 constexpr std::size_t max_text = 8192;  // of two schemes: bounds the work of a regular expression
 
-/// End of the outer scheme: the first slash that is not part of a fraction, within
+/// End of the outer scheme: the first slash that is not part of a fraction, which is in
 /// brackets or between '=' and ';'.
 std::size_t slash(std::string_view text) {
   int open = 0;

@@ -135,7 +135,7 @@ TEST_CASE(
   CHECK(early.ends() == Verdict::undecided);
 }
 
-// Few runs detect no drift, which does not show that there is none.
+// Few runs detect no energy drift, which does not show that there is none.
 TEST_CASE("only Verlet runs above 1.5 %: undecided if drifts are not known well enough") {
   Laws few;
   few.hoa2.drifts_from = few.gier4.drifts_from = 100;

@@ -41,14 +41,14 @@ Verdict opposite(Verdict v) {
   return v == Verdict::reproduced ? Verdict::not_reproduced : Verdict::reproduced;
 }
 
-/// The R of the longest step at which the drift is known not to matter; 0 if there is none.
+/// The R of the longest step whose energy drift is known not to matter; 0 if there is none.
 Estimate last_conserving(const Curve& c) {
   for (std::size_t i = c.usable; i > 0; --i)
     if (c.points[i - 1].conserves()) return c.points[i - 1].ratio;
   return {};
 }
 
-/// Whether a curve has steps above R = `limit` at which the drift is known not to matter. It has
+/// Whether a curve has steps above R = `limit` whose energy drift is known not to matter. It has
 /// none where it ends below; between the last such step and the end nothing is known.
 Verdict runs_above(const Curve& c, double limit) {
   if (above(last_conserving(c), limit) == Verdict::reproduced) return Verdict::reproduced;
@@ -117,10 +117,11 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
 
   constexpr double limit = 0.015;
   Claim end{
-      fmt::format("above R = 1.5 % only Verlet runs without a drift that matters (here shown for "
-                  "Verlet up to {:.2f} %, HOA2 {:.2f} %, GIER4 {:.2f} %)",
-                  100 * last_conserving(*verlet).value, 100 * last_conserving(*hoa2).value,
-                  100 * last_conserving(*gier4).value),
+      fmt::format(
+          "above R = 1.5 % only Verlet runs without an energy drift that matters (here shown for "
+          "Verlet up to {:.2f} %, HOA2 {:.2f} %, GIER4 {:.2f} %)",
+          100 * last_conserving(*verlet).value, 100 * last_conserving(*hoa2).value,
+          100 * last_conserving(*gier4).value),
       std::nullopt, Verdict::undecided};
   if (equal_runs({verlet, hoa2, gier4}))
     end.verdict = worst(runs_above(*verlet, limit), worst(opposite(runs_above(*hoa2, limit)),

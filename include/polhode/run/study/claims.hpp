@@ -33,8 +33,9 @@ Verdict rounds_to(const Estimate& x, double number, double half_digit);
 /// - HOA2 is "roughly 1.5 times more efficient", which stands for 1.45 to 1.55;
 /// - GIER4 is preferable for "R < 0.4 %", for 0.35 to 0.45 %;
 /// - for "R > 1.5 %" Verlet "is the only algorithm that is stable": it has steps there at which
-///   the drift is known not to matter, and the curves of the others end before they reach it. Not
-///   decided where the points about the ends of the three curves differ in their number of runs.
+///   the energy drift is known not to matter, and the curves of the others end before they reach
+///   it. Not decided where the points about the ends of the three curves differ in their number of
+///   runs.
 std::vector<Claim> paper_claims(const std::vector<Curve>& curves);
 
 }  // namespace polhode

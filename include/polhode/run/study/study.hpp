@@ -46,8 +46,9 @@ struct StudyRun {
   std::optional<ByMotion<double>> configurational{};
 };
 
-/// A drift matters if it changes the energy during a run by at least this many rms fluctuations of
-/// the energy: by at least R, in units of the rms fluctuation of the potential energy.
+/// An energy drift matters if it changes the energy during a run by at least this many rms
+/// fluctuations of the energy: by at least R, in units of the rms fluctuation of the potential
+/// energy.
 inline constexpr double drift_bound = 1;
 
 /// A point of the figure: all runs of a scheme with one step.
@@ -72,11 +73,11 @@ struct EfficiencyPoint {
   std::array<std::optional<Estimate>, 3> excess;
   /// Configurational minus kinetic temperature of each kind of motion, likewise [K].
   ByMotion<std::optional<Estimate>> configurational_excess;
-  /// Change of the energy by the drift during a run, in rms fluctuations of the energy.
+  /// Change of the energy by its drift during a run, in rms fluctuations of the energy.
   double relative_drift() const;
   /// Upper end of its 95 % interval; infinite with fewer than two runs.
   double relative_drift_bound() const;
-  /// The drift is significant, and it matters.
+  /// The energy drift is significant, and it matters.
   bool drifts() const;
   /// The drift does not matter, whether it is significant or not, with 95 % confidence.
   bool conserves() const { return stable && relative_drift_bound() < drift_bound; }
