@@ -70,7 +70,7 @@ class Study(Sandbox):
         (point,), _ = self.points()
         self.assertEqual(point["scheme"], "mine")
         self.assertTrue(all(line.startswith("mine,") for line in self.rows("study.csv")[1:]))
-        self.assertIn('title "mine"', (self.folder / "study.gp").read_text())
+        self.assertIn("name[1] = 'mine'\n", (self.folder / "study.gp").read_text())
         self.assertIn("mine: B(0.16666666666666666) A(0.5) ", (self.folder / RECORD).read_text())
         (again,), log = self.points()
         self.assertEqual(again, point)
