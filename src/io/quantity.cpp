@@ -197,8 +197,8 @@ std::string no_unit(std::string_view name, std::string_view number, Dimension di
   if (dimension == Dimension::fraction)
     if (const auto value = parsed_number(bare); value && std::isfinite(100 * *value))
       return fmt::format(
-          "{} = {} has no unit; write for example \"{:.15g} %\", if it is a fraction of 1", name,
-          number, 100 * *value);
+          "{} = {} has no unit; write \"{} %\", or \"{:.15g} %\" if it is a fraction of 1", name,
+          number, bare, 100 * *value);
   return fmt::format("{} = {} has no unit; write for example \"{} {}\"", name, number, bare,
                      unit_of(example));
 }

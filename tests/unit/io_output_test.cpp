@@ -206,7 +206,7 @@ TEST_CASE("a growing table is read back and extended") {
       [&] {
         GrowingTable(file, TableMark{mark.bytes + 1000, 0});
       },
-      {"a.csv", "bytes", "--force"});
+      {"a.csv", "bytes", "start over"});
   check_error(
       [&] {
         each_row(file, mark.bytes, {{"time", "fs"}}, take);
@@ -218,7 +218,7 @@ TEST_CASE("a growing table is read back and extended") {
   check_error([&] { each_row(file, 22, columns, take); }, {"a.csv:2", "3 numbers", "2"});
 }
 
-TEST_CASE("existing outputs are not overwritten without --force") {
+TEST_CASE("existing outputs are not overwritten unless that is requested") {
   const Folder folder;
   const std::string file = folder / "a.csv";
   refuse_existing(file, false);
