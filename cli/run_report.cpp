@@ -34,7 +34,7 @@ std::string missing_error(Known known, std::uint64_t samples) {
   return "";
 }
 
-/// A value with its error, or why it has none, in a unit that both are given in.
+/// A value with its error, or why it has none; both in the same unit.
 std::string estimate_text(const Estimate& e, Known known, std::uint64_t samples, int digits,
                           const char* unit) {
   if (known == Known::yes) return fmt::format("{} {}", with_error(e.value, e.error), unit);
@@ -179,7 +179,7 @@ void print_text(const RunReport& r) {
   print_warnings(r.warnings);
 }
 
-/// What an interrupted run left, and how it resumes.
+/// The files of an interrupted run, and how to resume it.
 void note_end(const RunResult& result, const std::string& checkpoint) {
   switch (result.end) {
     case RunEnd::complete:

@@ -33,8 +33,8 @@ void take_schemes(TomlTable& table, std::string_view key, std::vector<std::strin
 }
 
 constexpr auto must_be_accuracy =
-    "must be above 0 % and below 100 %: it bounds R, the fluctuation of the total energy over that "
-    "of the potential energy";
+    "must be above 0 % and below 100 %: it bounds R, the fluctuation of the total energy divided "
+    "by that of the potential energy";
 
 void take_configurational_sample(TomlTable& table, double& interval) {
   take_time(table, "configurational_sample", interval, "20 fs");

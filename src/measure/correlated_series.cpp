@@ -117,7 +117,7 @@ struct Spectrum {
   double amplitude = 0;  ///< of the correlated part, relative to white noise
   double time = 0;       ///< its correlation time over the length of the run; infinite for a walk
 
-  /// For the mode of degree k; a walk by its share of the slope's variance.
+  /// For the mode of degree k; a walk is given by its share of the slope's variance.
   double power(double k) const {
     return 1 + amplitude * (std::isinf(time) ? walk_share(k)
                                              : 1 / (1 + std::pow(std::numbers::pi * k * time, 2)));

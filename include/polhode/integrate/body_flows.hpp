@@ -44,7 +44,7 @@ struct BodyLoad {
 template <class Forces>
 class BodyFlows {
  public:
-  /// @param bodies  kept by reference; to be moved by the flows alone
+  /// @param bodies  kept by reference; only the flows may move them
   /// @param lambda  for gradient kicks [vanzon2008, Eq. 6]
   BodyFlows(std::span<RigidBody> bodies, Forces forces, double lambda = 1e-4)
       : bodies_(bodies),

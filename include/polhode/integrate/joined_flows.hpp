@@ -50,7 +50,7 @@ class JoinedFlows {
 
   F& flows_;
   bool join_drifts_;
-  std::optional<Stage> held_;  // its fraction is a time, its ξ is ξ h²: a stage of a step of 1
+  std::optional<Stage> held_;  // its fraction is a time, its ξ is ξ h²: a stage of a step h = 1
 };
 
 }  // namespace polhode

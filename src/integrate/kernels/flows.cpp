@@ -78,7 +78,7 @@ void drift(State& state, const Bodies& bodies, double t, std::size_t first, std:
                                    ? closed_rotations(bodies.J, L, t, i)
                                    : series_rotation(inverse_J, L, Real(t));
     // S <- P(t) S. The product is normalised in every step, so |q| - 1 is one rounding error,
-    // however many steps are made.
+    // whatever the number of steps.
     store_pack(normalized(attitude * P), state.attitude, i);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int32_t head_length = 84;
 constexpr std::int32_t head_length_swapped = head_length << 24;
-// Places in the file.
+// Positions in the file.
 constexpr std::size_t count_at = 8;     // of the number of frames
 constexpr std::size_t delta_at = 44;    // of the interval
 constexpr std::size_t title_at = 100;   // the title, which begins with the first frame's time

@@ -17,7 +17,7 @@ namespace polhode {
 struct Format {
   std::string_view extension;
   bool has_names;       ///< of atoms
-  bool has_velocities;  ///< or can have them
+  bool has_velocities;  ///< or optional
 
   /// Creates a reader of a stream, which must outlive it; `file` is its name in errors.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);

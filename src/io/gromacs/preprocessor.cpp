@@ -41,7 +41,7 @@ std::optional<Line> Preprocessor::next() {
       continue;
     }
     const std::string_view text = trimmed(*line);
-    if (text.empty() || text.front() == '*') continue;  // '*': a whole line of comment
+    if (text.empty() || text.front() == '*') continue;  // '*': the whole line is a comment
     if (text.front() == '#') {
       directive(text.substr(1));
     } else if (!skipped()) {
@@ -173,8 +173,8 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
                        std::find(e.within.begin(), e.within.end(), word) != e.within.end();
     if (++e.words > max_line_length || e.out.size() + (plain ? word.size() : 0) > max_line_length)
       refuse(
-          fmt::format("the line is longer than {} characters when macros are replaced; write it "
-                      "shorter",
+          fmt::format("the line is longer than {} characters when macros are replaced"
+                      "; shorten it",
                       max_line_length));
     if (!e.within.empty() && ++replaced_ > most_replaced)
       refuse(

@@ -20,7 +20,7 @@ class Propagator {
   Propagator(const Propagator&) = delete;
   Propagator& operator=(const Propagator&) = delete;
 
-  /// Resumes from there, bit for bit as if it had never been suspended.
+  /// Resumes from that state, bit for bit as if never suspended.
   void resume_from(const RunState& state);
   /// All that the rest of the trajectory depends on.
   RunState run_state();

@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// What computes a run, besides the program.
+/// What a run is computed with.
 struct ExecutionSettings {
   int threads = 1;
   std::string instruction_set;

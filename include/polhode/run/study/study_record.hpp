@@ -28,7 +28,7 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
                                         const Provenance& provenance);
 
 /// All runs in a record, whichever study and program version it belongs to.
-/// @throws Error  as read_study_record(), except for the study
+/// @throws Error  as read_study_record(), but for any study
 std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string& path);
 
 /// The finished runs, one line each, appended as they end.

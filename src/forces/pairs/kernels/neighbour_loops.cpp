@@ -145,7 +145,7 @@ class Search {
       });
   }
 
-  // Those in cells from - to along x, in a row of cells at y, z and in its images along y and z.
+  // The runs in cells `from` to `to` along x, at y and z, with the images along y and z given.
   void gather_row(int from, int to, std::array<std::size_t, 2> yz, std::array<int, 2> images) {
     constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
     const std::size_t y = yz[0], z = yz[1];
