@@ -94,7 +94,7 @@ class Integrator {
   }
 
   /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of one flow are applied
-  /// as one, as the last of a step and the first of the next. At the end the state is synchronised:
+  /// as one, as the last of a step and the first of the next. At the end the state is synchronized:
   /// positions and momenta belong to the same time.
   /// @param energies  whether energies are required from load() at the end; otherwise they have to
   ///                  be computed at that point

@@ -9,7 +9,7 @@
 namespace polhode {
 
 /// Holds each drift or kick back until another flow follows, so that the last kick of a step and
-/// the first of the next are one: e^{Bs} e^{Bt} = e^{B(s + t)}. The state is synchronised after
+/// the first of the next are one: e^{Bs} e^{Bt} = e^{B(s + t)}. The state is synchronized after
 /// flush() only.
 template <Flows F>
 class JoinedFlows {

@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// Forward and backward transforms of one length, not normalised: together they multiply by the
+/// Forward and backward transforms of one length, not normalized: together they multiply by the
 /// length. Results are the same in every run.
 class RealTransform {
  public:

@@ -37,7 +37,7 @@ POLHODE_DECLARE_LOOPS(
     void rows_to_waves(const RowsJob<double>& job); void rows_to_waves(const RowsJob<float>& job);
     /// The inverse times the length.
     void waves_to_rows(const RowsJob<double>& job); void waves_to_rows(const RowsJob<float>& job);
-    /// Transforms columns, with the sign −1 or +1 in the exponent; not normalised.
+    /// Transforms columns, with the sign −1 or +1 in the exponent; not normalized.
     void transform_columns(const ColumnsJob<double>& job, int sign);
     void transform_columns(const ColumnsJob<float>& job, int sign);)
 

@@ -28,7 +28,7 @@ class GridTransform {
   void plane(std::size_t z);
   /// Transforms the coefficients of one y along z into `waves`, row after row.
   void columns(std::size_t y, T* waves);
-  /// The inverse, not normalised: forward and back multiplies by the number of points.
+  /// The inverse, not normalized: forward and back multiplies by the number of points.
   void columns_back(std::size_t y, T* waves);
   void plane_back(std::size_t z);
 

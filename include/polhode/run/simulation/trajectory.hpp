@@ -66,7 +66,7 @@ struct Trajectory {
   Timings timings;
 };
 
-/// Advances the system's state. Total energy is sampled at synchronised steps. A trajectory that
+/// Advances the system's state. Total energy is sampled at synchronized steps. A trajectory that
 /// blows up ends there, and `failure` reports it, with the step and remedies: an energy is not
 /// finite, or the total energy has changed by more than the kinetic energy at the start. The
 /// trajectory is the same for any number of threads. A last sample between two intervals, at the

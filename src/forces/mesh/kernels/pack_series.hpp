@@ -13,7 +13,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-/// An array of numbers that are not initialised. Of those in use, the last taken is returned first.
+/// An array of numbers that are not initialized. Of those in use, the last taken is returned first.
 template <class Number>
 class PackSeries {
  public:
