@@ -56,7 +56,8 @@ void print_ratio(const RunSummary& s) {
     fmt::print("not defined: the potential energy is constant\n");
   } else {
     fmt::print(
-        "{}   (rms of total energy {:.4g} over that of the potential {:.4g} kJ/mol)\n",
+        "{}   (rms of the total energy, {:.4g}, divided by that of the potential energy, {:.4g} "
+        "kJ/mol)\n",
         estimate_text({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
         s.total_fluctuation, s.potential_fluctuation);
     if (s.rounding > 0)

@@ -31,7 +31,7 @@ std::string note_on(const EfficiencyPoint& p, bool usable) {
   if (p.drifts()) return "energy drifts, but not at longer steps";
   if (p.drift.significant()) return "significant energy drift, but small";
   if (p.relative_drift() >= drift_bound && std::abs(p.drift.rate.value) > 2 * p.drift.rate.error)
-    return "large energy drift, but not significant: more runs decide";
+    return "large energy drift, but not significant: more runs needed";
   if (p.at_rounding()) return fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding);
   return "";
 }

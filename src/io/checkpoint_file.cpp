@@ -83,7 +83,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
     : bytes_(std::move(bytes)), path_(path), rest_(bytes_) {
   constexpr std::size_t head = length_at + number;
   if (bytes_.size() < head + number || !rest_.starts_with(magic))
-    throw DamagedCheckpoint(fmt::format("'{}' is not a checkpoint: it begins differently", path_));
+    throw DamagedCheckpoint(
+        fmt::format("'{}' is not a checkpoint: it does not begin like one", path_));
   if (const std::uint64_t length = number_at(rest_, length_at); length != rest_.size())
     throw DamagedCheckpoint(fmt::format("the checkpoint '{}' is incomplete: it has {} bytes of {}",
                                         path_, rest_.size(), length));

@@ -115,7 +115,7 @@ void read_study(TomlTable table, StudySettings& study, const OwnSchemes& own) {
     } catch (const Error& e) {
       throw e.at(table.where("steps"));
     }
-    table.require(study.steps.back() > 0, "steps", "must be longer than 0 fs, each of them");
+    table.require(study.steps.back() > 0, "steps", "must all be longer than 0 fs");
   }
   const auto runs = table.integer("runs").value_or(study.runs);
   table.require(runs >= 2 && runs <= 1'000'000, "runs",

@@ -115,7 +115,7 @@ Noise noise(Modes modes, double walk = 0) {
 struct Spectrum {
   double prior = 0;      ///< probability
   double amplitude = 0;  ///< of the correlated part, relative to white noise
-  double time = 0;       ///< its correlation time over the length of the run; infinite for a walk
+  double time = 0;  ///< its correlation time divided by the length of the run; infinite for a walk
 
   /// For the mode of degree k; a walk is given by its share of the slope's variance.
   double power(double k) const {
@@ -173,7 +173,7 @@ std::vector<ModeGroup> mode_groups(Modes modes, std::size_t blocks) {
   return groups;
 }
 
-/// A spectrum with its posterior probability and what it says of the estimated mode.
+/// A spectrum with its posterior probability and its result for the estimated mode.
 struct Hypothesis {
   Spectrum spectrum;
   double probability = 0;

@@ -37,7 +37,7 @@ struct BodyLoad {
   Vec3<double> f{}, tau{};
 };
 
-/// The flows of some bodies. Forces are kept from one kick to the next where positions have not
+/// The flows of some bodies. Forces are reused from one kick to the next if positions have not
 /// changed in between.
 /// @tparam Forces  callable as forces(std::span<const RigidBody>, std::span<BodyLoad>), which sets
 ///                 the force and torque of every body

@@ -60,8 +60,8 @@ struct Stage {
   double xi = 0;        ///< ξ of a gradient kick [vanzon2008, Eqs. 4 to 7]; 0 for a plain one
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
-  /// Whether this stage and `next`, right after it, are one stage of both lengths. Baths are not:
-  /// each has separate random numbers.
+  /// Whether this stage and `next`, right after it, can be joined into one. Baths cannot: each has
+  /// separate random numbers.
   constexpr bool joins(const Stage& next) const {
     switch (flow) {
       case Flow::drift:

@@ -26,7 +26,7 @@ struct FreeParameter {
 /// parameter that tune() varies. "mine: ..." at the beginning gives the scheme a name.
 ///
 /// Its order is 2 if it is a palindrome with an error of order h², otherwise unknown.
-/// @param values  for free parameters, in place of those of the text
+/// @param values  for free parameters, instead of those of the text
 /// @throws Error  if the name is unknown (suggesting the nearest one), if the text cannot be parsed
 ///                (with the position), or if its drifts or kicks do not sum to one
 Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> values = {});

@@ -31,8 +31,8 @@ std::string name_of(const NestedScheme& scheme);
 /// @throws Error  as nested_scheme_of()
 std::string label_of(std::string_view text);
 
-/// Names of the table, and stages with names of their own, as text that nested_scheme_of() reads
-/// back to the same bits.
+/// Names of the table, and stages with user-given names, as text that nested_scheme_of() reads back
+/// to the same bits.
 std::string named_text_of(const NestedScheme& scheme);
 
 /// All stages as text that nested_scheme_of() reads back to the same bits.

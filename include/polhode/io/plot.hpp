@@ -20,7 +20,7 @@ namespace polhode {
 inline constexpr std::array<std::string_view, 3> plot_formats = {"svg", "png", "none"};
 
 /// Runs gnuplot on a script in the script's folder, without a shell, the user's settings or input.
-/// False, with a warning that says why and what to do, if gnuplot is not installed, refuses the
+/// False, with a warning that gives reason and remedy, if gnuplot is not installed, refuses the
 /// script, or takes longer than the limit (whole seconds) and is terminated.
 bool run_gnuplot(const std::string& script, std::ostream& warnings,
                  std::chrono::seconds limit = std::chrono::seconds(60));

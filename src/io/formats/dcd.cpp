@@ -41,7 +41,7 @@ class DcdReader : public FrameReader {
       if (record.size() != sizeof(float) * count_)
         in_.refuse(fmt::format("a record of positions is {} bytes long; for {} atoms it must be {}",
                                record.size(), count_, sizeof(float) * count_));
-      if (k == 0) frame.atoms.assign(count_, {});  // as many as there are
+      if (k == 0) frame.atoms.assign(count_, {});  // their number is now known to be right
       for (std::size_t i = 0; i < count_; ++i) {
         const auto x =
             static_cast<double>(decode<float>(record.data() + sizeof(float) * i, in_.order));

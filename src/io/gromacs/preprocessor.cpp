@@ -14,8 +14,8 @@ namespace {
 
 // Limits far above those of any real topology, so that untrusted ones terminate: nested files,
 // total files and characters, nested macros, nested conditions, and the length of a line in
-// characters and words. Macros can make a short file long, so the total number of words they expand
-// to is limited, too.
+// characters and words. Macros can make a short file long, so the total number of words to which
+// they expand is also limited.
 constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;
 constexpr std::size_t max_macro_depth = 16, max_condition_depth = 256, max_line_length = 1 << 16;
 constexpr std::size_t most_replaced = 1 << 22;

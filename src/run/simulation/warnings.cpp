@@ -70,7 +70,7 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
   if (s.drift.known != Known::yes || s.drift.p_value > significance_level ||
       !(s.potential_fluctuation > 0))
     return std::nullopt;
-  // The rms deviation of a straight line from its mean is its rise over √12.
+  // The rms deviation of a straight line from its mean is its rise divided by √12.
   const double drifted =
       std::abs(s.drift.rate.value) * s.length / std::sqrt(12.0) / s.potential_fluctuation;
   const double bound = std::max(min_drift_share * s.ratio.value, min_drift_ratio);

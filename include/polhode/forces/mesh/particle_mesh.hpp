@@ -45,7 +45,7 @@ class ParticleMesh {
                Workers& workers = Workers::serial());
   ~ParticleMesh();
 
-  /// Sets another box, for the same grid points, and forgets the potential.
+  /// Sets another box, for the same grid points, and discards the potential.
   void set_box(const Box& box);
 
   /// Adds forces and torques to `sums`, one record per slot as in ChunkSums; computes the energy

@@ -40,9 +40,9 @@ struct Candidate {
 struct Advice {
   std::vector<Candidate> candidates;
   std::optional<std::size_t> best;       ///< a confirmed one
-  std::optional<std::size_t> runner_up;  ///< the cheapest of the others, as expected
+  std::optional<std::size_t> runner_up;  ///< the cheapest of the others, by estimate
   AdviserPoint confirmation;             ///< independent runs of the best one
-  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm
+  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm a step
   /// Runs that met the requirement with such a margin that a longer step was tried instead.
   std::vector<std::pair<std::size_t, AdviserPoint>> surpassed;
   bool stopped = false;

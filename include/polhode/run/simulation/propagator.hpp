@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// Advances a system step by step. How the steps are divided among calls makes no difference, to
-/// the last bit: samples are taken at the same steps.
+/// Advances a system step by step. Results do not depend on how the steps are divided among calls,
+/// to the last bit: samples are taken at the same steps.
 class Propagator {
  public:
   /// @param system, forces, workers  kept by reference

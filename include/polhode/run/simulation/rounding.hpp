@@ -45,7 +45,7 @@ double kick_weights(const Scheme& scheme, double lambda);
 double kick_weights(const NestedScheme& scheme, double lambda);
 
 /// Variance per time of the random walk of the total energy that the noise drives [(kJ/mol)²/ps]:
-/// every evaluation changes the energy by w h times a power of its own, hence power² h Σw².
+/// every evaluation changes the energy by w h times an independent power, hence power² h Σw².
 double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                      double step);
 

@@ -110,7 +110,7 @@ class Simulation {
 
   Config config_;
   Workers& workers_;
-  std::optional<TrajectorySettings> settings_;  // none while a step is to be chosen
+  std::optional<TrajectorySettings> settings_;  // none until the step is chosen
   std::optional<Guarantee> guarantee_;
   System system_;
   ForceField forces_;

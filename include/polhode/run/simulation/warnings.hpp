@@ -41,7 +41,7 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
 /// itself would come too late.
 inline constexpr double near_stability = 0.4;
 
-/// Ions, the step, and those that the results of a run show (docs/manual/outputs.md, Warnings).
+/// Warnings of ions, the step, and the results of a run (docs/manual/outputs.md, Warnings).
 std::vector<Warning> warnings(const RunSummary& summary, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers = Workers::serial());

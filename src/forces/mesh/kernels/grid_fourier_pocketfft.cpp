@@ -12,7 +12,7 @@ using pocketfft::detail::arr;
 using pocketfft::detail::cmplx;
 
 /// Transposes `width` rows from `row` on to columns[0, numbers), rounded up to whole packs.
-/// Where fewer rows are left, the last one stands for those that are missing.
+/// Where fewer rows are left, the last one replaces those that are missing.
 template <class T>
 void load_rows(const RowsJob<T>& job, std::size_t row, std::size_t numbers, Pack<T>* columns) {
   for (std::size_t x = 0; x < numbers; x += Pack<T>::width)
