@@ -94,8 +94,8 @@ class Integrator {
   }
 
   /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of one flow are applied
-  /// as one, as the last of a step and the first of the next. At the end the state is synchronized:
-  /// positions and momenta belong to the same time.
+  /// as one, such as the last of a step and the first of the next. At the end the state is
+  /// synchronized: positions and momenta belong to the same time.
   /// @param energies  whether energies are required from load() at the end; otherwise they have to
   ///                  be computed at that point
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {

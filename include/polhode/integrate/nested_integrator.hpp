@@ -83,8 +83,8 @@ class SlowForces {
   std::uint64_t near_evaluations_ = 0, near_derivatives_ = 0;
 };
 
-/// An integrator of the slow forces whose drift is an integrator of the near ones: as Integrator,
-/// for a scheme with an inner one.
+/// An integrator of the slow forces whose drift is an integrator of the near ones: like Integrator,
+/// for a scheme with an inner scheme.
 template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
  public:

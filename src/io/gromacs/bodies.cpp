@@ -15,7 +15,7 @@ namespace {
 // More atoms than a rigid molecule has: the pair loops support 64 interacting sites.
 constexpr std::size_t max_atoms = 256;
 
-// The molecules of one type in the initial configuration, if it has an atom for each of the
+// The molecules of one type in the initial configuration, if it has an atom for each atom of the
 // topology.
 class Copies {
  public:

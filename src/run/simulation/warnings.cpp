@@ -204,7 +204,7 @@ std::vector<Warning> warnings_of_results(const RunSummary& s,
 std::vector<Warning> warnings(const RunSummary& s, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers) {
-  // The velocities of a file may have any temperature, unless the run file asks for one.
+  // The velocities of a file may have any temperature, unless the run file gives one.
   const bool kept = !system.new_velocities && config.run.equilibrate == 0;
   std::optional<WantedTemperature> wanted;
   if (!kept || config.system.temperature_given) wanted = {config.system.temperature, kept};

@@ -37,7 +37,7 @@ struct AnalysisReport {
 AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& options = {},
                             const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// Names with units, as "interval_ps"; what is not known is null.
+/// The report as JSON. Names contain units, as in "interval_ps"; unknown values are null.
 std::string analysis_json(const AnalysisReport& report);
 
 }  // namespace polhode

@@ -53,8 +53,8 @@ double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double
 /// every energy, 2⁻⁵³ of its size each.
 double double_walk(const Energies& energies, double step);
 
-/// The largest energy drift that rounding in double precision can make [kJ/mol/ps]: all of
-/// these roundings of one sign.
+/// The largest energy drift that rounding in double precision can cause [kJ/mol/ps]: all of these
+/// roundings have the same sign.
 double double_drift(const Energies& energies, double step);
 
 /// The slope of the total energy [kJ/mol/ps]; 0 where it does not exceed double_drift(), as for

@@ -69,8 +69,8 @@ struct Trajectory {
 /// Advances the system's state. Total energy is sampled at synchronized steps. A trajectory that
 /// blows up ends there, and `failure` reports it, with the step and remedies: an energy is not
 /// finite, or the total energy has changed by more than the kinetic energy at the start. The
-/// trajectory is the same for any number of threads. A last sample between two intervals, at the
-/// end or where it was stopped, is not one of those of a longer trajectory.
+/// trajectory is the same for any number of threads. A final sample between two intervals, at the
+/// end or where it was stopped, does not occur in a longer trajectory.
 /// @param from  resumes from there, bit for bit as if it had never been suspended
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                           const Watch& watch = {}, Workers& workers = Workers::serial(),

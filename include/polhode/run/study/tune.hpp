@@ -62,7 +62,7 @@ double rms_bracket(double squares, const TuneSettings& settings);
 TuneResult tune(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
                 Workers& workers = Workers::serial());
 
-/// Names with units, as "step_fs".
+/// The result as JSON. Names contain units, as in "step_fs".
 std::string tune_json(const TuneResult& result);
 
 }  // namespace polhode
