@@ -17,7 +17,8 @@ InstructionSet initial_instruction_set() {
   const char* requested = std::getenv("POLHODE_INSTRUCTION_SET");
   if (std::getenv("POLHODE_TARGET") != nullptr)
     throw Error(
-        "the environment variable POLHODE_TARGET is called POLHODE_INSTRUCTION_SET since version "
+        "the environment variable POLHODE_TARGET has been called POLHODE_INSTRUCTION_SET since "
+        "version "
         "0.2; set POLHODE_INSTRUCTION_SET");
   if (requested == nullptr || *requested == '\0') return instruction_sets.back();
   std::string list;

@@ -43,7 +43,7 @@ void take_configurational_sample(TomlTable& table, double& interval) {
 }
 
 constexpr double max_equilibration = 1e12;  // [ps]
-constexpr auto must_be_time = "must be 0 ps or longer, and 1e6 us (one second) at most";
+constexpr auto must_be_time = "must be 0 ps or longer, and at most 1e6 us (one second)";
 
 }  // namespace
 

@@ -227,8 +227,9 @@ bool TomlTable::holds_text(std::string_view key) const {
 
 void TomlTable::renamed(std::string_view old, std::string_view now) const {
   if (!table_->contains(old)) return;
-  throw Error(fmt::format("the key '{0}' is called '{1}' since version 0.2; write {1}", old, now),
-              where(old));
+  throw Error(
+      fmt::format("the key '{0}' has been called '{1}' since version 0.2; write {1}", old, now),
+      where(old));
 }
 
 void TomlTable::refuse_unknown() const {

@@ -150,7 +150,7 @@ class Scheme {
     return n;
   }
 
-  /// Whether the first stage of a step, apart from baths, is a kick; and the last one.
+  /// Whether the first stage of a step (below: the last one), apart from baths, is a kick.
   constexpr bool starts_with_kick() const {
     for (std::size_t i = 0; i < count_; ++i)
       if (stages_[i].flow != Flow::bath) return stages_[i].flow == Flow::kick;

@@ -8,7 +8,7 @@
 
 namespace polhode {
 
-/// Several quantities, summed in each of some blocks.
+/// Several quantities, summed in each of a number of blocks.
 class BlockMeans {
  public:
   struct Block {

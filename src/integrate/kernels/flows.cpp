@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The loops of drift, kick and displacement over packs of bodies. A range begins at a whole pack
-// and ends at one, or at the last body.
+// The loops of drift, kick and displacement over packs of bodies. A range of bodies is made of
+// whole packs, except that it may end at the last body.
 #include "polhode/integrate/flows.hpp"
 
 #include "polhode/base/pack.hpp"

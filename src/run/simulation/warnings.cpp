@@ -22,7 +22,7 @@ constexpr double far = 3;
 constexpr double rather_far = 2;
 /// The bounds below which nothing is wrong whatever the statistics, each relative to the quantity
 /// in its comment.
-constexpr double min_temperature_difference = 0.01;  // the temperature wanted
+constexpr double min_temperature_difference = 0.01;  // the requested temperature
 constexpr double max_ratio = 0.05;                   // R itself
 constexpr double min_drift_share = 0.5;              // R
 constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy

@@ -32,7 +32,7 @@ class EnergyFile {
   GrowingTable table_;
 };
 
-/// Reads such a file until a mark.
+/// Reads such a file up to a mark.
 /// @throws Error  if it is shorter, or holds anything else
 void check_energies(const std::string& path, const FileMark& mark);
 

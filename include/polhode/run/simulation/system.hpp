@@ -21,7 +21,7 @@ struct System {
   double temperature;             ///< target temperature [K]
   double fit_deviation = 0;       ///< of the initial configuration from the rigid models [nm]
   double massless_deviation = 0;  ///< of its massless sites, whose positions are recomputed [nm]
-  /// Momenta were drawn: the initial configuration has no velocities, or the run file wants new
+  /// Momenta were drawn: the initial configuration has no velocities, or the run file requests new
   /// ones.
   bool new_velocities = true;
   double file_temperature = 0;  ///< of the velocities of the initial configuration, if kept [K]

@@ -52,7 +52,7 @@ struct WantedTemperature {
   bool ignored = false;  ///< the velocities of the initial configuration were kept
 };
 
-/// Those of the results alone.
+/// The warnings of the results alone.
 /// @param wanted  nothing if any temperature is right
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<WantedTemperature>& wanted);
