@@ -77,7 +77,7 @@ TEST_CASE("a drift matters from one rms fluctuation of the energy during a run")
   CHECK(!p.conserves());
 }
 
-TEST_CASE("a curve ends where from one step on all drift, or at the first that blows up") {
+TEST_CASE("a curve ends where all longer steps drift, or at the first that blows up") {
   auto points = law("hoa2", 3e-4, 2, 2);
   points[2].drift = matters;
   CHECK(curves(points)[0].usable == 6);  // a lone drift in the middle

@@ -149,7 +149,7 @@ std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
 }
 
 /// A file over the time analyzed so far, or over its frames if they have no times.
-/// @param frames  their number for each row
+/// @param frames  number of frames so far, for each row
 AnalysisFile file_over_time(const Analysis& a, const std::string& name,
                             const std::vector<double>& frames, CurvesFigure figure) {
   const double interval = mean_interval(a);

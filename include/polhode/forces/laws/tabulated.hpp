@@ -57,7 +57,7 @@ struct Tabulated {
   /// @throws Error  because nothing is known there
   double integral_beyond(double) const {
     throw Error("dispersion_correction needs the law at all distances, and table '" +
-                table->name() + "' has an end; leave the correction out");
+                table->name() + "' has no values beyond its end; leave the correction out");
   }
 };
 
