@@ -61,7 +61,7 @@ void print_best(const AdviceReport& r) {
              criterion.quality == Quality::ratio   ? "a new run           has R below "
              : criterion.quality == Quality::drift ? "energy drift        is smaller than "
                                                    : "temperature bias    is smaller than ",
-             fmt::format("{} with a probability of {:g} %, {:.2g} of what was requested",
+             fmt::format("{} with a probability of {:g} %, {:.2g} of the requested bound",
                          bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
                          p.bound / criterion.bound));
   fmt::print("  energy drift        {} kJ/mol/ns per molecule\n",

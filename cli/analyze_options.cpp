@@ -87,7 +87,7 @@ AnalysisSettings analysis_settings(const AnalyzeOptions& o) {
   }
   if (s.cutoff && *s.cutoff < s.bin)
     throw Error(
-        fmt::format("--cutoff of {:g} nm is shorter than a bin of {:g} nm; ask for a longer "
+        fmt::format("--cutoff of {:g} nm is shorter than a bin of {:g} nm; give a longer "
                     "one",
                     *s.cutoff, s.bin));
   return s;

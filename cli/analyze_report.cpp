@@ -10,14 +10,14 @@
 namespace polhode::cli {
 namespace {
 
-/// "2.300 ± 0.031", or the value with that many decimals, and why it has no error.
+/// "2.300 ± 0.031", or the value with that many decimals and the reason why it has no error.
 std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
   if (e.known == Known::yes) return with_error(e.value * scale, e.error * scale);
   return fmt::format("{:.{}f} (error not known from {})", e.value * scale, digits,
                      e.known == Known::too_short ? "so short a run" : "so few frames");
 }
 
-/// Why a number is no result.
+/// Why a number is not a result.
 std::string not_converged(const Convergence& c, const char* relaxation) {
   return fmt::format("not converged: length {:.3g} ps, {} {:.2g} ps, at least {:.2g} ps needed",
                      c.length, relaxation, c.relaxation, c.needed);

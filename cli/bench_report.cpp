@@ -64,7 +64,7 @@ void print_limits(const std::vector<Limit>& limits) {
   fmt::print("\n");
   row("numbers in a pack", [](const Limit& l) { return l.lanes; });
   row("multiply-adds per ns", [](const Limit& l) { return l.multiply_adds; });
-  row("ns for a pair of waters", [](const Limit& l) { return l.forces.inside.best; });
+  row("ns per pair of waters", [](const Limit& l) { return l.forces.inside.best; });
   row("  within the switching range", [](const Limit& l) { return l.forces.truncated.best; });
   row("  with its energy", [](const Limit& l) { return l.energies.inside.best; });
   row("  within the switching range, with its energy",

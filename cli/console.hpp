@@ -6,9 +6,9 @@
 
 namespace polhode::cli {
 
-/// Messages and progress, with the expected end, on standard error: see ProgressLine;
-/// Ctrl-C, SIGTERM, SIGHUP and SIGXCPU end the job early (interrupt.hpp). The line disappears with
-/// the last copy of the callbacks.
+/// Shows messages and progress, with the expected end, on standard error: see ProgressLine. Ctrl-C,
+/// SIGTERM, SIGHUP and SIGXCPU end the job early (interrupt.hpp). The line disappears with the last
+/// copy of the callbacks.
 Callbacks console();
 
 }  // namespace polhode::cli

@@ -42,11 +42,11 @@ Action convert_verb(CLI::App& app) {
   app.add_option("IN", o->conversion.from,
                  "file to read: .gro .pdb .xyz .xtc .trr .dcd .h5md, or a LAMMPS .data file")
       ->required();
-  app.add_option("OUT", o->conversion.to, "file to write, of any of these formats but the last")
+  app.add_option("OUT", o->conversion.to, "file to write, in any of these formats except the last")
       ->required();
   app.add_option("--names", o->conversion.names,
                  "file with the atom names, if IN has none: XTC, TRR, DCD");
-  app.add_option("--every", o->conversion.every, "take every Nth frame only");
+  app.add_option("--every", o->conversion.every, "write every Nth frame only");
   app.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
   app.add_option("--to", o->to, "ignore frames after this time");
   app.add_flag("--force", o->force, "overwrite OUT if it exists");

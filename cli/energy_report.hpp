@@ -11,7 +11,7 @@ namespace polhode::cli {
 /// Energies with ten digits, and the pressure tensor.
 std::string text_of(const SinglePoint& point);
 
-/// One line a body on standard output, all numbers with 17 digits.
+/// One line per body on standard output, all numbers with 17 digits.
 void print_loads(const SinglePoint& point);
 
 }  // namespace polhode::cli

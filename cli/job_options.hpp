@@ -16,7 +16,7 @@ struct JobOptions {
   bool json = false;
 
   /// Declares FILE, --threads and --json.
-  /// @param of_threads  what the number of threads is of: "simultaneous runs"
+  /// @param of_threads  what the threads do: "simultaneous runs"
   void declare(CLI::App& app, const std::string& of_threads);
   void declare_precision(CLI::App& app);
   /// Declares --temperature and --seed.

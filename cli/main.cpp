@@ -29,7 +29,7 @@ void check_verb(const std::string& word) {
                           did_you_mean(word, names), join_names(names)));
 }
 
-/// What to write in place of an option that the verb does not have.
+/// What to write instead of an option that the verb does not have.
 std::string instead_of(const std::string& option, const CLI::App& verb) {
   if (verb.get_name() == "run" && option == "--steps")
     return "; the length of a run is a time: write --length \"8 fs\" for 4 steps of 2 fs";
@@ -100,7 +100,7 @@ void print_error(const Error& e) {
 /// The message when memory runs out unexpectedly.
 std::string no_memory() {
   return fmt::format(
-      "there is not enough memory: this process may use {:.3g} GB; take fewer molecules, frames, "
+      "there is not enough memory: this process may use {:.3g} GB; use fewer molecules, frames, "
       "lags or bins",
       memory_limit() / 1e9);
 }

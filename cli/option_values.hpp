@@ -58,16 +58,16 @@ Enum named_option(const std::string& text, const std::string& option) {
   throw Error(fmt::format("{} = \"{}\" {}", option, text, must_be_one_of(enum_names<Enum>, text)));
 }
 
-/// The run file of a path, or the default one, with a precision in place of its own if it is given.
+/// The run file of a path, or the default one, with a precision instead of its own if one is given.
 /// @throws Error  as read_config(); naming --precision
 Config read_config_option(const std::string& file, const std::string& precision = {});
 
-/// Sets what --temperature and --seed give, each unless it is empty.
-/// @throws Error  naming the option, if the temperature is not above 0 K, or the seed no whole
-///                number from 0
+/// Applies --temperature and --seed, each unless it is empty.
+/// @throws Error  naming the option, if the temperature is not above 0 K, or the seed is not a
+///                whole number from 0
 void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed);
 
-/// What --continue and --force say of files that exist.
+/// What --continue and --force do with files that exist.
 /// @throws Error  if both are given
 ExistingFiles existing_files(bool resume, bool force);
 

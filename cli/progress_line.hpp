@@ -18,7 +18,8 @@ class ProgressLine {
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  /// Shows a job's progress: on a terminal at most five times a second, in a log as ProgressPace.
+  /// Shows a job's progress: on a terminal at most five times a second, in a log at the pace of
+  /// ProgressPace.
   void show(const Progress& now);
   /// Erases the line of a terminal, until progress is shown again.
   void clear();

@@ -34,7 +34,7 @@ std::string missing_error(Known known, std::uint64_t samples) {
   return "";
 }
 
-/// A value with its error, or why it has none, in a unit that both are given in.
+/// A value with its error, or why it has none; both in the same unit.
 std::string estimate_text(const Estimate& e, Known known, std::uint64_t samples, int digits,
                           const char* unit) {
   if (known == Known::yes) return fmt::format("{} {}", with_error(e.value, e.error), unit);
@@ -56,7 +56,8 @@ void print_ratio(const RunSummary& s) {
     fmt::print("not defined: the potential energy is constant\n");
   } else {
     fmt::print(
-        "{}   (rms of total energy {:.4g} over that of the potential {:.4g} kJ/mol)\n",
+        "{}   (rms of the total energy, {:.4g}, divided by that of the potential energy, {:.4g} "
+        "kJ/mol)\n",
         estimate_text({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
         s.total_fluctuation, s.potential_fluctuation);
     if (s.rounding > 0)
@@ -179,7 +180,7 @@ void print_text(const RunReport& r) {
   print_warnings(r.warnings);
 }
 
-/// What an interrupted run left, and how it resumes.
+/// The files of an interrupted run, and how to resume it.
 void note_end(const RunResult& result, const std::string& checkpoint) {
   switch (result.end) {
     case RunEnd::complete:

@@ -10,7 +10,7 @@ namespace polhode::cli {
 /// @return  the exit code
 int print_run(const RunResult& result, const Simulation& simulation, bool json);
 
-/// On standard error: where a run resumes that ended with an error, if it can be resumed.
+/// Prints to standard error from where a run that ended with an error can be resumed, if it can.
 void note_resumable(const Simulation& simulation);
 
 }  // namespace polhode::cli

@@ -10,7 +10,7 @@ namespace polhode::cli {
 
 /// A scheme with its stages and its error.
 void print_scheme(const Scheme& scheme);
-/// All schemes of the table, a line each.
+/// All schemes of the table, one per line.
 void print_schemes();
 
 std::string scheme_json(const Scheme& scheme);

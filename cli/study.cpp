@@ -59,8 +59,9 @@ Action study_verb(CLI::App& app) {
   app.add_option(
       "--configurational-sample", o->configurational,
       "time between samples of the configurational temperature: \"20 fs\"; default: none");
-  app.add_option("--from-record", o->from_record,
-                 "make tables and figure from this record, of any version, without runs");
+  app.add_option(
+      "--from-record", o->from_record,
+      "make tables and figure from this record, written by any version, without new runs");
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_flag("--force", o->force, "start over if results of another study exist");
   return [o] { return print_study(perform(*o), StudyFiles(o->output).runs, o->json); };

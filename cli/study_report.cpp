@@ -22,7 +22,7 @@ std::string mean_text(const Estimate& e, int digits, int runs) {
   return runs > 1 ? with_error(e.value, e.error) : fmt::format("{:.{}g}", e.value, digits);
 }
 
-/// What a user has to know about a point, and why it is not part of the curve if it is not.
+/// What a user needs to know about a point, and why it is not part of the curve if it is not.
 std::string note_on(const EfficiencyPoint& p, bool usable) {
   if (!p.stable) return "blew up";
   if (!usable)
@@ -31,7 +31,7 @@ std::string note_on(const EfficiencyPoint& p, bool usable) {
   if (p.drifts()) return "energy drifts, but not at longer steps";
   if (p.drift.significant()) return "significant energy drift, but small";
   if (p.relative_drift() >= drift_bound && std::abs(p.drift.rate.value) > 2 * p.drift.rate.error)
-    return "large energy drift, but not significant: more runs decide";
+    return "large energy drift, but not significant: more runs needed";
   if (p.at_rounding()) return fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding);
   return "";
 }
@@ -64,7 +64,7 @@ std::string cost_text(const Guideline& line, std::size_t c, std::size_t verlet) 
 
 void print_costs(const StudyReport& report) {
   fmt::print(
-      "\nminimum cost for an R at or below the given one, in force evaluations per ps (ratio to "
+      "\nminimum cost for R at or below the given value, in force evaluations per ps (ratio to "
       "velocity Verlet);\n* extrapolated by the scheme's order, + the longest step of the "
       "curve\n{:>8}",
       "R %");

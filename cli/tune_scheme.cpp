@@ -54,7 +54,7 @@ Action tune_scheme_verb(CLI::App& app) {
   o->declare(app, "simultaneous runs");
   app.add_option("--scheme", o->settings.scheme,
                  "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; default: the run "
-                 "file's if it has any, or else the families of hoa2 and gier4");
+                 "file's if it has any, otherwise the families of hoa2 and gier4");
   app.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
   app.add_option("--runs", o->settings.runs,
                  "number of runs for the measurement, and again for the confirmation")

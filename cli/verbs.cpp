@@ -18,7 +18,7 @@ const std::vector<VerbGroup>& verb_groups() {
       {"choose a scheme and a step",
        {{"advise", "choose both for a required accuracy, and confirm them by runs", advise_verb},
         {"study", "accuracy against cost of each scheme: the paper's figure", study_verb},
-        {"tune-scheme", "optimise the scheme parameters for a system and step", tune_scheme_verb},
+        {"tune-scheme", "optimize the scheme parameters for a system and step", tune_scheme_verb},
         {"verify", "measure the order of a scheme", verify_verb}}},
       {"look up and try out",
        {{"molecules", "list the molecule models, or show one", molecules_verb},

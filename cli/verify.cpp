@@ -55,7 +55,7 @@ Action verify_verb(CLI::App& app) {
       if (declared == 0)
         fmt::print("; no order is declared, so there is nothing to compare with (--order N)\n");
       else
-        fmt::print(", declared {}: {}\n", declared, holds ? "it holds" : "it does NOT hold");
+        fmt::print(", declared {}: {}\n", declared, holds ? "confirmed" : "NOT confirmed");
     }
     return declared == 0 || holds ? 0 : 1;
   };

@@ -34,7 +34,7 @@ struct EwaldEnergies {
   double self = 0;            ///< self-energy: minus the smooth part of each charge with itself
   double intramolecular = 0;  ///< exclusions: minus the smooth part between charges of the same
                               ///< body
-  double background = 0;      ///< of a net charge with the uniform neutralising background
+  double background = 0;      ///< of a net charge with the uniform neutralizing background
   double total() const { return pairs + reciprocal + self + intramolecular + background; }
 };
 

@@ -25,8 +25,9 @@ InstructionSet initial_instruction_set() {
     if (name(instruction_set) == std::string_view(requested)) return instruction_set;
     list += std::string(list.empty() ? "" : ", ") + name(instruction_set);
   }
-  throw Error("POLHODE_INSTRUCTION_SET = '" + std::string(requested) +
-              "' is no instruction set of this program on this processor; choose one of: " + list);
+  throw Error(
+      "POLHODE_INSTRUCTION_SET = '" + std::string(requested) +
+      "' is not an instruction set of this program on this processor; choose one of: " + list);
 }
 
 std::atomic<InstructionSet>& current() {

@@ -17,21 +17,21 @@ class Scanner {
 
   std::size_t at() const { return at_; }
   void go_to(std::size_t at) { at_ = at; }
-  /// Whether only space is left.
+  /// Whether only white space is left.
   bool at_end();
-  /// Whether the next character that is no space is this one.
+  /// Whether the next character that is not white space is this one.
   bool next_is(char c);
-  /// Whether the next character that is no space is a letter.
+  /// Whether the next character that is not white space is a letter.
   bool next_is_letter();
-  /// Goes past that character if it is the next one, and says whether it was.
+  /// Skips that character if it is the next one, and returns whether it was.
   bool take(char c);
-  /// Goes past that character. @throws Error  if it is not the next one
+  /// Skips that character. @throws Error if it is not the next one
   void expect(char c);
-  /// Goes past the next letters, digits and underscores; empty if a letter does not come next.
+  /// Reads the next letters, digits and underscores; empty if a letter does not come next.
   std::string_view word();
-  /// The same without going there.
+  /// The same, but stays at the current position.
   std::string_view next_word();
-  /// Goes past a decimal number like 0.25 or 1e-3. @throws Error  unless there is a finite one
+  /// Reads a decimal number like 0.25 or 1e-3. @throws Error unless there is a finite one
   double decimal();
 
   /// Throws an Error: what is found here, where, and what is expected.

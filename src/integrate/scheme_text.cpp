@@ -30,7 +30,7 @@ bool is_flow(std::string_view word) {
          std::ranges::any_of(all_flows, [&](Flow flow) { return letter_of(flow) == word.front(); });
 }
 
-/// What stands before the colon of "mine: B(1/2) A(1) B(1/2)"; empty without one.
+/// The name before the colon of "mine: B(1/2) A(1) B(1/2)"; empty without one.
 std::string_view own_name(std::string_view text) {
   const auto colon = text.find(':');
   if (colon == std::string_view::npos) return {};
@@ -171,7 +171,7 @@ void check_sums(const Scheme& scheme) {
 }
 
 /// 2 if a palindrome of drifts and kicks has an error of order h²; 0 if the order is higher, or
-/// stays unknown, as that of a scheme of order 4 with rounded coefficients.
+/// remains unknown, as for a scheme of order 4 with rounded coefficients.
 int order_of(const Scheme& scheme) {
   if (!scheme.palindromic() || scheme.has(Flow::bath)) return 0;
   constexpr double rounding = 1e-4;  // of coefficients with five digits or more; hoa2 has 7e-3

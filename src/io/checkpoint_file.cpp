@@ -83,7 +83,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
     : bytes_(std::move(bytes)), path_(path), rest_(bytes_) {
   constexpr std::size_t head = length_at + number;
   if (bytes_.size() < head + number || !rest_.starts_with(magic))
-    throw DamagedCheckpoint(fmt::format("'{}' is not a checkpoint: it begins differently", path_));
+    throw DamagedCheckpoint(
+        fmt::format("'{}' is not a checkpoint: it does not begin like one", path_));
   if (const std::uint64_t length = number_at(rest_, length_at); length != rest_.size())
     throw DamagedCheckpoint(fmt::format("the checkpoint '{}' is incomplete: it has {} bytes of {}",
                                         path_, rest_.size(), length));
@@ -93,7 +94,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
   if (sum != number_at(rest_, sum_at))
     throw DamagedCheckpoint(
         fmt::format("the checkpoint '{}' is damaged: its checksum is wrong", path_));
-  // All formats so far are sealed alike: another version with a wrong checksum is a flipped bit.
+  // All formats so far have the same checksum: another version with a wrong checksum is a flipped
+  // bit.
   if (const std::uint64_t version = number_at(rest_, magic.size()); version != format_version)
     throw OutputError(
         fmt::format("the checkpoint '{}' is of format {}, and this program reads {}; resume with "
@@ -118,8 +120,7 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
 
 std::string_view CheckpointReader::take(std::size_t n) {
   if (n > rest_.size())
-    throw DamagedCheckpoint(
-        fmt::format("the checkpoint '{}' contains fewer data than it must", path_));
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' contains too few data", path_));
   const std::string_view taken = rest_.substr(0, n);
   rest_.remove_prefix(n);
   return taken;
@@ -150,8 +151,7 @@ void CheckpointReader::operator()(Column<double>& column) {
 
 void CheckpointReader::end() const {
   if (!rest_.empty())
-    throw DamagedCheckpoint(
-        fmt::format("the checkpoint '{}' contains more data than it must", path_));
+    throw DamagedCheckpoint(fmt::format("the checkpoint '{}' contains too many data", path_));
 }
 
 }  // namespace polhode

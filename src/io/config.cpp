@@ -75,7 +75,7 @@ void set_precision(Config& config, Precision precision) {
     throw Error(
         fmt::format("lambda = {:g} is below {:g}, the minimum in mixed precision, because the "
                     "rounding error of the forces is divided by lambda in a finite-difference "
-                    "gradient; leave it out (default: {:g}), or take precision = \"double\"",
+                    "gradient; leave it out (default: {:g}), or use precision = \"double\"",
                     integrator.lambda, min_lambda_in_mixed, lambda_in_mixed),
         integrator.lambda_place);
 }

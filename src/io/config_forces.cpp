@@ -25,7 +25,7 @@ bool has_key_of(TomlTable& table, std::string_view key, const ForceSettings& for
   return table.has(key);
 }
 
-// The defaults of each of the two depend on the other one.
+// The default of each of the two depends on the other.
 void read_truncation(TomlTable& table, ForceSettings& forces) {
   const auto given = table.holds_text("electrostatics")
                          ? value_of<Electrostatics>(*table.text("electrostatics"))

@@ -33,8 +33,8 @@ void take_schemes(TomlTable& table, std::string_view key, std::vector<std::strin
 }
 
 constexpr auto must_be_accuracy =
-    "must be above 0 % and below 100 %: it bounds R, the fluctuation of the total energy over that "
-    "of the potential energy";
+    "must be above 0 % and below 100 %: it bounds R, the fluctuation of the total energy divided "
+    "by that of the potential energy";
 
 void take_configurational_sample(TomlTable& table, double& interval) {
   take_time(table, "configurational_sample", interval, "20 fs");
@@ -115,7 +115,7 @@ void read_study(TomlTable table, StudySettings& study, const OwnSchemes& own) {
     } catch (const Error& e) {
       throw e.at(table.where("steps"));
     }
-    table.require(study.steps.back() > 0, "steps", "must be longer than 0 fs, each of them");
+    table.require(study.steps.back() > 0, "steps", "must all be longer than 0 fs");
   }
   const auto runs = table.integer("runs").value_or(study.runs);
   table.require(runs >= 2 && runs <= 1'000'000, "runs",

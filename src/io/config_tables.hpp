@@ -23,7 +23,7 @@ void read_forces(TomlTable table, ForceSettings& forces);
 /// The tables [[pair]]; the names of sites are checked against the molecules.
 void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,
                 const std::string& file, Mixing& mixing);
-/// The texts of the schemes in the table [schemes], by name, as "mine: B(1/2) A(1) B(1/2)".
+/// The texts of the schemes in the table [schemes], by name, such as "mine: B(1/2) A(1) B(1/2)".
 using OwnSchemes = std::map<std::string, std::string, std::less<>>;
 OwnSchemes read_schemes(TomlTable table);
 /// A name of one of them, alone or on either side of a slash, replaced by its text.

@@ -35,12 +35,12 @@ void check_folder(const std::string& path) {
   const fs::path folder = folder_of(path);
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    throw Error(
-        fmt::format("there is no folder '{}' for the output '{}'; create it, or give another",
-                    folder.string(), path));
+    throw Error(fmt::format(
+        "there is no folder '{}' for the output '{}'; create it, or give another output",
+        folder.string(), path));
   if (::access(folder.c_str(), W_OK) != 0)
     throw Error(fmt::format(
-        "no file can be created in the folder '{}' ({}); give another for the output '{}'",
+        "no file can be created in the folder '{}' ({}); give another folder for the output '{}'",
         folder.string(), std::strerror(errno), path));
 }
 

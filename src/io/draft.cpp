@@ -44,8 +44,8 @@ void Draft::create_named() {
     file_ = ::open(draft_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
   } while (file_ < 0 && errno == EEXIST);
   if (file_ < 0)
-    throw Error(fmt::format("'{}' cannot be written ({}); give another output, or make room", path_,
-                            std::strerror(errno)));
+    throw Error(fmt::format("'{}' cannot be written ({}); give another output, or free disk space",
+                            path_, std::strerror(errno)));
   has_name_ = true;
 }
 
@@ -80,7 +80,7 @@ void Draft::replace() {
 }
 
 void Draft::refuse(int error) const {
-  throw RunError(fmt::format("'{}' could not be written completely ({}); make room for it", path_,
+  throw RunError(fmt::format("'{}' could not be written completely ({}); free disk space", path_,
                              std::strerror(error)));
 }
 

@@ -33,8 +33,8 @@ class FigureScript {
 
   /// Begins a data block, to which rows() adds curves.
   FigureScript& block(std::string_view name);
-  /// A curve of the data block, each on lines of its own, with a comment; gnuplot's `index` is its
-  /// number from 0.
+  /// A curve of the data block, on separate lines, with a comment; gnuplot's `index` is its number
+  /// from 0.
   FigureScript& rows(std::string_view comment, std::span<const std::vector<double>> rows);
   FigureScript& end_block();
 

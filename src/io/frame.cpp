@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-// J⁻¹ L; for a vanishing moment the angular momentum is zero, too.
+// J⁻¹ L; for a vanishing moment the angular momentum is also zero.
 double over(double L, double J) { return J > 0 ? L / J : 0.0; }
 
 bool visible(const Site& site, MasslessSites massless) {

@@ -57,8 +57,8 @@ const Format& format_named(std::string_view extension, const std::string& file) 
   for (const Format& f : formats) known.emplace_back(f.extension);
   const auto near = nearest_name(extension, known);
   throw Error(fmt::format(
-      "'{}' has no known extension{}; there are: {}; a LAMMPS data file is read under a name that "
-      "ends in .data or .lmp",
+      "'{}' has no known extension{}; there are: {}; a LAMMPS data file must have a name that ends "
+      "in .data or .lmp",
       file, near ? fmt::format(" (did you mean '{}'?)", *near) : "", join_names(known)));
 }
 

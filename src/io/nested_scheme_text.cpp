@@ -15,7 +15,7 @@ namespace polhode {
 namespace {
 
 constexpr int max_steps = 1000;
-constexpr std::size_t max_text = 8192;  // of two schemes: bounds the work of a regular expression
+constexpr std::size_t max_text = 8192;  // of two schemes: limits the work of a regular expression
 
 /// End of the outer scheme: the first slash that is not part of a fraction, which is in
 /// brackets or between '=' and ';'.
@@ -63,11 +63,11 @@ InnerScheme inner_scheme_of(const std::string& text) {
   inner.cutoff = length(part[4].str());
   inner.switch_from = part[3].matched ? length(part[3].str()) : default_near_switch * inner.cutoff;
   if (!(inner.switch_from > 0) || !(inner.switch_from < inner.cutoff))
-    throw Error(
-        fmt::format("near forces switched from {:g} to {:g} nm need a switching distance above 0 "
-                    "nm and a longer cutoff, or the slow forces have a kink; write for example "
-                    "\"within 0.35 to 0.5 nm\"",
-                    inner.switch_from, inner.cutoff));
+    throw Error(fmt::format(
+        "near forces switched from {:g} to {:g} nm need a switching distance above 0 "
+        "nm and a longer cutoff, otherwise the slow forces have a kink; write for example "
+        "\"within 0.35 to 0.5 nm\"",
+        inner.switch_from, inner.cutoff));
   return inner;
 }
 
@@ -78,7 +78,7 @@ std::string one_line(std::string_view text) {
   return line;
 }
 
-/// The name in the table or of its own; otherwise the stages.
+/// The built-in or user-given name; otherwise the stages.
 std::string name_or_stages(const Scheme& s) {
   return s.in_table() || s.has_own_name() ? std::string(s.name()) : text_of(s);
 }

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-// The largest cost at which some curve exceeds a ratio; beyond it, all are close to the axis.
+// The largest cost at which any curve exceeds a ratio; at higher costs all are close to the axis.
 double last_cost_above(const std::vector<EfficiencyCurve>& curves, double ratio) {
   double last = 1;
   for (const EfficiencyCurve& curve : curves)
@@ -50,7 +50,7 @@ bool any_at_rounding(const EfficiencyCurve& curve) {
                      [](auto& m) { return m.stable && m.at_rounding; });
 }
 
-// Ranges of the axes: linear up to `highest`, as far as some curve differs from the axis; and
+// Ranges of the axes: linear up to `highest`, as far as any curve differs from the axis; and
 // logarithmic for all points.
 void add_ranges(FigureScript& script, const std::vector<EfficiencyCurve>& curves, double highest) {
   const Ranges r = ranges_of(curves);

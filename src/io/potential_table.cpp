@@ -15,7 +15,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t min_rows = 4, max_rows = 100'000;
-constexpr double max_unevenness = 1e-3;  // of a spacing: what rounding in the file may shift an r
+constexpr double max_unevenness = 1e-3;  // of a spacing: how far rounding in the file may shift r
 
 struct Columns {
   std::vector<double> r, u, f;
@@ -36,7 +36,7 @@ Columns read_columns(std::string_view text, const std::string& file) {
                       "[kJ/mol], force [kJ/mol/nm]",
                       line.size()));
     if (columns.r.size() == max_rows)
-      line.refuse(fmt::format("the table has more than {} lines; take a coarser grid", max_rows));
+      line.refuse(fmt::format("the table has more than {} lines; use a coarser grid", max_rows));
     columns.r.push_back(line.number(0, "distance"));
     columns.u.push_back(line.number(1, "energy"));
     columns.f.push_back(line.number(2, "force"));
@@ -61,10 +61,11 @@ TabulatedLaw parse_potential_table(std::string_view text, const std::string& fil
   for (std::size_t k = 0; k < r.size(); ++k) {
     const double even = r.front() + static_cast<double>(k) * spacing;
     if (std::abs(r[k] - even) > max_unevenness * spacing)
-      throw Error(fmt::format("distance {} is {:g} nm; at equal intervals it would be {:g} nm, and "
-                              "the spline needs that",
-                              k + 1, r[k], even),
-                  file);
+      throw Error(
+          fmt::format("distance {} is {:g} nm; at the equal intervals that the spline needs "
+                      "it would be {:g} nm",
+                      k + 1, r[k], even),
+          file);
   }
   try {
     return {std::make_shared<const PotentialTable>(file, r.front(), spacing, u, f)};

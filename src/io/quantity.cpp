@@ -25,7 +25,7 @@ struct Unit {
 
 constexpr double electronvolt = units::elementary_charge * units::avogadro * 1e-3;  // [kJ/mol]
 constexpr double bar = 1e5 * 1e-27 * units::avogadro * 1e-3;                        // [kJ/mol/nm³]
-// 1 D = 10⁻²¹ C m²/s over the speed of light.
+// 1 D = 10⁻²¹ C m²/s divided by the speed of light.
 constexpr double debye = 1e-21 / 299792458.0 / (units::elementary_charge * 1e-9);  // [e nm]
 
 // clang-format off

@@ -65,7 +65,7 @@ void write_csv(std::ostream& out, const Table& table, const Provenance& provenan
   write_head(out, table.columns, provenance);
   for (const auto& row : table.rows) {
     if (row.size() != table.columns.size())
-      throw std::logic_error("a row of a table has another length than its header");
+      throw std::logic_error("a row of a table differs in length from its header");
     for (std::size_t k = 0; k < row.size(); ++k)
       out << (k == 0 ? "" : ",") << quote_field(row[k].text);
     out << '\n';
@@ -164,7 +164,7 @@ void refuse_existing(const std::string& path, bool force) {
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
                 const std::string& keep) {
   const auto refuse = [&](const std::string& why) {
-    throw RunError(fmt::format("'{}' cannot be written ({}); make room for it", path, why));
+    throw RunError(fmt::format("'{}' cannot be written ({}); free disk space", path, why));
   };
   try {
     Draft draft(path);

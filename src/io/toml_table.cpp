@@ -61,12 +61,12 @@ void check_keys(std::string_view text, const std::string& file) {
   }
 }
 
-/// What the TOML library complains about, and what to do.
+/// The error that the TOML library reports, and what to do.
 std::string toml_complaint(const std::string& what) {
   if (const auto at = what.find("cannot redefine existing "); at != std::string::npos) {
     const auto open = what.find('\'', at), close = what.rfind('\'');
     if (open < close)
-      return fmt::format("{} occurs twice, and only one of the two could count; delete one of them",
+      return fmt::format("{} occurs twice, and only one of the two can apply; delete one of them",
                          what.substr(open, close - open + 1));
   }
   return fmt::format(
@@ -74,7 +74,7 @@ std::string toml_complaint(const std::string& what) {
       uncapitalized(what));
 }
 
-/// A value as a file has it; numbers with as many digits as they need.
+/// A value as written in a file; numbers with as many digits as necessary.
 std::string written(const toml::node& node) {
   if (node.is_string()) return fmt::format("\"{}\"", *node.value<std::string>());
   if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());

@@ -56,7 +56,7 @@ class Placing {
   Placing(std::size_t count, const Neighbours& neighbours)
       : neighbours_(neighbours), points_(count), placed_(count, false) {}
 
-  // Whether all points could be placed starting from `first`.
+  // Places all points, starting from `first`; returns whether that was possible.
   bool from(std::size_t first) {
     std::fill(placed_.begin(), placed_.end(), false);
     space_ = {};
@@ -172,7 +172,7 @@ PlacedPoints place_points(std::size_t count, std::span<const Distance> distances
     if (placing.from(first)) return std::move(placing).result();
   if (count == 0) return {};
   throw Error(
-      fmt::format("{} distances do not determine {} points: point {}, for example, can still move",
+      fmt::format("{} distances do not determine {} points: point {}, for example, is still free",
                   distances.size(), count, placing.loose() + 1));
 }
 

@@ -19,8 +19,8 @@ RealTransform::RealTransform(std::size_t min_length)
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 
-// pocketfft's waves of a real series are r0, r1, i1, r2, i2 ...; one place before them they are
-// ours but for the imaginary part of the first and, of an even length, the last.
+// pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2 ... From r1 on this is
+// our order; the first imaginary part is missing, and for an even length the last.
 void RealTransform::forward(Column<double>& series, Column<std::complex<double>>& waves) const {
   double* const parts = reinterpret_cast<double*>(waves.data());
   std::copy_n(series.data(), size_, parts + 1);

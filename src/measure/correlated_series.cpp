@@ -23,7 +23,7 @@ class Modes {
         rest_(std::move(values)),
         last_(weights_.size(), 0.0),
         current_(weights_.size(), 1.0) {
-    root_of_weight_ = normalise();
+    root_of_weight_ = normalize();
   }
 
   /// The coefficient of the polynomial of the next degree, from 0; the polynomial is subtracted.
@@ -36,7 +36,7 @@ class Modes {
     for (std::size_t b = 0; b < shifted.size(); ++b)
       shifted[b] -= on_current * current_[b] + on_last * last_[b];
     last_ = std::exchange(current_, std::move(shifted));
-    norm_ = normalise();
+    norm_ = normalize();
     ++degree_;
     return c;
   }
@@ -59,7 +59,7 @@ class Modes {
     for (std::size_t k = 0; k < a.size(); ++k) sum += weights_[k] * a[k] * b[k];
     return sum;
   }
-  double normalise() {
+  double normalize() {
     const double norm = std::sqrt(product(current_, current_));
     for (double& x : current_) x /= norm;
     return norm;
@@ -115,9 +115,9 @@ Noise noise(Modes modes, double walk = 0) {
 struct Spectrum {
   double prior = 0;      ///< probability
   double amplitude = 0;  ///< of the correlated part, relative to white noise
-  double time = 0;       ///< its correlation time over the length of the run; infinite for a walk
+  double time = 0;  ///< its correlation time divided by the length of the run; infinite for a walk
 
-  /// For the mode of degree k; a walk by its share of the slope's variance.
+  /// For the mode of degree k; a walk is given by its share of the slope's variance.
   double power(double k) const {
     return 1 + amplitude * (std::isinf(time) ? walk_share(k)
                                              : 1 / (1 + std::pow(std::numbers::pi * k * time, 2)));
@@ -173,7 +173,7 @@ std::vector<ModeGroup> mode_groups(Modes modes, std::size_t blocks) {
   return groups;
 }
 
-/// A spectrum with its posterior probability and what it says of the estimated mode.
+/// A spectrum with its posterior probability and its result for the estimated mode.
 struct Hypothesis {
   Spectrum spectrum;
   double probability = 0;
@@ -182,7 +182,7 @@ struct Hypothesis {
   double degrees_of_freedom = 0;  ///< of this variance
 };
 
-/// One spectrum plus a walk of known strength, before normalisation.
+/// One spectrum plus a walk of known strength, before normalization.
 /// @param walk   contribution of that walk to the square of the slope's coefficient
 /// @param scale  sum of squares of all modes, to which the likelihood is relative
 Hypothesis hypothesis(const std::vector<ModeGroup>& groups, const Spectrum& spectrum, double degree,

@@ -83,7 +83,7 @@ State start() {
   return state;
 }
 
-/// With that of the centre of mass: the field is at a fixed place, so its motion counts.
+/// Including that of the centre of mass: the field is fixed in space, so its motion counts.
 double kinetic(const State& state, const Bodies& bodies, const Energies& e) {
   return e.kinetic() + norm2(total_momentum(state)) / (2 * total_mass(bodies));
 }
@@ -128,7 +128,7 @@ OrderMeasurement measure_order(const NestedScheme& scheme, double lambda) {
   constexpr double length = 0.64;
   const double max_step = scheme.outer.force_evaluations() < 8 ? 0.02 : 0.04;
   // A finite difference amplifies rounding by 1/λ; otherwise a few units of 2⁻⁵³ per step add up as
-  // a random walk over a few hundred to some ten thousand steps.
+  // a random walk over a few hundred to about ten thousand steps.
   const double rounding = scheme.has(Gradient::finite_difference) ? 1e-15 / lambda : 4e-14;
   OrderMeasurement result;
   double before = 0;

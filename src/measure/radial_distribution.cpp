@@ -112,8 +112,8 @@ std::vector<double> smoothed(std::span<const double> g) {
   return smooth;
 }
 
-// The bin of the first peak, between where g first comes near its largest value and where it has
-// fallen to half of the peak, because a second peak may be as high.
+// The bin of the first peak, from where g first comes near its largest value to where it has fallen
+// to half of the peak, because a second peak may be as high.
 std::ptrdiff_t first_summit(std::span<const double> g) {
   constexpr double near = 0.75, fallen = 0.5;
   const double largest = *std::max_element(g.begin(), g.end());
@@ -157,8 +157,8 @@ using Cubic = std::array<double, 4>;  // coefficients of 1, x, x², x³
 double value(const Cubic& c, double x) { return c[0] + x * (c[1] + x * (c[2] + x * c[3])); }
 
 // The least-squares cubic through `sign` times g at x = −half, −half + 1 ... half, of lower degree
-// for fewer than four points: a sum of polynomials that are orthogonal on these points. As they are
-// symmetric about 0, each is x times the last one minus a multiple of the one before.
+// for fewer than four points: a sum of polynomials that are orthogonal on these points. Since they
+// are symmetric about 0, each is x times the previous one minus a multiple of the one before that.
 Cubic fitted_cubic(std::span<const double> g, double sign) {
   const double half = static_cast<double>(g.size() - 1) / 2;
   Cubic sum{}, polynomial{1}, last{};
@@ -188,8 +188,8 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   const Cubic c = fitted_cubic(g.subspan(static_cast<std::size_t>(bins.low),
                                          static_cast<std::size_t>(bins.high - bins.low + 1)),
                                sign);
-  // Where the slope is zero, with the sign of the root that makes it a maximum. An end of the range
-  // only if there is no such point, because noise alone can make an end higher.
+  // Where the slope is zero, with the sign of the root that makes it a maximum. A limit of the
+  // range only if there is no such point, because noise alone can make it higher.
   const double root = std::sqrt(c[2] * c[2] - 3 * c[1] * c[3]);
   const double inside = c[2] < 0 ? c[1] / (root - c[2]) : (-c[2] - root) / (3 * c[3]);
   const double end = value(c, -half) > value(c, half) ? -half : half;
@@ -203,7 +203,7 @@ constexpr std::size_t tasks = 32;
 std::size_t checked_bins(const RadialSettings& settings) {
   const double bins = settings.cutoff / settings.bin + 1e-9;
   require_memory(sizeof(std::uint64_t) * tasks * static_cast<double>(settings.pairs.size()) * bins,
-                 fmt::format("g(r) histograms of {:.3g} bins", bins), "take wider bins");
+                 fmt::format("g(r) histograms of {:.3g} bins", bins), "use wider bins");
   return static_cast<std::size_t>(bins);
 }
 

@@ -61,7 +61,7 @@ TimeCorrelation::TimeCorrelation(std::size_t bodies, std::size_t lags,
       chunk_((lags + chunks_per_window - 1) / chunks_per_window),
       groups_(std::min(bodies, max_groups)),
       products_(std::move(products)),
-      transform_(lags_ + chunk_),  // lags do not reach around the end
+      transform_(lags_ + chunk_),  // lags do not wrap around the end
       history_(bodies * 3 * (lags_ + chunk_)),
       sums_(groups_, std::vector(products_.size(), std::vector<double>(lags, 0.0))),
       blocks_(products_.size()) {}
@@ -77,7 +77,7 @@ void TimeCorrelation::add(const std::function<Vec3<double>(std::size_t)>& value,
   if (fresh_ == chunk_) sum_up(workers);
 }
 
-// Adds the products of the new frames with all frames held, and keeps the last window of them.
+// Adds the products of the new frames with all stored frames, and keeps the last window of them.
 void TimeCorrelation::sum_up(Workers& workers) {
   if (fresh_ == 0) return;
   workers.each(groups_, [&](std::size_t group) { sum_up(group); });
@@ -99,8 +99,8 @@ void TimeCorrelation::sum_up(Workers& workers) {
   fresh_ = 0;
 }
 
-// Σ_t b(t) a(t − lag) over new t, where a holds all frames and b the new ones, preceded by zeros:
-// its transform is that of b times the complex conjugate of that of a.
+// Σ_t b(t) a(t − lag) over new t, where a contains all frames and b the new ones, preceded by
+// zeros: its transform is that of b times the complex conjugate of that of a.
 void TimeCorrelation::sum_up(std::size_t group) {
   const std::size_t held = before_ + fresh_, row = lags_ + chunk_;
   Scratch scratch(transform_);

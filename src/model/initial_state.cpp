@@ -31,7 +31,7 @@ std::array<std::size_t, 3> cells(std::size_t bodies, const Vec3<double>& edge) {
   return n;
 }
 
-// A lattice point for every body. Which points belong to which component is random (Fisher and
+// A lattice point for every body. The assignment of points to components is random (Fisher and
 // Yates); the bodies of each component are in lattice order, so that neighbours in the box are
 // neighbours in memory.
 std::vector<std::size_t> draw_lattice_points(const Topology& topology, std::size_t places,

@@ -16,8 +16,8 @@ namespace {
 // geometries have at least 10 digits, and their squares carry a few times that rounding.
 constexpr double same_moment = 1e-9;
 
-// More than a rigid molecule needs: the pair loops allow 64 interacting sites, and the size of a
-// molecule is found by looping over all pairs.
+// More sites than a rigid molecule needs: the pair loops allow 64 interacting ones, and the size of
+// a molecule is found by looping over all pairs.
 constexpr std::size_t max_sites = 1024;
 
 void check(const Site& site, const std::string& molecule) {
@@ -113,7 +113,7 @@ Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
   if (sites.size() > max_sites)
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
                 " sites; a rigid molecule may have " + std::to_string(max_sites) +
-                " at most, so divide it, or check where the molecule ends");
+                " at most, so divide it, or check the molecule");
   check_name("a molecule", name);
   Molecule molecule;
   Vec3<double> centre{};

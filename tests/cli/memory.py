@@ -27,13 +27,13 @@ class Memory(Sandbox):
             self.write("many.toml", argon(count, "500 nm"))
             for verb in ("energy", "run", "study"):
                 self.refused([verb, "many.toml"], [f"{count} molecules" if count < 2**53 else "molecules are more",
-                                                   "than the neighbour list can index", "take fewer"], verb)
+                                                   "than the neighbour list can index", "use fewer"], verb)
 
     def test_too_large_systems_are_refused_with_the_amount_of_memory(self):
         self.write("many.toml", argon(5_000_000, "80 nm"))
         process = self.within(2000 * MB, "energy", "many.toml")
         self.assertEqual(process.returncode, 2, process.stderr)
-        for word in ("5000000 molecules need at least 2.6", "GB of memory", "may use 2.1", "take fewer of them",
+        for word in ("5000000 molecules need at least 2.6", "GB of memory", "may use 2.1", "use fewer of them",
                      "many.toml"):
             self.assertIn(word, process.stderr)
 
@@ -48,7 +48,7 @@ class Memory(Sandbox):
     def test_boxes_beyond_all_bounds_are_refused(self):
         for edge in ("1e5 nm", "1e9 nm", "1e300 nm"):
             self.write("wide.toml", argon(27, edge))
-            self.refused(["energy", "wide.toml"], ["an edge of the box is", "at most 8192 nm", "take a smaller box"], edge)
+            self.refused(["energy", "wide.toml"], ["an edge of the box is", "at most 8192 nm", "use a smaller box"], edge)
 
     def test_a_large_box_that_holds_little_is_small(self):
         """Cells of half the range in 400 nm would need 1.7 GB."""
@@ -69,8 +69,8 @@ class Memory(Sandbox):
                               '{ model = "na-spce", count = 1 }, { model = "cl-spce", count = 1 }'),
                       ('box = "2.5 nm"', 'box = "60 nm"'), ('cutoff = "1.0 nm"', 'cutoff = "1.0 nm"\nelectrostatics = "pme"'))
         self.write("ions.toml", ions)
-        self.refused(["energy", "ions.toml"], ["points in this box, for 2 charges", "take a cutoff of"])
-        cutoff = self.polhode("energy", "ions.toml").err.split("take a cutoff of ")[1].split(" nm")[0]
+        self.refused(["energy", "ions.toml"], ["points in this box, for 2 charges", "use a cutoff of"])
+        cutoff = self.polhode("energy", "ions.toml").err.split("use a cutoff of ")[1].split(" nm")[0]
         process = self.done("energy", edited(ions, ("1.0 nm", f"{cutoff} nm")), "--json")
         self.assertIn("PME: grid", process.err)
 

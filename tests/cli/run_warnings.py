@@ -94,7 +94,7 @@ class Warnings(Sandbox):
     def test_a_step_that_is_too_long(self):
         out, warnings, notes = self.both(DEFAULT, "--scheme", "velocity-verlet", "--step", "8 fs")
         self.assertLessEqual({"R", "step"}, set(warnings))
-        self.assertIn("warning: the step of 8 fs is near the end of stability of velocity-verlet", notes)
+        self.assertIn("warning: the step of 8 fs is near the stability limit of velocity-verlet", notes)
         self.assertGreater(warnings["R"]["value"], 0.05)
 
     def test_ions(self):

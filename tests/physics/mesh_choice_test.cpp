@@ -157,12 +157,12 @@ TEST_CASE(
     "a mesh that is too large for few bodies in a large box is refused, with a suitable cutoff") {
   const Topology two{{{ion("a", 1), 1}, {ion("b", -1), 1}}};
   const Box box{{60, 60, 60}};
-  check_error([&] { mesh_for(1e-4, 1.0, box, two); }, {"for 2 charges", "take a cutoff of"});
+  check_error([&] { mesh_for(1e-4, 1.0, box, two); }, {"for 2 charges", "use a cutoff of"});
   const MeshSettings far = mesh_for(1e-4, 12.0, box, two);
   CHECK(far.points[0] * far.points[1] * far.points[2] <= std::size_t{1} << 21);
   check_error(
       [&] {
         mesh_for(1e-4, 1.0, {{3000, 2.5, 2.5}}, two);
       },
-      {"take a smaller box, or a larger pme_accuracy"});
+      {"use a smaller box, or a larger pme_accuracy"});
 }

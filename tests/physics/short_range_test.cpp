@@ -261,7 +261,7 @@ TEST_CASE("sites inside the inner limit have no energy") {
         ForceSettings settings{.cutoff = 1.2, .switch_from = 1};
         settings.precision = precision;
         CHECK(std::isnan(load_of(topology, settings, state).van_der_waals));
-        CHECK(inner_limit_note(topology).find("where its law ends") != std::string::npos);
+        CHECK(inner_limit_note(topology).find("the inner limit of its law") != std::string::npos);
       });
   CHECK(inner_limit_note({{{read_molecule("tip4p"), 1}}}).empty());
 }

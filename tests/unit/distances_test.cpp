@@ -56,7 +56,7 @@ TEST_CASE(
     check_error([&] { place_points(count, list); }, parts);
   };
   refused(3, {{0, 1, 0.1}, {0, 2, 0.1}},
-          {"2 distances do not determine 3 points", "can still move"});
+          {"2 distances do not determine 3 points", "is still free"});
   refused(2, {}, {"0 distances do not determine 2 points"});
   refused(3, {{0, 1, 0.1}, {0, 2, 0.1}, {1, 2, 0.3}},
           {"the distance of points", "follows from the others"});

@@ -268,7 +268,7 @@ TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
   check_text("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
   check_text(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
   check_text(with_pme + "truncation = \"molecule-switch\"",
-             {"cannot be combined with electrostatics = \"pme\"", "take \"site-switch\"",
+             {"cannot be combined with electrostatics = \"pme\"", "use \"site-switch\"",
               "forces.truncation"});
   check_text("[forces]\ndispersion_correction = 1", {"must be true or false"});
   check_text("[forces]\ntruncation = \"site-shift\"\ndispersion_correction = true",

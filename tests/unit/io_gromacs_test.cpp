@@ -270,7 +270,7 @@ TEST_CASE(
   Shape longer = truth, shorter = truth;  // one bond, by 1 pm
   longer[1].x += 0.001, shorter[1].x -= 0.001;
   check_error([&] { rigid_topology(parsed(text), {"SOL"}, nullptr); },
-              {"do not determine a shape and there is no initial configuration to take it from",
+              {"do not determine a shape and there is no initial configuration that has it",
                "topol.top:8"});
   const Frame start = start_of({truth, longer, shorter});
   const RigidTopology rigid = rigid_topology(parsed(text), {"SOL"}, &start);

@@ -15,10 +15,10 @@ TEST_CASE("requests beyond the memory are refused with their amount and a remedy
   const double limit = memory_limit();
   CHECK(limit > 1e8);  // less than any computer on which this builds
   CHECK(limit < 1e16);
-  CHECK_NOTHROW(require_memory(0.9 * limit, "things", "take fewer"));
-  check_error([&] { require_memory(1.1 * limit, "5 things", "take fewer of them"); },
-              {"5 things need at least", "GB of memory", "may use", "take fewer of them"});
-  check_error([] { require_memory(1e300, "things", "take fewer"); }, {"1e+291 GB"});
+  CHECK_NOTHROW(require_memory(0.9 * limit, "things", "use fewer"));
+  check_error([&] { require_memory(1.1 * limit, "5 things", "use fewer of them"); },
+              {"5 things need at least", "GB of memory", "may use", "use fewer of them"});
+  check_error([] { require_memory(1e300, "things", "use fewer"); }, {"1e+291 GB"});
 }
 
 TEST_CASE("counts beyond what the list can index are refused, also if their sum overflows") {
@@ -29,8 +29,8 @@ TEST_CASE("counts beyond what the list can index are refused, also if their sum 
         [&] {
           check_count({{{argon, count}}});
         },
-        {"molecules are more than the neighbour list can index (67108863)", "take fewer"});
-  check_error([&] { check_count({{{argon, ~std::size_t{0}}, {argon, 2}}}); }, {"take fewer"});
+        {"molecules are more than the neighbour list can index (67108863)", "use fewer"});
+  check_error([&] { check_count({{{argon, ~std::size_t{0}}, {argon, 2}}}); }, {"use fewer"});
 }
 
 TEST_CASE("histograms beyond the memory are refused") {
@@ -39,7 +39,7 @@ TEST_CASE("histograms beyond the memory are refused") {
       [&] {
         RadialDistribution(argon, {site_pairs(argon), 1.0, 1e-20});
       },
-      {"histograms of 1e+20 bins", "take wider bins"});
+      {"histograms of 1e+20 bins", "use wider bins"});
 }
 
 // Cells have the required width if there are few, otherwise the width that limits their number,

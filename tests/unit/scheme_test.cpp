@@ -48,7 +48,7 @@ TEST_CASE("coefficients equal their closed forms") {
   // range; a change of 1e-6 in the kick changes both by a relative 1e-5.
   CHECK(worst_oscillator(oscillator_kick) < worst_oscillator(oscillator_kick - 1e-5));
   CHECK(worst_oscillator(oscillator_kick) < worst_oscillator(oscillator_kick + 1e-5));
-  // HOA2's η minimises α² + β² [omelyan2003]: the derivative 48 η³ − 72 η² + 38 η − 5 vanishes, to
+  // HOA2's η minimizes α² + β² [omelyan2003]: the derivative 48 η³ − 72 η² + 38 η − 5 vanishes, to
   // rounding of its terms.
   CHECK(std::abs(((48 * eta - 72) * eta + 38) * eta - 5) < 5e-15);
 }

@@ -91,7 +91,7 @@ TEST_CASE("at several times the density of the liquid the error names two molecu
     FAIL("no error");
   } catch (const RunError& e) {
     const std::string text = e.what();
-    for (const char* part : {"still overlap", "(benzene)", "nm apart", "take a lower density"})
+    for (const char* part : {"still overlap", "(benzene)", "nm apart", "use a lower density"})
       CHECK(text.find(part) != std::string::npos);
   }
 }

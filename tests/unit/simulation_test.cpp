@@ -245,7 +245,7 @@ TEST_CASE("settings that do not fit are refused with their place") {
       {"shadow_sample is 10 fs", "gier4", "argon.toml"});
   Simulation unchosen(config_in(folder, replaced(argon, "step = \"5 fs\"", "accuracy = \"1 %\"")));
   check_error([&] { unchosen.step(); }, {"1 %", "argon.toml", "choose"});
-  check_error([&] { unchosen.summary(); }, {"no trajectory", "take a step"});
+  check_error([&] { unchosen.summary(); }, {"no trajectory", "advance by a step"});
   CHECK(std::filesystem::is_empty(folder.path));
 }
 

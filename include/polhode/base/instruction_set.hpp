@@ -20,14 +20,14 @@ std::vector<InstructionSet> available_instruction_sets();
 /// lacks
 InstructionSet current_instruction_set();
 
-/// Use this instruction set from now on; for tests and benchmarks. Not while other threads compute.
+/// Selects an instruction set, for tests and benchmarks; not while other threads compute.
 void force_instruction_set(InstructionSet instruction_set);
 
 // A file in a `kernels` folder defines its functions in namespace polhode::POLHODE_LOOPS, which the
 // build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares them for all
 // instruction sets, POLHODE_CURRENT_LOOPS selects the current one, and POLHODE_CURRENT_OVERLOAD
 // does so for overloaded functions, given the type of a function pointer.
-// A set that was not compiled in is another name for the scalar one, and never available.
+// A set that was not compiled in is an alias of the scalar one, and never available.
 #if defined(__x86_64__)
 #if defined(POLHODE_WITHOUT_SSE4)
 #define POLHODE_DECLARE_SSE4(...) namespace loops_sse4 = loops_scalar;

@@ -14,7 +14,7 @@ double memory_limit();
 /// Throws if a request cannot fit into memory.
 /// @param bytes   lower estimate of the request
 /// @param what needs them, in the plural: "100000000 molecules"
-/// @param remedy  what to do instead: "take fewer"
+/// @param remedy  what to do instead: "use fewer"
 /// @throws Error  if that is more than memory_limit()
 void require_memory(double bytes, const std::string& what, const std::string& remedy);
 

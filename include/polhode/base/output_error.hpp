@@ -7,8 +7,8 @@
 namespace polhode {
 
 /// Files of an earlier job that can neither be overwritten nor continued as they are. The text says
-/// to give another output, to restore a file, or to start over; how the caller asks for that is
-/// added by the front end.
+/// to give another output, to restore a file, or to start over; the front end adds how to request
+/// that.
 class OutputError : public Error {
  public:
   /// @param resumable  whether the earlier job can also be resumed

@@ -39,15 +39,15 @@ Pack<T> floor(Pack<T> x) {
 /// eˣ = 2ᵏ eʳ with k an integer and |r| ≤ ln 2/2. The Taylor series of eʳ leaves out less than half
 /// a unit in the last place.
 /// Lane types: float, double. Largest error: 1.5 ULP (tests/unit/pack_functions_test.cpp). Valid
-/// range: −708 to 709 for double, −87 to 88 for float; beyond, the result is that of the nearest
-/// end.
+/// range: −708 to 709 for double, −87 to 88 for float; outside, the result is that at the nearest
+/// limit.
 template <class T>
 Pack<T> exp(Pack<T> x) {
   using Real = Pack<T>;
   using Format = FloatFormat<T>;
   const hn::RebindToSigned<typename Real::Tag> integers;
   x = Real(hn::Clamp(x.v, Real(Format::min_exponent).v, Real(Format::max_exponent).v));
-  // A number this large has units as its last place: adding it rounds, and the integer is left in
+  // The last place of a number this large is the unit: adding it rounds, and leaves the integer in
   // the lowest bits of the sum.
   const Real large(static_cast<T>(1.5) *
                    static_cast<T>(typename Format::Integer{1} << Format::fraction_bits));

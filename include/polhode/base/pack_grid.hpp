@@ -115,7 +115,7 @@ inline Pack<double> grid_position(Pack<double> centre, Pack<double> arm, std::in
   Pack<double> t = (centre + arm) * Pack<double>(points / edge);
   t -= n * Pack<double>(hn::Floor((t * Pack<double>(1.0 / points)).v));
   const Pack<double> before(hn::Floor(t.v));
-  const Pack<double> wrapped =  // rounding may have produced either end
+  const Pack<double> wrapped =  // rounding may have given -1 or n
       select(before < n, select(before < Pack<double>(0), n - Pack<double>(1), before),
              Pack<double>(0));
   const hn::Rebind<std::int32_t, Pack<double>::Tag> narrow;

@@ -86,7 +86,7 @@ template <class T, class Rows>
 #endif
 }
 
-/// A pack of floats converted to doubles, in as many packs as that takes.
+/// A pack of floats converted to doubles, in as many packs as necessary.
 inline constexpr std::size_t halves = Pack<float>::width / Pack<double>::width;
 inline std::array<Pack<double>, halves> promote(Pack<float> a) {
   const Pack<double>::Tag tag;

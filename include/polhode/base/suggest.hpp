@@ -13,9 +13,9 @@ namespace polhode {
 /// word into the other.
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The name that differs in case and punctuation only, as spce from "SPC/E"; otherwise the one with
-/// the smallest edit distance, unless that distance exceeds about a third of the word
-/// (one letter of a short word).
+/// The name that differs in case and punctuation only, such as spce for "SPC/E"; otherwise the one
+/// with the smallest edit distance, unless that distance exceeds about a third of the word (one
+/// letter of a short word).
 std::optional<std::string> nearest_name(std::string_view word, std::span<const std::string> names);
 
 /// "; did you mean 'gier4'?", or nothing if no name is close; appended to an error message.
@@ -24,7 +24,7 @@ std::string did_you_mean(std::string_view word, std::span<const std::string> nam
 /// Whether two words have the same letters and digits, regardless of case.
 bool same_letters(std::string_view a, std::string_view b);
 
-/// A sentence with a small first letter; words in capitals, as "SCHEME is required", stay.
+/// A sentence with a small first letter; words in capitals stay, as in "SCHEME is required".
 std::string uncapitalized(std::string sentence);
 
 /// "a, b, c".

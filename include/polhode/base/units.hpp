@@ -16,7 +16,7 @@ inline constexpr double pi = 3.14159265358979323846;
 inline constexpr double coulomb =
     elementary_charge * elementary_charge * avogadro / (4 * pi * vacuum_permittivity) * 1e6;
 
-/// One gram per cubic centimetre [u/nm³]: 10⁻²¹ g/nm³ over the unified mass unit in grams.
+/// One gram per cubic centimetre [u/nm³]: 10⁻²¹ g/nm³ divided by the unified mass unit in grams.
 inline constexpr double gram_per_cm3 = avogadro * 1e-21;
 
 }  // namespace polhode::units

@@ -90,7 +90,7 @@ class ForceField {
   Bodies bodies_;
   std::optional<MeshChoice> mesh_choice_;  // once a mesh was chosen
   ForceSettings settings_;
-  std::optional<Box> box_;  // that the rest belongs to; none after an Error
+  std::optional<Box> box_;  // of all that follows; none after an Error
   double tail_ = 0;         // of the dispersion, in any box [kJ/mol nm³]
   ConstantTerms constant_;
   std::variant<PairEngine<double>, PairEngine<float>> engine_;

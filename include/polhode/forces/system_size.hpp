@@ -10,7 +10,7 @@ namespace polhode {
 /// @throws Error  if there are more molecules than the neighbour list can number
 void check_count(const Topology& topology);
 
-/// @throws Error  if an edge is so long that places in fixed point are too coarse
+/// @throws Error  if an edge is so long that positions in fixed point are too coarse
 void check_edges(const Box& box);
 
 }  // namespace polhode

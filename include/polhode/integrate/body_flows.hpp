@@ -37,14 +37,14 @@ struct BodyLoad {
   Vec3<double> f{}, tau{};
 };
 
-/// The flows of some bodies. Forces are kept from one kick to the next where positions have not
+/// The flows of some bodies. Forces are reused from one kick to the next if positions have not
 /// changed in between.
 /// @tparam Forces  callable as forces(std::span<const RigidBody>, std::span<BodyLoad>), which sets
 ///                 the force and torque of every body
 template <class Forces>
 class BodyFlows {
  public:
-  /// @param bodies  kept by reference; to be moved by the flows alone
+  /// @param bodies  kept by reference; only the flows may move them
   /// @param lambda  for gradient kicks [vanzon2008, Eq. 6]
   BodyFlows(std::span<RigidBody> bodies, Forces forces, double lambda = 1e-4)
       : bodies_(bodies),

@@ -26,13 +26,13 @@ struct FreeDrift {
 /// In place of a bath, for schemes that have none.
 struct NoBath {};
 
-/// What may drift a state by a time t.
+/// A callable that drifts a state over a time t.
 template <class F>
 concept StateDrift = requires(F& drift, State& state, double t) {
   {drift(state, t)};
 };
 
-/// What may change the momenta of a state over a time t; the stage's number is for random numbers.
+/// A callable that changes momenta over a time t; the stage number selects the random numbers.
 template <class F>
 concept StateBath = std::same_as<F, NoBath> ||
     requires(F& bath, State& state, double t, StageNumber at) {
@@ -40,7 +40,7 @@ concept StateBath = std::same_as<F, NoBath> ||
 };
 
 /// What an integrator keeps from step to step: another integrator that is given it continues bit
-/// for bit as the first.
+/// for bit like the first.
 struct IntegratorMemory {
   Load load;              ///< of the last evaluation
   bool current = false;   ///< whether it belongs to the current positions
@@ -49,10 +49,10 @@ struct IntegratorMemory {
   std::vector<IntegratorMemory> inner;  ///< of the inner scheme, if there is one
 };
 
-/// Plays step() on a state: joins adjacent stages, keeps forces while positions do not change,
-/// computes energies only on demand, and counts steps and evaluations. It does so in place:
-/// it owns its scratch space and the last Load; a step does not allocate.
-/// @tparam Drift  of another kind than free motion, such as steps of an inner scheme
+/// Applies step() to a state: joins adjacent stages, keeps forces while positions do not change,
+/// computes energies only on demand, and counts steps and evaluations. It does so in place: it owns
+/// its scratch space and the last Load; a step does not allocate.
+/// @tparam Drift  other than free motion, such as steps of an inner scheme
 /// @tparam Bath   for schemes that have one
 template <ForceModel Forces, StateDrift Drift = FreeDrift, StateBath Bath = NoBath>
 class Integrator {
@@ -61,13 +61,13 @@ class Integrator {
   /// @param lambda  for gradient kicks by finite difference [vanzon2008, Eq. 6]
   /// @param workers  for drifts and kicks, kept by reference; the forces have their own
   /// @throws Error  if the scheme has exact gradients and the forces offer no derivative, or if it
-  ///                has a bath and there is none
+  ///                has a bath and none is given
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, double lambda = 1e-4,
              Workers& workers = Workers::serial()) requires std::same_as<Drift, FreeDrift> &&
       std::same_as<Bath, NoBath>
       : Integrator(scheme, bodies, forces, FreeDrift{bodies, workers}, NoBath{}, lambda, workers) {}
 
-  /// @param drift, bath  kept by value: std::ref() for one that has a state
+  /// @param drift, bath  kept by value: pass std::ref() for one that has a state
   Integrator(const Scheme& scheme, const Bodies& bodies, Forces& forces, Drift drift, Bath bath,
              double lambda = 1e-4, Workers& workers = Workers::serial())
       : scheme_(scheme),
@@ -87,15 +87,15 @@ class Integrator {
     if (exact && !OffersDerivative<Forces>)
       throw Error(
           "the scheme has exact gradient kicks and these forces have no derivative; give them a "
-          "directional_derivative, or take finite differences as in \"gier4-fd\"");
+          "directional_derivative, or use finite differences as in \"gier4-fd\"");
     if (exact) dq_ = dtheta_ = Vec3Column(bodies.size());
     if (difference) shifted_ = State(bodies.size(), {});
     if (exact || difference) gradient_load_ = Load(bodies.size());
   }
 
   /// Advances by `steps` steps e^{Lh} [vanzon2008, Eq. 1]. Adjacent stages of one flow are applied
-  /// as one, as the last of a step and the first of the next. At the end the state is synchronised:
-  /// positions and momenta belong to the same time.
+  /// as one, such as the last of a step and the first of the next. At the end the state is
+  /// synchronized: positions and momenta belong to the same time.
   /// @param energies  whether energies are required from load() at the end; otherwise they have to
   ///                  be computed at that point
   void advance(State& state, double h, std::size_t steps = 1, bool energies = true) {

@@ -9,7 +9,7 @@
 namespace polhode {
 
 /// Holds each drift or kick back until another flow follows, so that the last kick of a step and
-/// the first of the next are one: e^{Bs} e^{Bt} = e^{B(s + t)}. The state is synchronised after
+/// the first of the next are one: e^{Bs} e^{Bt} = e^{B(s + t)}. The state is synchronized after
 /// flush() only.
 template <Flows F>
 class JoinedFlows {
@@ -50,7 +50,7 @@ class JoinedFlows {
 
   F& flows_;
   bool join_drifts_;
-  std::optional<Stage> held_;  // its fraction is a time, its ξ is ξ h²: a stage of a step of 1
+  std::optional<Stage> held_;  // its fraction is a time, its ξ is ξ h²: a stage of a step h = 1
 };
 
 }  // namespace polhode

@@ -48,11 +48,11 @@ class SlowForces {
     subtract(derivative, part_);
   }
 
-  /// Says which state the inner integrator advances. Any other one has displaced positions, as for
-  /// a finite difference, which must not enter what the inner integrator keeps.
+  /// Sets the state that the inner integrator advances. Any other one has displaced positions, as
+  /// for a finite difference, and must not affect what the inner integrator stores.
   void integrates(const State& state) { integrated_ = &state; }
 
-  /// Evaluations that were not the inner integrator's.
+  /// Evaluations other than those of the inner integrator.
   std::uint64_t near_evaluations() const { return near_evaluations_; }
   std::uint64_t near_derivatives() const { return near_derivatives_; }
   void reset_counts() { near_evaluations_ = near_derivatives_ = 0; }
@@ -83,13 +83,13 @@ class SlowForces {
   std::uint64_t near_evaluations_ = 0, near_derivatives_ = 0;
 };
 
-/// An integrator of the slow forces whose drift is an integrator of the near ones: as Integrator,
-/// for a scheme with an inner one.
+/// An integrator of the slow forces whose drift is an integrator of the near ones: like Integrator,
+/// for a scheme with an inner scheme.
 template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
  public:
-  /// @param scheme  with an inner one
-  /// @param full, near  all forces and the near ones, kept by reference
+  /// @param scheme  must have an inner scheme
+  /// @param full, near total and near forces, kept by reference
   /// @param bath  of the outer scheme; the inner one has none
   /// @throws Error  as Integrator
   NestedIntegrator(const NestedScheme& scheme, const Bodies& bodies, Full& full, Near& near,

@@ -60,8 +60,8 @@ struct Stage {
   double xi = 0;        ///< ξ of a gradient kick [vanzon2008, Eqs. 4 to 7]; 0 for a plain one
   Gradient gradient = Gradient::exact;
   constexpr bool has(Gradient which) const { return xi != 0 && gradient == which; }
-  /// Whether this stage and `next`, right after it, are one stage of both lengths. Baths are not:
-  /// each has separate random numbers.
+  /// Whether this stage and `next`, right after it, can be joined into one. Baths cannot: each has
+  /// separate random numbers.
   constexpr bool joins(const Stage& next) const {
     switch (flow) {
       case Flow::drift:
@@ -115,7 +115,7 @@ class Scheme {
     for (const char c : name) own_name_[own_name_size_++] = c;
   }
 
-  /// Its name: in the table, or of its own, which this object holds; "custom" without one.
+  /// Its name in the table, or its own name, which this object stores; "custom" without one.
   constexpr std::string_view name() const {
     return has_own_name() ? std::string_view(own_name_.data(), own_name_size_) : name_;
   }
@@ -143,7 +143,7 @@ class Scheme {
       if (stage.has(gradient)) return true;
     return false;
   }
-  /// Gradient kicks per step. The last kick of a step may be one with the first of the next.
+  /// Gradient kicks per step. The last kick of a step may be joined with the first of the next.
   constexpr int gradient_kicks() const {
     int n = 0;
     for (std::size_t i = 0; i < count_; ++i) n += stages_[i].xi != 0 && !joins_next(i) ? 1 : 0;

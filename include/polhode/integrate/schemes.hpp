@@ -7,7 +7,7 @@
 
 namespace polhode {
 
-/// η that minimises α² + β², with α and β the prefactors of the O(h²) error [omelyan2003]:
+/// η that minimizes α² + β², with α and β the prefactors of the O(h²) error [omelyan2003]:
 /// 1/2 − c/12 + 1/(6c) with c = (2 √326 + 36)^{1/3}. The same scheme is in [mclachlan1995].
 inline constexpr double eta = 0.1931833275037836;
 
@@ -31,7 +31,7 @@ inline constexpr double mclachlan[] = {(14 - 4.3588989435406735522) / 108,
 /// 1/√3, for Chin's scheme B [chin1997].
 inline constexpr double inverse_root_3 = 0.5773502691896257645;
 
-/// The outer kick that minimises the energy error over all harmonic oscillators with ω h < 2
+/// The outer kick that minimizes the energy error over all harmonic oscillators with ω h < 2
 /// [blanes2014, section 6; given there to five digits].
 inline constexpr double oscillator_kick = 0.21178097959263092;
 

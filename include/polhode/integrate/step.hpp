@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One step of a scheme, played on flows: any object with drift(t) and kick(t). Header-only, so that
-// another engine writes the flows that it has and takes the schemes from here.
+// another engine can supply its own flows and use these schemes.
 #pragma once
 
 #include <cstdint>
@@ -44,7 +44,7 @@ void check_flows(const Scheme& scheme) {
       (scheme.has(Gradient::exact) || scheme.has(Gradient::finite_difference)))
     throw Error(
         "the scheme has gradient kicks and these flows do not; give them a kick(t, xi_h2, "
-        "gradient), or take a scheme without xi");
+        "gradient), or use a scheme without xi");
   if (!OffersBath<F> && scheme.has(Flow::bath))
     throw Error(
         "the scheme has a bath and these flows do not; give them a bath(t, number), or leave the "
@@ -73,7 +73,7 @@ void play(const Stage& stage, F& flows, double h, StageNumber at) {
   }
 }
 
-/// Plays stages in their order.
+/// Performs stages in their order.
 /// @param at  the number of the first one
 template <Flows F>
 void play(std::span<const Stage> stages, F& flows, double h, StageNumber at) {
@@ -83,7 +83,7 @@ void play(std::span<const Stage> stages, F& flows, double h, StageNumber at) {
   }
 }
 
-/// Plays one step e^{Lh} of a scheme [vanzon2008, Eq. 1]: flows.drift(t), flows.kick(t),
+/// Performs one step e^{Lh} of a scheme [vanzon2008, Eq. 1]: flows.drift(t), flows.kick(t),
 /// flows.kick(t, ξh², gradient) and flows.bath(t, number) in the order of its stages.
 /// @param number  of this step in the trajectory, for the random numbers of a bath
 /// @throws Error  if the scheme has a stage that the flows do not offer

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Checkpoint files: numbers in binary, with a checksum, so that a file that is truncated, altered
-// or written by another program is recognised before any of it is used.
+// or written by another program is recognized before any of it is used.
 //
 // A file consists of, with 64-bit integers in the byte order of the processor: 16 bytes that
 // identify the format; its version; the length of the file; version and instruction set of the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CRC-64, by which checkpoints and the files of a run are recognised.
+// CRC-64, by which checkpoints and the files of a run are recognized.
 #pragma once
 
 #include <cstddef>

@@ -95,8 +95,8 @@ struct Config {
   std::string source;         ///< path of the file, or "default"
   std::string text;           ///< as read; its hash identifies outputs
   bool mixing_given = false;  ///< whether the file contains a mixing rule
-  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff", since only the box decides whether
-                              ///< the cutoff fits
+  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff", for an error once the box is
+                              ///< known
 };
 
 /// In mixed precision: the default of lambda, and the smallest value accepted.

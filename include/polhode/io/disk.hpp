@@ -15,19 +15,19 @@ std::filesystem::path folder_of(const std::string& path);
 /// @throws Error  in both cases
 void check_folder(const std::string& path);
 
-/// Waits until the disk holds what was written to a file.
+/// Syncs the contents of a file to disk.
 /// @throws RunError  if that cannot be done
 void sync_file(const std::string& path);
 
-/// Waits until the disk holds the name of a file, too. Folders that cannot do this are let be.
+/// Syncs the name of a file to disk. Folders that do not support this are ignored.
 void sync_folder(const std::string& path);
 
 /// Refuses a file that is missing or shorter than it was.
 /// @throws Error  in both cases
 void check_length(const std::string& path, std::uint64_t bytes);
 
-/// Cuts off what follows the first bytes of a file.
-/// @throws Error  if it is shorter than that, or cannot be cut
+/// Truncates a file to its first bytes.
+/// @throws Error  if it is shorter than that, or cannot be truncated
 void cut_file(const std::string& path, std::uint64_t bytes);
 
 }  // namespace polhode

@@ -61,7 +61,7 @@ struct FrameNumber {
 class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
-  /// Appends the frame of a state; formats that store bodies also write these.
+  /// Appends the frame of a state; formats that store bodies write them as well.
   /// @throws RunError  if the file cannot be written completely
   virtual void write(const State& state) = 0;
   /// The same with observables, which must be the same for every frame; formats that cannot store

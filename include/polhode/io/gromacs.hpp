@@ -43,7 +43,7 @@ struct GromacsAtomType {
   double sigma = 0;       ///< [nm]
   double epsilon = 0;     ///< [kJ/mol]
   ShortRangeLaw law{};
-  bool one_sided = false;  ///< of C6 and C12 one alone is 0: no sigma and epsilon say that
+  bool one_sided = false;  ///< only one of C6 and C12 is 0: not expressible by sigma and epsilon
   TextPlace place;
 
   bool same_parameters(const GromacsAtomType& other) const {
@@ -112,22 +112,22 @@ GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
 /// the environment (GMXLIB, GMXDATA) and where GROMACS's data is installed.
 IncludeLoader file_loader(std::vector<std::string> folders);
 
-/// The distances between the real atoms of a molecule that its settles and constraints hold or,
-/// with `Held::by_bonds`, that bonds and angles have at their minimum as well.
+/// The distances between the real atoms of a molecule that its settles and constraints fix or, with
+/// `Held::by_bonds`, those at the minima of its bonds and angles as well.
 enum class Rigidity { by_constraints, by_bonds };
 std::vector<Distance> constrained_distances(const GromacsTopology& topology,
                                             const GromacsMolecule& molecule, Rigidity rigidity);
 
 /// The rigid molecule whose real atoms have that shape, with the virtual sites that are built on
 /// it.
-/// @param shape  places of the real atoms in their order [nm]
+/// @param shape  positions of the real atoms in their order [nm]
 Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& molecule,
                         const Shape& shape);
 
-/// Indices of the atoms of a molecule that are no virtual sites.
+/// Indices of the atoms of a molecule that are not virtual sites.
 std::vector<std::size_t> real_atoms(const GromacsMolecule& molecule);
 
-/// The folder of GROMACS's force fields on this computer, if it is there.
+/// The folder of GROMACS's force fields on this computer, if it is installed.
 std::optional<std::string> gromacs_data_folder();
 
 }  // namespace polhode

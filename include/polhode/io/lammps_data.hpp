@@ -28,7 +28,7 @@ struct LammpsData {
     std::int64_t id, molecule;
     int type;
     double charge;
-    Vec3<double> r, v;  ///< [nm], as image flags unwrap it; [nm/ps]
+    Vec3<double> r, v;  ///< [nm], unwrapped by the image flags; [nm/ps]
   };
   /// Bodies with the same types and charges in the same shape.
   struct Kind {
@@ -57,7 +57,7 @@ enum class AtomOrder { of_kinds, of_ids };
 Frame frame_of(const LammpsData& data, AtomOrder order = AtomOrder::of_kinds);
 
 /// Every kind as a rigid molecule: the mean shape of its copies.
-/// @throws Error  if the file does not tell the forces
+/// @throws Error  if the file does not define the forces
 RigidTopology rigid_topology(const LammpsData& data);
 
 }  // namespace polhode

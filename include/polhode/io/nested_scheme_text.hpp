@@ -23,16 +23,16 @@ NestedScheme nested_scheme_of(std::string_view text);
 /// @throws Error  as nested_scheme_of(), or if the scheme is nested
 Scheme single_scheme_of(std::string_view text);
 
-/// The same, with the names of schemes if they have one, otherwise their stages.
+/// The same as text: the names of schemes that have one, otherwise their stages.
 std::string name_of(const NestedScheme& scheme);
 
-/// What tables and figures call the scheme of a text: its own name if it has one; otherwise the
-/// text with single spaces between its words, or the stages if it defines names.
+/// The label of a scheme in tables and figures: its own name if it has one; otherwise the text with
+/// single spaces between its words, or the stages if it defines names.
 /// @throws Error  as nested_scheme_of()
 std::string label_of(std::string_view text);
 
-/// Names of the table, and stages with names of their own, as text that nested_scheme_of() reads
-/// back to the same bits.
+/// Names of the table, and stages with user-given names, as text that nested_scheme_of() reads back
+/// to the same bits.
 std::string named_text_of(const NestedScheme& scheme);
 
 /// All stages as text that nested_scheme_of() reads back to the same bits.

@@ -20,7 +20,7 @@ namespace polhode {
 inline constexpr std::array<std::string_view, 3> plot_formats = {"svg", "png", "none"};
 
 /// Runs gnuplot on a script in the script's folder, without a shell, the user's settings or input.
-/// False, with a warning that says why and what to do, if gnuplot is not installed, refuses the
+/// False, with a warning that gives reason and remedy, if gnuplot is not installed, refuses the
 /// script, or takes longer than the limit (whole seconds) and is terminated.
 bool run_gnuplot(const std::string& script, std::ostream& warnings,
                  std::chrono::seconds limit = std::chrono::seconds(60));
@@ -42,7 +42,7 @@ struct CurvesFigure {
     std::string title;
   };
   std::vector<Column> columns{};  ///< to be drawn
-  bool separable = false;         ///< draw many curves in a panel each
+  bool separable = false;         ///< draw many curves, each in its own panel
 };
 
 /// Draws the figure; script and image are written next to the CSV file, with its name and other
@@ -66,7 +66,7 @@ struct EfficiencyCurve {
 
 struct EfficiencyFigure {
   std::vector<EfficiencyCurve> curves;
-  std::string caption{};   ///< below the axes: under which conditions costs are compared
+  std::string caption{};   ///< below the axes: the conditions of the comparison
   double highest = 0.035;  ///< R of the linear axis
 };
 
@@ -101,8 +101,8 @@ struct AdviceFigure {
 bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
                  std::ostream& warnings);
 
-/// A free top, and a file with its curves, at which ω has three columns, in blocks separated by two
-/// blank lines: the inertia ellipsoid as a grid, polhodes of the same energy, the top's own, its ω.
+/// A free top, and a file of curves with three columns for ω, in blocks separated by two blank
+/// lines: the inertia ellipsoid as a grid, polhodes of the same energy, the top's own, its ω.
 struct PolhodeFigure {
   std::string data;
   Vec3<double> J, L;  ///< principal moments and body-frame angular momentum, any consistent units

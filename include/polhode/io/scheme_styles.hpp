@@ -13,8 +13,8 @@ struct SchemeStyle {
   int filled = 7, open = 6;  ///< point types of gnuplot
 };
 
-/// The styles of the schemes of a figure: those of data/plots/schemes.toml, or for schemes that it
-/// does not name, as those written as text, its other styles in this order.
+/// The styles of the schemes of a figure: those of data/plots/schemes.toml; schemes that it does
+/// not name, such as those written as text, get its other styles in order.
 std::vector<SchemeStyle> scheme_styles(const std::vector<std::string>& schemes);
 
 }  // namespace polhode

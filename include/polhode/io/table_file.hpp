@@ -79,13 +79,13 @@ class GrowingTable {
 };
 
 /// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers are read
-/// back bit by bit as they were written.
+/// back exactly as they were written.
 /// @throws Error  if the file is shorter, has other columns, or contains an incomplete row
 void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,
               const std::function<void(std::span<const double>)>& visit);
 
-/// Throws if the file is there and `force` is not given, if its folder cannot be written to, or if
+/// Throws if the file exists and `force` is not given, if its folder cannot be written to, or if
 /// its name has control characters or is not UTF-8; call it before anything is computed.
 void refuse_existing(const std::string& path, bool force);
 

@@ -35,8 +35,8 @@ struct RigidTopology {
 bool is_data_file(const std::string& path);
 
 /// Reads a topology file: a GROMACS topology, or a LAMMPS data file.
-/// @param start  the shape of molecules that is not otherwise determined, and the choice between
-///               mirror images; may be null
+/// @param start  determines shapes that the file does not, and distinguishes mirror images; may be
+///               null
 /// @throws Error  with file and line
 RigidTopology read_topology(const TopologySettings& settings, const Frame* start);
 

@@ -17,7 +17,7 @@ struct Eigen3 {
 /// Eigenvalues and eigenvectors of a symmetric 3 × 3 matrix.
 Eigen3 symmetric_eigen(const Mat3<double>& m);
 
-/// The rotation A (body → lab) that minimises Σ w |A body − lab|² [horn1987, quaternion form]. Both
+/// The rotation A (body → lab) that minimizes Σ w |A body − lab|² [horn1987, quaternion form]. Both
 /// sets are relative to their weighted centres. For collinear sets it is one of the equivalent
 /// rotations.
 Quaternion<double> best_rotation(std::span<const Vec3<double>> body,

@@ -15,7 +15,7 @@ struct Estimate {
 Estimate mean(std::span<const double> values);
 
 /// The standard error of a value by the jackknife; `without` holds the values obtained by leaving
-/// out each of the independent parts in turn.
+/// out one of the independent parts after the other.
 double jackknife_error(std::span<const double> without);
 
 /// The slope of the least-squares line through (x, y), and its standard error from the residuals,

@@ -12,8 +12,8 @@
 
 namespace polhode {
 
-/// Forward and backward transforms of one length, not normalised: together they multiply by the
-/// length. The same in every run.
+/// Forward and backward transforms of one length, not normalized: together they multiply by the
+/// length. Results are the same in every run.
 class RealTransform {
  public:
   /// @param min_length  minimum length; the actual length is the next product of small primes

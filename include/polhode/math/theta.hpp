@@ -56,7 +56,7 @@ inline ThetaSeries theta_series(std::complex<double> P, std::complex<double> M, 
 class ThetaIntegral {
  public:
   /// Whether the nome can be computed from k: k² must not underflow. For a top it does if two
-  /// moments are equal, or if L is within some 1e-140 of the axis that it circles.
+  /// moments are equal, or if L is within about 1e-140 of the axis that it circles.
   static bool applies(const Modulus& modulus) {
     return modulus.k * modulus.k >= std::numeric_limits<double>::min();
   }

@@ -32,7 +32,7 @@ class BlockMeans {
 };
 
 /// Samples of a stream of unknown length, in blocks of time. When there are 40 blocks, neighbours
-/// are joined: 20 to 39 blocks in the end, whatever the length, and a memory that does not grow.
+/// are joined: a run of any length ends with 20 to 39 blocks, in constant memory.
 struct TimeBlocks {
   std::vector<BlockMeans::Block> blocks;
   double samples_per_block = 1;

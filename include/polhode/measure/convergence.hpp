@@ -10,36 +10,36 @@ namespace polhode {
 /// Length of a run, and the length that a result needs.
 struct Convergence {
   double length = 0;      ///< of the run [ps]
-  double relaxation = 0;  ///< the time in which the quantity forgets its value, or the largest lag
-                          ///< that it is taken from [ps]
+  double relaxation = 0;  ///< relaxation time of the quantity, or the largest lag from which it is
+                          ///< computed [ps]
   double needed = 0;      ///< a multiple of it; twice the length where that does not suffice [ps]
 
   bool converged() const { return length >= needed; }
 };
 
 /// @param multiple  of the relaxation time that is needed
-/// @param open      no error is known, or the value still moves
+/// @param open      no error is known, or the value still changes
 Convergence convergence(double length, double relaxation, double multiple, bool open);
 
 /// Needed lengths, in relaxation times.
 /// ε: its relative error then is √(2/3 · 1/30) = 15 %, and the mean of M, which ought to vanish,
-/// takes 2/30 off it.
+/// lowers it by 2/30.
 inline constexpr double relaxations_of_dipole = 30;
-/// Of functions of a lag: the least number of windows with which errors are calibrated.
+/// Of functions of a lag: the minimum number of windows for calibrated errors.
 inline constexpr double windows_of_lags = 8;
 
 /// The relaxation time of a vector whose true mean is zero, ∫₀^∞ ⟨M(0)·M(t)⟩ dt/⟨M²⟩, in units of
-/// the length of the run: half of |M̄|²/⟨M²⟩, with M̄ the mean over a stretch of the run, times the
-/// share of the stretch; the mean over stretches of the whole run, halves and quarters. It is 0.29
-/// for a vector that hardly changes in the run, and for long runs τ/T with a scatter of about half
-/// of that.
+/// the length of the run: half of |M̄|²/⟨M²⟩, with M̄ the mean over a part of the run, times the
+/// fraction that the part is; averaged over the whole run, its halves and quarters. It is 0.29 for
+/// a vector that hardly changes in the run, and for long runs τ/T with a scatter of about half of
+/// that.
 /// @param x       the first of its three components among the sums of the blocks
 /// @param square  M²
 double relaxation_share(const BlockMeans& blocks, std::size_t x, std::size_t square);
 
-/// Whether a statistic still moves along the run: over its first half it differs by more than
-/// three standard errors from that over the whole run, which is also the standard deviation of
-/// this difference. False if the error is not known.
+/// Whether a statistic still changes along the run: over its first half it differs by more than
+/// three standard errors from that over the whole run, which is also the standard deviation of this
+/// difference. False if the error is not known.
 bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
                   const std::function<double(std::span<const double>)>& statistic);
 

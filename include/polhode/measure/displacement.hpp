@@ -64,8 +64,8 @@ struct FitWindow {
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);
 
-/// Of that coefficient: the run has `windows_of_lags` times the longest lag, and the slopes in the
-/// two halves of the window do not differ, as they do while molecules are still in their cages.
+/// Convergence of D: the run has `windows_of_lags` times the longest lag, and the slopes in the two
+/// halves of the window do not differ, as they do while molecules are still in their cages.
 Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,
                                   const FitWindow& window);
 

@@ -33,7 +33,7 @@ Energies energies(const State& state, const Bodies& bodies, const Load& load,
 
 /// (Σ p ⊗ p/m − P ⊗ P/M + virial)/V [kJ/mol/nm³], of bodies as wholes: the molecular pressure
 /// tensor [allen2017, section 2.7] with momenta relative to the centre of mass. The Load holds the
-/// virial only if it was made with energies.
+/// virial only if it was computed with energies.
 Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load);
 
 /// Σ q × p + ℓ about the origin [u nm²/ps].

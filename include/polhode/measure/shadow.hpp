@@ -50,19 +50,19 @@ struct ShadowStatistics {
   /// Tested against a random walk of unknown strength: that of rounding, and that of the remaining
   /// discontinuities of the forces (docs/statistics.md).
   Drift drift() const;
-  /// The strength of that walk [(kJ/mol)²/ps], which the energy performs, too. Empty if there are
-  /// too few samples.
+  /// The strength of that walk [(kJ/mol)²/ps], which the energy performs as well. Empty if there
+  /// are too few samples.
   std::vector<WalkStrength> walks() const;
 };
 
-/// A trajectory by its shadow energy.
+/// Results from the shadow energy of a trajectory.
 struct ShadowSummary {
   std::uint64_t samples = 0;
   double fluctuation = 0;  ///< rms [kJ/mol]
   Drift drift;             ///< [kJ/mol/ps]
-  /// How many times sooner an energy drift becomes significant than by the energy: its standard
-  /// error falls with the length of a run as t^{−3/2}, so the times go as the errors to the power
-  /// 2/3. Nothing if one of the errors is not known.
+  /// How many times sooner an energy drift becomes significant than in the energy itself: its
+  /// standard error falls with the length of a run as t^{−3/2}, so the times go as the errors to
+  /// the power 2/3. Nothing if one of the errors is not known.
   std::optional<double> time_gain;
 };
 

@@ -62,7 +62,7 @@ class TimeCorrelation {
   std::size_t fresh_ = 0;   // newer frames, not yet summed
   std::size_t frames_ = 0;  // total number of frames
   std::vector<std::vector<std::vector<double>>> sums_;  // of new frames: [group][product][lag]
-  std::vector<TimeBlocks> blocks_;  // per product: its sum at each lag, then their numbers
+  std::vector<TimeBlocks> blocks_;  // per product: its sum at each lag, then the counts
 };
 
 }  // namespace polhode

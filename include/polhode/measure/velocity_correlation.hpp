@@ -39,11 +39,11 @@ class VelocityCorrelation {
 /// once C has decayed [allen2017, section 2.7].
 BlockMeans running_integral(const BlockMeans& correlation, double interval);
 
-/// Of its value at the last lag: the run has `windows_of_lags` times that lag, and the integral
-/// does not differ from that up to half of it.
+/// Convergence of its value at the last lag: the run has `windows_of_lags` times that lag, and the
+/// integral does not differ from that up to half of it.
 Convergence integral_convergence(const BlockMeans& integral, double interval);
 
-/// C(t)/C(0): 1 at lag 0, without an error. As it is if C(0) vanishes.
+/// C(t)/C(0): 1 at lag 0, without an error. C itself if C(0) vanishes.
 BlockMeans normalized(const BlockMeans& correlation);
 
 struct Spectrum {

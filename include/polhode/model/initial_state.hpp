@@ -21,7 +21,7 @@ State lattice(const Topology& topology, const Box& box, std::uint64_t seed);
 
 /// Draws new momenta at a temperature [K]: p_k with variance m kT, and L_k in the body frame with
 /// variance J_k kT. The total momentum is then removed and the rest rescaled to exactly this
-/// temperature, counting 3 N − 3 translational degrees of freedom (3 for a single body) and the
+/// temperature, counting 3 N − 3 translational degrees of freedom (none for a single body) and the
 /// rotational ones.
 void draw_momenta(State& state, const Topology& topology, double temperature, std::uint64_t seed);
 

@@ -29,8 +29,8 @@ struct BuckinghamLaw {
   bool operator==(const BuckinghamLaw&) const = default;
 };
 
-/// A law given by its energies at equal distances of r, interpolated by a cubic spline. It is of
-/// class C²; its third derivative is bounded, but jumps at each of those distances.
+/// A law given by its energies at equally spaced r, interpolated by a cubic spline. It is of class
+/// C²; its third derivative is bounded, but jumps at each of those distances.
 class PotentialTable {
  public:
   /// @param name   of its file
@@ -47,7 +47,7 @@ class PotentialTable {
   double spacing() const { return spacing_; }
   std::size_t intervals() const { return exact_.size() / 4; }
   double last() const { return first_ + static_cast<double>(intervals()) * spacing_; }
-  /// Of each interval four coefficients of 1, x, x², x³, x from 0 to 1 within the interval.
+  /// For each interval the coefficients of 1, x, x², x³, x from 0 to 1 within the interval.
   template <class T>
   const T* coefficients() const {
     if constexpr (sizeof(T) == 8)
@@ -80,7 +80,7 @@ inline bool is_zero(double epsilon, const ShortRangeLaw& law) {
 
 /// "lennard-jones", "mie", "buckingham" or "tabulated".
 const char* name(const ShortRangeLaw& law);
-/// "sigma 0.33 nm, epsilon 0.8 kJ/mol", with what else the law has.
+/// "sigma 0.33 nm, epsilon 0.8 kJ/mol", with any other parameters of the law.
 std::string parameters(double sigma, double epsilon, const ShortRangeLaw& law);
 
 /// @throws Error  if a parameter is not finite or out of its domain, or the law has no repulsion at

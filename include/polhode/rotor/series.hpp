@@ -177,7 +177,7 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 ///                   body. The moments obey the triangle inequality.
 /// @param L          body-frame angular momentum [u nm^2/ps]
 /// @param t          time [ps], |omega t| <= order.radius; any sign
-/// @return           (w, x, y, z) with w > 0; normalise it, or the product that contains it
+/// @return           (w, x, y, z) with w > 0; normalize it, or the product that contains it
 /// @cost             long_series about 330 flops and a division; short_series about 230
 /// @accuracy         lane types: float, double; largest error 1 ULP of w in every component
 ///                   (tests/unit/rotor_series_test.cpp)

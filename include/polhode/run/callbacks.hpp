@@ -28,7 +28,7 @@ struct Callbacks {
   /// Called often, by any thread, by several at a time: true ends the job soon, with the results so
   /// far.
   std::function<bool()> stop{};
-  /// A line of text, without its end: a note on the input, or what the job does next.
+  /// A line of text, without line end: a note on the input, or what the job does next.
   std::function<void(const std::string& text)> message{};
   /// Called at every sample of the energies of a simulation, with the number of steps done.
   std::function<void(std::size_t steps, const State& state, const Energies& energies)> sample{};

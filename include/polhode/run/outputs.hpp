@@ -25,10 +25,10 @@ enum class ExistingFiles {
 /// How a job is named in its outputs, and what it may do to existing ones.
 struct OutputOptions {
   ExistingFiles existing = ExistingFiles::refuse;
-  std::string command = "polhode";  ///< that makes the files, for their headers
+  std::string command = "polhode";  ///< that writes the files, for their headers
 };
 
-/// How the files of this process are made.
+/// The provenance of the files of this process.
 /// @param config  text that determines them
 Provenance provenance(const std::string& command, const std::string& config, std::uint64_t seed);
 

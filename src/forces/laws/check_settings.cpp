@@ -45,7 +45,7 @@ Fault fault_of_truncation(const ForceSettings& s) {
     return SettingFault{
         "truncation", fmt::format("\"{}\"", name_of(s.truncation)),
         fmt::format("cannot be combined with electrostatics = \"{}\", whose charges have their own "
-                    "cutoff treatment; take \"site-switch\", which then applies to Lennard-Jones "
+                    "cutoff treatment; use \"site-switch\", which then applies to Lennard-Jones "
                     "only",
                     name_of(s.electrostatics))};
   if (s.smoothness < 1 || s.smoothness > 3)
@@ -56,7 +56,7 @@ Fault fault_of_truncation(const ForceSettings& s) {
     return SettingFault{
         "dispersion_correction", "true",
         "cannot be combined with truncation = \"site-shift\", which changes the law at "
-        "all distances; leave it out, or take \"site-switch\""};
+        "all distances; leave it out, or use \"site-switch\""};
   return std::nullopt;
 }
 
@@ -81,7 +81,7 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
   if (s.precision == Precision::mixed && s.pme_accuracy < min_pme_accuracy_in_mixed)
     return SettingFault{"pme_accuracy", fmt::format("{:g}", s.pme_accuracy),
                         fmt::format("must be {:g} or more in mixed precision, about the rounding "
-                                    "error of a mesh in float; or take precision = \"double\"",
+                                    "error of a mesh in float; or use precision = \"double\"",
                                     min_pme_accuracy_in_mixed)};
   return std::nullopt;
 }

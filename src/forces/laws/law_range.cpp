@@ -22,7 +22,7 @@ std::string inner_limit_note(const Topology& topology) {
     for (const Site& site : part.molecule.sites)
       if (const double limit = inner_limit(site.law); limit > 0)
         return fmt::format(
-            "; a pair of {}.{} may have come closer than {:.4f} nm, where its law ends",
+            "; a pair of {}.{} may have come closer than {:.4f} nm, the inner limit of its law",
             part.molecule.name, site.name, limit);
   return {};
 }
@@ -37,7 +37,7 @@ void check_tables(const Topology& topology, const ForceSettings& settings) {
     if (tabulated && tabulated->table->last() < range)
       throw Error(fmt::format(
           "table '{}' ends at {:g} nm, but sites interact up to {:g} nm{}; extend the table, or "
-          "take a shorter cutoff",
+          "use a shorter cutoff",
           tabulated->table->name(), tabulated->table->last(), range,
           by_molecule && extent > 0 ? ", the cutoff and the extent of two molecules" : ""));
   };

@@ -9,8 +9,9 @@
 
 namespace polhode {
 
-/// Rows of real numbers, transformed in place to waves and back. A wave is a real and an imaginary
-/// part; a row has room for length/2 + 1 of them and then for a whole number of packs.
+/// Rows of real numbers, transformed in place to Fourier coefficients
+/// and back. A coefficient is a real and an imaginary part; a row has room for length/2 + 1 of them
+/// and then for a whole number of packs.
 template <class T>
 struct RowsJob {
   const pocketfft::detail::rfftp<T>& plan;
@@ -18,8 +19,8 @@ struct RowsJob {
   std::size_t length, count, stride;  ///< numbers of a row, rows, and numbers from row to row
 };
 
-/// Columns of waves: the n-th wave of each of `length` rows, for all n. Padding up to whole packs
-/// is transformed as well.
+/// Columns of Fourier coefficients: the n-th of each of `length` rows, for all n. Padding up to
+/// whole packs is transformed as well.
 template <class T>
 struct ColumnsJob {
   const pocketfft::detail::cfftp<T>& plan;
@@ -36,7 +37,7 @@ POLHODE_DECLARE_LOOPS(
     void rows_to_waves(const RowsJob<double>& job); void rows_to_waves(const RowsJob<float>& job);
     /// The inverse times the length.
     void waves_to_rows(const RowsJob<double>& job); void waves_to_rows(const RowsJob<float>& job);
-    /// Transforms columns, with the sign −1 or +1 in the exponent; not normalised.
+    /// Transforms columns, with the sign −1 or +1 in the exponent; not normalized.
     void transform_columns(const ColumnsJob<double>& job, int sign);
     void transform_columns(const ColumnsJob<float>& job, int sign);)
 

@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// Transforms of the rows and columns of a grid. Waves are stored as [z][y][x], real and imaginary
-/// parts alternating, k_x ≥ 0 only, rows padded with zeros to whole packs.
+/// Transforms of the rows and columns of a grid. Fourier coefficients are stored as [z][y][x], real
+/// and imaginary parts alternating, k_x ≥ 0 only, rows padded with zeros to whole packs.
 template <class T>
 class GridTransform {
  public:
@@ -21,21 +21,21 @@ class GridTransform {
   GridTransform(const GridTransform&) = delete;
   GridTransform& operator=(const GridTransform&) = delete;
 
-  /// Numbers per row of waves.
+  /// Numbers per row of coefficients.
   std::size_t row() const { return row_; }
 
   /// Transforms plane z of the grid along x and y. The plane is overwritten.
   void plane(std::size_t z);
-  /// Transforms the waves of one y along z into `waves`, row after row.
+  /// Transforms the coefficients of one y along z into `waves`, row after row.
   void columns(std::size_t y, T* waves);
-  /// The inverse, not normalised: forward and back multiplies by the number of points.
+  /// The inverse, not normalized: forward and back multiplies by the number of points.
   void columns_back(std::size_t y, T* waves);
   void plane_back(std::size_t z);
 
  private:
   struct Plans;
   MeshGrid<T>& grid_;
-  // Strides of rows and planes of waves, in numbers.
+  // Strides of rows and planes of coefficients, in numbers.
   std::size_t row_ = spread_lines<T>(2 * (grid_.points[0] / 2 + 1));
   std::size_t plane_ = odd_lines<T>(row_ * grid_.points[1]);
   Column<T> waves_{plane_ * grid_.points[2]};

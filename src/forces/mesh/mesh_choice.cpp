@@ -54,7 +54,8 @@ class ChargeDistribution {
 };
 
 /// The mean square error for given grid spacings in a box of 1 nm³; it falls as 1/V, and depends on
-/// the box in no other way: the sum over waves approximates an integral, so a small grid suffices.
+/// the box in no other way: the sum over wave vectors approximates an integral, so a small grid
+/// suffices.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
   constexpr int points = 12, half = points / 2, aliases = 3;
@@ -111,9 +112,9 @@ bool is_fft_size(std::size_t n) {
 
 /// Time per evaluation [s] from timings of bench_mesh on one core: a cost per charge and one per
 /// grid point, both directions. The latter is that of FFTW, which has dedicated code for some
-/// sizes; pocketfft takes 2.7 to 3.8 ns for nearly all sizes. With that in its place meshes would
-/// differ in a third of the cases and be cheaper by 2 %: results are kept, and do not depend on the
-/// library.
+/// sizes; pocketfft takes 2.7 to 3.8 ns for nearly all sizes. With its costs, meshes would differ
+/// in a third of the cases and be cheaper by 2 %; they are not used, so that results do not depend
+/// on the library.
 double expected_seconds(double charges, const MeshSettings& settings) {
   double points = 1, each = 0;
   for (const std::size_t n : settings.points) {
@@ -174,7 +175,7 @@ MeshChoice::MeshChoice(const Topology& topology, double relative_error, double c
                     relative_error));
   if (ChargeDistribution(topology).charges() == 0)
     throw Error(
-        "no molecule has a charge, so PME has nothing to compute; take electrostatics = "
+        "no molecule has a charge, so PME has nothing to compute; use electrostatics = "
         "\"coulomb\"");
 }
 
@@ -189,7 +190,8 @@ double MeshChoice::error(double spacing, int order, int exponent) {
 
 MeshSettings MeshChoice::cheapest(const Box& box) {
   // In water the actual error is 0.3 to 1.5 times the expected one: smaller where molecules screen
-  // each other, larger because of the coarse sum over waves. The margin covers the larger values.
+  // each other, larger because of the coarse sum over wave vectors. The margin covers the larger
+  // values.
   constexpr double margin = 1.5;
   const double wanted = relative_error_ * typical_force(topology_, box) / margin;
   const double wanted_in_unit_box = wanted * std::sqrt(box.volume());
@@ -216,14 +218,14 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
   return best;
 }
 
-/// What to do about a mesh that is too fine: take the cutoff, increased in steps of a quarter, at
+/// What to do about a mesh that is too fine: use the cutoff, increased in steps of a quarter, at
 /// which it no longer is.
 std::string MeshChoice::remedy(const Box& box, double max_points) const {
   for (double longer = 1.25 * cutoff_; longer < 0.45 * box.shortest_edge(); longer *= 1.25)
     if (points_of(MeshChoice(topology_, relative_error_, longer).cheapest(box)) <= max_points)
-      return fmt::format("take a cutoff of {:.2g} nm, within which there are still few pairs",
+      return fmt::format("use a cutoff of {:.2g} nm, within which there are still few pairs",
                          1.05 * longer);
-  return "take a smaller box, or a larger pme_accuracy";
+  return "use a smaller box, or a larger pme_accuracy";
 }
 
 MeshSettings MeshChoice::operator()(const Box& box) {

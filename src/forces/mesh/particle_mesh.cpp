@@ -42,10 +42,10 @@ void check(const MeshSettings& settings) {
   const double bytes =
       1.5 * sizeof(T) * static_cast<double>(nx) * static_cast<double>(ny) * static_cast<double>(nz);
   require_memory(bytes, fmt::format("{} x {} x {} mesh points", nx, ny, nz),
-                 "take a larger pme_accuracy, a longer cutoff or a smaller box");
+                 "use a larger pme_accuracy, a longer cutoff or a smaller box");
 }
 
-/// Padding of a row that stands for its periodic continuation.
+/// Padding of a row, which holds its periodic continuation.
 template <class T>
 void fold(MeshGrid<T>& grid, std::size_t z, std::size_t beyond) {
   for (std::size_t y = 0; y < grid.points[1]; ++y) {

@@ -18,7 +18,7 @@ std::size_t spread_lines(std::size_t numbers) {
   return (count % 4 == 0 ? count + 1 : count) * line;
 }
 
-/// The same with an odd number of lines: for planes, many more of which are read in turn.
+/// The same with an odd number of lines: for planes, many more of which are read one after another.
 template <class T>
 std::size_t odd_lines(std::size_t numbers) {
   constexpr std::size_t line = pack_bytes / sizeof(T);

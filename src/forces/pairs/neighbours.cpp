@@ -32,7 +32,7 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
     throw Error(fmt::format(
         "cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a site) do not "
         "fit into the shortest box edge ({:.3f} nm): a molecule would interact with its own image; "
-        "take a larger box or a cutoff of at most {:.3f} nm",
+        "use a larger box or a cutoff of at most {:.3f} nm",
         settings.cutoff, extent, shortest, round_down(shortest - 2 * extent)));
 }
 
@@ -78,7 +78,7 @@ void check_count(const Topology& topology) {
   }
   if (slots > Neighbour::slot_mask)
     throw Error(
-        fmt::format("{:.0f} molecules are more than the neighbour list can index ({}); take fewer",
+        fmt::format("{:.0f} molecules are more than the neighbour list can index ({}); use fewer",
                     molecules, Neighbour::slot_mask));
 }
 
@@ -90,7 +90,7 @@ void check_edges(const Box& box) {
     if (!(box.edge[d] <= max_range))
       throw Error(
           fmt::format("an edge of the box is {:g} nm long; it must be at most {:g} nm, since "
-                      "positions are resolved to 2^-30 of it; take a smaller box",
+                      "positions are resolved to 2^-30 of it; use a smaller box",
                       box.edge[d], max_range));
 }
 
@@ -104,8 +104,8 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
                             const Box& box) {
   check_edges(box);
   check_box(topology, settings, box);
-  // Two sites within the cutoff mean centres at most cutoff + reach_a + reach_b apart; centres
-  // closer than switch_from − reach_a − reach_b mean that all sites are inside the switching
+  // Two sites within the cutoff have centres at most cutoff + reach_a + reach_b apart; if
+  // they are closer than switch_from − reach_a − reach_b, all sites are inside the switching
   // distance.
   const bool by_site = settings.truncation != Truncation::molecule_switch;
   const double from = settings.truncation == Truncation::site_shift ? 0.0 : settings.switch_from;
@@ -121,7 +121,7 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
   if (skin <= 0)
     throw Error(
         fmt::format("the cutoff of {:.3f} nm and the size of the molecules fill the shortest box "
-                    "edge ({:.3f} nm); take a larger box or a shorter cutoff",
+                    "edge ({:.3f} nm); use a larger box or a shorter cutoff",
                     settings.cutoff, box.shortest_edge()));
   ranges_.clear();
   for (const auto& a : topology.parts)
@@ -138,7 +138,7 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
   reserve_rows();
 }
 
-/// Makes room for the rows of a uniform density, so that they need not grow.
+/// Reserves memory for the rows of a uniform density, so that they need not grow.
 void NeighbourList::reserve_rows() {
   for (ListChunk& chunk : chunks_) {
     double row = 0;

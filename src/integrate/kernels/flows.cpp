@@ -77,8 +77,8 @@ void drift(State& state, const Bodies& bodies, double t, std::size_t first, std:
     const Quaternion<Real> P = any(angle2 > Real(max_by_series * max_by_series))
                                    ? closed_rotations(bodies.J, L, t, i)
                                    : series_rotation(inverse_J, L, Real(t));
-    // S <- P(t) S. The product is normalised in every step, so |q| - 1 is one rounding error,
-    // however many steps are made.
+    // S <- P(t) S. The product is normalized in every step, so |q| - 1 is one rounding error,
+    // whatever the number of steps.
     store_pack(normalized(attitude * P), state.attitude, i);
   }
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int32_t head_length = 84;
 constexpr std::int32_t head_length_swapped = head_length << 24;
-// Places in the file.
+// Positions in the file.
 constexpr std::size_t count_at = 8;     // of the number of frames
 constexpr std::size_t delta_at = 44;    // of the interval
 constexpr std::size_t title_at = 100;   // the title, which begins with the first frame's time
@@ -41,7 +41,7 @@ class DcdReader : public FrameReader {
       if (record.size() != sizeof(float) * count_)
         in_.refuse(fmt::format("a record of positions is {} bytes long; for {} atoms it must be {}",
                                record.size(), count_, sizeof(float) * count_));
-      if (k == 0) frame.atoms.assign(count_, {});  // as many as there are
+      if (k == 0) frame.atoms.assign(count_, {});  // their number is now known to be right
       for (std::size_t i = 0; i < count_; ++i) {
         const auto x =
             static_cast<double>(decode<float>(record.data() + sizeof(float) * i, in_.order));

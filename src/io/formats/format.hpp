@@ -17,7 +17,7 @@ namespace polhode {
 struct Format {
   std::string_view extension;
   bool has_names;       ///< of atoms
-  bool has_velocities;  ///< or can have them
+  bool has_velocities;  ///< or optional
 
   /// Creates a reader of a stream, which must outlive it; `file` is its name in errors.
   std::unique_ptr<FrameReader> (*read)(std::istream& in, const std::string& file);
@@ -39,7 +39,7 @@ struct Format {
 // characters.
 inline constexpr FormatLimits pdb_limits{
     .atoms = 87'440'031, .lowest = -99.9999, .highest = 999.9999, .edge = 9999.9999};
-// Coordinates are whole numbers of 0.001 nm; their differences, too, must fit in 32 bits.
+// Coordinates are whole numbers of 0.001 nm; their differences must also fit in 32 bits.
 inline constexpr FormatLimits xtc_limits{
     .atoms = 2'147'483'647, .lowest = -1'073'741.8, .highest = 1'073'741.8};
 // Lengths of records are signed 32-bit numbers: 12 bytes per atom in TRR, 4 in DCD.

@@ -11,8 +11,8 @@
 
 namespace polhode {
 
-/// A frame that is not stored as a whole: its atoms are visited one after another. It refers to its
-/// sources.
+/// A frame that is not stored as a whole: its atoms are visited one after another. It only refers
+/// to its sources.
 struct FrameView {
   std::string title;
   std::vector<AtomKind> kinds;

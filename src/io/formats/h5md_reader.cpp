@@ -118,7 +118,8 @@ class H5mdReader : public FrameReader {
       const std::string root = std::string("particles/") + name.data();
       if (hdf5::has(file_, root + std::string("/") + "position/value")) root_ = root + '/';
     }
-    if (root_.empty()) refuse("no group below 'particles' has 'position/value', as one must");
+    if (root_.empty())
+      refuse("no group below 'particles' has 'position/value'; one group must have it");
     position_ = series("position", {Dimension::length});
     if (position_.extents.size() != 3 || position_.extents[2] != 3)
       refuse("'position/value' must have three dimensions: frames, atoms and 3");
@@ -188,7 +189,7 @@ class H5mdReader : public FrameReader {
     const Handle type(H5Dget_type(values), H5Tclose);
     const H5T_class_t kind = H5Tget_class(type);
     if (kind != H5T_FLOAT && kind != H5T_INTEGER)
-      refuse(fmt::format("'{}' has no numbers, as it must", place));
+      refuse(fmt::format("'{}' has no numbers; it must have some", place));
     const auto check_size = [&](const char* what, std::span<const hsize_t> extents) {
       double size = static_cast<double>(H5Tget_size(type));
       for (const hsize_t extent : extents) size *= static_cast<double>(extent);
@@ -289,7 +290,8 @@ class H5mdReader : public FrameReader {
   Box box_at(hsize_t number) {
     const auto place = edges_.place(number);
     if (!place)
-      refuse(fmt::format("frame {} has no box at its step or time, as it must", number + 1));
+      refuse(fmt::format("frame {} has no box at its step or time; every frame must have one",
+                         number + 1));
     take(edges_, *place, values_);
     if (values_.size() == 9) {
       for (std::size_t k = 0; k < 9; ++k)

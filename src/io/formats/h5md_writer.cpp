@@ -378,7 +378,8 @@ class H5mdWriter : public FrameWriter {
     if (series == series_.end()) return;
     hsize_t expected = 1;
     for (const hsize_t extent : series->second.row) expected *= extent;
-    if (expected != values.size()) throw std::logic_error("a frame has another number of atoms");
+    if (expected != values.size())
+      throw std::logic_error("a frame has a different number of atoms");
     put(series->second, H5T_NATIVE_DOUBLE, values.data());
   }
 

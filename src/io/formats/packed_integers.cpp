@@ -219,7 +219,7 @@ std::vector<IntegerVector> unpack_integers(const IntegerVector& lower, const Int
     if (upper[k] < lower[k] || std::int64_t{upper[k]} - lower[k] >= max_width)
       throw Error(
           fmt::format("packed coordinates range from {} to {}; the second must not be smaller, nor "
-                      "larger by {}",
+                      "exceed the first by {} or more",
                       lower[k], upper[k], max_width));
   const auto check_range = [](std::int32_t index) {
     if (index < first_range || index > last_range)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coordinates of XTC files: integers, packed into as few bits as their range needs. Atoms that
-// follow close behind one another are stored as small differences; each run of these contains
+// Coordinates of XTC files: integers, packed into as few bits as their range needs. Consecutive
+// atoms that are close to each other are stored as small differences; each run of these states
 // whether the next differences have a smaller or larger range. The coding is that of the XDR
 // routine xdr3dcoord (F. van Hoesel), which all programs share that read XTC files.
 #pragma once

@@ -168,8 +168,8 @@ class PdbReader : public FrameReader {
 };
 
 // A serial in five characters: decimal up to 99999, then hybrid-36, which continues with A0000 and
-// uses letters as digits (cci.lbl.gov/hybrid_36). The upper case ends at ZZZZZ, the lower begins at
-// a0000.
+// uses letters as digits (cci.lbl.gov/hybrid_36). Serials in upper case end at ZZZZZ, those in
+// lower case begin at a0000.
 std::string serial(std::size_t number) {
   constexpr std::size_t width = 5, decimal = 100'000, digit = 36 * 36 * 36 * 36;
   if (number < decimal) return fmt::format("{:5}", number);

@@ -15,7 +15,7 @@ namespace {
 // More atoms than a rigid molecule has: the pair loops support 64 interacting sites.
 constexpr std::size_t max_atoms = 256;
 
-// The molecules of one type in the initial configuration, if it has an atom for each of the
+// The molecules of one type in the initial configuration, if it has an atom for each atom of the
 // topology.
 class Copies {
  public:
@@ -71,7 +71,7 @@ class Shapes {
     if (!molecule.obstacle.empty())
       throw Error(
           fmt::format("molecule type '{}' has [ {} ], which no rigid body can have; delete it, "
-                      "or take another model",
+                      "or use another model",
                       molecule.name, molecule.obstacle),
           text_of(molecule.obstacle_place));
     if (atoms > max_atoms)
@@ -110,7 +110,7 @@ class Shapes {
       throw Error(
           fmt::format(
               "molecule type '{}' is declared rigid, but its bonds and angles do not determine a "
-              "shape and there is no initial configuration to take it from; give one",
+              "shape and there is no initial configuration that has it; give one",
               molecule.name),
           text_of(molecule.place));
     const Copies copies(gromacs_, index, *start_);

@@ -14,8 +14,8 @@ namespace {
 
 // Limits far above those of any real topology, so that untrusted ones terminate: nested files,
 // total files and characters, nested macros, nested conditions, and the length of a line in
-// characters and words. Macros can make a short file long, so the total number of words they expand
-// to is limited, too.
+// characters and words. Macros can make a short file long, so the total number of words to which
+// they expand is also limited.
 constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;
 constexpr std::size_t max_macro_depth = 16, max_condition_depth = 256, max_line_length = 1 << 16;
 constexpr std::size_t most_replaced = 1 << 22;
@@ -41,7 +41,7 @@ std::optional<Line> Preprocessor::next() {
       continue;
     }
     const std::string_view text = trimmed(*line);
-    if (text.empty() || text.front() == '*') continue;  // '*': a whole line of comment
+    if (text.empty() || text.front() == '*') continue;  // '*': the whole line is a comment
     if (text.front() == '#') {
       directive(text.substr(1));
     } else if (!skipped()) {
@@ -173,8 +173,8 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
                        std::find(e.within.begin(), e.within.end(), word) != e.within.end();
     if (++e.words > max_line_length || e.out.size() + (plain ? word.size() : 0) > max_line_length)
       refuse(
-          fmt::format("the line is longer than {} characters when macros are replaced; write it "
-                      "shorter",
+          fmt::format("the line is longer than {} characters when macros are replaced"
+                      "; shorten it",
                       max_line_length));
     if (!e.within.empty() && ++replaced_ > most_replaced)
       refuse(

@@ -73,7 +73,7 @@ class Parser {
   std::string section_;
   Reader reader_ = nullptr;
   int combination_ = 0;
-  std::int64_t function_ = lennard_jones_function;  // of all pairs, as [ defaults ] says
+  std::int64_t function_ = lennard_jones_function;  // of all pairs, from [ defaults ]
   std::size_t relations_ = 0;
 };
 

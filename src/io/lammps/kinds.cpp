@@ -63,7 +63,7 @@ void sort_into_kinds(LammpsData& data) {
   std::vector<Body> bodies;
   std::vector<std::span<const DataAtom>> first;  // of each kind
   for (std::size_t begin = 0, end = 0; begin < atoms.size(); begin = end) {
-    end = begin + 1;  // molecule 0: atoms by themselves
+    end = begin + 1;  // molecule 0: single atoms
     while (end < atoms.size() && atoms[begin].molecule != 0 &&
            atoms[end].molecule == atoms[begin].molecule)
       ++end;
@@ -75,7 +75,7 @@ void sort_into_kinds(LammpsData& data) {
     if (first.size() == max_kinds)
       throw Error(
           fmt::format("there are more than {} kinds of molecules, which differ in types, charges "
-                      "or shapes; molecule {} is another one; are all molecules rigid?",
+                      "or shapes; molecule {} is one more; are all molecules rigid?",
                       max_kinds, body.front().molecule),
           data.file);
     first.push_back(body);

@@ -9,7 +9,7 @@ namespace polhode {
 
 enum class LammpsLaw { lennard_jones, buckingham, mie };
 
-/// The short-range law of a style, however it is accelerated and whatever its charges do; that of
+/// The short-range law of a style, with any accelerator suffix and any treatment of charges;
 /// Lennard-Jones if no style is given; none for other styles.
 std::optional<LammpsLaw> law_of_pair_style(std::string_view style);
 

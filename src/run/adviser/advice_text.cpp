@@ -61,7 +61,7 @@ std::string unreachable(const Advice& advice, const Criterion& criterion) {
                       reached->step * units::fs_per_ps);
   if (reached->max_rounding() > 0.5 * reached->ratio().value)
     text += fmt::format(
-        "; rounding alone makes R = {:.2g} % in mixed precision; take precision = \"double\" to "
+        "; rounding alone makes R = {:.2g} % in mixed precision; use precision = \"double\" to "
         "avoid it",
         100 * reached->max_rounding());
   if (criterion.quality != Quality::ratio)

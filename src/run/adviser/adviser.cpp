@@ -36,9 +36,9 @@ constexpr std::size_t choosing = 6, confirming = 8;
 /// Sets of runs that may reject a step before the adviser gives up.
 constexpr std::size_t max_refusals = 10;
 constexpr double preparation = 2;  // of an initial configuration, at most [ps], in steps of 1 fs
-/// Maximum interval of energies: rarer ones would determine R less well than the run could [ps].
+/// Maximum interval of energies: fewer samples would determine R less well than the run could [ps].
 constexpr double max_sample_interval = 0.004;
-/// Longer steps tried in place of ones well below the bound.
+/// Number of longer steps tried instead of ones well below the bound.
 constexpr int most_lengthenings = 4;
 /// Fractions of the length of confirming runs after which hopeless sets are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
@@ -49,8 +49,8 @@ constexpr double choosing_share = 0.35, clock_share = 0.1, min_confirming_share 
 /// Length of preliminary runs, relative to that of runs near the final step.
 constexpr double way = 0.5;
 /// The first step to confirm, relative to that proposed by the choosing runs: short runs
-/// underestimate R, the more so where R grows as a high power of the step, because the energy
-/// begins to wander.
+/// underestimate R, more so where R grows as a high power of the step, because the energy begins to
+/// wander.
 double reserve(double exponent) { return 1 - 0.015 * std::clamp(exponent, 2.0, 4.0); }
 /// A scheme is postponed while its expected number of force evaluations exceeds that of the second
 /// cheapest by this factor, which differences in speed may compensate.
@@ -93,9 +93,9 @@ class Adviser {
     evaluation_ = since(before) / (rounds * std::max(1.0, 1000 * preparation_length()));
     const double seconds = min_work() * evaluation_ / workers_.threads();
     if (seconds > settings_.seconds)
-      callbacks_.note(fmt::format(
-          "this system needs at least {:.0f} s in place of {:g} s for a choice of the step",
-          seconds, settings_.seconds));
+      callbacks_.note(
+          fmt::format("choosing the step for this system takes at least {:.0f} s instead of {:g} s",
+                      seconds, settings_.seconds));
     effort_.expect(std::max(min_work(), budget(1) / evaluation_ - effort_.done()));
 
     confirm();
@@ -152,7 +152,7 @@ class Adviser {
       if (const double first = search_of(candidate).first; config_.run.length < 10 * first)
         throw Error(fmt::format(
             "runs of {:g} fs are too short for advice: they must have at least ten "
-            "steps of {:.3g} fs, the first step tried with {}; take longer runs",
+            "steps of {:.3g} fs, the first step tried with {}; use longer runs",
             units::fs_per_ps * config_.run.length, units::fs_per_ps * first, candidate.name));
     begin_ = Clock::now();
     return !stop();
@@ -263,7 +263,7 @@ class Adviser {
     return point;
   }
 
-  /// A longer step, if the runs are so far below the bound that one is worth further runs. Over a
+  /// A longer step, if the runs are so far below the bound that it is worth further runs. Over a
   /// part of the length R scatters more, so this underestimates the margin.
   std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
     const Candidate& candidate = advice_.candidates[c];
@@ -372,9 +372,9 @@ class Adviser {
       candidate.obstacle = "no step that was tried meets the bound";
   }
 
-  /// The wall-clock time of a simulated ps, as the run will have it: all threads on one system,
-  /// schemes interleaved, so that changes of the clock rate or of the load affect all schemes
-  /// equally.
+  /// The wall-clock time per simulated ps, under the conditions of the run: all threads on one
+  /// system, schemes interleaved, so that changes of the clock rate or of the load affect all
+  /// schemes equally.
   void time_candidates() {
     constexpr int turns = 3;
     const double seconds =
@@ -406,8 +406,8 @@ class Adviser {
     return best;
   }
 
-  /// Runs from the same initial configurations with one step after another, until one is confirmed
-  /// and hardly any longer step is possible.
+  /// Runs one step after another from the same initial configurations, until one is confirmed and
+  /// no much longer step is possible.
   void confirm() {
     std::vector<ResumableRun> starts;
     while (advice_.refused.size() < max_refusals) {
@@ -417,7 +417,7 @@ class Adviser {
       if (stop()) return;
       const auto c = advice_.best ? advice_.best : cheapest();
       if (!c) return;
-      // The same ones after a rejection: new ones until some confirm would select lucky ones.
+      // The same ones after a rejection: new ones until one is confirmed would select lucky ones.
       if (starts.empty()) starts = fresh_starts(confirming);
       if (stop()) return;
       Candidate& candidate = advice_.candidates[*c];

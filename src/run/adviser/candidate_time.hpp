@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// Wall-clock time of a simulated ps of a candidate with its step [s], all threads on one system,
-/// measured for about that many seconds.
+/// Wall-clock time per simulated ps of a candidate with its step [s], all threads on one system,
+/// measured for about `seconds`.
 /// @param stop  true ends the measurement
 double time_of(const Candidate& candidate, System system, const Config& config, double seconds,
                const std::function<bool()>& stop, Workers& workers);

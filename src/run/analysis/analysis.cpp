@@ -97,7 +97,7 @@ class Assembly {
     const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
-                   fmt::format("{} lags of {:.0f} bodies", lags, bodies), "take a shorter window");
+                   fmt::format("{} lags of {:.0f} bodies", lags, bodies), "use a shorter window");
     if (requested(Observable::msd) && result_.topology.size() == 1)
       leave_out({Observable::msd},
                 "displacements are relative to the centre of mass of all molecules, and there is "

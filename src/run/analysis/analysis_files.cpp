@@ -148,12 +148,12 @@ std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
   return {std::move(time), std::move(waves)};
 }
 
-/// A file over the time analysed so far, or over its frames if they have no times.
+/// A file over the time analyzed so far, or over its frames if they have no times.
 /// @param frames  their number for each row
 AnalysisFile file_over_time(const Analysis& a, const std::string& name,
                             const std::vector<double>& frames, CurvesFigure figure) {
   const double interval = mean_interval(a);
-  figure.x_label = interval > 0 ? "time analysed  (ps)" : "frames analysed";
+  figure.x_label = interval > 0 ? "time analyzed  (ps)" : "frames analyzed";
   return file_over(
       name, interval > 0 ? "time" : "frames", interval > 0 ? "ps" : "1", frames.size(),
       [&](std::size_t k) { return interval > 0 ? interval * frames[k] : frames[k]; },

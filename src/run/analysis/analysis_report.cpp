@@ -64,7 +64,7 @@ nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
   return {{"value", e.value * scale}, {"error", known_error(e) * scale}};
 }
 
-/// The same with whether it may be taken for a result; if not, why.
+/// The same, with whether it is converged; if not, why.
 nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, double scale = 1) {
   nlohmann::json one = pair(e, scale);
   one["converged"] = c.converged();

@@ -110,7 +110,7 @@ void find_correction(AnalysisSummary& s, const Analysis& a, const SummarySetting
                                                      std::cbrt(a.conditions->volume().value));
 }
 
-/// Between frames, also if no correlation needed it [ps].
+/// Time between frames, even if no correlation needs it [ps].
 double interval_of(const Analysis& a) {
   if (a.interval > 0 || a.frames < 2) return a.interval;
   return (a.last - a.first) / static_cast<double>(a.frames - 1);

@@ -99,7 +99,7 @@ struct EvaluationRepeats {
 
 void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings& settings,
             Workers& workers, double seconds) {
-  // Use other addresses each time, since the speed of memory depends on them.
+  // Uses other addresses each time, since the speed of memory depends on them.
   const std::vector<std::byte> elsewhere(1 + 1088 * repeats.list.size());
   ForceField forces(water.topology, settings, water.state.box, workers);
   Load load;
@@ -173,7 +173,7 @@ void repeat(StepRepeats& repeats, const Motion& motion, System& water,
   repeats.rebuilds += static_cast<double>(list.rebuilds()) - rebuilds_before;
   repeats.steps += static_cast<double>(steps);
 
-  // Time drifts and kicks separately, on a state that is discarded.
+  // Times drifts and kicks separately, on a state that is discarded.
   State state = water.state;
   for (std::size_t n = 0; n < min_repeats; ++n) {
     const Clock first;

@@ -36,11 +36,10 @@ void check_names(const Frame& frame, const Conversion& c) {
 }
 
 void check_selection(const Conversion& c) {
-  if (c.every == 0) throw Error("every 0th frame is no frame; the number must be 1 or more");
+  if (c.every == 0) throw Error("there is no 0th frame; the number must be 1 or more");
   if (c.first > c.last)
-    throw Error(
-        fmt::format("the first time, {:g} ps, is later than the last, {:g} ps; exchange them",
-                    c.first, c.last));
+    throw Error(fmt::format("the first time, {:g} ps, is later than the last, {:g} ps; swap them",
+                            c.first, c.last));
 }
 
 // Times in files are rounded, to floats or to some decimals.

@@ -46,7 +46,7 @@ void list(Archive& archive, List& values, const Fields& fields) {
   std::size_t count = values.size();
   counter(archive, count);
   for (std::size_t k = 0; k < count; ++k) {
-    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // not more than the file has
+    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // no more than the file has
     fields(values[k]);
   }
 }
@@ -143,7 +143,7 @@ void fields(Archive& archive, Of& c) {
 
 /// The contents of an initial configuration besides positions: attitudes, and velocities if there
 /// are any. Random velocities follow from the seed. Nine digits are more than any text format has,
-/// and fewer than differ between processors.
+/// and few enough to be the same on all processors.
 std::string motion_of_start(const Config& config, const System& system) {
   std::string text;
   if (config.system.initial_configuration.empty()) return text;
@@ -160,7 +160,7 @@ std::string motion_of_start(const Config& config, const System& system) {
   return text;
 }
 
-/// The contents of trajectories: which files, which sites and names, with or without velocities.
+/// The contents of trajectories: files, sites and names, with or without velocities.
 std::string outputs_of(const OutputSettings& output, const Topology& topology) {
   std::string text;
   if (output.trajectory_every == 0) return text;

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-// Of Lennard-Jones: nothing besides σ and ε.
+// For Lennard-Jones: nothing besides σ and ε.
 std::string law_identity(const Site& site) {
   if (std::holds_alternative<LennardJonesLaw>(site.law)) return {};
   std::string id =

@@ -15,7 +15,7 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
   if (inner.cutoff > whole.cutoff)
     throw Error(
         fmt::format("the cutoff of the near forces, {:g} nm, exceeds that of all forces, {:g} nm; "
-                    "take a shorter one, 0.5 nm is usual",
+                    "use a shorter one, 0.5 nm is usual",
                     inner.cutoff, whole.cutoff));
   ForceSettings near = whole;
   near.truncation = Truncation::molecule_switch;

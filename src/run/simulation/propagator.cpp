@@ -87,7 +87,7 @@ class Clocks {
   void add_motion() { motion_ += part_.lap(); }
   void skip() { part_.lap(); }
   void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
-  /// What has passed since the last call of timings() was not the trajectory's.
+  /// The time since the last call is not part of the trajectory.
   void skip_pause() {
     run_.lap();
     skip();
@@ -289,7 +289,8 @@ class Propagator::Impl {
                           inner_limit_note(system_.topology));
   }
 
-  /// @param step  that failed; the molecules to blame are those of the state now, or before it
+  /// @param step  that failed; the molecules that collided are those of the current state, or of
+  /// the one before
   [[noreturn]] void blow_up(std::size_t step, std::string cause) const {
     std::string contact = strongest_contact(system_, system_.state);
     if (contact.empty()) contact = strongest_contact(system_, before_);

@@ -69,7 +69,7 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     check_energies(names_.energies, marks.energies);
     reopen(marks);
   }
-  // From here on the intact one is the newest: the damaged one must not become the previous one.
+  // The intact one is now the newest: the damaged one must not become the previous one.
   if (!from.note.empty())
     std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);
 }
@@ -88,7 +88,7 @@ void RunFiles::begin() try {
   energies_.emplace(names_.energies, topology_, provenance_);
   for (const std::string& path : names_.trajectories)
     trajectories_.push_back(create_frames(path, topology_, choice_));
-} catch (const Error& e) {  // a checkpoint exists: the run can be resumed when there is room
+} catch (const Error& e) {  // a checkpoint exists: the run can be resumed when there is disk space
   throw RunError(e.what());
 }
 

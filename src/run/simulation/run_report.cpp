@@ -15,7 +15,7 @@ using nlohmann::json;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
-/// A number where it is known.
+/// A number if it is known.
 json number_if(bool known, double value) {
   return known && std::isfinite(value) ? json(value) : json();
 }

@@ -56,7 +56,8 @@ void apply(State& state, const std::vector<Move>& moves) {
 std::size_t separate_molecules(System& system, const std::function<bool()>& stop,
                                Workers& workers) {
   ForceSettings settings = system.forces;
-  settings.precision = Precision::double_precision;  // overlaps have energies beyond a float's
+  settings.precision =
+      Precision::double_precision;  // energies of overlaps exceed the range of a float
   ForceField forces(system.topology, settings, system.state.box, workers);
   Load load(system.bodies.size());
   for (std::size_t steps = 0; steps < max_steps; ++steps) {
@@ -68,10 +69,11 @@ std::size_t separate_molecules(System& system, const std::function<bool()>& stop
     if (gentle || (stop && stop())) return steps;
     apply(system.state, next);
   }
-  throw RunError(fmt::format(
-      "molecules still overlap after they were moved apart in {} steps: {}; take a lower density, "
-      "or another initial configuration",
-      max_steps, strongest_contact(system, system.state)));
+  throw RunError(
+      fmt::format("molecules still overlap after they were moved apart in {} steps: {}; use a "
+                  "lower density, or "
+                  "another initial configuration",
+                  max_steps, strongest_contact(system, system.state)));
 }
 
 }  // namespace polhode

@@ -50,7 +50,7 @@ Energies Simulation::energies() const {
 }
 
 RunSummary Simulation::summary() {
-  if (!trajectory_started()) throw Error("there is no trajectory yet; take a step first");
+  if (!trajectory_started()) throw Error("there is no trajectory yet; advance by a step first");
   const Trajectory trajectory = propagator().trajectory();
   return polhode::summary(system_, *settings_, trajectory, noise_);
 }
@@ -85,7 +85,7 @@ bool Simulation::choose_step(const OutputOptions& options, const Callbacks& call
 
 // Checkpoints.
 
-// To be called before the state changes.
+// Must be called before the state changes.
 const std::string& Simulation::identity() {
   if (identity_.empty()) identity_ = run_identity(config_, system_);
   return identity_;
@@ -189,7 +189,7 @@ Propagator& Simulation::propagator() {
   if (!settings_)
     throw Error(
         fmt::format("the run asks for R of at most {:g} %, and its step is not chosen yet; choose "
-                    "it first, or give a step in place of an accuracy",
+                    "it first, or give a step instead of an accuracy",
                     100 * *config_.integrator.accuracy),
         config_.source);
   identity();
@@ -244,7 +244,7 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
   note_forces(system_, callbacks);
 }
 
-// Forces on a lattice say nothing about the step.
+// The forces on a lattice are no guide to the step.
 void Simulation::note_warnings(const Callbacks& callbacks) const {
   const bool lattice = config_.system.initial_configuration.empty() && config_.run.equilibrate == 0;
   for (const auto& warning :

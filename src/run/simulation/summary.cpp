@@ -49,7 +49,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.walk_known = system.forces.precision == Precision::double_precision || noise.power > 0;
   s.drift = energies.drift(walks(trajectory.statistics.shadow, rounding));
   if (std::abs(s.drift.rate.value) <= double_drift(energies.first, settings.step))
-    s.drift.p_value = 1;  // no more than rounding
+    s.drift.p_value = 1;  // no larger than rounding
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
   if (s.potential_fluctuation > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /

@@ -18,7 +18,8 @@
 namespace polhode {
 namespace {
 
-// Takes molecules and mixing from a topology file; pairs of the run file are appended to its own.
+// Reads molecules and mixing from a topology file; the pairs of the run file are appended to those
+// of the topology.
 void take_topology_file(const Config& config, const Frame& start, System& system) {
   RigidTopology read = read_topology(config.system.topology, &start);
   system.topology = std::move(read.topology);
@@ -50,7 +51,7 @@ void check_size(const Topology& topology) {
     molecules += n;
     bytes += n * (each_body + each_site * static_cast<double>(molecule.sites.size()));
   }
-  require_memory(bytes, fmt::format("{:.0f} molecules", molecules), "take fewer of them");
+  require_memory(bytes, fmt::format("{:.0f} molecules", molecules), "use fewer of them");
 }
 
 State lattice_start(const Config& config, const Topology& topology) {

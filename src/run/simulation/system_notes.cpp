@@ -66,7 +66,7 @@ void note_forces(const System& system, const Callbacks& callbacks) {
     net += static_cast<double>(part.count) * part.molecule.charge();
   if (std::abs(net) > 1e-6)
     callbacks.note(fmt::format("net charge {:+.6g} e{}", net,
-                               forces.mesh ? ", neutralised by a uniform background" : ""));
+                               forces.mesh ? ", neutralized by a uniform background" : ""));
 }
 
 }  // namespace polhode

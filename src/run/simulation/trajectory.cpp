@@ -47,7 +47,7 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
     done += piece;
     if (!part.failure.empty())
       throw RunError(fmt::format(
-          "the equilibration blew up after {:.4f} ps, in steps of {:g} fs: {}; take a lower "
+          "the equilibration blew up after {:.4f} ps, in steps of {:g} fs: {}; use a lower "
           "density, or another initial configuration",
           system.state.time - begin, step * units::fs_per_ps, part.cause));
     if (watch.checkpoint && (part.stopped || (watch.due && watch.due())))

@@ -14,7 +14,7 @@
 namespace polhode {
 namespace {
 
-constexpr double max_steps = 0x1p53;  // whose steps a double can count
+constexpr double max_steps = 0x1p53;  // number of steps that a double can count
 
 }  // namespace
 
@@ -22,7 +22,7 @@ std::size_t TrajectorySettings::steps() const {
   if (!(length / step <= max_steps))
     throw Error(
         fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
-                    "which the times of steps could not be distinguished; take a shorter length",
+                    "which the times of steps could not be distinguished; use a shorter length",
                     length, step * units::fs_per_ps, length / step, max_steps));
   return static_cast<std::size_t>(std::llround(length / step));
 }
@@ -49,7 +49,7 @@ void TrajectorySettings::check_shadow() const {
   if (inner)
     throw Error(fmt::format(
         "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
-        "forces, which are not measured; leave it out, or take a single scheme, such as hoa2",
+        "forces, which are not measured; leave it out, or use a single scheme, such as hoa2",
         shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
   const char* const reason =
       scheme.has(Flow::bath) ? "a bath, which changes the energy"
@@ -57,7 +57,7 @@ void TrajectorySettings::check_shadow() const {
           ? "no error of order h², so its shadow energy is the energy itself to that order"
           : "an error of order h, since its stages are not a palindrome";
   throw Error(fmt::format(
-      "shadow_sample is {:g} fs, but {} has {}; leave it out, or take a palindrome of order 2, "
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or use a palindrome of order 2, "
       "such as hoa2",
       shadow_sample * units::fs_per_ps, name_of(NestedScheme(scheme)), reason));
 }

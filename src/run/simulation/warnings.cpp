@@ -15,19 +15,20 @@
 namespace polhode {
 namespace {
 
-/// Standard deviations beyond which a difference is no chance: two normal values of a thousand.
+/// Standard deviations beyond which a difference is not due to chance: two normal values of a
+/// thousand.
 constexpr double far = 3;
 /// For a temperature that had no effect on the run.
 constexpr double rather_far = 2;
-/// The bounds below which nothing is wrong whatever the statistics, each relative to what the
-/// comment says.
+/// The bounds below which nothing is wrong whatever the statistics, each relative to the quantity
+/// in its comment.
 constexpr double min_temperature_difference = 0.01;  // the temperature wanted
 constexpr double max_ratio = 0.05;                   // R itself
 constexpr double min_drift_share = 0.5;              // R
 constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
 constexpr double min_fall = 0.02;                    // the kinetic energy
 constexpr double max_pressure_kbar = 5;
-/// p-value of slopes: a tenth of that of a verdict, since nobody asked for these tests.
+/// p-value of slopes: a tenth of that of a verdict, since these tests are made on every run.
 constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
@@ -35,7 +36,7 @@ double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressu
 std::optional<Warning> temperature_warning(const RunSummary& s, const WantedTemperature& wanted) {
   const double n = s.degrees_of_freedom.all();
   if (n == 0 || s.samples == 0) return std::nullopt;
-  // If the error is not known, the momentary temperature stands for the mean.
+  // If the error is not known, the current temperature is used for the mean.
   const double T = wanted.value;
   const double error =
       s.temperature.known == Known::yes ? s.temperature.error : T * std::sqrt(2 / n);
@@ -46,11 +47,11 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const WantedTemp
   if (!(std::abs(difference) > bound)) return std::nullopt;
   return Warning{
       "temperature", s.temperature.value, bound,
-      fmt::format("the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, and a run of a "
-                  "system of this size is within {:.2g} K of it",
+      fmt::format("the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, and runs of a "
+                  "system of this size deviate by at most {:.2g} K",
                   s.temperature.value, T, std::abs(difference),
                   difference > 0 ? "too hot" : "too cold", bound),
-      wanted.ignored ? "the velocities of the initial configuration were kept: write velocities = "
+      wanted.ignored ? "the velocities of the initial configuration were used: write velocities = "
                        "\"new\" in [system], and equilibrate"
                      : "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]"};
 }
@@ -62,14 +63,14 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
       fmt::format("R is {:.3g} %, above {:g} %: the total energy is conserved so badly that "
                   "averages are biased",
                   100 * s.ratio.value, 100 * max_ratio),
-      "take a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
+      "use a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
 }
 
 std::optional<Warning> drift_warning(const RunSummary& s) {
   if (s.drift.known != Known::yes || s.drift.p_value > significance_level ||
       !(s.potential_fluctuation > 0))
     return std::nullopt;
-  // The rms deviation of a straight line from its mean is its rise over √12.
+  // The rms deviation of a straight line from its mean is its rise divided by √12.
   const double drifted =
       std::abs(s.drift.rate.value) * s.length / std::sqrt(12.0) / s.potential_fluctuation;
   const double bound = std::max(min_drift_share * s.ratio.value, min_drift_ratio);
@@ -80,7 +81,7 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
           "the total energy drifts by {:.3g} ± {:.2g} kJ/mol/ps, which alone makes R {:.2g} "
           "% (bound: {:.2g} %)",
           s.drift.rate.value, s.drift.rate.error, 100 * drifted, 100 * bound),
-      "take a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};
+      "use a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};
 }
 
 std::optional<Warning> relaxation_warning(const RunSummary& s) {
@@ -92,11 +93,12 @@ std::optional<Warning> relaxation_warning(const RunSummary& s) {
     return std::nullopt;
   return Warning{
       "relaxation", fall, min_fall * kinetic,
-      fmt::format("the potential energy still falls: by {:.3g} kJ/mol in this run, {:.2g} % of the "
-                  "kinetic energy (bound: {:g} %; p-value {:.2g}), so averages are not those of "
-                  "equilibrium",
-                  fall, 100 * fall / kinetic, 100 * min_fall, slope.p_value),
-      "equilibrate longer, and begin again from the final state of this run"};
+      fmt::format(
+          "the potential energy is still falling: by {:.3g} kJ/mol in this run, {:.2g} % of the "
+          "kinetic energy (bound: {:g} %; p-value {:.2g}), so averages are not those of "
+          "equilibrium",
+          fall, 100 * fall / kinetic, 100 * min_fall, slope.p_value),
+      "equilibrate longer, or start a new run from the final state of this one"};
 }
 
 std::optional<Warning> pressure_warning(const RunSummary& s) {
@@ -106,11 +108,13 @@ std::optional<Warning> pressure_warning(const RunSummary& s) {
     return std::nullopt;
   return Warning{
       "pressure", pressure, bound,
-      fmt::format("the mean pressure is {:.3g} kbar, beyond ± {:g} kbar: {}", pressure, bound,
-                  pressure > 0 ? "liquids at ordinary temperatures are compressed by a sixth there"
-                               : "liquids tear long before"),
-      pressure > 0 ? "take a lower density, or equilibrate if molecules still overlap"
-                   : "take a higher density"};
+      fmt::format(
+          "the mean pressure is {:.3g} kbar, outside ± {:g} kbar: {}", pressure, bound,
+          pressure > 0
+              ? "at this pressure liquids at ordinary temperatures are compressed by a sixth"
+              : "liquids cavitate long before this pressure"),
+      pressure > 0 ? "use a lower density, or equilibrate if molecules still overlap"
+                   : "use a higher density"};
 }
 
 bool is_plain(Electrostatics electrostatics) {
@@ -139,7 +143,7 @@ std::optional<Warning> cutoff_of_ions(const System& system) {
   if (!ion || system.topology.size() < 2) return std::nullopt;
   return Warning{
       "ions", ion->charge(), neutral,
-      fmt::format("'{}' has a charge of {:+.3g} e, and {} between ions are cut off at {:g} nm, "
+      fmt::format("'{}' has a charge of {:+.3g} e, and {} between ions are truncated at {:g} nm, "
                   "where they are still strong: ions gather at that distance",
                   ion->name, ion->charge(),
                   system.forces.electrostatics == Electrostatics::coulomb
@@ -162,7 +166,7 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
       "velocities", system.file_temperature, bound,
       fmt::format(
           "the velocities of the initial configuration have {:.4g} K, and the run file asks "
-          "for {:g} K (they differ by more than the {:.2g} K of chance)",
+          "for {:g} K (chance accounts for at most {:.2g} K)",
           system.file_temperature, wanted, bound),
       "write velocities = \"new\" in [system], or equilibrate"};
 }
@@ -175,11 +179,12 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
   if (!(reached > bound)) return std::nullopt;
   return Warning{
       "step", reached, bound,
-      fmt::format("the step of {:g} fs is near the end of stability of {}: times the frequency of "
-                  "the fastest motions it is {:.2g}, above {:.2g}",
-                  settings.step * units::fs_per_ps, name_of({settings.scheme, settings.inner}),
-                  reached, bound),
-      fmt::format("take at most {:.2g} fs", settings.step * units::fs_per_ps * bound / reached)};
+      fmt::format(
+          "the step of {:g} fs is near the stability limit of {}: multiplied by the frequency "
+          "of the fastest motions it is {:.2g}, above {:.2g}",
+          settings.step * units::fs_per_ps, name_of({settings.scheme, settings.inner}), reached,
+          bound),
+      fmt::format("use at most {:.2g} fs", settings.step * units::fs_per_ps * bound / reached)};
 }
 
 std::vector<Warning> warnings_of_results(const RunSummary& s,
@@ -199,7 +204,7 @@ std::vector<Warning> warnings_of_results(const RunSummary& s,
 std::vector<Warning> warnings(const RunSummary& s, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers) {
-  // The velocities of a file may have any temperature, unless the run file asks for one.
+  // The velocities of a file may have any temperature, unless the run file gives one.
   const bool kept = !system.new_velocities && config.run.equilibrate == 0;
   std::optional<WantedTemperature> wanted;
   if (!kept || config.system.temperature_given) wanted = {config.system.temperature, kept};

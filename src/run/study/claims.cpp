@@ -49,7 +49,7 @@ Estimate last_conserving(const Curve& c) {
 }
 
 /// Whether a curve has steps above R = `limit` whose energy drift is known not to matter. It has
-/// none where it ends below; between the last such step and the end nothing is known.
+/// none if it ends below; between the last such step and the end nothing is known.
 Verdict runs_above(const Curve& c, double limit) {
   if (above(last_conserving(c), limit) == Verdict::reproduced) return Verdict::reproduced;
   if (c.usable == c.points.size() || !c.points[c.usable].stable) return Verdict::undecided;

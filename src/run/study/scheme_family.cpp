@@ -48,12 +48,12 @@ void check_count(const std::vector<FreeParameter>& parameters) {
   if (parameters.size() == 1 || parameters.size() == 2) return;
   throw Error(fmt::format(
       "the scheme has {} free parameters; it must have one or two, since its error of order h² has "
-      "two terms, which determine no more; write for example \"{}\"",
+      "only two terms to determine them; write for example \"{}\"",
       parameters.size(), example_family));
 }
 
 /// The symmetric 2 × 2 matrix of the brackets' covariances. If they are perfectly correlated, one
-/// combination is undetermined, and kept by the small part that is added.
+/// combination is undetermined, and the small term that is added keeps it unchanged.
 struct Metric {
   double aa, ab, bb;
   explicit Metric(const ErrorCovariance& c)
@@ -102,7 +102,7 @@ SchemeFamily::SchemeFamily(const std::string& text, const std::string& label)
   if (!distinct)
     throw Error(fmt::format(
         "the error of order h² of {} does not depend on {}, so there is nothing to tune; fix the "
-        "parameter, or take one that changes the stages",
+        "parameter, or use one that changes the stages",
         label_,
         parameters_.size() == 1 ? parameters_[0].name : "its two parameters independently"));
 }

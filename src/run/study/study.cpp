@@ -88,8 +88,8 @@ void add_point(std::vector<StudyPoint>& points, const StudyPoint& point) {
   for (const StudyPoint& other : points)
     if (other.name == point.name && other.record_name() != point.record_name())
       throw Error(
-          fmt::format("the study has two schemes with the name '{}'; tables tell schemes by their "
-                      "names, so give one of them another name",
+          fmt::format("the study has two schemes with the name '{}'; tables distinguish schemes by "
+                      "their names, so give one of them another name",
                       point.name));
     else if (other.name == point.name && same(other.step, point.step))
       throw Error(fmt::format(
@@ -312,7 +312,8 @@ void add_means(EfficiencyPoint& point, const std::vector<StudyRun>& runs) {
   point.rounding = mean(roundings).value;
 }
 
-/// The runs of a point by initial configuration: sums do not depend on which run ended first.
+/// The runs of a point, sorted by initial configuration: sums do not depend on which run ended
+/// first.
 std::vector<StudyRun> runs_of(const StudyPoint& point, const std::vector<StudyRun>& runs) {
   const std::string name = point.record_name();
   std::vector<StudyRun> own;

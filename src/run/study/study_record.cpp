@@ -184,7 +184,7 @@ std::vector<StudyRun> read_study_record(std::istream& in, const std::string& pat
       lines.refuse(
           fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
                       "other initial configurations; give another output, start over, or "
-                      "make the tables of that record alone",
+                      "only make the tables of that record",
                       path));
   });
 }

@@ -99,13 +99,14 @@ nlohmann::json as_json(const Claim& claim) {
   return row;
 }
 
-/// What a reader of the figure has to know to compare the curves.
+/// What a reader of the figure needs to know to compare the curves.
 std::string caption(const Config& config) {
   std::string molecules;
   for (const auto& [model, count] : config.system.molecules)
     molecules += fmt::format("{}{} {}", molecules.empty() ? "" : ", ", count, model);
   return fmt::format(
-      "Lower and further left is better; R = 0 is exact dynamics. {}; {} runs of {:g} ps a point.",
+      "Lower and further left is better; R = 0 is exact dynamics. {}; {} runs of {:g} ps per "
+      "point.",
       molecules.empty() ? config.source : molecules, config.study.runs, config.study.length);
 }
 
@@ -138,7 +139,7 @@ void check_lengths(const Config& config, const std::vector<StudyPoint>& points) 
     if (config.study.length < 10 * point.step)
       throw Error(
           fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs, too few "
-                      "for R; take longer runs, or leave out long steps",
+                      "for R; use longer runs, or leave out long steps",
                       config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
           config.source);
 }
@@ -167,11 +168,9 @@ std::string conditions(const Config& config) {
   return fmt::format(
       "{}, switched from {:g} to {:g} nm (class C{}){}, initial configuration {}; at most {} runs "
       "of {:g} ps from initial configurations equilibrated for {:g} ps at {:g} K, the same for "
-      "every scheme; energies at least every 2.5 fs or every step; a curve ends where from one "
-      "step "
-      "on all drift: with a p-value below {:g}, and during a run by at least {:g} rms fluctuation "
-      "of "
-      "the energy",
+      "every scheme; energies at least every 2.5 fs or every step; a curve ends where the energy "
+      "drifts at all longer steps: with a p-value below {:g}, and during a run by at least {:g} "
+      "rms fluctuation of the energy",
       f.truncation == Truncation::molecule_switch ? "molecule-based cutoff" : "site-based cutoff",
       f.switch_from, f.cutoff, f.smoothness, mixing.empty() ? "" : ", " + mixing,
       config.system.initial_configuration.empty() ? "lattice" : config.system.initial_configuration,

@@ -121,7 +121,7 @@ Tuned tuned(Series& series, const SchemeFamily& family, const Runs& measured) {
   return t;
 }
 
-/// The family that is asked for, or those of hoa2 and gier4.
+/// The requested family, or those of hoa2 and gier4.
 std::vector<SchemeFamily> families(const TuneSettings& settings, const Config& config) {
   if (!settings.scheme.empty()) return {SchemeFamily(settings.scheme)};
   const std::string& scheme = config.integrator.scheme;
@@ -140,7 +140,7 @@ TuneSettings complete(TuneSettings settings, const Config& config) {
   constexpr double min_repeats = 20;  // for covariances of three quantities
   if (settings.length < min_repeats * settings.sample)
     throw Error(fmt::format(
-        "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; take "
+        "length {:g} fs is shorter than {:g} samples of the error brackets, {:g} fs apart; use "
         "longer runs, or a shorter interval between samples",
         settings.length * units::fs_per_ps, min_repeats, settings.sample * units::fs_per_ps));
   return settings;

@@ -63,9 +63,10 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
   for (std::size_t k = 0; k < 3; ++k) {
     const std::string moment = name_J + axis_names[k], momentum = std::string("L") + axis_names[k];
     if (!std::isfinite(J[k]) || J[k] < 0)
-      refuse(fmt::format("{} = {} is not a principal moment: it must be finite and at least 0, as "
-                         "a sum of masses times squares; give the moments of a mass distribution",
-                         moment, J[k]),
+      refuse(fmt::format(
+                 "{} = {} is not a principal moment: it must be finite and at least 0, since "
+                 "it is a sum of masses times squares; give the moments of a mass distribution",
+                 moment, J[k]),
              moment);
     if (!std::isfinite(L[k]))
       refuse(fmt::format("{} = {} is not finite; give a finite number", momentum, L[k]), momentum);
@@ -80,7 +81,7 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
   const int zeros = (J.x == 0) + (J.y == 0) + (J.z == 0);
   if (zeros > 1)
     refuse(fmt::format("{} of three moments are 0, at most one may be: two vanish only for a "
-                       "point; give the moments of a body, or of a linear one",
+                       "point; give the moments of a linear or nonlinear body",
                        zeros),
            name_J + "1 to " + name_J + "3");
   for (std::size_t k = 0; k < 3; ++k) {

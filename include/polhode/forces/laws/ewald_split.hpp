@@ -43,7 +43,7 @@ struct GaussianSplit {
 
 /// A density C (1 − r²/a²)^m that is zero beyond a, and so is u(r): the smooth part is the Taylor
 /// polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. u is of class C^(m+1)
-/// at a, and nothing is cut off.
+/// at a, and nothing is truncated.
 class CompactSplit {
  public:
   static constexpr int max_exponent = SmoothPolynomial::max_degree - 1;  ///< the largest m

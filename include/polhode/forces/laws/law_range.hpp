@@ -14,7 +14,7 @@ namespace polhode {
 double inner_limit(const ShortRangeLaw& law);
 
 /// A possible cause of an energy that is not finite: "; a pair of argon.Ar may have come closer
-/// than 0.0775 nm, where its law ends". Empty if all laws are defined at all distances.
+/// than 0.0775 nm, the inner limit of its law". Empty if all laws are defined at all distances.
 std::string inner_limit_note(const Topology& topology);
 
 /// @throws Error  if a table ends before the cutoff or, with a molecule switch, before the largest

@@ -9,8 +9,8 @@
 namespace polhode {
 
 /// u = C ε ((σ/r)ⁿ − (σ/r)ᵐ) with C = n/(n − m) (n/m)^(m/(n − m)), so that the well is ε deep
-/// [mie1903]. Powers are exp(n/2 ln(σ²/r²)): they err by |n ln(σ/r)| times the error of ln, which
-/// is small where the law is strong.
+/// [mie1903]. Powers are exp(n/2 ln(σ²/r²)): their error is |n ln(σ/r)| times that of ln, which is
+/// small where the law is strong.
 template <class T = double>
 struct Mie {
   T strength = 0;  ///< C ε [kJ/mol]

@@ -16,7 +16,7 @@ enum class MixingRule {
   geometric,          ///< σ and ε geometric means
 };
 
-/// Explicit parameters for two sites, in place of the result of the mixing rule.
+/// Explicit parameters for two sites, instead of the result of the mixing rule.
 struct PairOverride {
   std::string first, second;  ///< "tip4p.OW": molecule and site, meaning all sites of that name; in
                               ///< either order
@@ -30,8 +30,8 @@ struct Mixing {
   std::vector<PairOverride> pairs;
 };
 
-/// @throws Error  if an override names an unknown site or one without a short-range law of
-///                its own, occurs twice, or has a number out of its domain
+/// @throws Error  if an override names an unknown site or one without a short-range law, occurs
+///                twice, or has a number out of its domain
 void check(const Mixing& mixing, const Topology& topology);
 
 /// "geometric mixing; tip4p.OW with argon.Ar: sigma 0.33 nm, epsilon 0.8 kJ/mol"; empty for the

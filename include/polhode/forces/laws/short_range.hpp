@@ -28,7 +28,7 @@ class ShortRange {
   ShortRange<float> rounded() const {
     return std::visit([](const auto& law) { return ShortRange<float>(law.rounded()); }, law_);
   }
-  /// The Lennard-Jones law; the law must be one.
+  /// The Lennard-Jones law; the law must be of this kind.
   LennardJones<T> lennard_jones() const { return std::get<LennardJones<T>>(law_); }
 
   template <class Real>

@@ -23,15 +23,15 @@ double expected_mesh_error(const Topology& topology, const Box& box, const MeshS
 double typical_force(const Topology& topology, const Box& box);
 
 /// Chooses the fastest mesh whose rms force error is at most a given fraction of the rms
-/// electrostatic force on a charge. The mesh is a function of the box, whichever boxes it was
-/// chosen for before: the energy is then one, too, as sampling at constant pressure requires.
+/// electrostatic force on a charge. The mesh is a function of the current box alone, and so is the
+/// energy, as sampling at constant pressure requires.
 class MeshChoice {
  public:
   /// @param cutoff  a of the split: pairs are summed up to it [nm]
   /// @throws Error  if the error is not from 1e-7 to 0.1, or there are no charges
   MeshChoice(const Topology& topology, double relative_error, double cutoff);
 
-  /// The mesh for a box. Fast after the first call, as errors that were computed are kept.
+  /// The mesh for a box. Fast after the first call, because computed errors are stored.
   /// @throws Error  if the box holds so few charges that the mesh would have too many points
   MeshSettings operator()(const Box& box);
 

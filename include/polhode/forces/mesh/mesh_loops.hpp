@@ -13,8 +13,8 @@
 namespace polhode {
 
 /// Numbers on the points of a grid over the box, x fastest. Each row is padded with an overhang
-/// that stands for its periodic continuation, so that eight consecutive numbers can be read and
-/// written from any point.
+/// that holds its periodic continuation, so that eight consecutive numbers can be read and written
+/// from any point.
 template <class T>
 struct MeshGrid {
   static constexpr std::size_t overhang = 7;
@@ -75,15 +75,15 @@ struct GatherDerivativeJob {
   const MeshGrid<T>& derivative;  ///< derivative of the grid along the displacement of all charges
 };
 
-/// Waves of one k_y: rows along k_x, one for each k_z, real and imaginary parts alternating.
+/// Fourier coefficients of one k_y: rows along k_x, one per k_z; real and imaginary alternate.
 template <class T>
 struct ConvolveJob {
   T* waves;
   std::size_t row, rows;              ///< numbers per row, in whole packs
-  const T* const* influence;          ///< for each row: the factors of the waves, each stored twice
+  const T* const* influence;          ///< for each row: factors of the coefficients, each twice
   const T* const* slope;              ///< for each row: H in virial = ½ Σ |S|² (G + H k ⊗ k)
-  const T *weight, *kx, *kx_squared;  ///< along a row; weight: 2 for a wave that stands for k and
-                                      ///< −k, else 1
+  const T *weight, *kx, *kx_squared;  ///< along a row; weight: 2 for a coefficient that represents
+                                      ///< k and −k, else 1
 };
 
 /// ½ Σ G |S|² and ½ Σ H |S|² k_x^a of each row, weighted.
@@ -104,7 +104,7 @@ POLHODE_DECLARE_LOOPS(
     /// Adds the derivatives of forces and torques on some bodies to their sums.
     void gather_derivative(const GatherDerivativeJob<double>& job);
     void gather_derivative(const GatherDerivativeJob<float>& job);
-    /// Multiplies waves by the influence function; with `sums`, of each row, the energies too.
+    /// Multiplies by the influence function; with `sums`, also computes the energies of each row.
     void convolve(const ConvolveJob<double>& job, WaveSums* sums);
     void convolve(const ConvolveJob<float>& job, WaveSums* sums);)
 

@@ -26,7 +26,7 @@ struct MeshLoad {
 
 /// Corrections of the smooth part that do not depend on the positions of bodies: self-energy of
 /// each charge, exclusion of charges within the same body, and the uniform background that
-/// neutralises a net charge [kJ/mol].
+/// neutralizes a net charge [kJ/mol].
 struct MeshConstant {
   double self = 0, intramolecular = 0, background = 0;
   Mat3<double> virial{};  ///< of the background
@@ -45,7 +45,7 @@ class ParticleMesh {
                Workers& workers = Workers::serial());
   ~ParticleMesh();
 
-  /// Sets another box, for the same grid points, and forgets the potential.
+  /// Sets another box, for the same grid points, and discards the potential.
   void set_box(const Box& box);
 
   /// Adds forces and torques to `sums`, one record per slot as in ChunkSums; computes the energy

@@ -52,7 +52,7 @@ inline constexpr std::size_t slot_block = 64;
 
 /// Bodies sorted by cell, molecule type by molecule type. A slot is a position in this order. The
 /// slots of a type begin at a multiple of slot_block; unused slots before the next type repeat a
-/// body of the type and take no part.
+/// body of the type and are ignored.
 struct Slots {
   struct Part {
     std::uint32_t first = 0, count = 0;

@@ -5,7 +5,7 @@
 // give the derivative of forces and torques along a displacement of the molecules.
 //
 // A function that is called once for each pair of molecules is inlined into the loop over them:
-// what the compiler knows there, such as the number of sites, it then knows here.
+// what the compiler knows there, such as the number of sites, is then known here.
 #pragma once
 
 #include <array>
@@ -55,8 +55,8 @@ class MoleculeSwitch {
 
 /// The pairs of all sites a of the first molecule with a group of sites b of the second. A step of
 /// the computation is done for all pairs before the next begins, so that no operation waits for the
-/// result of the one before; what a step yields is a variable of its own (the compiler keeps fewer
-/// members of one class in registers).
+/// result of the one before; the result of each step is a separate variable (the compiler keeps
+/// fewer members of one class in registers).
 template <class Shape, class Real>
 class SitePairs {
  public:

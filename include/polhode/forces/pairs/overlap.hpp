@@ -11,7 +11,7 @@ namespace polhode {
 /// parameters [nm]: half of the shortest contact in liquids, the hydrogen bond (0.17 nm).
 inline constexpr double closest_contact = 0.085;
 
-/// @throws Error  naming the first pair of molecules, in the order of sites, with closer sites
+/// @throws Error  naming the first pair of molecules with closer sites, in the order of sites
 void check_overlap(const Topology& topology, const State& state);
 
 }  // namespace polhode

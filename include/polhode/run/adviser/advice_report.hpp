@@ -33,7 +33,7 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
                          const std::string& prefix = "advice", const OutputOptions& options = {},
                          const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// Names with units, as "step_fs"; what is not known is null.
+/// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
 std::string advice_json(const AdviceReport& report);
 
 /// "R", "energy drift" or "temperature bias".

@@ -21,7 +21,7 @@ namespace polhode {
 struct AdviserSettings {
   Criterion criterion;
   std::vector<std::string> schemes;  ///< candidates: names, or stages as text
-  double seconds = 60;               ///< of wall-clock time that the whole may take, about
+  double seconds = 60;               ///< approximate wall-clock time of the whole search
 };
 
 /// What is known of a scheme.
@@ -30,7 +30,7 @@ struct Candidate {
   Scheme scheme;
   std::vector<AdviserPoint> points;  ///< by growing step
   std::optional<StepModel> model;    ///< of R, if R is required
-  double step = 0;                   ///< expected to keep the bound [ps]; 0: there is none
+  double step = 0;                   ///< expected to meet the bound [ps]; 0: there is none
   double seconds = 0;                ///< of wall-clock time for a simulated ps with that step
   std::string obstacle;              ///< why there is no step
 
@@ -40,9 +40,9 @@ struct Candidate {
 struct Advice {
   std::vector<Candidate> candidates;
   std::optional<std::size_t> best;       ///< a confirmed one
-  std::optional<std::size_t> runner_up;  ///< the cheapest of the others, as expected
+  std::optional<std::size_t> runner_up;  ///< the cheapest of the others, by estimate
   AdviserPoint confirmation;             ///< independent runs of the best one
-  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm
+  std::vector<std::pair<std::size_t, AdviserPoint>> refused;  ///< runs that did not confirm a step
   /// Runs that met the requirement with such a margin that a longer step was tried instead.
   std::vector<std::pair<std::size_t, AdviserPoint>> surpassed;
   bool stopped = false;

@@ -57,7 +57,7 @@ double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 double optimistic_bound(const std::vector<Outcome>& runs, double part);
 
 /// Whether runs can still meet the bound at their full length, from a part of it. True for an
-/// energy drift or a bias, about which parts of runs say too little.
+/// energy drift or a bias, which parts of runs do not determine.
 bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, double part);
 
 /// Whether a run blew up, or the energies drift: as in a study, with a p-value below

@@ -12,8 +12,8 @@ namespace polhode {
 class Effort {
  public:
   void add(double work) { done_.fetch_add(work, std::memory_order_relaxed); }
-  /// From now on so much is expected, whatever was expected before: the fraction may become
-  /// smaller, as when a step is rejected and another one is tried.
+  /// Replaces the work that is still expected: the fraction may become smaller, as when a step is
+  /// rejected and another one is tried.
   void expect(double left) { planned_.store(done() + left, std::memory_order_relaxed); }
 
   double done() const { return done_.load(std::memory_order_relaxed); }

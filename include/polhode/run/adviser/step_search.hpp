@@ -58,8 +58,8 @@ inline constexpr double most_caution = 0.8, aim = 0.9;
 /// @param too_long  the shortest step known to be too long; infinite if none is [ps]
 std::optional<double> lengthened(double step, double reached, double exponent, double too_long);
 
-/// The factor by which a step is shortened after confirming runs that were calm and above the
-/// bound, between 0.6 and 0.97.
+/// The factor by which a step is shortened after confirming runs that had no energy drift but
+/// exceeded the bound, between 0.6 and 0.97.
 /// @param whole_set  the number of runs of a set that was not ended early
 /// @param part       of the whole length that they covered
 double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,

@@ -23,7 +23,7 @@ namespace polhode {
 
 enum class Observable { rdf, msd, rotation, velocity, dielectric, density };
 
-/// Cutoff of g(r) where none is given and half of the shortest edge is not shorter [nm].
+/// Default cutoff of g(r), unless half of the shortest edge is shorter [nm].
 inline constexpr double default_rdf_cutoff = 1;
 
 struct AnalysisSettings {

@@ -13,7 +13,7 @@ namespace polhode {
 
 /// What is analyzed, and where the curves are written.
 struct AnalysisInput {
-  std::string trajectory;  ///< file of frames, whose ending is that of its format
+  std::string trajectory;  ///< file of frames, whose extension is that of its format
   std::string names;       ///< coordinate file with the names of the atoms; empty: none is needed
   Topology topology;       ///< the molecules of the frames
   std::string origin;      ///< text that the topology comes from, for the headers of the outputs
@@ -37,7 +37,7 @@ struct AnalysisReport {
 AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& options = {},
                             const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// Names with units, as "interval_ps"; what is not known is null.
+/// The report as JSON. Names contain units, as in "interval_ps"; unknown values are null.
 std::string analysis_json(const AnalysisReport& report);
 
 }  // namespace polhode

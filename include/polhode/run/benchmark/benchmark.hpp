@@ -55,7 +55,7 @@ struct Benchmark {
   std::vector<Limit> limits;          ///< one per precision
   std::vector<SystemTiming> systems;  ///< by size, precision, threads
   const Limit& limit(Precision precision) const;
-  /// The largest relative spread of all timings except those of the limits.
+  /// The largest relative spread of all timings in `systems`.
   double spread() const;
 };
 

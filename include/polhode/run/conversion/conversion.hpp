@@ -11,10 +11,10 @@
 namespace polhode {
 
 struct Conversion {
-  std::string from, to;  ///< files, whose endings are those of their formats
+  std::string from, to;  ///< files, whose extensions are those of their formats
   std::string names;  ///< file with the names of the atoms; empty: `from` has them, or `to` needs
                       ///< none
-  std::size_t every = 1;  ///< every how many of the selected frames one is written
+  std::size_t every = 1;  ///< n: every n-th of the selected frames is written
   double first = -std::numeric_limits<double>::infinity();  ///< earlier frames are skipped [ps]
   double last = std::numeric_limits<double>::infinity();    ///< later frames are skipped [ps]
 };

@@ -28,9 +28,9 @@ struct Checkpoint {
   std::optional<OutputMarks> outputs;  ///< nothing before they begin
 };
 
-/// What must be the same for a run to resume, as a hash and settings_text(): molecules, start with
-/// its velocities, forces, scheme, step, equilibration, and what is written how often; not its
-/// length.
+/// What must be the same for a run to resume, as a hash and settings_text(): molecules, initial
+/// configuration with its velocities, forces, scheme, step, equilibration, and what is written how
+/// often; not its length.
 std::string run_identity(const Config& config, const System& system);
 
 /// The files of checkpoints: the newest and the one before it.
@@ -44,13 +44,13 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
                       const ProgramVersion& program);
 
 /// @throws DamagedCheckpoint  if the file is missing, truncated or changed
-/// @throws Error              if it is another program's
+/// @throws Error              if another program wrote it
 Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader);
-/// The same of bytes that were read from `path`.
+/// The same for bytes that were read from `path`.
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
                             const ProgramVersion& reader);
 
-/// The same of one run.
+/// The same for the checkpoint of one run.
 /// @throws Error  if another run wrote it
 Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
                               const ProgramVersion& reader);

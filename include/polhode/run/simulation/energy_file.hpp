@@ -21,7 +21,7 @@ class EnergyFile {
   EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark);
 
   /// Appends a row.
-  /// @throws RunError  if there is no room
+  /// @throws RunError  if the disk is full
   void add(const Energies& energies);
   /// Syncs all rows to disk and returns the end of the file.
   FileMark mark();

@@ -8,8 +8,8 @@
 
 namespace polhode {
 
-/// Advances a system step by step. How the steps are divided among calls makes no difference, to
-/// the last bit: samples are taken at the same steps.
+/// Advances a system step by step. Results do not depend on how the steps are divided among calls,
+/// to the last bit: samples are taken at the same steps.
 class Propagator {
  public:
   /// @param system, forces, workers  kept by reference
@@ -20,7 +20,7 @@ class Propagator {
   Propagator(const Propagator&) = delete;
   Propagator& operator=(const Propagator&) = delete;
 
-  /// Resumes from there, bit for bit as if it had never been suspended.
+  /// Resumes from that state, bit for bit as if never suspended.
   void resume_from(const RunState& state);
   /// All that the rest of the trajectory depends on.
   RunState run_state();

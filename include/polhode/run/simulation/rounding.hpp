@@ -45,7 +45,7 @@ double kick_weights(const Scheme& scheme, double lambda);
 double kick_weights(const NestedScheme& scheme, double lambda);
 
 /// Variance per time of the random walk of the total energy that the noise drives [(kJ/mol)²/ps]:
-/// every evaluation changes the energy by w h times a power of its own, hence power² h Σw².
+/// every evaluation changes the energy by w h times an independent power, hence power² h Σw².
 double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                      double step);
 
@@ -53,8 +53,8 @@ double rounding_walk(const ForceNoise& noise, const NestedScheme& scheme, double
 /// every energy, 2⁻⁵³ of its size each.
 double double_walk(const Energies& energies, double step);
 
-/// The largest energy drift that rounding in double precision can make [kJ/mol/ps]: all of
-/// these roundings of one sign.
+/// The largest energy drift that rounding in double precision can cause [kJ/mol/ps]: all of these
+/// roundings have the same sign.
 double double_drift(const Energies& energies, double step);
 
 /// The slope of the total energy [kJ/mol/ps]; 0 where it does not exceed double_drift(), as for

@@ -25,7 +25,7 @@ struct RunFileNames {
 };
 
 /// The files that grow: energies, trajectories, checkpoints. They begin with the first sample,
-/// after a checkpoint that says so; nothing is on the disk without a checkpoint that knows of it.
+/// after a checkpoint that records this; no file exists without a checkpoint that refers to it.
 class RunFiles {
  public:
   /// @param from  checkpoint to resume from: the files are truncated to their lengths in it

@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// What computes a run, besides the program.
+/// What a run is computed with.
 struct ExecutionSettings {
   int threads = 1;
   std::string instruction_set;
@@ -28,10 +28,10 @@ struct RunReport {
   bool interrupted = false;
 };
 
-/// "significant", "not significant", or why it is not known which.
+/// "significant", "not significant", or why this is not known.
 std::string verdict(const Drift& drift);
 
-/// Names with units in front of their underscore, as "length_ps"; what is not known is null.
+/// The report as JSON. Names contain units, as in "length_ps"; unknown values are null.
 std::string run_json(const RunReport& report);
 
 }  // namespace polhode

@@ -15,7 +15,7 @@ inline constexpr double max_separation_move = 0.005;
 /// Steepest descent with capped moves: each body moves by h² f/m and turns by h² J⁻¹τ, as from rest
 /// within a time h = 1 fs, but no farther than `max_separation_move`. It ends when no move is
 /// capped any more: the forces then are such that dynamics in steps of 1 fs can take over. Momenta
-/// stay. Configurations without such forces, as of any liquid, stay as they are, to the last bit.
+/// stay. Configurations without such forces, such as those of liquids, stay unchanged bit by bit.
 /// @param stop  asked after every step; true ends it
 /// @return  the number of steps
 /// @throws RunError  naming two molecules, if moves are still capped after 2000 steps, as at

@@ -80,7 +80,7 @@ class Simulation {
 
   /// Continues to the length of the run file and writes all of its outputs: energies, trajectories,
   /// checkpoints, the final state, a figure. Files and names are those of [output]; a lock keeps
-  /// other processes from them.
+  /// other processes from using them.
   /// @throws Error     before anything is computed, if outputs exist or cannot be resumed
   /// @throws RunError  if the trajectory blows up, or a file cannot be written
   RunResult run(const OutputOptions& options = {}, const Callbacks& callbacks = {});
@@ -110,13 +110,13 @@ class Simulation {
 
   Config config_;
   Workers& workers_;
-  std::optional<TrajectorySettings> settings_;  // none while a step is to be chosen
+  std::optional<TrajectorySettings> settings_;  // none until the step is chosen
   std::optional<Guarantee> guarantee_;
   System system_;
   ForceField forces_;
   std::string identity_;
   ForceNoise noise_;            // of the forces at the start of the trajectory
-  std::optional<RunState> at_;  // where it stands, until the propagator has taken it over
+  std::optional<RunState> at_;  // its current state, until the propagator takes it over
   std::optional<Propagator> propagator_;
   std::optional<std::size_t> resumable_step_;
 };

@@ -20,7 +20,7 @@ struct SinglePoint {
   /// Terms of the energy besides the sums over pairs within the cutoff, with their names [kJ/mol].
   std::vector<std::pair<std::string, double>> terms;
   Mat3<double> pressure_tensor;    ///< [bar]
-  std::optional<Load> derivative;  ///< of forces and torques, if it was asked for
+  std::optional<Load> derivative;  ///< of forces and torques, if requested
 
   double pressure() const;  ///< a third of the trace [bar]
 };
@@ -31,7 +31,7 @@ struct SinglePoint {
 SinglePoint single_point(const Config& config, bool derivative = false,
                          const Callbacks& callbacks = {});
 
-/// Names with units, as "potential_kJ_per_mol".
+/// The result as JSON. Names contain units, as in "potential_kJ_per_mol".
 std::string single_point_json(const SinglePoint& point);
 
 }  // namespace polhode

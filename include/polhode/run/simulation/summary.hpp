@@ -10,7 +10,7 @@
 
 namespace polhode {
 
-/// Fewer samples show no fluctuation and no slope at all.
+/// Fewer samples give neither a fluctuation nor a slope.
 inline constexpr std::uint64_t min_samples_reported = 3;
 
 struct RunSummary {
@@ -36,7 +36,7 @@ struct RunSummary {
   Drift potential_drift;                                    ///< [kJ/mol/ps]
   DegreesOfFreedom degrees_of_freedom;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
-  std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if there are
+  std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if any
   std::size_t list_rebuilds = 0;
   Timings timings;
   double ns_per_day = 0;

@@ -7,17 +7,17 @@
 
 namespace polhode {
 
-/// The molecules of a topology file, and how their rigid shapes were determined; the distances of
-/// atoms in the initial configuration from those of the rigid bodies, if they exceed rounding, and
-/// those of massless sites, if they exceed the distances of the atoms.
+/// Notes on the molecules of a topology file and how their rigid shapes were determined; the
+/// distances of atoms in the initial configuration from those of the rigid bodies, if they exceed
+/// rounding, and those of massless sites, if they exceed the distances of the atoms.
 void note_molecules(const System& system, const Callbacks& callbacks);
 
-/// What becomes of the velocities of the initial configuration, if it has any and the run file
-/// gives a temperature or a seed for them.
+/// Note on the use of the velocities of the initial configuration, if it has any and the run file
+/// gives a temperature or a seed.
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks);
 
-/// The mixing rule and explicit pairs, unless all pairs follow the default rule; grid, order and
-/// split of a mesh; a net charge.
+/// Notes on the mixing rule and explicit pairs, unless all pairs follow the default rule; grid,
+/// order and split of a mesh; a net charge.
 void note_forces(const System& system, const Callbacks& callbacks);
 
 }  // namespace polhode

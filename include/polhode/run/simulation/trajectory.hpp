@@ -25,7 +25,7 @@ struct Timings {
   double all() const { return forces + near + list + motion + measurement; }
 };
 
-/// Where a run stands between two steps: all that its rest depends on, to the last bit.
+/// The state of a run between two steps: all that its continuation depends on, to the last bit.
 struct RunState {
   State state;
   std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has started
@@ -61,16 +61,16 @@ struct Trajectory {
   std::uint64_t measurements = 0;  ///< force evaluations for energies alone
   bool stopped = false;            ///< by the watch
   std::string failure;             ///< why it blew up, when, and what to try; empty if it did not
-  std::string cause;               ///< why alone, with the two molecules that collided
+  std::string cause;               ///< only why, with the two molecules that collided
   std::size_t list_rebuilds = 0;   ///< of the neighbour list, including those before the first step
   Timings timings;
 };
 
-/// Moves the system's state along. Total energy is sampled at synchronised steps. A trajectory that
+/// Advances the system's state. Total energy is sampled at synchronized steps. A trajectory that
 /// blows up ends there, and `failure` reports it, with the step and remedies: an energy is not
 /// finite, or the total energy has changed by more than the kinetic energy at the start. The
-/// trajectory is the same for any number of threads. A last sample between two intervals, at the
-/// end or where it was stopped, is none of those that a longer trajectory has.
+/// trajectory is the same for any number of threads. A final sample between two intervals, at the
+/// end or where it was stopped, does not occur in a longer trajectory.
 /// @param from  resumes from there, bit for bit as if it had never been suspended
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                           const Watch& watch = {}, Workers& workers = Workers::serial(),

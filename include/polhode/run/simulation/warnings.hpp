@@ -37,11 +37,11 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers = Workers::serial());
 
-/// The fastest motions of a liquid are about twice as fast as its Einstein frequency, so the limit
-/// itself would come too late.
+/// The fastest motions of a liquid are about twice as fast as its Einstein frequency, so a warning
+/// at the limit itself would come too late.
 inline constexpr double near_stability = 0.4;
 
-/// Ions, the step, and those that the results of a run show (docs/manual/outputs.md, Warnings).
+/// Warnings of ions, the step, and the results of a run (docs/manual/outputs.md, Warnings).
 std::vector<Warning> warnings(const RunSummary& summary, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers = Workers::serial());
@@ -53,7 +53,7 @@ struct WantedTemperature {
 };
 
 /// Those of the results alone.
-/// @param wanted  nothing if any temperature will do
+/// @param wanted  nothing if any temperature is right
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<WantedTemperature>& wanted);
 
@@ -62,7 +62,7 @@ std::vector<Warning> warnings_of_results(const RunSummary& summary,
 ///
 /// The kinetic energy then is that of T, the potential energy that of the configuration, with the
 /// canonical variance k_B T² C. The run shares the difference among all degrees of freedom, hence
-/// T² C k_B/(C + n k_B/2)², which is largest for C = n k_B/2, as of harmonic oscillators.
+/// T² C k_B/(C + n k_B/2)², which is largest for C = n k_B/2, the value of harmonic oscillators.
 double temperature_scatter(double temperature, double degrees_of_freedom);
 
 }  // namespace polhode

@@ -23,7 +23,7 @@ struct Claim {
 };
 
 /// Whether an estimate agrees with a number as it is printed, which stands for all that round to
-/// it. Reproduced: its whole 95 % interval does; not reproduced: no part of the interval does; else
+/// it. Reproduced: its whole 95 % interval agrees; not reproduced: no part of it does; otherwise
 /// the data do not decide.
 /// @param half_digit  half a unit of the last digit printed
 Verdict rounds_to(const Estimate& x, double number, double half_digit);

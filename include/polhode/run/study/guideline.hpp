@@ -38,7 +38,7 @@ struct Curve {
 
 /// The number of points before the end of a curve, which all tables, claims and figures use. A
 /// curve ends at the first step with a run that blew up, and before it where all steps up to there
-/// drift(): a single step that drifts while a longer one does not is an accident of the runs.
+/// drift(): a single step that drifts while a longer one does not is due to chance.
 /// @param points  ordered by step
 std::size_t points_before_end(const std::vector<EfficiencyPoint>& points);
 

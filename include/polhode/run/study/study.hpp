@@ -90,8 +90,8 @@ struct StudyPoint {
   std::string name;  ///< of the scheme in tables and figures, see label_of()
   NestedScheme scheme;
   double step;  ///< [ps]
-  /// The scheme in a record of runs: its name, with its stages if the name is its own, so that runs
-  /// of other stages under the same name are not mistaken for its own.
+  /// The scheme in a record of runs: its name, with its stages if the name is user-given, so that
+  /// runs of other stages under the same name are not mistaken for its runs.
   std::string record_name() const;
   /// Force evaluations per ps.
   /// @param near_weight  cost of a near-force evaluation relative to a full one

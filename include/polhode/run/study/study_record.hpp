@@ -27,8 +27,8 @@ std::string study_identity(const Config& config, const System& system);
 std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
                                         const Provenance& provenance);
 
-/// All runs in a record, whichever study and program version it belongs to.
-/// @throws Error  as read_study_record(), except for the study
+/// All runs in a record of any study and any version of the program.
+/// @throws Error  as read_study_record(), but for any study
 std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string& path);
 
 /// The finished runs, one line each, appended as they end.

@@ -56,7 +56,7 @@ StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix = "study",
                                 const OutputOptions& options = {}, const Callbacks& callbacks = {});
 
-/// Names with units, as "step_fs"; what is not known is null.
+/// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
 std::string study_json(const StudyReport& report);
 
 /// Cutoff, initial configuration, runs and energies of a study, in a sentence.

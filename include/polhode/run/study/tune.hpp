@@ -55,14 +55,14 @@ double correlation(const ErrorCovariance& covariance);
 /// rms of a bracket, from the sum of its mean squares over the runs [kJ/mol].
 double rms_bracket(double squares, const TuneSettings& settings);
 
-/// The step of the settings is that of the run file unless it is given.
+/// Uses the step of the run file unless the settings give one.
 /// @throws RunError  if a run blows up
 /// @throws Error     if the forces have no directional derivative, the run file has multiple time
 ///                   steps, the runs hold fewer than 20 brackets, or as SchemeFamily()
 TuneResult tune(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
                 Workers& workers = Workers::serial());
 
-/// Names with units, as "step_fs".
+/// The result as JSON. Names contain units, as in "step_fs".
 std::string tune_json(const TuneResult& result);
 
 }  // namespace polhode

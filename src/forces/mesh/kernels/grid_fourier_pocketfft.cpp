@@ -12,7 +12,7 @@ using pocketfft::detail::arr;
 using pocketfft::detail::cmplx;
 
 /// Transposes `width` rows from `row` on to columns[0, numbers), rounded up to whole packs.
-/// Where fewer rows are left, the last one stands for those that are missing.
+/// Where fewer rows are left, the last one replaces those that are missing.
 template <class T>
 void load_rows(const RowsJob<T>& job, std::size_t row, std::size_t numbers, Pack<T>* columns) {
   for (std::size_t x = 0; x < numbers; x += Pack<T>::width)
@@ -35,8 +35,8 @@ void store_rows(const RowsJob<T>& job, std::size_t row, std::size_t numbers,
   }
 }
 
-// pocketfft's waves of a real series are r0, r1, i1, r2, i2 ...; one place before them they are
-// ours but for the imaginary part of the first and, of an even length, the last.
+// pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2 ... From r1 on this is
+// our order; the first imaginary part is missing, and for an even length the last.
 template <class T>
 void each_rows(const RowsJob<T>& job, bool forward) {
   constexpr std::size_t width = Pack<T>::width;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Series of packs for pocketfft. Its own arrays are allocated in each call; those of packs take
+// Series of packs for pocketfft. Its own arrays are allocated in each call; those of packs use
 // memory that the thread keeps, so that no evaluation of forces allocates after the first.
 #pragma once
 
@@ -13,7 +13,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-/// An array of numbers that are not initialised. Of those in use, the last taken is returned first.
+/// An array of numbers that are not initialized. The last one allocated is released first.
 template <class Number>
 class PackSeries {
  public:

@@ -50,7 +50,7 @@ void scan(const ListJob& job, Run run, const Vec3<std::int32_t>& at, std::uint32
   found.truncated.grow(n_truncated);
 }
 
-// The slots of a part, n in all, that are ahead of the k-th: by 1 to n/2 places, cyclically. Of two
+// The slots of a part, n in all, that are ahead of the k-th: by 1 to n/2 slots, cyclically. Of two
 // slots exactly n/2 apart, the second is ahead of the first.
 std::array<Run, 2> ahead(const Slots::Part& part, std::uint32_t k) {
   const std::uint32_t n = part.count;
@@ -60,7 +60,7 @@ std::array<Run, 2> ahead(const Slots::Part& part, std::uint32_t k) {
   return {Run{from, part.first + n}, Run{part.first, part.first + last - n + 1}};
 }
 
-// Finds the partners of bodies in turn; the bodies of a cell share the runs of slots to test.
+// Finds the partners of body after body; the bodies of a cell share the runs of slots to test.
 class Search {
  public:
   Search(const ListJob& job, std::size_t part, std::size_t partner_part)
@@ -145,7 +145,7 @@ class Search {
       });
   }
 
-  // Those in cells from - to along x, in a row of cells at y, z and in its images along y and z.
+  // The runs in cells `from` to `to` along x, at y and z, with the images along y and z given.
   void gather_row(int from, int to, std::array<std::size_t, 2> yz, std::array<int, 2> images) {
     constexpr auto one = static_cast<std::int32_t>(fixed_point_edge);
     const std::size_t y = yz[0], z = yz[1];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which shapes of molecules the pair loops of an instruction set are unrolled for. Where other sets
-// are compiled, the scalar one serves only processors that have none of them: the general shape
-// must do there, and most of the compile time of the scalar loops is saved.
+// are compiled, the scalar one serves only processors that have none of them: there the general
+// shape suffices, and most of the compile time of the scalar loops is saved.
 #pragma once
 
 #include "pair_rows.hpp"
