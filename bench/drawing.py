@@ -35,13 +35,13 @@ def begin(image, width, height):
                       (PLOTS / "style.gp").read_text(encoding="utf-8")])
 
 
-def key(entries, bottom):
-    """Lines of a multiplot that draw the legend alone, across the figure, above `bottom` (a fraction of its height). What
+def key(entries, bottom, columns=3):
+    """Lines of a multiplot that draw the legend alone, across the figure, above `bottom` (a fraction of its height), in columns. What
     follows sets its own ranges and margins."""
     return "\n".join([
         "set lmargin at screen 0.02", "set rmargin at screen 0.98", f"set bmargin at screen {bottom}", "set tmargin at screen 0.99",
         "unset border", "unset grid", 'set tics scale 0', 'set format ""', "set xrange [0:1]", "set yrange [0:1]",
-        "set key inside center center horizontal", "plot NaN notitle, \\\n  " + ", \\\n  ".join(f"keyentry {e}" for e in entries),
+        f"set key inside center center horizontal maxcols {columns} font small", "plot NaN notitle, \\\n  " + ", \\\n  ".join(f"keyentry {e}" for e in entries),
         "unset key", 'set format "%g"', (PLOTS / "style.gp").read_text(encoding="utf-8").split("set output image\n")[1]])
 
 

@@ -51,7 +51,7 @@ foreach(name IN LISTS compiled_sets)
 endforeach()
 list(LENGTH compiled_sets number_of_sets)
 if(number_of_sets GREATER 1)  # the scalar one then serves only processors without any other
-  list(APPEND POLHODE_FLAGS_scalar -DPOLHODE_FALLBACK)
+  list(APPEND POLHODE_FLAGS_scalar -DPOLHODE_FALLBACK -O1)
 endif()
 
 set(missing_sets)  # definitions that tell the code what is not there

@@ -6,6 +6,5 @@ file(GLOB cli_sources CONFIGURE_DEPENDS cli/*.cpp)
 add_executable(polhode_cli ${cli_sources})
 set_target_properties(polhode_cli PROPERTIES OUTPUT_NAME polhode)
 target_compile_options(polhode_cli PRIVATE -O1)  # parsing and printing: compile time matters more
-target_precompile_headers(polhode_cli PRIVATE <CLI/CLI.hpp> <nlohmann/json.hpp> <fmt/core.h>)
 target_link_libraries(polhode_cli PRIVATE polhode polhode_flags CLI11::CLI11 fmt::fmt
                                           nlohmann_json::nlohmann_json Threads::Threads)

@@ -56,8 +56,8 @@ def script(result, image):
         key.append(f'with lines linewidth 1 linecolor "{PALE}" title "{others} others"')
     key.append('with points pointtype 2 linewidth 1.4 linecolor rgb ink title "energy not conserved"')
     return "\n".join([
-        drawing.begin(image, 340 * len(systems), 480), *data, "set multiplot", drawing.key(key, 0.9), "set logscale xy",
-        "set tmargin at screen 0.84", "set bmargin at screen 0.17", 'set ylabel "R  (%)" offset 1', 'set format y "%g"',
+        drawing.begin(image, 340 * len(systems), 560), *data, "set multiplot", drawing.key(key, 0.86), "set logscale xy",
+        "set tmargin at screen 0.78", "set bmargin at screen 0.17", 'set ylabel "R  (%)" offset 2', 'set format y "%g"',
         'set xlabel "cost:  force evaluations per ps" offset 0,0.4', "set xtics (60, 100, 200, 400, 1000, 2000)",
         f'set label 1 "{CAVEAT}" at screen 0.01, screen 0.03 left noenhanced textcolor rgb ink font small',
         "set yrange [0.001:20]", *panels, "unset multiplot", ""])

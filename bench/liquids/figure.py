@@ -11,7 +11,7 @@ import drawing  # noqa: E402
 
 SCRIPT = Template("""${style}
 set title offset 0,-0.4
-set key bottom right
+set key top right
 
 ${data}
 

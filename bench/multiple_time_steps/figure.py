@@ -72,9 +72,9 @@ def script(result, image):
                           + f"plot {', '.join(plots)}")
     key = [f'with linespoints pointtype {style.filled} linewidth 1.6 linecolor "{style.colour}" title "{scheme}"'
            for scheme, style in looks.items()]
-    return "\n".join([drawing.begin(image, 1000, 600), *data, "set multiplot", drawing.key(key, 0.77),
+    return "\n".join([drawing.begin(image, 1000, 680), *data, "set multiplot", drawing.key(key, 0.82, 2),
                       f'set label 1 "{CAVEAT}" at screen 0.01, screen 0.03 left noenhanced textcolor rgb ink font small',
-                      "set tmargin at screen 0.72", "set bmargin at screen 0.155", 'set ylabel "R  (%)" offset 1',
+                      "set tmargin at screen 0.76", "set bmargin at screen 0.155", 'set ylabel "R  (%)" offset 2',
                       "set logscale y", 'set format y "%g"', "set yrange [0.01:30]", *panels, "unset multiplot", ""])
 
 

@@ -50,7 +50,7 @@ set tics scale 0
 set format ""
 set xrange [0:1]
 set yrange [0:1]
-set key inside center center horizontal
+set key inside center center horizontal maxcols 3 font small
 plot NaN notitle, \
   keyentry with points pointtype 7 linecolor "#0072B2" title "velocity-verlet", \
   keyentry with points pointtype 5 linecolor "#D55E00" title "hoa2", \

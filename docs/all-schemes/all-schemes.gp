@@ -2,7 +2,7 @@
 image = "all-schemes.svg"
 format = "svg"
 width = 1020
-height = 480
+height = 560
 # The style of all figures. Above: image, format ("svg" or "png"), width and height [pixels].
 set encoding utf8
 set minussign
@@ -603,7 +603,7 @@ EOD
 set multiplot
 set lmargin at screen 0.02
 set rmargin at screen 0.98
-set bmargin at screen 0.9
+set bmargin at screen 0.86
 set tmargin at screen 0.99
 unset border
 unset grid
@@ -611,7 +611,7 @@ set tics scale 0
 set format ""
 set xrange [0:1]
 set yrange [0:1]
-set key inside center center horizontal
+set key inside center center horizontal maxcols 3 font small
 plot NaN notitle, \
   keyentry with linespoints pointtype 7 linewidth 1.8 linecolor "#0072B2" title "velocity-verlet", \
   keyentry with linespoints pointtype 5 linewidth 1.8 linecolor "#D55E00" title "hoa2", \
@@ -629,9 +629,9 @@ set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
 
 set logscale xy
-set tmargin at screen 0.84
+set tmargin at screen 0.78
 set bmargin at screen 0.17
-set ylabel "R  (%)" offset 1
+set ylabel "R  (%)" offset 2
 set format y "%g"
 set xlabel "cost:  force evaluations per ps" offset 0,0.4
 set xtics (60, 100, 200, 400, 1000, 2000)

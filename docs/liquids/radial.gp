@@ -22,7 +22,7 @@ set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
 
 set title offset 0,-0.4
-set key bottom right
+set key top right
 
 $tip4p << EOD
 0.001 0

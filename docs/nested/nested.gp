@@ -2,7 +2,7 @@
 image = "nested.svg"
 format = "svg"
 width = 1000
-height = 600
+height = 680
 # The style of all figures. Above: image, format ("svg" or "png"), width and height [pixels].
 set encoding utf8
 set minussign
@@ -130,7 +130,7 @@ EOD
 set multiplot
 set lmargin at screen 0.02
 set rmargin at screen 0.98
-set bmargin at screen 0.77
+set bmargin at screen 0.82
 set tmargin at screen 0.99
 unset border
 unset grid
@@ -138,7 +138,7 @@ set tics scale 0
 set format ""
 set xrange [0:1]
 set yrange [0:1]
-set key inside center center horizontal
+set key inside center center horizontal maxcols 2 font small
 plot NaN notitle, \
   keyentry with linespoints pointtype 7 linewidth 1.6 linecolor "#0072B2" title "velocity-verlet", \
   keyentry with linespoints pointtype 5 linewidth 1.6 linecolor "#D55E00" title "hoa2", \
@@ -159,9 +159,9 @@ set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
 
 set label 1 "cost: evaluations of all forces, and of near forces times their share of the time.  outer / inner x n within r: n inner steps an outer drift, near forces up to r.  Crossed: R above 10 %" at screen 0.01, screen 0.03 left noenhanced textcolor rgb ink font small
-set tmargin at screen 0.72
+set tmargin at screen 0.76
 set bmargin at screen 0.155
-set ylabel "R  (%)" offset 1
+set ylabel "R  (%)" offset 2
 set logscale y
 set format y "%g"
 set yrange [0.01:30]

@@ -20,11 +20,16 @@ FigureScript::FigureScript(const Image& image, int width, int height)
     : text_(fmt::format("# Restyle this and run it again: gnuplot draws {}.\n",
                         gnuplot_comment(image.name))) {
   file("image", image.name).text("format", image.format);
-  number("width", width).number("height", height);
+  count("width", static_cast<std::size_t>(width)).count("height", static_cast<std::size_t>(height));
 }
 
 FigureScript& FigureScript::number(std::string_view name, double value) {
-  text_ += fmt::format("{} = {:.10g}\n", name, value);
+  text_ += fmt::format("{} = {:#.10g}\n", name, value);
+  return *this;
+}
+
+FigureScript& FigureScript::count(std::string_view name, std::size_t value) {
+  text_ += fmt::format("{} = {}\n", name, value);
   return *this;
 }
 
@@ -38,10 +43,10 @@ FigureScript& FigureScript::file(std::string_view name, std::string_view path) {
   return *this;
 }
 
-FigureScript& FigureScript::numbers(std::string_view name, std::span<const double> values) {
+FigureScript& FigureScript::counts(std::string_view name, std::span<const std::size_t> values) {
   text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
   for (std::size_t k = 0; k < values.size(); ++k)
-    text_ += fmt::format("{}[{}] = {:.10g}\n", name, k + 1, values[k]);
+    text_ += fmt::format("{}[{}] = {}\n", name, k + 1, values[k]);
   return *this;
 }
 
@@ -54,17 +59,17 @@ FigureScript& FigureScript::texts(std::string_view name, std::span<const std::st
 
 FigureScript& FigureScript::schemes(const std::vector<std::string>& names) {
   std::vector<std::string> colours;
-  std::vector<double> filled, open;
+  std::vector<std::size_t> filled, open;
   for (const SchemeStyle& style : scheme_styles(names)) {
     colours.push_back(style.colour);
-    filled.push_back(style.filled);
-    open.push_back(style.open);
+    filled.push_back(static_cast<std::size_t>(style.filled));
+    open.push_back(static_cast<std::size_t>(style.open));
   }
-  number("curves", static_cast<double>(names.size()));
+  count("curves", names.size());
   return texts("name", names)
       .texts("colour", colours)
-      .numbers("filled", filled)
-      .numbers("open", open);
+      .counts("filled", filled)
+      .counts("open", open);
 }
 
 FigureScript& FigureScript::block(std::string_view name) {

@@ -18,12 +18,14 @@ class FigureScript {
   /// @param width, height  in pixels; bitmaps have twice as many
   FigureScript(const Image& image, int width, int height);
 
+  /// With a decimal point: gnuplot divides integers to integers.
   FigureScript& number(std::string_view name, double value);
+  FigureScript& count(std::string_view name, std::size_t value);
   FigureScript& text(std::string_view name, std::string_view value);
   /// A file next to the script.
   FigureScript& file(std::string_view name, std::string_view path);
   /// Arrays of gnuplot, from 1; one empty element if there are none.
-  FigureScript& numbers(std::string_view name, std::span<const double> values);
+  FigureScript& counts(std::string_view name, std::span<const std::size_t> values);
   FigureScript& texts(std::string_view name, std::span<const std::string> values);
   /// The number of schemes, their names, colours and markers: `curves`, `name`, `colour`, `filled`,
   /// `open`.

@@ -45,6 +45,17 @@ const EfficiencyFigure study{
 
 }  // namespace
 
+TEST_CASE("whole numbers of a top are written with a decimal point, as gnuplot's 1/2 is 0") {
+  const Place place;
+  setenv("PATH", place.folder.c_str(), 1);
+  std::ostringstream warnings;
+  const std::string prefix = (place.folder / "top").string();
+  polhode_plot(prefix, {prefix + ".dat", {1, 2, 3}, {0.5, 1, 0.25}}, warnings);
+  const std::string script = text_of(prefix + ".gp");
+  for (const char* line : {"\nJ2 = 2.0", "\nL2 = 1.0", "\nL3 = 0.25", "\nwidth = 1000\n"})
+    CHECK(script.find(line) != std::string::npos);
+}
+
 TEST_CASE("without gnuplot there is a warning, and the script is kept") {
   const Place place;
   setenv("PATH", place.folder.c_str(), 1);
@@ -142,7 +153,7 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
   }
   CHECK(polhode_plot((place.folder / "top").string(),
                      {(place.folder / "top.dat").string(), {1, 2, 3}, {0.1, 0.2, 1}}, warnings));
-  CHECK(text_of(place.folder / "top.gp").find("J3 = 3\n") != std::string::npos);
+  CHECK(text_of(place.folder / "top.gp").find("J3 = 3.0") != std::string::npos);
   CHECK(text_of(place.folder / "top.svg").find("polhode") != std::string::npos);
   CHECK(warnings.str() == "");
   CHECK(text_of(place.folder / "run.svg").find("</svg>") != std::string::npos);
