@@ -89,7 +89,7 @@ template <ForceModel Full, ForceModel Near, StateBath Bath = NoBath>
 class NestedIntegrator {
  public:
   /// @param scheme  must have an inner scheme
-  /// @param full, near total and near forces, kept by reference
+  /// @param full, near  total and near forces, kept by reference
   /// @param bath  of the outer scheme; the inner one has none
   /// @throws Error  as Integrator
   NestedIntegrator(const NestedScheme& scheme, const Bodies& bodies, Full& full, Near& near,
