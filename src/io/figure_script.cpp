@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/gnuplot_text.hpp"
 #include "polhode/io/scheme_styles.hpp"
@@ -16,15 +18,22 @@ std::string_view template_text(std::string_view name) {
 
 }  // namespace
 
-FigureScript::FigureScript(const Image& image, int width, int height)
+FigureScript::FigureScript(const Image& image, std::size_t width, std::size_t height)
     : text_(fmt::format("# Restyle this and run it again: gnuplot draws {}.\n",
                         gnuplot_comment(image.name))) {
   file("image", image.name).text("format", image.format);
-  number("width", width).number("height", height);
+  count("width", width).count("height", height);
 }
 
 FigureScript& FigureScript::number(std::string_view name, double value) {
-  text_ += fmt::format("{} = {:.10g}\n", name, value);
+  const std::string digits = fmt::format("{:.10g}", value);
+  const bool whole = digits.find_first_not_of("-0123456789") == std::string::npos;
+  text_ += fmt::format("{} = {}{}\n", name, digits, whole ? ".0" : "");
+  return *this;
+}
+
+FigureScript& FigureScript::count(std::string_view name, std::size_t value) {
+  text_ += fmt::format("{} = {}\n", name, value);
   return *this;
 }
 
@@ -60,7 +69,7 @@ FigureScript& FigureScript::schemes(const std::vector<std::string>& names) {
     filled.push_back(style.filled);
     open.push_back(style.open);
   }
-  number("curves", static_cast<double>(names.size()));
+  count("curves", names.size());
   return texts("name", names)
       .texts("colour", colours)
       .numbers("filled", filled)

@@ -16,9 +16,13 @@ namespace polhode {
 class FigureScript {
  public:
   /// @param width, height  in pixels; bitmaps have twice as many
-  FigureScript(const Image& image, int width, int height);
+  FigureScript(const Image& image, std::size_t width, std::size_t height);
 
+  /// A real number also if its value is whole: gnuplot divides integers without a fraction, so that
+  /// 1/3 would be 0.
   FigureScript& number(std::string_view name, double value);
+  /// A number of pixels or curves, or whether there is something: 1 or 0.
+  FigureScript& count(std::string_view name, std::size_t value);
   FigureScript& text(std::string_view name, std::string_view value);
   /// A file next to the script.
   FigureScript& file(std::string_view name, std::string_view path);

@@ -115,10 +115,11 @@ std::string curves_script(const CurvesFigure& figure, const std::string& csv, co
     columns.push_back(static_cast<double>(column.number));
   }
   const bool panels = figure.separable && columns.size() > crowded;
-  FigureScript script(image, 720, panels ? 720 : 480);
+  const std::size_t height = panels ? 720 : 480;
+  FigureScript script(image, 720, height);
   script.file("data", csv).text("caption", figure.title);
   script.text("x_label", figure.x_label).text("y_label", figure.y_label);
-  script.number("curves", static_cast<double>(columns.size()));
+  script.count("curves", columns.size());
   script.numbers("column_of", columns).texts("name", names).texts("colour", colours);
   return script.with(panels ? "panels" : "curves");
 }
@@ -133,8 +134,8 @@ std::string efficiency_script(const EfficiencyFigure& figure, const Image& image
               [](const auto& a, const auto& b) { return a.cost < b.cost; });
   FigureScript script(image, 1000, 500);
   script.schemes(names_of(curves)).text("caption", figure.caption);
-  script.number("some_end", std::any_of(curves.begin(), curves.end(), end_known));
-  script.number("some_rounded", std::any_of(curves.begin(), curves.end(), any_at_rounding));
+  script.count("some_end", std::any_of(curves.begin(), curves.end(), end_known));
+  script.count("some_rounded", std::any_of(curves.begin(), curves.end(), any_at_rounding));
   add_ranges(script, curves, figure.highest);
   script.block("points");
   for (const EfficiencyCurve& curve : curves) script.rows(curve.scheme, rows_of(curve));
@@ -144,9 +145,9 @@ std::string efficiency_script(const EfficiencyFigure& figure, const Image& image
 std::string advice_script(const AdviceFigure& figure, const Image& image) {
   FigureScript script(image, 720, 480);
   script.schemes(names_of(figure.curves));
-  script.number("some_bound", figure.bound.has_value());
+  script.count("some_bound", figure.bound.has_value());
   script.number("bound", 100 * figure.bound.value_or(0));
-  script.number("some_answer", figure.confirmed.has_value());
+  script.count("some_answer", figure.confirmed.has_value());
   script.block("points");
   for (const AdviceCurve& curve : figure.curves) script.rows(curve.scheme, rows_of(curve));
   script.end_block().block("models");

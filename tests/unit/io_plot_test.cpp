@@ -142,8 +142,9 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
   }
   CHECK(polhode_plot((place.folder / "top").string(),
                      {(place.folder / "top.dat").string(), {1, 2, 3}, {0.1, 0.2, 1}}, warnings));
-  CHECK(text_of(place.folder / "top.gp").find("J3 = 3\n") != std::string::npos);
   CHECK(text_of(place.folder / "top.svg").find("polhode") != std::string::npos);
+  // L²/2E = 1.05/(0.01/1 + 0.04/2 + 1/3)
+  CHECK(text_of(place.folder / "top.svg").find("= 2.8899") != std::string::npos);
   CHECK(warnings.str() == "");
   CHECK(text_of(place.folder / "run.svg").find("</svg>") != std::string::npos);
   CHECK(text_of(place.folder / "eff.svg").find("hoa2") != std::string::npos);
