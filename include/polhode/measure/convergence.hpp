@@ -13,6 +13,7 @@ struct Convergence {
   double relaxation = 0;  ///< the time in which the quantity forgets its value, or the largest lag
                           ///< that it is taken from [ps]
   double needed = 0;      ///< a multiple of it; twice the length where that does not suffice [ps]
+  const char* unit = "ps";  ///< "frames" for all three if the frames have no times
 
   bool converged() const { return length >= needed; }
 };
