@@ -19,8 +19,8 @@ std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
 
 /// Why a number is not a result.
 std::string not_converged(const Convergence& c, const char* relaxation) {
-  return fmt::format("not converged: length {:.3g} ps, {} {:.2g} ps, at least {:.2g} ps needed",
-                     c.length, relaxation, c.relaxation, c.needed);
+  return fmt::format("not converged: length {:.3g} {}, {} {:.2g} {}, at least {:.2g} {} needed",
+                     c.length, c.unit, relaxation, c.relaxation, c.unit, c.needed, c.unit);
 }
 
 void print_peak(const SitePair& sites, const std::optional<RadialDistribution::Peak>& peak) {

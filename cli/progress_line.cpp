@@ -38,15 +38,12 @@ void ProgressLine::begin(const Progress& now) {
   job_ = now.job;
   start_ = Clock::now();
   done_at_start_ = now.done.value_or(0);
-  last_ = -1;
-  pace_ = {};
+  terminal_pace_ = {};
+  log_pace_ = {};
 }
 
 bool ProgressLine::due(const Progress& now, double elapsed) {
-  if (!terminal_) return pace_.due(now.done, elapsed);
-  if (elapsed - last_ < 0.2 && now.done.value_or(0) < 1) return false;
-  last_ = elapsed;
-  return true;
+  return terminal_ ? terminal_pace_.due(now.done, elapsed) : log_pace_.due(now.done, elapsed);
 }
 
 void ProgressLine::show(const Progress& now) {

@@ -34,8 +34,8 @@ class ProgressLine {
   std::string job_;
   Clock::time_point start_;   // of the job
   double done_at_start_ = 0;  // of a job that was resumed
-  double last_ = 0;           // when it was shown last, since the start [s]
-  ProgressPace pace_;
+  TerminalPace terminal_pace_;
+  ProgressPace log_pace_;
 };
 
 }  // namespace polhode::cli

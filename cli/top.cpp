@@ -35,10 +35,7 @@ void print_trajectory(const Options& o) {
   const TopFigure figure(o.output);
   if (!o.output.empty()) check_outputs(figure.files(), existing_files(false, o.force));
   const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length);
-  if (o.json)
-    print_top_json(trajectory);
-  else
-    print_top(trajectory);
+  print_top(trajectory, o.json);
   if (o.output.empty()) return;
   draw_top(figure, J, L, console());
   log("wrote {}, {}, {} and {}\n", figure.svg, figure.png, figure.data, figure.script);

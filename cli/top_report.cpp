@@ -6,8 +6,9 @@
 #include <nlohmann/json.hpp>
 
 namespace polhode::cli {
+namespace {
 
-void print_top(const TopTrajectory& top) {
+void print_text(const TopTrajectory& top) {
   fmt::print(
       "step {:.6g}: the top initially turns by {:.3g} per step; errors of energy and |L| are "
       "relative,\nattitude is the angle [rad] from the closed form\n\n",
@@ -24,7 +25,7 @@ void print_top(const TopTrajectory& top) {
         line.no_squish.momentum_error, line.no_squish.angle);
 }
 
-void print_top_json(const TopTrajectory& top) {
+void print_json(const TopTrajectory& top) {
   nlohmann::json out{{"step", top.step}, {"rows", nlohmann::json::array()}};
   const auto track = [](const TopTrack& t) {
     return nlohmann::json{{"energy_error", t.energy_error},
@@ -41,5 +42,9 @@ void print_top_json(const TopTrajectory& top) {
   }
   fmt::print("{}\n", out.dump(2));
 }
+
+}  // namespace
+
+void print_top(const TopTrajectory& top, bool json) { json ? print_json(top) : print_text(top); }
 
 }  // namespace polhode::cli

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The trajectory of a top as text and as JSON.
+// The trajectory of a top as text or as JSON.
 #pragma once
 
 #include "polhode/run/top/top.hpp"
 
 namespace polhode::cli {
 
-void print_top(const TopTrajectory& top);
-void print_top_json(const TopTrajectory& top);
+void print_top(const TopTrajectory& top, bool json);
 
 }  // namespace polhode::cli

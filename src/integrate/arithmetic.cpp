@@ -30,8 +30,9 @@ class Arithmetic {
     while (scanner_.next_is('+') || scanner_.next_is('-')) {
       const bool plus = scanner_.take('+');
       if (!plus) scanner_.expect('-');
+      const std::size_t begin = scanner_.at();
       const double next = product();
-      value = plus ? value + next : value - next;
+      value = checked(plus ? value + next : value - next, begin);
     }
     return value;
   }

@@ -62,10 +62,12 @@ TotalDipole::Result TotalDipole::result(double temperature, double surroundings_
   if (result.mean_over_rms * result.mean_over_rms > at_rest)
     for (SeriesEstimate* const e : {&result.constant, &result.kirkwood})
       if (e->known == Known::yes) *e = {e->value, 0, Known::too_short};
-  const double length = means.empty() ? 0 : means.sum().weight * interval;
+  const bool timed = interval > 0;
+  const double length = means.empty() ? 0 : means.sum().weight * (timed ? interval : 1);
   result.convergence = convergence(
       length, relaxation_share(means, Mx, M2) * length, relaxations_of_dipole,
       result.constant.known != Known::yes || still_moving(means, result.constant, epsilon));
+  if (!timed) result.convergence.unit = "frames";
   std::vector<BlockMeans::Block> first;
   double frames = 0;
   for (const BlockMeans::Block& block : means.blocks()) {

@@ -52,6 +52,23 @@ TEST_CASE("the best scheme of the plain family for harmonic motion is known") {
   CHECK(std::abs(best_parameters(c, hoa2_family())[0] - best) < 1e-7);
 }
 
+// The first step of the search, from η = 0.7 where the variance hardly depends on it, leads to
+// negative values of x = η², which has no root.
+TEST_CASE("a search does not leave the values for which the text of a scheme has a meaning") {
+  const SchemeFamily family("free x = 0.49; b = sqrt(x); B(b) A(1/2) B(1 - 2*b) A(1/2) B(b)");
+  const double best = (3 - std::sqrt(5.0)) / 4;
+  const double x = best_at_short_steps(oscillators(0, 0, 0), family)[0];
+  CHECK(std::abs(std::sqrt(x) - best) < 1e-7);
+}
+
+TEST_CASE("an interrupted tuning ends without an error") {
+  TuneSettings settings;
+  settings.runs = 2;
+  Callbacks callbacks;
+  callbacks.stop = [] { return true; };
+  CHECK(tune(default_config(), settings, callbacks).interrupted);
+}
+
 // The contributions of the brackets to the energy are recovered, and an uncorrelated part is left:
 // its correlation with the brackets over 270 periods or more is below 1/270.
 TEST_CASE(

@@ -88,13 +88,17 @@ State tops(std::size_t bodies, Random& random) {
   return state;
 }
 
-SeriesEstimate kirkwood(std::uint64_t seed, int frames) {
+TotalDipole::Result dielectric(std::uint64_t seed, int frames, double interval) {
   const Topology topology{{{read_molecule("tip4p"), 3}}};
   Random random(seed);
   State state = tops(3, random);
   TotalDipole dipole(topology);
   for (int t = 0; t < frames; ++t, turn(state, random)) dipole.add(state);
-  return dipole.result(300, tin_foil).kirkwood;
+  return dipole.result(300, tin_foil, interval);
+}
+
+SeriesEstimate kirkwood(std::uint64_t seed, int frames) {
+  return dielectric(seed, frames, 1).kirkwood;
 }
 
 SeriesEstimate relaxation(std::uint64_t seed, int frames) {
@@ -159,4 +163,15 @@ TEST_CASE("centre-of-mass motion of the whole system is not diffusion") {
       CHECK(std::abs(a.mean_square(part).mean()[lag] - b.mean_square(part).mean()[lag]) < 1e-13);
       CHECK(std::abs(v.linear(part).mean()[lag] - w.linear(part).mean()[lag]) < 1e-13);
     }
+}
+
+TEST_CASE("frames without times show as well that the dielectric constant has not converged") {
+  const Convergence timed = dielectric(1, 12, 0.5).convergence;
+  const Convergence untimed = dielectric(1, 12, 0).convergence;
+  CHECK(!timed.converged());
+  CHECK(!untimed.converged());
+  CHECK(timed.unit == std::string("ps"));
+  CHECK(untimed.unit == std::string("frames"));
+  CHECK(untimed.length == 12);
+  CHECK(untimed.needed == doctest::Approx(timed.needed / 0.5));
 }

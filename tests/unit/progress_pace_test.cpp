@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cstdlib>
+
 namespace polhode {
 
 TEST_CASE("a log has a line at each tenth of a job") {
@@ -24,6 +26,18 @@ TEST_CASE("a slow job has a line each minute") {
       lines += pace.due(known ? std::optional(second / 12000.0) : std::nullopt, second) ? 1 : 0;
     CHECK(lines == 10);
   }
+}
+
+// A job whose work turns out to be more than expected reports after every step that all is done.
+TEST_CASE("a line on a terminal is written five times a second, and when the job is done") {
+  TerminalPace pace;
+  int lines = 0;
+  for (int step = 0; step < 1000; ++step) lines += pace.due(0.5, 0.001 * step) ? 1 : 0;
+  CHECK(std::abs(lines - 5) <= 1);  // rounding of the times
+  CHECK(pace.due(1, 1.0));
+  lines = 0;
+  for (int step = 1; step <= 1000; ++step) lines += pace.due(1, 1 + 0.001 * step) ? 1 : 0;
+  CHECK(std::abs(lines - 5) <= 1);
 }
 
 TEST_CASE("a job of less than a second has no line in a log") {

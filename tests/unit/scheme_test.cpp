@@ -224,6 +224,8 @@ TEST_CASE("incorrect definitions, names and expressions are refused with the pla
   check_error([] { scheme_of("B(sqrt(1 - 2)) A(1)"); },
               {"'1 - 2)) A(' at character 8", "a finite real result"});
   check_error([] { scheme_of("B(2^10000) A(1)"); }, {"at character 4", "a finite real result"});
+  check_error([] { scheme_of("x = 1e308 + 1e308; B(1, 1/x) A(1)"); },
+              {"at character 12", "a finite real result"});
   check_error([] { scheme_of("x = 1/6 B(x) A(1)"); }, {"'B(x) A(1)' at character 9", "';'"});
   check_error([] { scheme_of("x = 1; x = 2; B(x) A(1)"); }, {"'x = 2; B(x' at character 8"});
   check_error([] { scheme_of("free = 1; B(1) A(1)"); }, {"a new name of a constant"});

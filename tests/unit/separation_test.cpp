@@ -4,7 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/pairs/overlap.hpp"
@@ -63,6 +65,21 @@ TEST_CASE("a lattice of benzene at the density of the liquid is moved apart and 
   CHECK(overlapping > 0);
 }
 
+// From there on the forces would be sums in the order of another neighbour list.
+TEST_CASE("an equilibration that is stopped while molecules are moved apart begins again") {
+  System system = build_system(benzene("0.876 g/cm3", "0.8 nm", 1));
+  const State before = system.state;
+  ForceField forces(system.topology, system.forces, system.state.box);
+  int steps = 0;
+  std::optional<RunState> left;
+  const Watch watch{.stop = [&] { return ++steps > 1; },
+                    .checkpoint = [&](RunState at) { left = std::move(at); }};
+  CHECK(!equilibrate(system, forces, 0.2, watch));
+  REQUIRE(left);
+  CHECK(*left->equilibrated == 0);
+  for (std::size_t i = 0; i < before.size(); ++i) CHECK(norm(left->state.q[i] - before.q[i]) == 0);
+}
+
 TEST_CASE("no move is longer than the cap, and momenta stay") {
   System system = build_system(benzene("0.876 g/cm3", "0.8 nm", 1));
   const State before = system.state;
@@ -117,4 +134,5 @@ cutoff = "0.5 nm"
   CHECK(text.find("0.0500 nm apart") != std::string::npos);
   system.state.q.set(7, {std::nan(""), 0, 0});
   CHECK(strongest_contact(system, system.state).empty());
+  CHECK(strongest_contact(system, State(0, system.state.box)).empty());  // before the first step
 }

@@ -30,9 +30,9 @@ RunSummary good() {
   return s;
 }
 
-std::string kinds(const RunSummary& s, std::optional<WantedTemperature> wanted = {{300}}) {
+std::string kinds(const RunSummary& s, std::optional<TargetTemperature> target = {{300}}) {
   std::string all;
-  for (const Warning& w : warnings_of_results(s, wanted)) {
+  for (const Warning& w : warnings_of_results(s, target)) {
     CHECK(!w.text.empty());
     CHECK(!w.remedy.empty());
     CHECK(std::abs(w.value) > 0);

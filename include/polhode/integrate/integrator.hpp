@@ -138,7 +138,7 @@ class Integrator {
   /// Forces and torques of the last kick, at the positions of that kick.
   const Load& last_load() const { return load_; }
 
-  /// To be called when the positions were changed from outside.
+  /// To be called when the positions or the box were changed from outside.
   void forget() { current_ = false; }
 
   IntegratorMemory memory() const {

@@ -13,6 +13,7 @@ struct Convergence {
   double relaxation = 0;  ///< relaxation time of the quantity, or the largest lag from which it is
                           ///< computed [ps]
   double needed = 0;      ///< a multiple of it; twice the length where that does not suffice [ps]
+  const char* unit = "ps";  ///< "frames" for all three if the frames have no times
 
   bool converged() const { return length >= needed; }
 };

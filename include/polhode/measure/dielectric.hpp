@@ -35,7 +35,7 @@ class TotalDipole {
   /// permittivity ε': ε = 1 + g for tin foil; for a reaction field, ε' is that of the field
   /// [neumann1983]. ⟨M⟩² is about ⟨M²⟩ divided by the number of independent values of M: above a
   /// tenth of ⟨M²⟩ no error is given.
-  /// @param interval  between frames [ps]
+  /// @param interval  between frames [ps]; 0: they have no times
   Result result(double temperature, double surroundings_permittivity, double interval = 1) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// When the progress of a job is worth a line in a log.
+// When the progress of a job is shown: on a terminal, and as a line in a log.
 #pragma once
 
 #include <cmath>
@@ -25,6 +25,24 @@ class ProgressPace {
 
  private:
   double tenths_ = 0, last_ = 0;  // at the last line
+};
+
+/// Five times a second, and at once when all of the work is done.
+class TerminalPace {
+ public:
+  /// Whether the line is due; if it is, it counts as written. The arguments are those of
+  /// ProgressPace::due().
+  bool due(std::optional<double> done, double elapsed) {
+    const bool complete = done.value_or(0) >= 1;
+    if (elapsed - last_ < 0.2 && (complete_ || !complete)) return false;
+    complete_ = complete;
+    last_ = elapsed;
+    return true;
+  }
+
+ private:
+  double last_ = -1;  // when the line was written
+  bool complete_ = false;
 };
 
 }  // namespace polhode

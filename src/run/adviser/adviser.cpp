@@ -18,6 +18,7 @@
 #include "polhode/io/output_units.hpp"
 #include "polhode/run/adviser/effort.hpp"
 #include "polhode/run/adviser/step_search.hpp"
+#include "polhode/run/simulation/einstein_frequency.hpp"
 #include "polhode/run/simulation/resumable_run.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
@@ -193,7 +194,7 @@ class Adviser {
   std::vector<AdviserPoint> measure(const std::vector<Job>& jobs) const {
     std::vector<AdviserPoint> points;
     for (const Job& job : jobs)
-      points.push_back({job.step, job.length, std::vector<Outcome>(starts_.size()), 0, false});
+      points.push_back({job.step, job.length, std::vector<Outcome>(starts_.size())});
     double work = 0;
     for (const Job& job : jobs) work += work_of(job, starts_.size());
     effort_.expect(std::max(work + min_work(), budget(1) / evaluation_ - effort_.done()));
@@ -233,8 +234,7 @@ class Adviser {
 
   /// Confirming runs: over the whole length, or the part after which they are hopeless.
   AdviserPoint confirming_runs(std::vector<ResumableRun> resumable_runs, const Job& whole) const {
-    AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size()), 0,
-                       false};
+    AdviserPoint point{whole.step, whole.length, std::vector<Outcome>(resumable_runs.size())};
     effort_.expect(work_of(whole, resumable_runs.size()));
     for (const double part : parts) {
       if (part < 1 && part * whole.length < min_length()) continue;

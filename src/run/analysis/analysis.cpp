@@ -233,6 +233,11 @@ Observable observable(const std::string& name) {
   return static_cast<Observable>(found - names.begin());
 }
 
+double Analysis::mean_interval() const {
+  if (interval > 0) return interval;
+  return frames < 2 ? 0 : std::max(0.0, (last - first) / static_cast<double>(frames - 1));
+}
+
 Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings& settings,
                  const Callbacks& callbacks, Workers& workers) {
   Analysis result;

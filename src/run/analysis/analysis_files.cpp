@@ -47,13 +47,6 @@ AnalysisFile file_of_lags(const std::string& name, std::size_t lags, double inte
       std::move(figure));
 }
 
-/// The time between frames [ps]; 0 if they have no times.
-double mean_interval(const Analysis& a) {
-  if (a.interval > 0) return a.interval;
-  if (a.frames < 2) return 0;
-  return std::max(0.0, (a.last - a.first) / static_cast<double>(a.frames - 1));
-}
-
 /// The name of a quantity of one part; if there is only one molecule, its name is omitted.
 std::string of_part(const Analysis& a, std::size_t part, const std::string& what) {
   return a.topology.parts.size() == 1 ? what : a.topology.parts[part].molecule.name + " " + what;
@@ -152,7 +145,7 @@ std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
 /// @param frames  number of frames so far, for each row
 AnalysisFile file_over_time(const Analysis& a, const std::string& name,
                             const std::vector<double>& frames, CurvesFigure figure) {
-  const double interval = mean_interval(a);
+  const double interval = a.mean_interval();
   figure.x_label = interval > 0 ? "time analyzed  (ps)" : "frames analyzed";
   return file_over(
       name, interval > 0 ? "time" : "frames", interval > 0 ? "ps" : "1", frames.size(),

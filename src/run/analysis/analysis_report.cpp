@@ -68,8 +68,10 @@ nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
 nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, double scale = 1) {
   nlohmann::json one = pair(e, scale);
   one["converged"] = c.converged();
+  const auto key = [&](const char* what) { return fmt::format("{}_{}", what, c.unit); };
   if (!c.converged())
-    one.update({{"length_ps", c.length}, {"relaxation_ps", c.relaxation}, {"needed_ps", c.needed}});
+    one.update(
+        {{key("length"), c.length}, {key("relaxation"), c.relaxation}, {key("needed"), c.needed}});
   return one;
 }
 

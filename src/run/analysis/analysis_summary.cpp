@@ -110,12 +110,6 @@ void find_correction(AnalysisSummary& s, const Analysis& a, const SummarySetting
                                                      std::cbrt(a.conditions->volume().value));
 }
 
-/// Time between frames, even if no correlation needs it [ps].
-double interval_of(const Analysis& a) {
-  if (a.interval > 0 || a.frames < 2) return a.interval;
-  return (a.last - a.first) / static_cast<double>(a.frames - 1);
-}
-
 void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
   if (!settings.surroundings_permittivity)
     s.notes.push_back("no dielectric: " + settings.no_surroundings);
@@ -123,7 +117,7 @@ void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySetting
     s.notes.push_back("no dielectric constant: the frames have no velocities; give a temperature");
   else
     s.dielectric =
-        a.dipole->result(*s.temperature, *settings.surroundings_permittivity, interval_of(a));
+        a.dipole->result(*s.temperature, *settings.surroundings_permittivity, a.mean_interval());
 }
 
 }  // namespace

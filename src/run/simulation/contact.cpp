@@ -69,8 +69,9 @@ Contact closest(const System& system, const State& state, std::size_t body) {
 }  // namespace
 
 std::string strongest_contact(const System& system, const State& state) {
+  if (state.size() < 2) return {};
   const auto body = most_pushed(system, state);
-  if (!body || state.size() < 2) return {};
+  if (!body) return {};
   const Contact contact = closest(system, state, *body);
   const auto name = [&](std::size_t i) {
     return fmt::format("{} ({})", i + 1,

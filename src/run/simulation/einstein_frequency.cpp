@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/einstein_frequency.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "polhode/base/units.hpp"
-#include "polhode/run/adviser/adviser.hpp"
 
 namespace polhode {
 

@@ -33,13 +33,19 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
     forces.resume_from(from->list, system.state.box);
   }
   const double begin = system.state.time - done;
-  if (done == 0) separate_molecules(system, watch.stop, workers);
-  while (done < length) {
-    RunState here;  // an unfinished piece is repeated
-    if (watch.checkpoint)
-      here = {.state = system.state,
-              .equilibrated = done,
-              .list = forces.list_memory(system.state.box)};
+  const auto resumable = [&] {
+    return watch.checkpoint ? RunState{.state = system.state,
+                                       .equilibrated = done,
+                                       .list = forces.list_memory(system.state.box)}
+                            : RunState{};
+  };
+  // An unfinished piece is repeated; the first one begins with the separation.
+  RunState here = resumable();
+  bool stopped = false;
+  if (done == 0)
+    separate_molecules(
+        system, [&] { return stopped = watch.stop && watch.stop(); }, workers);
+  while (!stopped && done < length) {
     rescale(system.state, system.topology, system.bodies, system.temperature);
     const double piece = std::min(interval, length - done);
     const Trajectory part = run_trajectory(
@@ -50,9 +56,14 @@ bool equilibrate(System& system, ForceField& forces, double length, const Watch&
           "the equilibration blew up after {:.4f} ps, in steps of {:g} fs: {}; use a lower "
           "density, or another initial configuration",
           system.state.time - begin, step * units::fs_per_ps, part.cause));
-    if (watch.checkpoint && (part.stopped || (watch.due && watch.due())))
-      watch.checkpoint(std::move(here));
-    if (part.stopped) return false;
+    stopped = part.stopped;
+    if (stopped) break;
+    if (watch.checkpoint && watch.due && watch.due()) watch.checkpoint(here);
+    here = resumable();
+  }
+  if (stopped) {
+    if (watch.checkpoint) watch.checkpoint(std::move(here));
+    return false;
   }
   rescale(system.state, system.topology, system.bodies, system.temperature);
   system.state.time = 0;

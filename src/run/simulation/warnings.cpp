@@ -10,7 +10,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
-#include "polhode/run/adviser/adviser.hpp"
+#include "polhode/run/simulation/einstein_frequency.hpp"
 
 namespace polhode {
 namespace {
@@ -33,15 +33,15 @@ constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
-std::optional<Warning> temperature_warning(const RunSummary& s, const WantedTemperature& wanted) {
+std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemperature& target) {
   const double n = s.degrees_of_freedom.all();
   if (n == 0 || s.samples == 0) return std::nullopt;
   // If the error is not known, the current temperature is used for the mean.
-  const double T = wanted.value;
+  const double T = target.value;
   const double error =
       s.temperature.known == Known::yes ? s.temperature.error : T * std::sqrt(2 / n);
   const double chance =
-      (wanted.ignored ? rather_far : far) * std::hypot(temperature_scatter(T, n), error);
+      (target.ignored ? rather_far : far) * std::hypot(temperature_scatter(T, n), error);
   const double bound = std::max(min_temperature_difference * T, chance);
   const double difference = s.temperature.value - T;
   if (!(std::abs(difference) > bound)) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const WantedTemp
                   "system of this size deviate by at most {:.2g} K",
                   s.temperature.value, T, std::abs(difference),
                   difference > 0 ? "too hot" : "too cold", bound),
-      wanted.ignored ? "the velocities of the initial configuration were used: write velocities = "
+      target.ignored ? "the velocities of the initial configuration were used: write velocities = "
                        "\"new\" in [system], and equilibrate"
                      : "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]"};
 }
@@ -159,15 +159,15 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
       n == 0)
     return std::nullopt;
   constexpr double far_from_canonical = 4;
-  const double wanted = config.system.temperature;
-  const double bound = far_from_canonical * wanted * std::sqrt(2 / n);
-  if (!(std::abs(system.file_temperature - wanted) > bound)) return std::nullopt;
+  const double target = config.system.temperature;
+  const double bound = far_from_canonical * target * std::sqrt(2 / n);
+  if (!(std::abs(system.file_temperature - target) > bound)) return std::nullopt;
   return Warning{
       "velocities", system.file_temperature, bound,
       fmt::format(
           "the velocities of the initial configuration have {:.4g} K, and the run file asks "
           "for {:g} K (chance accounts for at most {:.2g} K)",
-          system.file_temperature, wanted, bound),
+          system.file_temperature, target, bound),
       "write velocities = \"new\" in [system], or equilibrate"};
 }
 
@@ -188,12 +188,12 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
 }
 
 std::vector<Warning> warnings_of_results(const RunSummary& s,
-                                         const std::optional<WantedTemperature>& wanted) {
+                                         const std::optional<TargetTemperature>& target) {
   std::vector<Warning> all;
   const auto add = [&](const std::optional<Warning>& warning) {
     if (warning) all.push_back(*warning);
   };
-  if (wanted) add(temperature_warning(s, *wanted));
+  if (target) add(temperature_warning(s, *target));
   add(ratio_warning(s));
   add(drift_warning(s));
   add(relaxation_warning(s));
@@ -206,9 +206,9 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
                               Workers& workers) {
   // The velocities of a file may have any temperature, unless the run file gives one.
   const bool kept = !system.new_velocities && config.run.equilibrate == 0;
-  std::optional<WantedTemperature> wanted;
-  if (!kept || config.system.temperature_given) wanted = {config.system.temperature, kept};
-  std::vector<Warning> all = warnings_of_results(s, wanted);
+  std::optional<TargetTemperature> target;
+  if (!kept || config.system.temperature_given) target = {config.system.temperature, kept};
+  std::vector<Warning> all = warnings_of_results(s, target);
   for (const auto& warning :
        {step_near_stability(system, settings, workers), cutoff_of_ions(system)})
     if (warning) all.push_back(*warning);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/schemes.hpp"
@@ -166,9 +167,14 @@ namespace {
 Values minimum(const ErrorCovariance& c, const SchemeFamily& family, const ErrorTerms& from) {
   const Metric metric(c);
   const auto change = [&](const Values& at) { return error_terms(family.at(at)) - from; };
+  // Infinite where the text has no value, as the root of a negative number.
   const auto cost = [&](const Values& at) {
-    const ErrorTerms d = change(at);
-    return metric(d, d) - 2 * (d.alpha * c.Ea + d.beta * c.Eb);
+    try {
+      const ErrorTerms d = change(at);
+      return metric(d, d) - 2 * (d.alpha * c.Ea + d.beta * c.Eb);
+    } catch (const Error&) {
+      return std::numeric_limits<double>::infinity();
+    }
   };
   Values at = values_of(family.parameters());
   double damping = 1e-3;

@@ -3,6 +3,7 @@
 
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>

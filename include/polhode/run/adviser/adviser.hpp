@@ -48,11 +48,6 @@ struct Advice {
   bool stopped = false;
 };
 
-/// The frequency of the fastest degrees of freedom [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
-/// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, averaged over each kind of molecule separately:
-/// the Einstein frequency of a liquid, from the forces at one time.
-double einstein_frequency(const System& system, Workers& workers = Workers::serial());
-
 /// Advice for the run of a run file, from runs that begin with its initial configuration after its
 /// equilibration. They have its length if the time allows, otherwise a shorter one; each worker
 /// performs one at a time. Results depend on the clock, which limits the lengths of runs and

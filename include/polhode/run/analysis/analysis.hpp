@@ -60,6 +60,9 @@ struct Analysis {
   std::optional<Reorientation> reorientation;
   std::optional<VelocityCorrelation> velocity;
   std::optional<TotalDipole> dipole;
+
+  /// The interval, or the mean time between frames; 0 if they have no times [ps].
+  double mean_interval() const;
 };
 
 /// Reads all frames. Memory holds one batch of frames, one per thread, and the windows of the

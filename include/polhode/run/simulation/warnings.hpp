@@ -47,15 +47,15 @@ std::vector<Warning> warnings(const RunSummary& summary, const System& system,
                               Workers& workers = Workers::serial());
 
 /// The temperature that a run file asks for.
-struct WantedTemperature {
+struct TargetTemperature {
   double value = 0;      ///< [K]
   bool ignored = false;  ///< the velocities of the initial configuration were kept
 };
 
 /// The warnings of the results alone.
-/// @param wanted  nothing if any temperature is right
+/// @param target  nothing if any temperature is right
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
-                                         const std::optional<WantedTemperature>& wanted);
+                                         const std::optional<TargetTemperature>& target);
 
 /// The standard deviation of the mean temperature of runs at constant energy whose momenta were
 /// drawn, or rescaled, at a temperature T [K]: at most T/√(2n) for n degrees of freedom.
