@@ -48,7 +48,7 @@ CASES = [
     ("an option that needs a verb", "", ("-v",), ["first word must be a verb", "'-v'"]),
     ("an option without its value", SMALL, (*RUN, "--length"), ["--length needs a value", "polhode help run"]),
     ("a number out of its range", SMALL, ("study", "run.toml", "--runs", "1"), ["--runs", "'1' must be a whole number from 2 to 1000"]),
-    ("a word where a number is due", "", ("bench", "--sizes", "many"), ["--sizes", "'many' must be a whole number from 1 to 100000000"]),
+    ("a word where a number is due", SMALL, ("study", "run.toml", "--runs", "two"), ["--runs", "'two' must be a whole number from 2 to 1000"]),
     ("a list of numbers with a letter", "", ("top", "--J", "1,a,3"), ["--J = 1,a,3", "cannot be read as a number"]),
     ("a method that does not exist", "", ("top", "--table", "tops.csv", "--method", "serie"), ["--method", '"serie"', "did you mean 'series'"]),
     ("a variable of the shell that is not set", SMALL, (*RUN, "--output", ""), ["--output is an empty text", "polhode help run"]),
