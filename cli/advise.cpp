@@ -65,7 +65,7 @@ Action advise_verb(CLI::App& app) {
   app.add_option("--length", o->length,
                  "length of the runs to be planned; default: the run file's");
   app.add_option("--time", o->seconds, "approximate computing time, in seconds")
-      ->check(CLI::Range(0.1, 1e6))
+      ->check(in_range(0.1, 1e6))
       ->capture_default_str();
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_flag("--force", o->force, "overwrite output files that exist");

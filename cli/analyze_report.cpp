@@ -10,11 +10,12 @@
 namespace polhode::cli {
 namespace {
 
-/// "2.300 ± 0.031", or the value with that many decimals and the reason why it has no error.
+/// "2.300 ± 0.031", or the value with that many decimals and "± ?" if there are too few frames for
+/// an error.
 std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
   if (e.known == Known::yes) return with_error(e.value * scale, e.error * scale);
-  return fmt::format("{:.{}f} (error not known from {})", e.value * scale, digits,
-                     e.known == Known::too_short ? "so short a run" : "so few frames");
+  return fmt::format("{:.{}f} {}", e.value * scale, digits,
+                     e.known == Known::too_short ? "(error not known from so short a run)" : "± ?");
 }
 
 /// Why a number is not a result.

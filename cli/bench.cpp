@@ -67,7 +67,7 @@ Action bench_verb(CLI::App& app) {
          "--sizes", o->sizes,
          fmt::format("numbers of waters; default: {}", fmt::join(BenchmarkSettings{}.sizes, ",")))
       ->delimiter(',')
-      ->check(CLI::Range(1, 100'000'000));
+      ->check(in_range(1, 100'000'000));
   app.add_option("--precision", o->precision,
                  "precision of pair interactions, double or mixed; default: both");
   app.add_option("--threads", o->threads,

@@ -21,10 +21,15 @@
 namespace polhode::cli {
 namespace {
 
-/// Options before the verb are left to the parser.
 void check_verb(const std::string& word) {
   const std::vector<std::string> names = verb_names();
-  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word == "-V" || word == "--version") return;
+  if (std::find(names.begin(), names.end(), word) != names.end()) return;
+  if (word.starts_with('-'))
+    throw Error(fmt::format(
+        "the first word must be a verb, not the option '{}': options follow their verb, as in "
+        "polhode run --length \"1 ps\"; 'polhode help' lists the verbs",
+        word));
   throw Error(fmt::format("there is no verb '{}'{} (there are: {})", word,
                           did_you_mean(word, names), join_names(names)));
 }
@@ -38,11 +43,32 @@ std::string instead_of(const std::string& option, const CLI::App& verb) {
   return did_you_mean(option, names);
 }
 
+/// What is wrong with the value of an option, if that is what the parser says.
+std::string wrong_value(const CLI::ParseError& e) {
+  const std::string what = e.what();
+  if (dynamic_cast<const CLI::ConversionError*>(&e) != nullptr)
+    return what.substr(what.find(": ") + 2) + " cannot be read as a number";
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&e) != nullptr)
+    return what.substr(0, what.find(':')) + " needs a value";
+  return uncapitalized(what);
+}
+
+/// A script passes an empty text where its variable is not set; the default would surprise.
+void refuse_empty(const CLI::App& verb) {
+  for (const CLI::Option* option : verb.get_options())
+    for (const std::string& text : option->results())
+      if (text.empty())
+        throw Error(
+            fmt::format("{} is an empty text; give a value, or leave it out if it has a "
+                        "default; 'polhode help {}' lists the options",
+                        option->get_name(), verb.get_name()));
+}
+
 /// The parser's errors in the words of this program.
 Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
   const auto verbs = app.get_subcommands();
   const std::string help = verbs.empty() ? "" : " " + verbs[0]->get_name();
-  std::string what = uncapitalized(e.what());
+  std::string what = wrong_value(e);
   const std::vector<std::string> left = app.remaining(true);
   if (dynamic_cast<const CLI::ExtrasError*>(&e) != nullptr && !verbs.empty() && !left.empty()) {
     const bool option = left[0].starts_with('-');
@@ -88,7 +114,10 @@ int run(std::vector<std::string> words) {
     throw parse_error(e, app);
   }
   for (const auto& [command, action] : actions)
-    if (command->parsed()) return action();
+    if (command->parsed()) {
+      refuse_empty(*command);
+      return action();
+    }
   return 2;
 }
 

@@ -9,11 +9,15 @@
 
 #include "polhode/base/printable.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/model/dipole.hpp"
 
 namespace polhode::cli {
 namespace {
 
-double in_debye(double dipole) { return dipole / unit("D", Dimension::dipole); }
+/// The dipole moment [D], 0 where only rounding errors remain of it.
+double dipole_in_debye(const Molecule& m) {
+  return has_dipole(m) ? m.dipole() / unit("D", Dimension::dipole) : 0;
+}
 
 // Charges with few digits sum to zero only up to rounding.
 double round_charge(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
@@ -37,7 +41,7 @@ nlohmann::json as_json(const Molecule& m) {
           {"moments", {m.J.x, m.J.y, m.J.z}},
           {"top", name(m.top)},
           {"charge", round_charge(m.charge())},
-          {"dipole", in_debye(m.dipole())},
+          {"dipole", dipole_in_debye(m)},
           {"sites", sites}};
 }
 
@@ -49,7 +53,7 @@ void print_molecule(const Molecule& m) {
       "nm²\n"
       "  top          {}\n  charge       {:.6g} e\n  dipole       {:.4g} D\n  source       {}\n",
       m.name, m.description.empty() ? "-" : printable(m.description), m.mass, m.J.x, m.J.y, m.J.z,
-      name(m.top), round_charge(m.charge()), in_debye(m.dipole()),
+      name(m.top), round_charge(m.charge()), dipole_in_debye(m),
       m.source.empty() ? "-" : printable(m.source));
   fmt::print(
       "  sites, in the principal frame\n    {:<6}{:>11}{:>11}{:>11}{:>10}{:>11}{:>11}{:>17}\n",
@@ -73,7 +77,7 @@ void print_molecules(const std::vector<Molecule>& molecules) {
              "mass [u]", "q [e]", "dipole [D]", "top", "source", source_width, "description");
   for (const Molecule& m : molecules)
     fmt::print("{:<{}}{:>7}{:10.4f}{:7g}{:12.3f}  {:<11} {:<{}}  {}\n", m.name, name_width,
-               m.sites.size(), m.mass, round_charge(m.charge()), in_debye(m.dipole()), name(m.top),
+               m.sites.size(), m.mass, round_charge(m.charge()), dipole_in_debye(m), name(m.top),
                m.source, source_width, m.description);
 }
 

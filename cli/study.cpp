@@ -51,7 +51,7 @@ Action study_verb(CLI::App& app) {
   app.add_flag("--quick", o->quick, "a small version: one to three minutes on two cores");
   app.add_option("--schemes", o->schemes, "names, or stages as text");
   app.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
-  app.add_option("--runs", o->runs, "independent runs at each point")->check(CLI::Range(2, 1000));
+  app.add_option("--runs", o->runs, "independent runs at each point")->check(in_range(2, 1000));
   app.add_option("--length", o->length, "of each run: \"15 ps\"");
   app.add_option("--decorrelate", o->decorrelate,
                  "equilibration of each initial configuration: \"10 ps\"");

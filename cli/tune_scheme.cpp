@@ -58,7 +58,7 @@ Action tune_scheme_verb(CLI::App& app) {
   app.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
   app.add_option("--runs", o->settings.runs,
                  "number of runs for the measurement, and again for the confirmation")
-      ->check(CLI::Range(2, 1000))
+      ->check(in_range(2, 1000))
       ->capture_default_str();
   const auto time = [&](const char* name, std::string& text, const char* meaning, double value) {
     app.add_option(name, text, fmt::format("{}; default: \"{}\"", meaning, time_text(value)));

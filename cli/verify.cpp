@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "option_values.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/measure/order.hpp"
@@ -24,9 +25,9 @@ Action verify_verb(CLI::App& app) {
   auto o = std::make_shared<Options>();
   app.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text")->required();
   app.add_option("--order", o->order, "expected order; default: that of the table")
-      ->check(CLI::Range(1, 12));
+      ->check(in_range(1, 12));
   app.add_option("--lambda", o->lambda, "of the finite-difference gradient")
-      ->check(CLI::Range(1e-8, 1.0));
+      ->check(in_range(1e-8, 1.0));
   app.add_flag("--json", o->json, "print JSON");
   return [o] {
     const NestedScheme scheme = nested_scheme_of(o->scheme);

@@ -55,7 +55,9 @@ std::optional<std::string> nearest_name(std::string_view word, std::span<const s
   for (const std::string& name : names)
     if (same_letters(word, name)) return name;
   std::optional<std::string> best;
-  std::size_t min_distance = std::max<std::size_t>(1, (word.size() + 1) / 3) + 1;
+  // A name that shares no letter with the word, such as K with C, was not meant.
+  std::size_t min_distance =
+      std::min(std::max<std::size_t>(1, (word.size() + 1) / 3) + 1, word.size());
   for (const std::string& name : names) {
     const std::size_t distance = edit_distance(word, name);
     if (distance >= min_distance) continue;

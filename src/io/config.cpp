@@ -80,9 +80,28 @@ void set_precision(Config& config, Precision precision) {
         integrator.lambda_place);
 }
 
+namespace {
+
+/// The kind of run file that names files with this extension; none if run files may have it.
+std::string_view kind_of_input(const std::string& file) {
+  const std::string extension = std::filesystem::path(file).extension();
+  for (const std::string_view one : {".top", ".itp", ".gro", ".mdp", ".tpr"})
+    if (extension == one) return "gromacs";
+  return is_data_file(file) ? "lammps" : "";
+}
+
+}  // namespace
+
 Config read_config(const std::string& file) {
   check_name("the run file", file);
-  return parse_config(file_text(file), file);
+  const std::string text = file_text(file);
+  if (const std::string_view kind = kind_of_input(file); !kind.empty())
+    throw Error(
+        fmt::format("this is an input file of another program, not a run file, which is TOML and "
+                    "names it; 'polhode new {}' writes one to start from",
+                    kind),
+        file);
+  return parse_config(text, file);
 }
 
 Config default_config() {

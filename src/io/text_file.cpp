@@ -17,6 +17,9 @@ bool is_odd(unsigned char c) {
 }
 
 Error unreadable(const std::string& path) {
+  std::error_code unknown;
+  if (std::filesystem::exists(path, unknown))
+    return Error(fmt::format("'{}' exists but cannot be read; check its permissions", path));
   return Error(fmt::format("there is no readable file '{}'; check its path", path));
 }
 

@@ -169,6 +169,10 @@ class FirstSteps(Sandbox):
         self.assertLessEqual(len(shown.strip("-").replace(".", "").strip("0")), 10)
         self.assertAlmostEqual(float(shown) / exact["potential_kJ_per_mol"], 1, delta=1e-9)
 
+    def test_a_dipole_of_rounding_errors_is_zero(self):
+        self.assertRegex(self.text("molecules", "benzene"), r"dipole +0 D\n")
+        self.assertEqual(json.loads(self.text("molecules", "benzene", "--json"))["dipole"], 0)
+
     def test_columns_of_molecules_are_apart(self):
         for line in self.text("molecules").splitlines()[1:]:
             self.assertRegex(line, r"^\S+ +\d+ .*  \S+  +\S")

@@ -75,6 +75,15 @@ class Interrupts(Sandbox):
         self.assertIn("--continue", process.err)
         self.assertEqual(set(self.contents()), {"run.toml", "out-checkpoint.bin"})
 
+    def test_tune_scheme(self):
+        """The brackets of runs that did not end are not used."""
+        self.write("run.toml", SMALL)
+        begin = time.monotonic()
+        process = self.interrupted(lambda: time.monotonic() > begin + 0.5, signal.SIGINT,
+                                   "tune-scheme", "run.toml", "--length", "1000 ps")
+        self.assertEqual(process.out, "")
+        self.assertTrue(process.err.endswith("interrupted before a result was found\n"), process.err)
+
     def test_study_without_a_run(self):
         """There is nothing to tabulate."""
         self.write("run.toml", edited(LONG, ('"0.1 ps"', '"1000 ps"')))

@@ -44,6 +44,18 @@ CASES = [
      ["--step", "2", "no unit", '"2 fs"']),
     ("a viscosity without a unit", SMALL, ("analyze", "out.xtc", "--run", "run.toml", "--viscosity", "0.855"),
      ["--viscosity", '"0.855"', "no unit", '"0.855 mPa s"']),
+    ("an option before the verb", SMALL, ("--threads", "1", *RUN), ["first word must be a verb", "'--threads'", "polhode help"]),
+    ("an option that needs a verb", "", ("-v",), ["first word must be a verb", "'-v'"]),
+    ("an option without its value", SMALL, (*RUN, "--length"), ["--length needs a value", "polhode help run"]),
+    ("a number out of its range", SMALL, ("study", "run.toml", "--runs", "1"), ["--runs", "'1' must be a whole number from 2 to 1000"]),
+    ("a word where a number is due", SMALL, ("study", "run.toml", "--runs", "two"), ["--runs", "'two' must be a whole number from 2 to 1000"]),
+    ("a list of numbers with a letter", "", ("top", "--J", "1,a,3"), ["--J = 1,a,3", "cannot be read as a number"]),
+    ("a method that does not exist", "", ("top", "--table", "tops.csv", "--method", "serie"), ["--method", '"serie"', "did you mean 'series'"]),
+    ("a variable of the shell that is not set", SMALL, (*RUN, "--output", ""), ["--output is an empty text", "polhode help run"]),
+    ("a run file whose name is not set", "", ("run", ""), ["FILE is an empty text", "default"]),
+    ("no threads", SMALL, (*RUN, "--threads", "0"), ["threads = '0'", "from 1 to", "take a number in this range"]),
+    ("a coordinate file as run file", "", ("run", "start.gro"), ["not a run file", "polhode new gromacs", "start.gro"]),
+    ("a LAMMPS data file as run file", "", ("energy", "w.data"), ["not a run file", "polhode new lammps", "w.data"]),
     # names
     ("a model in capitals", WATER.replace("tip4p", "TIP4P"), RUN, ["'TIP4P'", "did you mean 'tip4p'", "polhode molecules", "run.toml:2"]),
     ("a model with a slash", WATER.replace("tip4p", "SPC/E"), RUN, ["'SPC/E'", "did you mean 'spce'", "run.toml:2"]),
@@ -62,6 +74,7 @@ CASES = [
      ["accuracy = 0.005", "no unit", '"0.5 %"', "integrator.accuracy"]),
     ("a time where a length is due", system(('"1.0 nm"', '"1.0 fs"')), RUN, ["1.0 fs", "is a time", "must be a length"]),
     ("a unit in capitals", system(('"1.0 nm"', '"1.0 NM"')), RUN, ["'NM'", "'nm'", "forces.cutoff"]),
+    ("a temperature in Celsius", system(('"100 K"', '"25 C"')), RUN, ["25 C", "there is no unit 'C' of temperature; there are: K"]),
     ("a decimal comma", system(('"1.0 nm"', '"1,0 nm"')), RUN, ["1,0 nm", "decimal point"]),
     ("a negative step", system(('step = "2 fs"', 'step = "-2 fs"')), RUN, ["-2 fs", "longer than 0 fs", "run.toml:11"]),
     ("a text without quotes", system(('"2 fs"\n\n', "2 fs\n\n")), RUN, ["not TOML", 'step = "2 fs"', "run.toml:11"]),
@@ -90,7 +103,8 @@ CASES = [
 class WrongInputs(Sandbox):
     def prepare(self, text):
         self.write("start.gro", BOX)
-        self.write("w.dat", "LAMMPS data file\n\n2 atoms\n")
+        for name in ("w.dat", "w.data"):
+            self.write(name, "LAMMPS data file\n\n2 atoms\n")
         self.write("run.toml", text)
 
     def test_messages(self):

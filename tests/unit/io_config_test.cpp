@@ -126,6 +126,8 @@ TEST_CASE("invalid TOML is refused with its line") {
   check_text("[run", {"not TOML", "water.toml:4"});
   check_text("[run]\nlength = 2 ps", {"not TOML", "water.toml:5", "in quotes"});
   check_error([] { read_config("nowhere/water.toml"); }, {"no readable file 'nowhere/water.toml'"});
+  check_error([] { read_config("/proc/self/mem"); },
+              {"'/proc/self/mem' exists but cannot be read", "permissions"});
 }
 
 TEST_CASE("the system is described completely and without contradictions") {

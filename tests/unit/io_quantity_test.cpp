@@ -94,6 +94,9 @@ TEST_CASE("the nearest name is suggested, but none if all are too different") {
   CHECK(did_you_mean("giere4", names) == "; did you mean 'gier4'?");
   CHECK(did_you_mean("velocityverlet", names) == "; did you mean 'velocity-verlet'?");
   CHECK(did_you_mean("leapfrog", names) == "");
+  const std::vector<std::string> kelvin = {"K"};
+  CHECK(did_you_mean("C", kelvin) == "");  // 25 C are not 25 K
+  CHECK(did_you_mean("k", kelvin) == "; did you mean 'K'?");
   CHECK(did_you_mean("VELOCITY_VERLET", names) == "; did you mean 'velocity-verlet'?");
   CHECK(same_letters("SPC/E", "spce"));
   CHECK(!same_letters("/", "-"));

@@ -189,8 +189,14 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
                     .families = {}};
   for (const SchemeFamily& family : all) {
     const Runs measured = series.runs(family.reference(), family.label(), true);
+    if (callbacks.stopped()) break;  // runs without results have no best parameters
     if (result.families.empty()) {
       result.covariance = sum_without(measured.covariances, measured.covariances.size());
+      if (!(result.covariance.aa > 0))
+        throw Error(
+            "the error of order h² is zero: no forces act on the molecules, so there is nothing to "
+            "tune; take a system whose molecules interact",
+            config.source);
       if (all.size() > 1) result.short_steps = best_at_short_steps(result.covariance, family)[0];
     }
     result.families.push_back(tuned(series, family, measured));
