@@ -53,7 +53,7 @@ CASES = [
     ("a method that does not exist", "", ("top", "--table", "tops.csv", "--method", "serie"), ["--method", '"serie"', "did you mean 'series'"]),
     ("a variable of the shell that is not set", SMALL, (*RUN, "--output", ""), ["--output is an empty text", "polhode help run"]),
     ("a run file whose name is not set", "", ("run", ""), ["FILE is an empty text", "default"]),
-    ("no threads", SMALL, (*RUN, "--threads", "0"), ["threads = '0'", "from 1 to", "take a number in this range"]),
+    ("no threads", SMALL, (*RUN, "--threads", "0"), ["threads = '0'", "from 1 to", "use a number in this range"]),
     ("a coordinate file as run file", "", ("run", "start.gro"), ["not a run file", "polhode new gromacs", "start.gro"]),
     ("a LAMMPS data file as run file", "", ("energy", "w.data"), ["not a run file", "polhode new lammps", "w.data"]),
     # names

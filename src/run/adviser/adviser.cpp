@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "candidate_time.hpp"
+#include "first_step.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
@@ -39,9 +40,6 @@ constexpr std::size_t max_refusals = 10;
 constexpr double preparation = 2;  // of an initial configuration, at most [ps], in steps of 1 fs
 /// Maximum interval of energies: fewer samples would determine R less well than the run could [ps].
 constexpr double max_sample_interval = 0.004;
-/// Frequency of the fastest motions below which forces are rounding errors: it exceeds 0.1 per ps
-/// in any liquid and most gases [1/ps].
-constexpr double min_frequency = 1e-6;
 /// Number of longer steps tried instead of ones well below the bound.
 constexpr int most_lengthenings = 4;
 /// Fractions of the length of confirming runs after which hopeless sets are stopped.
@@ -152,18 +150,9 @@ class Adviser {
     }
     noise_ = force_noise(base_, workers_);
     frequency_ = einstein_frequency(base_, workers_);
-    if (!(frequency_ > min_frequency))
-      throw Error(
-          "the forces on the molecules of the initial configuration are zero or nearly so, as on a "
-          "perfect lattice or out of each other's range, so they determine no step to begin with; "
-          "equilibrate first, for example equilibrate = \"5 ps\" in [run]",
-          config_.source);
+    check_forces(frequency_, config_.source);
     for (const Candidate& candidate : advice_.candidates)
-      if (const double first = search_of(candidate).first; config_.run.length < 10 * first)
-        throw Error(fmt::format(
-            "runs of {:g} fs are too short for advice: they must have at least ten "
-            "steps of {:.3g} fs, the first step tried with {}; use longer runs",
-            units::fs_per_ps * config_.run.length, units::fs_per_ps * first, candidate.name));
+      check_length(config_.run.length, search_of(candidate).first, candidate.name);
     begin_ = Clock::now();
     return !stop();
   }

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "first_step.hpp"
+
+#include <fmt/format.h>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/output_units.hpp"
+
+namespace polhode {
+
+void check_forces(double frequency, const std::string& source) {
+  // It exceeds 0.1 per ps in any liquid and in most gases; far below, forces are rounding errors.
+  constexpr double min_frequency = 1e-6;
+  if (!(frequency > min_frequency))
+    throw Error(
+        "the forces on the molecules of the initial configuration are zero or nearly so, as on a "
+        "perfect lattice or out of each other's range, so they determine no step to begin with; "
+        "equilibrate first, for example equilibrate = \"5 ps\" in [run]",
+        source);
+}
+
+void check_length(double length, double first, std::string_view scheme) {
+  if (length < 10 * first)
+    throw Error(
+        fmt::format("runs of {:g} fs are too short for advice: they must have at least ten "
+                    "steps of {:.3g} fs, the first step tried with {}; use longer runs",
+                    units::fs_per_ps * length, units::fs_per_ps * first, scheme));
+}
+
+}  // namespace polhode

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What a search for the best step requires of a system and its runs.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace polhode {
+
+/// @param frequency  of the fastest motions [1/ps], as einstein_frequency()
+/// @param source     file of the initial configuration's run, for errors
+/// @throws Error  if the forces are those of rounding
+void check_forces(double frequency, const std::string& source);
+
+/// @param length  of the runs [ps]
+/// @param first   first step to be tried [ps]
+/// @throws Error  if a run has less than ten steps
+void check_length(double length, double first, std::string_view scheme);
+
+}  // namespace polhode
