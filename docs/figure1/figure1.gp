@@ -20,14 +20,14 @@ array open[3]
 open[1] = 6
 open[2] = 4
 open[3] = 8
-caption = 'Lower and further left is better; R = 0 is exact dynamics. 512 tip4p; 10 runs of 15 ps a point.'
+caption = 'Lower and further left is better; R = 0 is exact dynamics. 512 tip4p; 10 runs of 15 ps per point.'
 some_end = 1
 some_rounded = 0
-cost_low = 100
-cost_high = 1100
-ratio_high = 3.5
+cost_low = 100.0000000
+cost_high = 1100.000000
+ratio_high = 3.500000000
 all_cost_low = 133.3333333
-all_cost_high = 1250
+all_cost_high = 1250.000000
 all_ratio_low = 0.003285244724
 all_ratio_high = 14.23326172
 $points << EOD
