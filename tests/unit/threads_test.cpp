@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
@@ -18,7 +19,7 @@ namespace fs = std::filesystem;
 
 /// A folder of control groups, removed at the end.
 struct Groups {
-  fs::path root = fs::temp_directory_path() / "polhode-threads-test";
+  fs::path root = fs::temp_directory_path() / ("polhode-threads-test-" + std::to_string(getpid()));
   Groups() { fs::remove_all(root); }
   ~Groups() { fs::remove_all(root); }
   void write(const fs::path& file, const std::string& line) const {
