@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "arithmetic.hpp"
@@ -12,6 +13,7 @@
 #include "polhode/base/suggest.hpp"
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/schemes.hpp"
+#include "polhode/integrate/with_bath.hpp"
 #include "scanner.hpp"
 
 namespace polhode {
@@ -23,6 +25,28 @@ const Scheme* built_in(std::string_view name) {
   for (const Scheme& scheme : schemes)
     if (scheme.name() == name) return &scheme;
   return nullptr;
+}
+
+struct BathName {
+  std::string_view name, meaning;
+};
+/// The usual names of velocity and position Verlet with a bath.
+constexpr std::array bath_names = {
+    BathName{"obabo", "velocity-verlet-ends"}, BathName{"baoab", "velocity-verlet-middle"},
+    BathName{"oabao", "position-verlet-ends"}, BathName{"aboba", "position-verlet-middle"}};
+
+/// A built-in scheme with a bath: "hoa2-ends", "hoa2-middle", or one of those names.
+std::optional<Scheme> built_in_with_bath(std::string_view name) {
+  std::string_view meaning = name, short_name = name;
+  for (const BathName& known : bath_names)
+    if (known.name == name || known.meaning == name)
+      meaning = known.meaning, short_name = known.name;
+  const auto dash = meaning.rfind('-');
+  if (dash == std::string_view::npos) return std::nullopt;
+  const std::string_view place = meaning.substr(dash);
+  const Scheme* scheme = built_in(meaning.substr(0, dash));
+  if (!scheme || (place != "-ends" && place != "-middle")) return std::nullopt;
+  return with_bath(*scheme, place == "-ends" ? BathPlace::ends : BathPlace::middle, short_name);
 }
 
 bool is_flow(std::string_view word) {
@@ -192,6 +216,7 @@ int order_of(const Scheme& scheme) {
 
 Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> values) {
   if (const Scheme* scheme = built_in(name_or_text)) return *scheme;
+  if (const auto scheme = built_in_with_bath(name_or_text)) return *scheme;
   if (name_or_text.find_first_of("(:") == std::string_view::npos) refuse_name(name_or_text);
   const std::string_view name = own_name(name_or_text);
   const std::vector<Stage> stages = reader_of(name_or_text, values).stages();
@@ -201,7 +226,7 @@ Scheme scheme_of(std::string_view name_or_text, std::span<const FreeParameter> v
 }
 
 std::vector<FreeParameter> free_parameters(std::string_view name_or_text) {
-  if (built_in(name_or_text)) return {};
+  if (built_in(name_or_text) || built_in_with_bath(name_or_text)) return {};
   return reader_of(name_or_text, {}).free_parameters();
 }
 

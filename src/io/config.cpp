@@ -38,6 +38,9 @@ Config parse_config(std::string_view text, const std::string& file) {
   auto run = table.table("run");
   auto output = table.table("output");
   auto study = table.table("study");
+  auto thermostat = table.table("thermostat");
+  auto barostat = table.table("barostat");
+  auto hybrid = table.table("hybrid_monte_carlo");
   table.refuse_unknown();
   if (!system)
     throw Error(
@@ -61,6 +64,11 @@ Config parse_config(std::string_view text, const std::string& file) {
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);
   if (study) read_study(*study, config.study, own);
+  EnsembleSettings& ensemble = config.ensemble;
+  ensemble.temperature = config.system.temperature;
+  if (thermostat) ensemble.thermostat = read_thermostat(*thermostat);
+  if (barostat) ensemble.barostat = read_barostat(*barostat);
+  if (hybrid) ensemble.hybrid_monte_carlo = read_hybrid_monte_carlo(*hybrid);
   set_precision(config, config.forces.precision);
   return config;
 }

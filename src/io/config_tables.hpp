@@ -32,6 +32,9 @@ std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own);
 void read_run(TomlTable table, RunSettings& run);
 void read_output(TomlTable table, OutputSettings& output);
+ThermostatSettings read_thermostat(TomlTable table);
+BarostatSettings read_barostat(TomlTable table);
+HybridMonteCarloSettings read_hybrid_monte_carlo(TomlTable table);
 void read_study(TomlTable table, StudySettings& study, const OwnSchemes& own);
 
 template <class T>

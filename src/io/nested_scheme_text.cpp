@@ -99,10 +99,10 @@ NestedScheme nested_scheme_of(std::string_view text) {
                                   ? NestedScheme(scheme_of(text))
                                   : NestedScheme(scheme_of(trimmed(text.substr(0, at))),
                                                  inner_scheme_of(trimmed(text.substr(at + 1))));
-  if (scheme.has(Flow::bath))
+  if (scheme.inner && scheme.inner->scheme.has(Flow::bath))
     throw Error(fmt::format(
-        "scheme '{}' has a bath, and a bath needs a temperature and a friction, which are not "
-        "available in runs yet; leave the stages O(...) out",
+        "the inner scheme of '{}' has a bath; put the bath into the outer scheme, where it acts "
+        "once per step",
         text));
   return scheme;
 }

@@ -63,6 +63,12 @@ constexpr std::array all_units = {
     Unit{"%", Dimension::fraction, 0.01},
     Unit{"1/nm", Dimension::inverse_length, 1},
     Unit{"1/A", Dimension::inverse_length, 10}, Unit{"1/Å", Dimension::inverse_length, 10},
+    Unit{"1/ps", Dimension::rate, 1},        Unit{"/ps", Dimension::rate, 1},
+    Unit{"1/fs", Dimension::rate, 1e3},      Unit{"1/ns", Dimension::rate, 1e-3},
+    Unit{"1/bar", Dimension::compressibility, 1 / bar},
+    Unit{"/bar", Dimension::compressibility, 1 / bar},
+    Unit{"1/MPa", Dimension::compressibility, 0.1 / bar},
+    Unit{"1/GPa", Dimension::compressibility, 1e-4 / bar},
     Unit{"kJ/mol nm6", Dimension::dispersion, 1},
     Unit{"kJ/mol A6", Dimension::dispersion, 1e-6},
     Unit{"kcal/mol A6", Dimension::dispersion, 4.184e-6},
@@ -105,6 +111,10 @@ Words words(Dimension dimension) {
       return {"a", "fraction", "0.5 %"};
     case Dimension::inverse_length:
       return {"an", "inverse length", "2 1/nm"};
+    case Dimension::rate:
+      return {"a", "rate", "1 1/ps"};
+    case Dimension::compressibility:
+      return {"a", "compressibility", "4.5e-5 1/bar"};
     case Dimension::dispersion:
       return {"a", "dispersion coefficient", "6e-3 kJ/mol nm6"};
   }

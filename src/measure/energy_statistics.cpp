@@ -8,18 +8,22 @@
 namespace polhode {
 namespace {
 
-/// What is summed: total and potential energy relative to the first sample, and their squares.
+/// What is summed: conserved, potential and total energy and volume relative to the first sample,
+/// and squares.
 enum Column : std::size_t {
   time,
-  total_,
+  conserved_,
   potential_,
-  total_square,
+  conserved_square,
   potential_square,
   pressure_,
   translation,
   rotation_1,
   rotation_2,
-  rotation_3
+  rotation_3,
+  energy,
+  volume_,
+  volume_square
 };
 
 double variance(std::span<const double> mean, Column value, Column square) {
@@ -29,7 +33,8 @@ double variance(std::span<const double> mean, Column value, Column square) {
 /// Not a number if the potential energy is constant.
 double ratio_of(std::span<const double> mean) {
   const double potential = variance(mean, potential_, potential_square);
-  return potential > 0 ? std::sqrt(variance(mean, total_, total_square) / potential) : std::nan("");
+  return potential > 0 ? std::sqrt(variance(mean, conserved_, conserved_square) / potential)
+                       : std::nan("");
 }
 
 }  // namespace
@@ -40,13 +45,15 @@ EnergyStatistics::EnergyStatistics(std::span<const Energies> all) {
 
 void EnergyStatistics::add(const Energies& now) {
   if (samples++ == 0) first = now;
-  const double e = now.total() - first.total(), v = now.potential() - first.potential();
+  const double e = now.conserved() - first.conserved(), v = now.potential() - first.potential();
+  const double V = now.volume - first.volume;
   blocks.add(std::array{now.time - first.time, e, v, e * e, v * v, now.pressure, now.translation,
-                        now.rotation[0], now.rotation[1], now.rotation[2]});
+                        now.rotation[0], now.rotation[1], now.rotation[2],
+                        now.total() - first.total(), V, V * V});
 }
 
 double EnergyStatistics::total() const {
-  return samples == 0 ? 0 : first.total() + blocks.means().mean()[total_];
+  return samples == 0 ? 0 : first.total() + blocks.means().mean()[energy];
 }
 
 double EnergyStatistics::potential() const {
@@ -54,7 +61,8 @@ double EnergyStatistics::potential() const {
 }
 
 double EnergyStatistics::total_fluctuation() const {
-  return samples == 0 ? 0 : std::sqrt(variance(blocks.means().mean(), total_, total_square));
+  return samples == 0 ? 0
+                      : std::sqrt(variance(blocks.means().mean(), conserved_, conserved_square));
 }
 
 double EnergyStatistics::potential_fluctuation() const {
@@ -91,8 +99,20 @@ SeriesEstimate EnergyStatistics::pressure() const {
   return series_estimate(blocks.means(), [](auto mean) { return mean[pressure_]; });
 }
 
+SeriesEstimate EnergyStatistics::volume() const {
+  SeriesEstimate estimate =
+      series_estimate(blocks.means(), [](auto mean) { return mean[volume_]; });
+  estimate.value += first.volume;
+  return estimate;
+}
+
+SeriesEstimate EnergyStatistics::volume_variance() const {
+  return series_estimate(blocks.means(),
+                         [](auto mean) { return variance(mean, volume_, volume_square); });
+}
+
 Drift EnergyStatistics::drift(std::span<const WalkStrength> walks) const {
-  return series_drift(blocks.means(), time, total_, walks);
+  return series_drift(blocks.means(), time, conserved_, walks);
 }
 
 Drift EnergyStatistics::potential_drift() const {
@@ -100,7 +120,7 @@ Drift EnergyStatistics::potential_drift() const {
 }
 
 void StretchStatistics::add(const Energies& now, const Energies& first, std::uint64_t length) {
-  const double e = now.total() - first.total(), v = now.potential() - first.potential();
+  const double e = now.conserved() - first.conserved(), v = now.potential() - first.potential();
   const std::array<double, 4> terms{e, v, e * e, v * v};
   for (std::size_t k = 0; k < terms.size(); ++k) sums[k] += terms[k];
   if (++samples < length) return;

@@ -6,7 +6,7 @@ import re
 from tree import Finding, files, lines, main
 
 FLOOR = {"base": 0, "math": 1, "model": 2, "rotor": 3, "forces": 3, "integrate": 4,
-         "measure": 5, "io": 5, "run": 6, "cli": 7, "python": 7, "lammps": 7}
+         "measure": 5, "io": 5, "ensemble": 6, "run": 7, "cli": 8, "python": 8, "lammps": 8}
 PRIVATE = re.compile(r"(fmt|toml\+\+|CLI|nlohmann|Eigen|benchmark|doctest)/|fftw3|pocketfft|hdf5")
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
 

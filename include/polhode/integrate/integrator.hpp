@@ -140,6 +140,11 @@ class Integrator {
 
   /// To be called when the positions or the box were changed from outside.
   void forget() { current_ = false; }
+  /// The same if the Load there is known, with energies.
+  void replace_load(const Load& load) {
+    load_ = load;
+    current_ = complete_ = true;
+  }
 
   IntegratorMemory memory() const {
     return {load_, current_, complete_, steps_, evaluations_, derivatives_, measurements_, {}};

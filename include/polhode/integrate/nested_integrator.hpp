@@ -117,6 +117,7 @@ class NestedIntegrator {
 
   /// To be called when the positions were changed from outside.
   void forget() { inner_.forget(), outer_.forget(); }
+  void replace_load(const Load&) { forget(); }  // the parts of all forces are not known
 
   IntegratorMemory memory() const {
     IntegratorMemory memory = outer_.memory();

@@ -13,6 +13,7 @@
 #include "polhode/forces/laws/settings.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/io/topology_file.hpp"
+#include "polhode/model/ensemble_settings.hpp"
 
 namespace polhode {
 
@@ -92,6 +93,7 @@ struct Config {
   RunSettings run;
   OutputSettings output;
   StudySettings study;
+  EnsembleSettings ensemble;  ///< thermostat, barostat, hybrid Monte Carlo
   std::string source;         ///< path of the file, or "default"
   std::string text;           ///< as read; its hash identifies outputs
   bool mixing_given = false;  ///< whether the file contains a mixing rule

@@ -15,7 +15,7 @@ inline constexpr double default_near_switch = 0.7;
 /// The scheme of a name or text, as scheme_of() reads it, or a nested one: "OUTER / INNER x STEPS
 /// within [FROM to] CUTOFF", where FROM and CUTOFF share one unit.
 /// @throws Error  as scheme_of(), or if the part after the slash cannot be parsed or is out of its
-///                domain, or if there is a bath, which no run has yet
+///                domain, or if the inner scheme has a bath
 NestedScheme nested_scheme_of(std::string_view text);
 
 /// The scheme of a name or text that must not be nested, for callers that support no multiple time

@@ -11,21 +11,23 @@
 namespace polhode {
 
 enum class Dimension {
-  length,          ///< [nm]
-  time,            ///< [ps], simulated time
-  wall_clock,      ///< [s], wall-clock time
-  mass,            ///< [u]
-  charge,          ///< [e]
-  temperature,     ///< [K]
-  energy,          ///< [kJ/mol]; "K" means energy divided by Boltzmann's constant
-  density,         ///< [u/nm³]
-  dipole,          ///< [e nm]
-  pressure,        ///< [kJ/mol/nm³]
-  power,           ///< [kJ/mol/ps]; "K" means energy divided by Boltzmann's constant
-  viscosity,       ///< [u/(nm ps)]
-  fraction,        ///< [1], written in %
-  inverse_length,  ///< [1/nm]
-  dispersion,      ///< coefficient of 1/r⁶ [kJ/mol nm⁶]
+  length,           ///< [nm]
+  time,             ///< [ps], simulated time
+  wall_clock,       ///< [s], wall-clock time
+  mass,             ///< [u]
+  charge,           ///< [e]
+  temperature,      ///< [K]
+  energy,           ///< [kJ/mol]; "K" means energy divided by Boltzmann's constant
+  density,          ///< [u/nm³]
+  dipole,           ///< [e nm]
+  pressure,         ///< [kJ/mol/nm³]
+  power,            ///< [kJ/mol/ps]; "K" means energy divided by Boltzmann's constant
+  viscosity,        ///< [u/(nm ps)]
+  fraction,         ///< [1], written in %
+  inverse_length,   ///< [1/nm]
+  rate,             ///< [1/ps]
+  compressibility,  ///< [nm³ mol/kJ]
+  dispersion,       ///< coefficient of 1/r⁶ [kJ/mol nm⁶]
 };
 
 /// A number with its unit, "0.1550 kcal/mol", in internal units. `name` is the quantity that the

@@ -20,10 +20,17 @@ struct Energies {
   double translation = 0;          ///< Σ p²/2m [kJ/mol]
   std::array<double, 3> rotation;  ///< Σ L_k²/2J_k about each principal axis [kJ/mol]
   double pressure = 0;             ///< a third of the trace of the pressure tensor [kJ/mol/nm³]
+  double volume = 0;               ///< [nm³]
+  /// Heat and work that the bodies have received from a thermostat, a barostat, and the draws and
+  /// decisions of hybrid Monte Carlo since the start [kJ/mol].
+  double exchanged = 0;
 
   double potential() const { return van_der_waals + coulomb; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
   double total() const { return potential() + kinetic(); }
+  /// The energy that exact flows would conserve [bussi2007]; the total energy if there is neither
+  /// thermostat nor barostat.
+  double conserved() const { return total() - exchanged; }
 };
 
 /// The energies of a state, given the Load at its positions. Fixed blocks are summed in order:

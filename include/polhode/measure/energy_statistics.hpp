@@ -28,9 +28,10 @@ struct EnergyStatistics {
 
   double total() const;                  ///< mean [kJ/mol]
   double potential() const;              ///< mean [kJ/mol]
-  double total_fluctuation() const;      ///< rms deviation from the mean [kJ/mol]
-  double potential_fluctuation() const;  ///< likewise
-  /// R: rms fluctuation of the total energy divided by that of the potential energy [vanzon2008].
+  double total_fluctuation() const;      ///< rms deviation of the conserved energy [kJ/mol]
+  double potential_fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
+  /// R: rms fluctuation of the conserved energy, which is the total energy at constant energy,
+  /// divided by that of the potential energy [vanzon2008].
   /// Not a number if the potential energy is constant.
   double ratio() const;
   Temperatures temperatures(const DegreesOfFreedom& degrees_of_freedom) const;  ///< means [K]
@@ -41,7 +42,9 @@ struct EnergyStatistics {
   SeriesEstimate temperature(const DegreesOfFreedom& degrees_of_freedom) const;
   /// The mean pressure [kJ/mol/nm³] with its standard error.
   SeriesEstimate pressure() const;
-  /// The energy drift [kJ/mol/ps].
+  SeriesEstimate volume() const;           ///< mean [nm³]
+  SeriesEstimate volume_variance() const;  ///< [nm⁶]
+  /// The drift of the conserved energy [kJ/mol/ps].
   /// @param walks  variance per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;
   /// The slope of the potential energy [kJ/mol/ps], tested as a drift.

@@ -89,8 +89,9 @@ template <class Archive, class Of>
 void statistics(Archive& archive, Of& s) {
   auto& first = s.energies.first;
   counter(archive, s.energies.samples);
-  for (auto* x : {&first.time, &first.van_der_waals, &first.coulomb, &first.translation,
-                  &first.rotation[0], &first.rotation[1], &first.rotation[2], &first.pressure})
+  for (auto* x :
+       {&first.time, &first.van_der_waals, &first.coulomb, &first.translation, &first.rotation[0],
+        &first.rotation[1], &first.rotation[2], &first.pressure, &first.volume, &first.exchanged})
     archive(*x);
   blocks(archive, s.energies.blocks);
   counter(archive, s.shadow.samples);
@@ -100,6 +101,16 @@ void statistics(Archive& archive, Of& s) {
   counter(archive, s.stretches.samples), counter(archive, s.stretches.stretches);
   for (auto& x : s.stretches.sums) archive(x);
   archive(s.stretches.mean), archive(s.stretches.squares);
+}
+
+template <class Archive, class Of>
+void ensemble(Archive& archive, Of& e) {
+  archive(e.heat);
+  archive(e.barostat.work), archive(e.barostat.volume), counter(archive, e.barostat.moves);
+  counter(archive, e.barostat.accepted);
+  archive(e.hybrid.work), counter(archive, e.hybrid.trajectories);
+  counter(archive, e.hybrid.accepted);
+  blocks(archive, e.hybrid.weights);
 }
 
 template <class Archive, class Of>
@@ -118,6 +129,7 @@ void run_state(Archive& archive, Of& at) {
   for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
                      &at.timings.measurement, &at.timings.near})
     archive(*part);
+  ensemble(archive, at.ensemble);
 }
 
 template <class Archive, class Of>

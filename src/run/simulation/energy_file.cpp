@@ -24,13 +24,15 @@ const std::vector<Table::Column>& columns() {
                                                  {"pressure", "bar"},
                                                  {"kinetic_rotation_1", "kJ/mol"},
                                                  {"kinetic_rotation_2", "kJ/mol"},
-                                                 {"kinetic_rotation_3", "kJ/mol"}};
+                                                 {"kinetic_rotation_3", "kJ/mol"},
+                                                 {"conserved", "kJ/mol"},
+                                                 {"volume", "nm3"}};
   return all;
 }
 
 double bar() { return unit("bar", Dimension::pressure); }
 
-std::array<double, 12> row_of(const Energies& e, const DegreesOfFreedom& degrees_of_freedom) {
+std::array<double, 14> row_of(const Energies& e, const DegreesOfFreedom& degrees_of_freedom) {
   return {e.time,
           e.total(),
           e.potential(),
@@ -42,7 +44,9 @@ std::array<double, 12> row_of(const Energies& e, const DegreesOfFreedom& degrees
           e.pressure / bar(),
           e.rotation[0],
           e.rotation[1],
-          e.rotation[2]};
+          e.rotation[2],
+          e.conserved(),
+          e.volume};
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "polhode/forces/laws/setting_names.hpp"
+#include "polhode/io/ensemble_text.hpp"
 #include "polhode/io/output_units.hpp"
 
 namespace polhode {
@@ -71,6 +72,7 @@ std::string identity(const Config& config, const System& system,
   if (f.dispersion_correction) id << " dispersion";
   if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
     id << ' ' << mixing;
+  for (const auto& [key, value] : ensemble_texts(config.ensemble)) id << ' ' << key << ' ' << value;
   return id.str();
 }
 
@@ -98,6 +100,7 @@ std::string settings_text(const Config& config) {
   add("integrator.scheme", integrator.scheme);
   add("integrator.step", fs(integrator.step));
   add("integrator.lambda", integrator.lambda);
+  for (const auto& [key, value] : ensemble_texts(config.ensemble)) add(key.c_str(), value);
   add("run.equilibrate", fs(run.equilibrate));
   add("run.sample", fs(run.sample));
   add("run.shadow_sample", run.shadow_sample ? fs(*run.shadow_sample) : "default");

@@ -15,6 +15,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/run/simulation/contact.hpp"
+#include "polhode/run/simulation/ensemble_moves.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 
 namespace polhode {
@@ -122,17 +123,18 @@ class Clocks {
 class TimedIntegrator {
  public:
   TimedIntegrator(System& system, ForceField& forces, const TrajectorySettings& settings,
-                  Workers& workers)
+                  EnsembleMoves::Bath bath, Workers& workers)
       : whole{forces} {
     if (!settings.inner) {
-      single_.emplace(settings.scheme, system.bodies, whole, settings.lambda, workers);
+      single_.emplace(settings.scheme, system.bodies, whole, FreeDrift{system.bodies, workers},
+                      bath, settings.lambda, workers);
       return;
     }
     near_forces_.emplace(system.topology, near_settings(forces.settings(), *settings.inner),
                          system.state.box, workers);
     near.emplace(TimedForces{*near_forces_});
     nested_.emplace(NestedScheme{settings.scheme, settings.inner}, system.bodies, whole, *near,
-                    settings.lambda, workers);
+                    settings.lambda, workers, bath);
   }
   TimedIntegrator(const TimedIntegrator&) = delete;
   TimedIntegrator& operator=(const TimedIntegrator&) = delete;
@@ -165,9 +167,9 @@ class TimedIntegrator {
   std::optional<TimedForces> near;  // of an inner scheme
 
  private:
-  std::optional<Integrator<TimedForces>> single_;
+  std::optional<Integrator<TimedForces, FreeDrift, EnsembleMoves::Bath>> single_;
   std::optional<ForceField> near_forces_;
-  std::optional<NestedIntegrator<TimedForces, TimedForces>> nested_;
+  std::optional<NestedIntegrator<TimedForces, TimedForces, EnsembleMoves::Bath>> nested_;
 };
 
 }  // namespace
@@ -180,7 +182,8 @@ class Propagator::Impl {
         workers_(workers),
         terms_(error_terms(settings.scheme)),
         interval_(settings.steps_per_sample()),
-        integrator_(system, forces, settings, workers),
+        moves_(system, settings, workers),
+        integrator_(system, forces, settings, moves_.bath(), workers),
         start_(system.state.time) {
     start_clocks({});
   }
@@ -193,6 +196,7 @@ class Propagator::Impl {
     steps_ = from.steps;
     statistics_ = from.statistics;
     integrator_.resume_from(from);
+    moves_.resume_from(from.ensemble);
     start_clocks(from.timings);
   }
 
@@ -207,12 +211,19 @@ class Propagator::Impl {
         integrator_.whole.forces.list_memory(system_.state.box),
         integrator_.near ? integrator_.near->forces.list_memory(system_.state.box) : ListMemory{},
         statistics_,
-        clocks_->timings()};
+        clocks_->timings(),
+        moves_.memory()};
     clocks_->skip();
     return now;
   }
 
   void advance(std::size_t steps) {
+    const std::size_t whole = settings_.steps_per_trajectory();
+    if (steps % whole != 0)
+      throw Error(fmt::format(
+          "{} steps are not whole trajectories of hybrid Monte Carlo, which have {} steps each; "
+          "advance by a multiple of them",
+          steps, whole));
     leave_last_sample();
     clocks_->skip_pause();
     if (statistics_.energies.samples == 0) sample({});
@@ -232,7 +243,7 @@ class Propagator::Impl {
         sample(watch);
       }
       while (steps_ < last && !stopped) {  // one by one, so that a failed step is identified
-        sampled_step(watch);
+        for (std::size_t k = 0; k < settings_.steps_per_trajectory(); ++k) sampled_step(watch);
         stopped = watch.stop && watch.stop();
         if (stopped || steps_ == last || (watch.due && watch.due())) checkpoint(watch);
       }
@@ -255,6 +266,7 @@ class Propagator::Impl {
     result.steps = steps_;
     integrator_.count(result);
     result.timings = clocks_->timings();
+    result.ensemble = moves_.memory();
     return result;
   }
 
@@ -268,9 +280,32 @@ class Propagator::Impl {
   }
 
   void sampled_step(const Watch& watch) {
-    const bool sampled = (steps_ + 1) % interval_ == 0;
-    step(sampled);
+    const bool sampled = (steps_ + 1) % interval_ == 0, moves = moves_.due(steps_ + 1);
+    moves_.before_step(system_.state, steps_, [&]() -> const Load& { return complete_load(); });
+    step(sampled || moves);
+    if (moves) move();
     if (sampled) sample(watch);
+  }
+
+  /// Of the current positions, with energies.
+  const Load& complete_load() {
+    return integrator_.apply(
+        [&](auto& integrator) -> const Load& { return integrator.load(system_.state); });
+  }
+
+  /// What thermostat, barostat and hybrid Monte Carlo do between steps.
+  void move() try {
+    moved_ = complete_load();
+    const bool changed =
+        moves_.after_step(system_.state, steps_, moved_,
+                          [&](const State& state, Load& load) { integrator_.whole(state, load); });
+    if (changed) integrator_.apply([&](auto& integrator) { integrator.replace_load(moved_); });
+  } catch (const Error& e) {
+    throw RunError(
+        fmt::format("at step {} ({:.4f} ps) the barostat moved the box, and: {}; use a larger "
+                    "system, a shorter "
+                    "cutoff, or check the pressure",
+                    steps_, system_.state.time, e.what()));
   }
 
   void step(bool energies) {
@@ -335,11 +370,8 @@ class Propagator::Impl {
 
   Energies energies_now() try {
     const double before = clocks_->in_forces();
-    const Energies now = energies(system_.state, system_.bodies,
-                                  integrator_.apply([&](auto& integrator) -> const Load& {
-                                    return integrator.load(system_.state);
-                                  }),
-                                  workers_);
+    Energies now = energies(system_.state, system_.bodies, complete_load(), workers_);
+    now.exchanged = moves_.exchanged();
     clocks_->forces_of_sample(clocks_->in_forces() - before);
     if (!std::isfinite(now.total()))
       blow_up(steps_,
@@ -375,11 +407,11 @@ class Propagator::Impl {
 
   void check_total(const Energies& now) const {
     const Energies& first = statistics_.energies.first;
-    if (std::abs(now.total() - first.total()) > first.kinetic() && first.kinetic() > 0)
-      blow_up(steps_,
-              fmt::format("the total energy went from {:.6g} to {:.6g} kJ/mol, more than the "
-                          "initial kinetic energy",
-                          first.total(), now.total()));
+    if (std::abs(now.conserved() - first.conserved()) > first.kinetic() && first.kinetic() > 0)
+      blow_up(steps_, fmt::format("the {} energy went from {:.6g} to {:.6g} kJ/mol, more than the "
+                                  "initial kinetic energy",
+                                  settings_.ensemble.constant_energy() ? "total" : "conserved",
+                                  first.conserved(), now.conserved()));
   }
 
   System& system_;
@@ -387,7 +419,9 @@ class Propagator::Impl {
   Workers& workers_;
   ErrorTerms terms_;
   std::size_t interval_;  // steps between samples
+  EnsembleMoves moves_;
   TimedIntegrator integrator_;
+  Load moved_;     // after a move of the box or a decision
   Load complete_;  // of all forces, where the integrator has the slow ones
   double start_;   // time of the state at step 0 [ps]
   std::size_t steps_ = 0;

@@ -8,13 +8,23 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/error_terms.hpp"
+#include "polhode/integrate/with_bath.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
+#include "polhode/run/simulation/ensemble_moves.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr double max_steps = 0x1p53;  // number of steps that a double can count
+
+/// "hoa2-ends", if there is room; none for stages without a name.
+std::string name_with_bath(const Scheme& scheme) {
+  if (!scheme.in_table() && !scheme.has_own_name()) return "";
+  if (scheme.name() == "velocity-verlet") return "obabo";
+  const std::string name = std::string(scheme.name()) + "-ends";
+  return name.size() <= Scheme::max_name ? name : "";
+}
 
 }  // namespace
 
@@ -24,12 +34,25 @@ std::size_t TrajectorySettings::steps() const {
         fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
                     "which the times of steps could not be distinguished; use a shorter length",
                     length, step * units::fs_per_ps, length / step, max_steps));
-  return static_cast<std::size_t>(std::llround(length / step));
+  const auto all = static_cast<std::size_t>(std::llround(length / step));
+  const std::size_t whole = steps_per_trajectory();
+  return (all + whole - 1) / whole * whole;
+}
+
+std::size_t TrajectorySettings::steps_per_trajectory() const {
+  return ensemble.hybrid_monte_carlo ? ensemble.hybrid_monte_carlo->steps : 1;
+}
+
+std::size_t TrajectorySettings::steps_per_move() const {
+  const double steps = std::min(ensemble.barostat.value().every / step, max_steps);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(steps)));
 }
 
 std::size_t TrajectorySettings::steps_per_sample() const {
   const double every = std::min(sample / step * (1 + 1e-12), max_steps);
-  return std::max<std::size_t>(1, static_cast<std::size_t>(every));
+  const std::size_t steps = std::max<std::size_t>(1, static_cast<std::size_t>(every));
+  const std::size_t whole = steps_per_trajectory();  // only its end is a sample
+  return (steps + whole - 1) / whole * whole;
 }
 
 std::size_t TrajectorySettings::samples_per(double interval) const {
@@ -40,7 +63,7 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
 bool TrajectorySettings::has_shadow() const {
   constexpr double rounding = 1e-12;  // of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
-  return !inner && !scheme.has(Flow::bath) && scheme.palindromic() &&
+  return !inner && ensemble.constant_energy() && !scheme.has(Flow::bath) && scheme.palindromic() &&
          std::hypot(terms.alpha, terms.beta) > rounding;
 }
 
@@ -52,7 +75,9 @@ void TrajectorySettings::check_shadow() const {
         "forces, which are not measured; leave it out, or use a single scheme, such as hoa2",
         shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
   const char* const reason =
-      scheme.has(Flow::bath) ? "a bath, which changes the energy"
+      !ensemble.constant_energy()
+          ? "a run that exchanges energy with a thermostat, a barostat or hybrid Monte Carlo"
+      : scheme.has(Flow::bath) ? "a bath, which changes the energy"
       : scheme.palindromic()
           ? "no error of order h², so its shadow energy is the energy itself to that order"
           : "an error of order h, since its stages are not a palindrome";
@@ -63,7 +88,9 @@ void TrajectorySettings::check_shadow() const {
 }
 
 TrajectorySettings trajectory_settings(const Config& config, double stretch) try {
-  const NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
+  NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
+  if (config.ensemble.thermostat && !scheme.has(Flow::bath))
+    scheme.outer = with_bath(scheme.outer, BathPlace::ends, name_with_bath(scheme.outer));
   TrajectorySettings settings{.scheme = scheme.outer,
                               .step = config.integrator.step,
                               .length = config.run.length,
@@ -72,7 +99,10 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) try
                               .inner = scheme.inner,
                               .configurational_sample = config.run.configurational_sample,
                               .seed = config.system.seed,
-                              .stretch = stretch};
+                              .stretch = stretch,
+                              .ensemble = config.ensemble};
+  settings.ensemble.temperature = config.system.temperature;
+  check_ensemble(settings);
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(fmt::format(
         "length {:g} fs is shorter than the step of {:g} fs; it must be at least one step",

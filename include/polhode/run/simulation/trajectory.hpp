@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/ensemble/barostat.hpp"
+#include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/measure/energy_statistics.hpp"
 #include "polhode/run/simulation/system.hpp"
@@ -25,6 +27,14 @@ struct Timings {
   double all() const { return forces + near + list + motion + measurement; }
 };
 
+/// What thermostat, barostat and hybrid Monte Carlo have done so far.
+struct EnsembleMemory {
+  double heat = 0;  ///< from the thermostat [kJ/mol]
+  BarostatMemory barostat;
+  HybridMonteCarloMemory hybrid;
+  double exchanged() const { return heat + barostat.work + hybrid.work; }  ///< [kJ/mol]
+};
+
 /// The state of a run between two steps: all that its continuation depends on, to the last bit.
 struct RunState {
   State state;
@@ -35,6 +45,7 @@ struct RunState {
   ListMemory list, near_list;       ///< the second that of an inner scheme's near forces
   TrajectoryStatistics statistics;  ///< so far
   Timings timings;
+  EnsembleMemory ensemble;
 };
 
 /// Callbacks during a trajectory, all of them optional.
@@ -59,10 +70,11 @@ struct Trajectory {
   std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme
   std::uint64_t near_derivatives = 0;
   std::uint64_t measurements = 0;  ///< force evaluations for energies alone
-  bool stopped = false;            ///< by the watch
-  std::string failure;             ///< why it blew up, when, and what to try; empty if it did not
-  std::string cause;               ///< only why, with the two molecules that collided
-  std::size_t list_rebuilds = 0;   ///< of the neighbour list, including those before the first step
+  EnsembleMemory ensemble;
+  bool stopped = false;           ///< by the watch
+  std::string failure;            ///< why it blew up, when, and what to try; empty if it did not
+  std::string cause;              ///< only why, with the two molecules that collided
+  std::size_t list_rebuilds = 0;  ///< of the neighbour list, including those before the first step
   Timings timings;
 };
 

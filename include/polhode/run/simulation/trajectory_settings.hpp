@@ -9,6 +9,7 @@
 
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
+#include "polhode/model/ensemble_settings.hpp"
 
 namespace polhode {
 
@@ -22,9 +23,12 @@ struct TrajectorySettings {
   std::optional<InnerScheme> inner{};  ///< within the drifts of the scheme
   double configurational_sample = 0;   ///< as shadow_sample, of configurational temperatures [ps]
   std::uint64_t seed = 0;              ///< of their random signs
-  double stretch = 0;  ///< R is also computed for parts of this length [ps]; 0: none
+  double stretch = 0;           ///< R is also computed for parts of this length [ps]; 0: none
+  EnsembleSettings ensemble{};  ///< by default constant energy
 
-  std::size_t steps() const;
+  std::size_t steps() const;                 ///< whole trajectories of hybrid Monte Carlo
+  std::size_t steps_per_trajectory() const;  ///< of hybrid Monte Carlo; 1 without
+  std::size_t steps_per_move() const;        ///< of a barostat
   std::size_t steps_per_sample() const;
   /// The number of samples of the energies per sample that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;

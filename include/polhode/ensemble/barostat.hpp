@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Barostats: moves of the edges of the box that keep a pressure. Centres of mass are scaled,
+// attitudes are not, so molecules stay rigid.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "polhode/model/ensemble_settings.hpp"
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// What a barostat has done so far.
+struct BarostatMemory {
+  double work = 0;    ///< given to the bodies: changes of H by accepted moves [kJ/mol]
+  double volume = 0;  ///< at the first move [nm³]
+  std::uint64_t moves = 0, accepted = 0;
+};
+
+/// Scales edges of the box, and the centres of mass along them.
+/// @param momenta  also scales these momenta by the inverse, so that volume in phase space is kept
+void scale_box(State& state, const CoupledEdges& edges, double factor, bool momenta);
+
+/// Moves of one group of edges at a time, whose stationary distribution is exp(−(H + P₀V)/kT) dV.
+///
+/// Stochastic cell rescaling [bernetti2020], with λ = √V: dλ = −(β λ/2τ) [P₀ − P − kT/(2V)] dt +
+/// √(kT β/2τ) dW, where P is the molecular pressure along the edges of the group. Momenta are
+/// scaled inversely. A move over the interval is accepted with probability min(1, exp(−Δ/kT)), Δ
+/// its violation of detailed balance [roberts1996]; without this test (`metropolis` false), Δ is
+/// the error of a move, and the work is the change of H less Δ.
+///
+/// Monte Carlo: ΔV uniform between ±δ, δ = 2 √(kT β V₀) with V₀ the volume at the first move,
+/// momenta unchanged, accepted with min(1, exp(−(ΔU + P₀ΔV)/kT + N ln(V'/V))), N molecules.
+///
+/// With the total momentum held at 0 and its centre of mass moved along, an ideal gas of N
+/// molecules has V from Gamma(N, kT/P₀) with cell rescaling, whose momenta have 3 N − 3 degrees of
+/// freedom, and from Gamma(N + 1, kT/P₀) with Monte Carlo moves.
+class Barostat {
+ public:
+  /// Computes forces, energies and virial of a state.
+  using Evaluate = std::function<void(const State&, Load&)>;
+
+  /// @param bodies  kept by reference
+  Barostat(const BarostatSettings& settings, double temperature, const Bodies& bodies,
+           std::uint64_t seed);
+
+  /// One move.
+  /// @param load  of the state, with energies; afterwards that of the new state
+  /// @param step  of the trajectory, for the random numbers
+  /// @return  whether the state has changed
+  /// @throws Error  from `evaluate` if the box has become too small for the cutoff
+  bool move(State& state, Load& load, const Evaluate& evaluate, std::uint64_t step);
+
+  const BarostatMemory& memory() const { return memory_; }
+  void resume_from(const BarostatMemory& memory) { memory_ = memory; }
+
+ private:
+  bool rescale_cell(State& state, Load& load, const Evaluate& evaluate, const CoupledEdges& edges,
+                    std::uint64_t step);
+  bool move_volume(State& state, Load& load, const Evaluate& evaluate, const CoupledEdges& edges,
+                   std::uint64_t step);
+  bool decide(State& state, Load& load, double violation, double work, double uniform, bool always);
+  double drift(const State& state, const Load& load, const CoupledEdges& edges) const;
+
+  BarostatSettings settings_;
+  double kT_;
+  const Bodies& bodies_;
+  std::uint64_t seed_;
+  BarostatMemory memory_;
+  State before_;  // the move
+  Load load_;     // after the move
+};
+
+}  // namespace polhode

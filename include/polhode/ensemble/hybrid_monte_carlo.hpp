@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// Hybrid Monte Carlo [duane1987]: trajectories of a scheme as proposals, accepted or rejected by
+// their energy error, so that the canonical distribution is sampled exactly with any step.
+#pragma once
+
+#include <cstdint>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/ensemble/langevin.hpp"
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/measure/correlated_series.hpp"
+#include "polhode/model/ensemble_settings.hpp"
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// What hybrid Monte Carlo has done so far.
+struct HybridMonteCarloMemory {
+  double work = 0;  ///< energy that the bodies received from draws and rejections [kJ/mol]
+  std::uint64_t trajectories = 0, accepted = 0;
+  TimeBlocks weights;  ///< of exp(−ΔH/kT), whose mean must be 1
+};
+
+/// @throws Error  unless the scheme is reversible and keeps volume in phase space, as exact
+/// rotation,
+///                kicks and exact gradient kicks do, and those by finite difference do not
+void check_hybrid(const Scheme& scheme);
+
+/// The decisions between trajectories of a scheme. Momenta of a trajectory begin as √(1 − φ) p +
+/// √φ ξ, ξ from the Maxwell distribution with total momentum 0, φ the part to refresh. Its end is
+/// accepted with probability min(1, exp(−ΔH/kT)); otherwise the bodies return to its begin, with
+/// opposite momenta [horowitz1991].
+class HybridMonteCarlo {
+ public:
+  /// @param bodies, workers  kept by reference
+  HybridMonteCarlo(const HybridMonteCarloSettings& settings, double temperature,
+                   const Bodies& bodies, std::uint64_t seed, Workers& workers = Workers::serial(),
+                   TotalMomentum total_momentum = TotalMomentum::held);
+
+  std::size_t steps() const { return settings_.steps; }
+
+  /// Refreshes the momenta.
+  /// @param load  of the state, with energies
+  /// @param step  the number of the next step, for the random numbers
+  void begin(State& state, const Load& load, std::uint64_t step);
+  /// Decides at the end of a trajectory.
+  /// @param load  of the state, with energies; after a rejection that of the begin
+  /// @return  whether the trajectory was accepted
+  bool end(State& state, Load& load, std::uint64_t step);
+
+  const HybridMonteCarloMemory& memory() const { return memory_; }
+  void resume_from(const HybridMonteCarloMemory& memory) { memory_ = memory; }
+
+ private:
+  HybridMonteCarloSettings settings_;
+  LangevinSettings maxwell_;
+  const Bodies& bodies_;
+  Workers& workers_;
+  HybridMonteCarloMemory memory_;
+  State begin_;
+  Load load_;
+  double energy_ = 0;  // at the begin [kJ/mol]
+};
+
+}  // namespace polhode

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Which random numbers each use has. Numbers are functions of seed, use, step, stage and body, so
+// they are the same for any number of threads and wherever a run was suspended.
+#pragma once
+
+#include <cstdint>
+
+#include "polhode/integrate/step.hpp"
+
+namespace polhode {
+
+/// What random numbers are used for; no two uses share a number.
+enum class RandomUse : std::uint64_t {
+  langevin = 1,
+  rescaling,
+  separate_rescaling,
+  cell_rescaling,
+  volume_move,
+  hybrid_momenta,
+  hybrid_decision
+};
+
+/// The stream of a use at a stage of a step below 2⁴⁸. Streams below 2⁵⁶ belong to initial
+/// configurations and configurational temperatures.
+constexpr std::uint64_t stream_of(RandomUse use, StageNumber at) {
+  return static_cast<std::uint64_t>(use) << 56 | std::uint64_t{at.stage & 0xff} << 48 | at.step;
+}
+
+}  // namespace polhode

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The bath of a scheme, which keeps a temperature: the flow O of its stages.
+#pragma once
+
+#include <cstdint>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/ensemble/langevin.hpp"
+#include "polhode/integrate/step.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
+#include "polhode/model/ensemble_settings.hpp"
+#include "polhode/model/state.hpp"
+
+namespace polhode {
+
+/// Changes momenta over a time t so that their distribution at the temperature is stationary, and
+/// sums the heat that the bodies receive. Its random numbers are functions of the seed and of the
+/// stage, so that a run that is resumed with the same heat() continues to the same bits.
+class Thermostat {
+ public:
+  /// @param topology  copied; @param bodies  kept by reference
+  Thermostat(const ThermostatSettings& settings, double temperature, const Topology& topology,
+             const Bodies& bodies, std::uint64_t seed, Workers& workers = Workers::serial(),
+             TotalMomentum total_momentum = TotalMomentum::held);
+
+  void operator()(State& state, double t, StageNumber at);
+
+  double heat() const { return heat_; }  ///< given to the bodies so far [kJ/mol]
+  void resume_from(double heat) { heat_ = heat; }
+
+ private:
+  double rescale(State& state, double t, StageNumber at) const;
+
+  ThermostatSettings settings_;
+  LangevinSettings langevin_;
+  DegreesOfFreedom degrees_of_freedom_;
+  const Bodies& bodies_;
+  Workers& workers_;
+  double heat_ = 0;
+};
+
+}  // namespace polhode

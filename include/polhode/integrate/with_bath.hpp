@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Where the bath O of a thermostat stands among the stages of a scheme.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+enum class BathPlace {
+  ends,   ///< half before the first stage, half after the last: velocity Verlet becomes OBABO
+  middle  ///< within the middle stage: velocity Verlet becomes BAOAB [leimkuhler2013]
+};
+
+/// A scheme with a bath O of one step in total. A step of it is e^{Oh/2} e^{Lh} e^{Oh/2}, or has O
+/// between two halves of its middle stage.
+/// @param name  of the result, at most Scheme::max_name characters
+/// @throws Error  if the scheme has a bath already, if it is no palindrome and so has no middle, or
+///                if it would have too many stages
+inline Scheme with_bath(const Scheme& scheme, BathPlace place, std::string_view name = "") {
+  if (scheme.has(Flow::bath)) throw Error("the scheme has a bath O already; leave its place out");
+  std::vector<Stage> stages(scheme.stages().begin(), scheme.stages().end());
+  if (stages.size() + 2 > Scheme::max_stages)
+    throw Error("the scheme has too many stages for a bath; use one with fewer");
+  switch (place) {
+    case BathPlace::ends:
+      stages.insert(stages.begin(), O(0.5));
+      stages.push_back(O(0.5));
+      break;
+    case BathPlace::middle: {
+      if (!scheme.palindromic())
+        throw Error(
+            "the stages of the scheme are no palindrome, so it has no middle; put the bath "
+            "at the ends, or write the stages O(...) where they should be");
+      const auto middle = stages.begin() + static_cast<std::ptrdiff_t>(stages.size() / 2);
+      if (stages.size() % 2 == 0) {
+        stages.insert(middle, O(1));
+      } else {
+        middle->fraction /= 2;
+        const Stage half = *middle;
+        stages.insert(middle + 1, {O(1), half});
+      }
+      break;
+    }
+  }
+  return Scheme(stages, 0, name);
+}
+
+}  // namespace polhode

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Names and bounds of the settings of an ensemble, as in run files.
+#pragma once
+
+#include <array>
+
+#include "polhode/base/enum_names.hpp"
+#include "polhode/model/ensemble_settings.hpp"
+
+namespace polhode {
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<ThermostatKind> = {
+    "langevin", "rescaling", "separate-rescaling"};
+
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<BarostatKind> = {"cell-rescaling",
+                                                                             "monte-carlo"};
+
+/// That of liquid water [nm³ mol/kJ], and the range that is accepted.
+double default_compressibility();
+double min_compressibility();
+double max_compressibility();
+
+}  // namespace polhode

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/ensemble/barostat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/units.hpp"
+#include "polhode/ensemble/random_streams.hpp"
+#include "polhode/math/random.hpp"
+#include "polhode/measure/energy.hpp"
+
+namespace polhode {
+namespace {
+
+std::size_t count(const CoupledEdges& edges) {
+  return static_cast<std::size_t>(std::count(edges.begin(), edges.end(), true));
+}
+
+/// The pressure along the edges of a group [kJ/mol/nm³].
+double pressure_along(const CoupledEdges& edges, const State& state, const Bodies& bodies,
+                      const Load& load) {
+  const Mat3<double> tensor = pressure_tensor(state, bodies, load);
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (edges[k]) sum += tensor[k][k];
+  return sum / static_cast<double>(count(edges));
+}
+
+/// The factor of the edges of a group for a new volume.
+double factor_of(const CoupledEdges& edges, double volume_ratio) {
+  return std::pow(volume_ratio, 1 / static_cast<double>(count(edges)));
+}
+
+void scale(Column<double>& column, double factor) {
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] *= factor;
+}
+
+}  // namespace
+
+void scale_box(State& state, const CoupledEdges& edges, double factor, bool momenta) {
+  const auto scale_along = [&](std::size_t k, Column<double>& q, Column<double>& p) {
+    if (!edges[k]) return;
+    state.box.edge[k] *= factor;
+    scale(q, factor);
+    if (momenta) scale(p, 1 / factor);
+  };
+  scale_along(0, state.q.x, state.p.x);
+  scale_along(1, state.q.y, state.p.y);
+  scale_along(2, state.q.z, state.p.z);
+}
+
+Barostat::Barostat(const BarostatSettings& settings, double temperature, const Bodies& bodies,
+                   std::uint64_t seed)
+    : settings_(settings), kT_(units::boltzmann * temperature), bodies_(bodies), seed_(seed) {}
+
+bool Barostat::move(State& state, Load& load, const Evaluate& evaluate, std::uint64_t step) {
+  const CoupledEdges& edges = settings_.edges[memory_.moves % settings_.edges.size()];
+  if (memory_.moves++ == 0) memory_.volume = state.box.volume();
+  before_ = state;
+  switch (settings_.kind) {
+    case BarostatKind::cell_rescaling:
+      return rescale_cell(state, load, evaluate, edges, step);
+    case BarostatKind::monte_carlo:
+      return move_volume(state, load, evaluate, edges, step);
+  }
+  return false;
+}
+
+/// dλ/dt without noise.
+double Barostat::drift(const State& state, const Load& load, const CoupledEdges& edges) const {
+  const double V = state.box.volume();
+  return -settings_.compressibility * std::sqrt(V) / (2 * settings_.time_constant) *
+         (settings_.pressure - pressure_along(edges, state, bodies_, load) - kT_ / (2 * V));
+}
+
+bool Barostat::rescale_cell(State& state, Load& load, const Evaluate& evaluate,
+                            const CoupledEdges& edges, std::uint64_t step) {
+  Random random(seed_, stream_of(RandomUse::cell_rescaling, {step, 0}));
+  const double t = settings_.every;
+  const double variance = kT_ * settings_.compressibility * t / (2 * settings_.time_constant);
+  const double V = state.box.volume(), lambda = std::sqrt(V);
+  const double noise = std::sqrt(variance) * random.normal();
+  const double moved = lambda + drift(state, load, edges) * t + noise;
+  if (!(moved > 0)) return false;
+  const double before = energies(state, bodies_, load).total();
+  scale_box(state, edges, factor_of(edges, moved * moved / V), true);
+  evaluate(state, load_);
+  const double work = energies(state, bodies_, load_).total() - before;
+  const double back = lambda - moved - drift(state, load_, edges) * t;
+  const double violation = work + settings_.pressure * (moved * moved - V) -
+                           kT_ * std::log(moved / lambda) +
+                           kT_ * (back * back - noise * noise) / (2 * variance);
+  return decide(state, load, violation, settings_.metropolis ? work : work - violation,
+                random.uniform(), !settings_.metropolis);
+}
+
+bool Barostat::move_volume(State& state, Load& load, const Evaluate& evaluate,
+                           const CoupledEdges& edges, std::uint64_t step) {
+  Random random(seed_, stream_of(RandomUse::volume_move, {step, 0}));
+  const double V = state.box.volume();
+  const double max_change = 2 * std::sqrt(kT_ * settings_.compressibility * memory_.volume);
+  const double change = max_change * (2 * random.uniform() - 1);
+  if (!(V + change > 0)) return false;
+  scale_box(state, edges, factor_of(edges, 1 + change / V), false);
+  evaluate(state, load_);
+  const double work = load_.potential() - load.potential();
+  const double violation = work + settings_.pressure * change -
+                           static_cast<double>(state.size()) * kT_ * std::log1p(change / V);
+  return decide(state, load, violation, work, random.uniform(), false);
+}
+
+/// Takes the new state and its Load, or returns to those before the move.
+bool Barostat::decide(State& state, Load& load, double violation, double work, double uniform,
+                      bool always) {
+  if (!always && !(uniform < std::exp(-violation / kT_))) {
+    std::swap(state, before_);
+    return false;
+  }
+  std::swap(load, load_);
+  memory_.work += work;
+  ++memory_.accepted;
+  return true;
+}
+
+}  // namespace polhode

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/ensemble/hybrid_monte_carlo.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/ensemble/random_streams.hpp"
+#include "polhode/math/random.hpp"
+#include "polhode/measure/energy.hpp"
+
+namespace polhode {
+namespace {
+
+void reverse(Vec3Column& v) {
+  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, -1.0 * v[i]);
+}
+
+}  // namespace
+
+void check_hybrid(const Scheme& scheme) {
+  if (scheme.has(Gradient::finite_difference))
+    throw Error(
+        "hybrid Monte Carlo needs a scheme that keeps volume in phase space, and gradient kicks by "
+        "finite difference do not, so the distribution would be biased; use the exact gradient, as "
+        "\"gier4\" does in place of \"gier4-fd\"");
+  if (!scheme.palindromic())
+    throw Error(
+        "hybrid Monte Carlo needs a reversible scheme, and the stages of this one are not a "
+        "palindrome; use one such as \"hoa2\"");
+  if (scheme.has(Flow::bath))
+    throw Error(
+        "hybrid Monte Carlo draws its own momenta; use a scheme without the stages O of a bath");
+}
+
+HybridMonteCarlo::HybridMonteCarlo(const HybridMonteCarloSettings& settings, double temperature,
+                                   const Bodies& bodies, std::uint64_t seed, Workers& workers,
+                                   TotalMomentum total_momentum)
+    : settings_(settings),
+      maxwell_{
+          .kT = units::boltzmann * temperature, .seed = seed, .total_momentum = total_momentum},
+      bodies_(bodies),
+      workers_(workers) {}
+
+void HybridMonteCarlo::begin(State& state, const Load& load, std::uint64_t step) {
+  memory_.work += refresh_momenta(state, bodies_, maxwell_, std::sqrt(1 - settings_.refresh),
+                                  stream_of(RandomUse::hybrid_momenta, {step, 0}), workers_);
+  begin_ = state;
+  load_ = load;
+  energy_ = energies(state, bodies_, load, workers_).total();
+}
+
+bool HybridMonteCarlo::end(State& state, Load& load, std::uint64_t step) {
+  const double change = energies(state, bodies_, load, workers_).total() - energy_;
+  const double weight = std::exp(-change / maxwell_.kT);
+  memory_.weights.add(std::array{std::isfinite(weight) ? weight : 0});
+  ++memory_.trajectories;
+  Random random(maxwell_.seed, stream_of(RandomUse::hybrid_decision, {step, 0}));
+  if (random.uniform() < weight) {
+    ++memory_.accepted;
+    return true;
+  }
+  const double time = state.time;
+  state = begin_;
+  state.time = time;
+  reverse(state.p);
+  reverse(state.ell);
+  load = load_;
+  memory_.work -= change;
+  return false;
+}
+
+}  // namespace polhode

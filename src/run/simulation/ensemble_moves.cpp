@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/ensemble_moves.hpp"
+
+#include <fmt/core.h>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/output_units.hpp"
+
+namespace polhode {
+namespace {
+
+/// The interval is a whole number of steps.
+BarostatSettings barostat_settings(const TrajectorySettings& settings) {
+  BarostatSettings barostat = *settings.ensemble.barostat;
+  barostat.every = static_cast<double>(settings.steps_per_move()) * settings.step;
+  return barostat;
+}
+
+}  // namespace
+
+void check_ensemble(const TrajectorySettings& settings) {
+  const EnsembleSettings& e = settings.ensemble;
+  if (settings.scheme.has(Flow::bath) && !e.thermostat)
+    throw Error(
+        "the scheme has a bath O, and a bath needs a thermostat; add a table [thermostat], or "
+        "leave "
+        "the stages O(...) out of the scheme");
+  if (e.hybrid_monte_carlo) {
+    if (e.thermostat)
+      throw Error("hybrid Monte Carlo keeps the temperature itself; leave the thermostat out");
+    check_hybrid(settings.scheme);
+    if (settings.inner) check_hybrid(settings.inner->scheme);
+  }
+  if (e.barostat && !e.thermostat && !e.hybrid_monte_carlo)
+    throw Error(
+        "a barostat exchanges work with the bodies, so it needs a thermostat; add a table "
+        "[thermostat], for example with type = \"rescaling\"");
+  if (e.thermostat && e.thermostat->kind != ThermostatKind::langevin &&
+      e.thermostat->time_constant < settings.step)
+    throw Error(fmt::format(
+        "the thermostat's time_constant of {:g} fs is shorter than the step of {:g} fs; it must be "
+        "at least a step, and 100 to 1000 fs are usual",
+        e.thermostat->time_constant * units::fs_per_ps, settings.step * units::fs_per_ps));
+  if (e.barostat && e.barostat->kind == BarostatKind::cell_rescaling &&
+      e.barostat->time_constant < e.barostat->every)
+    throw Error(fmt::format(
+        "the barostat's time_constant of {:g} fs is shorter than the interval of its moves, {:g} "
+        "fs; use a time_constant of 1 to 10 ps, or a shorter interval",
+        e.barostat->time_constant * units::fs_per_ps, e.barostat->every * units::fs_per_ps));
+}
+
+EnsembleMoves::EnsembleMoves(const System& system, const TrajectorySettings& settings,
+                             Workers& workers) {
+  check_ensemble(settings);
+  const EnsembleSettings& e = settings.ensemble;
+  if (e.thermostat)
+    thermostat_.emplace(*e.thermostat, e.temperature, system.topology, system.bodies, settings.seed,
+                        workers);
+  if (e.barostat) {
+    barostat_.emplace(barostat_settings(settings), e.temperature, system.bodies, settings.seed);
+    steps_per_move_ = settings.steps_per_move();
+  }
+  if (e.hybrid_monte_carlo)
+    hybrid_.emplace(*e.hybrid_monte_carlo, e.temperature, system.bodies, settings.seed, workers);
+}
+
+void EnsembleMoves::Bath::operator()(State& state, double t, StageNumber at) const {
+  moves->thermostat_.value()(state, t, at);
+}
+
+bool EnsembleMoves::after_step(State& state, std::size_t steps, Load& load,
+                               const Barostat::Evaluate& evaluate) {
+  bool changed = false;
+  if (decides(steps)) changed = !hybrid_->end(state, load, steps);
+  if (moves_box(steps)) changed = barostat_->move(state, load, evaluate, steps) || changed;
+  return changed;
+}
+
+EnsembleMemory EnsembleMoves::memory() const {
+  EnsembleMemory memory;
+  if (thermostat_) memory.heat = thermostat_->heat();
+  if (barostat_) memory.barostat = barostat_->memory();
+  if (hybrid_) memory.hybrid = hybrid_->memory();
+  return memory;
+}
+
+void EnsembleMoves::resume_from(const EnsembleMemory& memory) {
+  if (thermostat_) thermostat_->resume_from(memory.heat);
+  if (barostat_) barostat_->resume_from(memory.barostat);
+  if (hybrid_) hybrid_->resume_from(memory.hybrid);
+}
+
+}  // namespace polhode
