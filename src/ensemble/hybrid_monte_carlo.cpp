@@ -48,11 +48,16 @@ void HybridMonteCarlo::begin(State& state, const Load& load, std::uint64_t step)
                                   stream_of(RandomUse::hybrid_momenta, {step, 0}), workers_);
   begin_ = state;
   load_ = load;
-  energy_ = energies(state, bodies_, load, workers_).total();
+  energy_ = energy(state, load);
+}
+
+double HybridMonteCarlo::energy(const State& state, const Load& load) const {
+  return energies(state, bodies_, load, workers_).total() +
+         energy_of_centre(state, bodies_, maxwell_.total_momentum);
 }
 
 bool HybridMonteCarlo::end(State& state, Load& load, std::uint64_t step) {
-  const double change = energies(state, bodies_, load, workers_).total() - energy_;
+  const double change = energy(state, load) - energy_;
   const double weight = std::exp(-change / maxwell_.kT);
   memory_.weights.add(std::array{std::isfinite(weight) ? weight : 0});
   ++memory_.trajectories;

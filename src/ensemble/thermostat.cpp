@@ -22,7 +22,7 @@ Thermostat::Thermostat(const ThermostatSettings& settings, double temperature,
     : settings_(settings),
       langevin_{units::boltzmann * temperature, settings.friction, settings.rotational_friction,
                 seed, total_momentum},
-      degrees_of_freedom_(degrees_of_freedom(topology)),
+      degrees_of_freedom_(degrees_of_freedom(topology, total_momentum)),
       bodies_(bodies),
       workers_(workers) {}
 
@@ -40,7 +40,8 @@ void Thermostat::operator()(State& state, double t, StageNumber at) {
 }
 
 double Thermostat::rescale(State& state, double t, StageNumber at) const {
-  const Energies e = energies(state, bodies_, Load{}, workers_);
+  Energies e = energies(state, bodies_, Load{}, workers_);
+  e.translation += energy_of_centre(state, bodies_, langevin_.total_momentum);
   const double rotation = e.kinetic() - e.translation;
   const double n_translation = degrees_of_freedom_.translation;
   const double n_rotation = degrees_of_freedom_.all() - n_translation;

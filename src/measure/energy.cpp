@@ -41,6 +41,11 @@ Energies energies(const State& state, const Bodies& bodies, const Load& load, Wo
   return e;
 }
 
+double energy_of_centre(const State& state, const Bodies& bodies, TotalMomentum total_momentum) {
+  if (total_momentum == TotalMomentum::held) return 0;
+  return norm2(polhode::total_momentum(state)) / (2 * total_mass(bodies));
+}
+
 Mat3<double> pressure_tensor(const State& state, const Bodies& bodies, const Load& load) {
   Mat3<double> sum = load.virial;
   const Vec3<double> P = total_momentum(state);

@@ -54,6 +54,8 @@ class HybridMonteCarlo {
   void resume_from(const HybridMonteCarloMemory& memory) { memory_ = memory; }
 
  private:
+  double energy(const State& state, const Load& load) const;
+
   HybridMonteCarloSettings settings_;
   LangevinSettings maxwell_;
   const Bodies& bodies_;

@@ -6,14 +6,11 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/step.hpp"
+#include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
 namespace polhode {
-
-/// Whether the total momentum of a system is constant at 0, which leaves 3 N − 3 translational
-/// degrees of freedom, or is not, as in an external field.
-enum class TotalMomentum { held, free };
 
 struct LangevinSettings {
   double kT = 0;                   ///< [kJ/mol]

@@ -38,6 +38,10 @@ struct Energies {
 Energies energies(const State& state, const Bodies& bodies, const Load& load,
                   Workers& workers = Workers::serial());
 
+/// P²/2M of the centre of mass [kJ/mol], which energies() leaves out; 0 where the total momentum is
+/// held.
+double energy_of_centre(const State& state, const Bodies& bodies, TotalMomentum total_momentum);
+
 /// (Σ p ⊗ p/m − P ⊗ P/M + virial)/V [kJ/mol/nm³], of bodies as wholes: the molecular pressure
 /// tensor [allen2017, section 2.7] with momenta relative to the centre of mass. The Load holds the
 /// virial only if it was computed with energies.
