@@ -2,11 +2,8 @@
 // polhode top: the rotation of one free top, exact and with NO_SQUISH, or a table of tops.
 #include <fmt/core.h>
 
-#include <array>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "console.hpp"
@@ -25,23 +22,6 @@ struct Options {
   std::string table, output, method = "series";
   bool json = false, force = false;
 };
-
-constexpr std::array<std::pair<std::string_view, RotorMethod>, 6> methods = {
-    {{"series", RotorMethod::series},
-     {"closed", RotorMethod::closed},
-     {"theta", RotorMethod::theta},
-     {"recursive", RotorMethod::recursive},
-     {"no-squish", RotorMethod::no_squish},
-     {"symmetric-product", RotorMethod::symmetric_product}}};
-
-RotorMethod method_of(const std::string& text) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, method] : methods) {
-    if (name == text) return method;
-    names.push_back(name);
-  }
-  throw Error(fmt::format("--method = \"{}\" {}", text, must_be_one_of(names, text)));
-}
 
 void print_trajectory(const Options& o) {
   if (o.J.size() != 3 || o.L.size() != 3)
@@ -83,7 +63,8 @@ Action top_verb(CLI::App& app) {
     if (options->table.empty())
       print_trajectory(*options);
     else
-      fmt::print("{}", rotate_table(options->table, method_of(options->method)));
+      fmt::print("{}", rotate_table(options->table,
+                                    named_option<RotorMethod>(options->method, "--method")));
     return 0;
   };
 }

@@ -87,10 +87,10 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
             for (const Alias& c : axis[2][z]) {
               const double k2 = a.k * a.k + b.k * b.k + c.k * c.k, k = std::sqrt(k2);
               const double share = a.share * b.share * c.share, form = distribution.form(k);
-              const double wanted = 4 * pi / k2 * split.transform(k).value;
-              u += share, uk += share * k2, ukg += share * k2 * wanted;
-              u_form += share * form, ukg_form += share * k2 * wanted * form;
-              kgg_form += k2 * wanted * wanted * form;
+              const double required = 4 * pi / k2 * split.transform(k).value;
+              u += share, uk += share * k2, ukg += share * k2 * required;
+              u_form += share * form, ukg_form += share * k2 * required * form;
+              kgg_form += k2 * required * required * form;
             }
         const double G = ukg / (u * uk);
         const auto weight = [](std::size_t n) { return n == 0 || n == half ? 1 : 2; };
@@ -193,8 +193,8 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
   // each other, larger because of the coarse sum over wave vectors. The margin covers the larger
   // values.
   constexpr double margin = 1.5;
-  const double wanted = relative_error_ * typical_force(topology_, box) / margin;
-  const double wanted_in_unit_box = wanted * std::sqrt(box.volume());
+  const double required = relative_error_ * typical_force(topology_, box) / margin;
+  const double required_in_unit_box = required * std::sqrt(box.volume());
   const double charges = ChargeDistribution(topology_).charges();
   MeshSettings best{{}, 0, 0, cutoff_};
   double min_seconds = std::numeric_limits<double>::infinity();
@@ -206,7 +206,7 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
       double low = cutoff_ / 40, high = cutoff_ / 2;
       while (high / low > 1.03) {
         const double h = std::sqrt(low * high);
-        (error(h, order, m) < wanted_in_unit_box ? low : high) = h;
+        (error(h, order, m) < required_in_unit_box ? low : high) = h;
       }
       if (low < coarsest) break;
       coarsest = low, exponent = m;

@@ -195,9 +195,10 @@ class XyzReader : public FrameReader {
                         : any_of({"vel", "velo", "velocity", "velocities"}) ? What::velocity
                         : any_of({"resid", "molid", "mol", "residue"})      ? What::residue
                                                                             : What::other;
-      const std::size_t wanted = what == What::position || what == What::velocity ? 3 : 1;
-      if (what != What::other && *words != wanted)
-        lines_.refuse(fmt::format("'{}' has {} columns; it must have {}", part[0], *words, wanted));
+      const std::size_t expected = what == What::position || what == What::velocity ? 3 : 1;
+      if (what != What::other && *words != expected)
+        lines_.refuse(
+            fmt::format("'{}' has {} columns; it must have {}", part[0], *words, expected));
       found.push_back({what, *words});
     }
     return found;

@@ -108,7 +108,7 @@ std::vector<AdviceCurve> figure_curves(const Advice& advice) {
 nlohmann::json as_json(const AdviceReport& report) {
   const Advice& advice = report.advice;
   const Criterion& criterion = report.criterion;
-  nlohmann::json json{{"quality", name(criterion.quality)},
+  nlohmann::json json{{"quality", name_of(criterion.quality)},
                       {"requested", criterion.bound},
                       {"probability", guarantee_probability},
                       {"interrupted", advice.stopped},

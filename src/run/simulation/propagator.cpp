@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/law_range.hpp"
+#include "polhode/forces/timed_forces.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
@@ -19,41 +19,6 @@
 
 namespace polhode {
 namespace {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// Forces with a stopwatch.
-struct TimedForces {
-  ForceField& forces;
-  double seconds = 0;  // with the list
-  void operator()(const State& state, Load& load) {
-    Stopwatch watch;
-    forces(state, load);
-    seconds += watch.lap();
-  }
-  void forces_alone(const State& state, Load& load) {
-    Stopwatch watch;
-    forces.forces_alone(state, load);
-    seconds += watch.lap();
-  }
-  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
-                              Load& slope) {
-    Stopwatch watch;
-    forces.directional_derivative(state, dq, dtheta, slope);
-    seconds += watch.lap();
-  }
-};
 
 /// Ends the trajectory but keeps its results.
 struct BlowUp : RunError {
@@ -104,9 +69,7 @@ class Clocks {
   }
 
  private:
-  static double in_list(const TimedForces* timed) {
-    return timed ? timed->forces.neighbours().seconds() : 0;
-  }
+  static double in_list(const TimedForces* timed) { return timed ? timed->in_list() : 0; }
 
   const TimedForces& whole_;
   const TimedForces* near_;
