@@ -46,7 +46,7 @@ set_source_files_properties(src/base/version.cpp PROPERTIES
 # Compile time: files that read input and write reports are optimized less, and developers alone
 # find out whether each file includes what it uses.
 set(cold_sources ${sources})
-list(FILTER cold_sources INCLUDE REGEX "/src/(io/[^/]*|io/gromacs/[^/]*|io/lammps/[^/]*|run/(adviser|analysis|study)/[^/]*)$")
+list(FILTER cold_sources INCLUDE REGEX "/src/(io/[^/]*|io/gromacs/[^/]*|io/lammps/[^/]*|run/(adviser|analysis|study)/[^/]*|math/(fit|prediction)\\.cpp)$")
 set_source_files_properties(${cold_sources} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
 function(polhode_precompile target)
   if(NOT POLHODE_DEVELOPER)
