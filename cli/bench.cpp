@@ -60,19 +60,21 @@ int bench(const Options& o) {
 
 }  // namespace
 
-Action bench_verb(CLI::App& app) {
+Action bench_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  app.add_flag("--quick", o->quick, "512 waters only, fewer and shorter repeats: a few seconds");
-  app.add_option(
-         "--sizes", o->sizes,
-         fmt::format("numbers of waters; default: {}", fmt::join(BenchmarkSettings{}.sizes, ",")))
-      ->delimiter(',')
-      ->check(in_range(1, 100'000'000));
-  app.add_option("--precision", o->precision,
-                 "precision of pair interactions, double or mixed; default: both");
-  app.add_option("--threads", o->threads,
-                 "number of threads, compared with one; default: one for each available core");
-  app.add_flag("--json", o->json, "print all numbers as JSON");
+  command.add_flag("--quick", o->quick,
+                   "512 waters only, fewer and shorter repeats: a few seconds");
+  command
+      .add_option(
+          "--sizes", o->sizes,
+          fmt::format("numbers of waters; default: {}", fmt::join(BenchmarkSettings{}.sizes, ",")))
+      .separated_by(',')
+      .in_range(1, 100'000'000);
+  command.add_option("--precision", o->precision,
+                     "precision of pair interactions, double or mixed; default: both");
+  command.add_option("--threads", o->threads,
+                     "number of threads, compared with one; default: one for each available core");
+  command.add_flag("--json", o->json, "print all numbers as JSON");
   return [o] { return bench(*o); };
 }
 

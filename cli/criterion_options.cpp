@@ -18,16 +18,18 @@ double fraction_option(const std::string& text, const std::string& option) {
 
 }  // namespace
 
-void CriterionOptions::declare(CLI::App& app) {
-  auto* const ratio = app.add_option("--accuracy", accuracy, "largest R of a run: \"0.5 %\"");
-  auto* const rate =
-      app.add_option("--drift", drift, "largest energy drift per molecule: \"0.1 kJ/mol/ns\"");
-  app.add_option(
-         "--temperature-bias", temperature_bias,
-         "largest difference between the temperatures of translation and rotation: \"0.5 %\"")
-      ->excludes(ratio)
-      ->excludes(rate);
-  rate->excludes(ratio);
+void CriterionOptions::declare(Command& command) {
+  const CommandOption ratio =
+      command.add_option("--accuracy", accuracy, "largest R of a run: \"0.5 %\"");
+  const CommandOption rate =
+      command.add_option("--drift", drift, "largest energy drift per molecule: \"0.1 kJ/mol/ns\"");
+  command
+      .add_option(
+          "--temperature-bias", temperature_bias,
+          "largest difference between the temperatures of translation and rotation: \"0.5 %\"")
+      .excludes(ratio)
+      .excludes(rate);
+  rate.excludes(ratio);
 }
 
 Criterion criterion_option(const CriterionOptions& o, const IntegratorSettings& integrator) {

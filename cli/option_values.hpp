@@ -3,10 +3,8 @@
 #pragma once
 
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
 
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -58,19 +56,6 @@ template <NamedEnum Enum>
 Enum named_option(const std::string& text, const std::string& option) {
   if (const auto value = value_of<Enum>(text)) return *value;
   throw Error(fmt::format("{} = \"{}\" {}", option, text, must_be_one_of(enum_names<Enum>, text)));
-}
-
-/// The check that an option's value is a number in a range.
-template <class Number>
-CLI::Validator in_range(Number min, Number max) {
-  const CLI::Range range(min, max);
-  const auto check = [range, min, max](std::string& text) {
-    if (range(text).empty()) return std::string();
-    return fmt::format("'{}' must be a {}number from {:.15g} to {:.15g}", text,
-                       std::is_integral_v<Number> ? "whole " : "", static_cast<double>(min),
-                       static_cast<double>(max));
-  };
-  return {check, range.get_description()};
 }
 
 /// The run file of a path, or the default one, with a precision instead of its own if one is given.

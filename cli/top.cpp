@@ -41,24 +41,25 @@ void print_trajectory(const Options& o) {
 
 }  // namespace
 
-Action top_verb(CLI::App& app) {
+Action top_verb(Command& command) {
   auto options = std::make_shared<Options>();
-  app.add_option("--J", options->J, "principal moments, for example 1,2,3; any consistent units")
-      ->delimiter(',');
-  app.add_option("--L", options->L, "body-frame angular momentum, for example 0.1,0.2,1")
-      ->delimiter(',');
-  app.add_option("--step", options->step, "time step; default: the top turns by 0.2 per step");
-  app.add_option("--length", options->length, "length of the trajectory; default: 200 steps");
-  app.add_option("--output", options->output,
-                 "draw the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp");
-  app.add_flag("--json", options->json, "print JSON");
-  app.add_flag("--force", options->force, "overwrite existing files");
-  app.add_option(
+  command
+      .add_option("--J", options->J, "principal moments, for example 1,2,3; any consistent units")
+      .separated_by(',');
+  command.add_option("--L", options->L, "body-frame angular momentum, for example 0.1,0.2,1")
+      .separated_by(',');
+  command.add_option("--step", options->step, "time step; default: the top turns by 0.2 per step");
+  command.add_option("--length", options->length, "length of the trajectory; default: 200 steps");
+  command.add_option("--output", options->output,
+                     "draw the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp");
+  command.add_flag("--json", options->json, "print JSON");
+  command.add_flag("--force", options->force, "overwrite existing files");
+  command.add_option(
       "--table", options->table,
       "read tops from a CSV file with columns I1,I2,I3,L1,L2,L3,t and print their rotations");
-  app.add_option("--method", options->method,
-                 "for --table: series (default), closed, theta, recursive, no-squish, "
-                 "symmetric-product");
+  command.add_option("--method", options->method,
+                     "for --table: series (default), closed, theta, recursive, no-squish, "
+                     "symmetric-product");
   return [options] {
     if (options->table.empty())
       print_trajectory(*options);

@@ -15,7 +15,7 @@
 
 namespace polhode::cli {
 
-Action verify_verb(CLI::App& app) {
+Action verify_verb(Command& command) {
   struct Options {
     std::string scheme;
     int order = 0;
@@ -23,12 +23,12 @@ Action verify_verb(CLI::App& app) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text")->required();
-  app.add_option("--order", o->order, "expected order; default: that of the table")
-      ->check(in_range(1, 12));
-  app.add_option("--lambda", o->lambda, "of the finite-difference gradient")
-      ->check(in_range(1e-8, 1.0));
-  app.add_flag("--json", o->json, "print JSON");
+  command.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text").required();
+  command.add_option("--order", o->order, "expected order; default: that of the table")
+      .in_range(1, 12);
+  command.add_option("--lambda", o->lambda, "of the finite-difference gradient")
+      .in_range(1e-8, 1.0);
+  command.add_flag("--json", o->json, "print JSON");
   return [o] {
     const NestedScheme scheme = nested_scheme_of(o->scheme);
     const OrderMeasurement m = measure_order(scheme, o->lambda);
