@@ -14,6 +14,17 @@
 #include "verbs.hpp"
 
 namespace polhode::cli {
+namespace {
+
+void check_lambda(const NestedScheme& scheme) {
+  if (scheme.has(Gradient::finite_difference)) return;
+  throw Error(fmt::format("{} has no gradient by finite difference, so lambda has no effect; leave "
+                          "it out, or take a scheme with one, such as gier4-fd",
+                          name_of(scheme)),
+              "--lambda");
+}
+
+}  // namespace
 
 Action verify_verb(CLI::App& app) {
   struct Options {
@@ -26,11 +37,13 @@ Action verify_verb(CLI::App& app) {
   app.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text")->required();
   app.add_option("--order", o->order, "expected order; default: that of the table")
       ->check(in_range(1, 12));
-  app.add_option("--lambda", o->lambda, "of the finite-difference gradient")
-      ->check(in_range(1e-8, 1.0));
+  const CLI::Option* const lambda =
+      app.add_option("--lambda", o->lambda, "of the finite-difference gradient")
+          ->check(in_range(1e-8, 1.0));
   app.add_flag("--json", o->json, "print JSON");
-  return [o] {
+  return [o, lambda] {
     const NestedScheme scheme = nested_scheme_of(o->scheme);
+    if (lambda->count() > 0) check_lambda(scheme);
     const OrderMeasurement m = measure_order(scheme, o->lambda);
     const int declared = o->order ? o->order : scheme.order();
     // The error of a symmetric scheme is C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²),

@@ -82,6 +82,8 @@ class Room(Sandbox):
             for most in (0, 1, 1000, 3000):
                 process = self.limited(resource.RLIMIT_FSIZE, most, "convert", "out-trajectory.gro", name)
                 self.assertIn(process.returncode, (1, 2), process.err)
+                self.assertIn(f"'{name}'", process.err)
+                self.assertNotIn("unfinished", process.err)
                 self.assertEqual(self.contents(), before)
 
     def test_studies_without_room(self):
