@@ -86,6 +86,8 @@ ConversionResult convert(const Conversion& c, const OutputOptions& options,
       return write_frames(*reader, draft.path(), c, callbacks);
     } catch (const RunError& e) {
       throw RunError(draft.with_final_name(e.what()));
+    } catch (const Error& e) {
+      throw Error(draft.with_final_name(e.what()), e.where());
     }
   }();
   if (written.result.interrupted) return written.result;
