@@ -36,7 +36,7 @@ class Readers(Sandbox):
     @unittest.skipIf(missing("pandas"), "pandas is not installed")
     def test_pandas(self):
         import pandas
-        table = pandas.read_csv(self.energies, comment="#")
+        table = pandas.read_csv(self.energies, comment="#", float_precision="round_trip")
         self.assertEqual(list(table["potential [kJ/mol]"]), self.potential)
         self.assertEqual(list(pandas.read_csv(self.study, comment="#")["scheme"]), ["velocity-verlet"])
 
