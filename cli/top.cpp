@@ -23,7 +23,7 @@ struct Options {
   bool json = false, force = false;
 };
 
-void print_trajectory(const Options& o) {
+int print_trajectory(const Options& o) {
   if (o.J.size() != 3 || o.L.size() != 3)
     throw Error(
         "a top needs three principal moments and three components of angular momentum: write for "
@@ -31,12 +31,19 @@ void print_trajectory(const Options& o) {
         "--J, --L");
   const Vec3<double> J{o.J[0], o.J[1], o.J[2]}, L{o.L[0], o.L[1], o.L[2]};
   const TopFigure figure(o.output);
+  if (!o.output.empty()) check_prefix(o.output);
   if (!o.output.empty()) check_outputs(figure.files(), existing_files(false, o.force));
-  const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length);
+  const Callbacks callbacks = console();
+  const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length, callbacks.stop);
   print_top(trajectory, o.json);
-  if (o.output.empty()) return;
-  draw_top(figure, J, L, console());
+  if (trajectory.interrupted) {
+    log("interrupted; the table ends at the last sample before\n");
+    return 130;
+  }
+  if (o.output.empty()) return 0;
+  draw_top(figure, J, L, callbacks);
   log("wrote {}, {}, {} and {}\n", figure.svg, figure.png, figure.data, figure.script);
+  return 0;
 }
 
 }  // namespace
@@ -61,11 +68,9 @@ Action top_verb(Command& command) {
                      "for --table: series (default), closed, theta, recursive, no-squish, "
                      "symmetric-product");
   return [options] {
-    if (options->table.empty())
-      print_trajectory(*options);
-    else
-      fmt::print("{}", rotate_table(options->table,
-                                    named_option<RotorMethod>(options->method, "--method")));
+    if (options->table.empty()) return print_trajectory(*options);
+    fmt::print("{}", rotate_table(options->table,
+                                  named_option<RotorMethod>(options->method, "--method")));
     return 0;
   };
 }
