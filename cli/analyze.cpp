@@ -8,6 +8,7 @@
 #include "analyze_report.hpp"
 #include "console.hpp"
 #include "option_values.hpp"
+#include "polhode/base/suggest.hpp"
 #include "polhode/base/threads.hpp"
 #include "verbs.hpp"
 
@@ -39,9 +40,9 @@ Action analyze_verb(CLI::App& app) {
   app.add_option("--molecules", o->molecules,
                  "instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file");
   app.add_option("--names", o->names, "coordinate file with the names of the atoms");
-  app.add_option("--what", o->what,
-                 "any of rdf, msd, rotation, velocity, dielectric, density; default: all that the "
-                 "frames allow");
+  app.add_option(
+      "--what", o->what,
+      fmt::format("any of {}; default: all that the frames allow", join_names(observable_names())));
   app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
   app.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
   app.add_option("--interval", o->interval,
