@@ -23,7 +23,7 @@ struct Options {
   std::vector<double> J, L;
   double step = 0, length = 0;
   std::string table, output, method = "series";
-  bool json = false, force = false;
+  bool force = false;
 };
 
 constexpr std::array<std::pair<std::string_view, RotorMethod>, 6> methods = {
@@ -53,7 +53,7 @@ void print_trajectory(const Options& o) {
   const TopFigure figure(o.output);
   if (!o.output.empty()) check_outputs(figure.files(), existing_files(false, o.force));
   const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length);
-  print_top(trajectory, o.json);
+  print_top(trajectory);
   if (o.output.empty()) return;
   draw_top(figure, J, L, console());
   log("wrote {}, {}, {} and {}\n", figure.svg, figure.png, figure.data, figure.script);
@@ -71,7 +71,6 @@ Action top_verb(CLI::App& app) {
   app.add_option("--length", options->length, "length of the trajectory; default: 200 steps");
   app.add_option("--output", options->output,
                  "draw the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp");
-  app.add_flag("--json", options->json, "print JSON");
   app.add_flag("--force", options->force, "overwrite existing files");
   app.add_option(
       "--table", options->table,

@@ -18,7 +18,7 @@ namespace {
 std::string write_run(const Folder& folder, const std::string& law, const std::string& pair) {
   std::ofstream(folder / "bead.toml") << R"(name = "bead"
 description = "a bead"
-source = "rahman1964"
+source = "jager2009"
 [[site]]
 name = "B"
 element = "Ar"
