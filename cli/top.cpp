@@ -20,7 +20,7 @@ struct Options {
   std::vector<double> J, L;
   double step = 0, length = 0;
   std::string table, output, method = "series";
-  bool json = false, force = false;
+  bool force = false;
 };
 
 int print_trajectory(const Options& o) {
@@ -35,7 +35,7 @@ int print_trajectory(const Options& o) {
   if (!o.output.empty()) check_outputs(figure.files(), existing_files(false, o.force));
   const Callbacks callbacks = console();
   const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length, callbacks.stop);
-  print_top(trajectory, o.json);
+  print_top(trajectory);
   if (trajectory.interrupted) {
     log("interrupted; the table ends at the last sample before\n");
     return 130;
@@ -59,7 +59,6 @@ Action top_verb(Command& command) {
   command.add_option("--length", options->length, "length of the trajectory; default: 200 steps");
   command.add_option("--output", options->output,
                      "draw the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp");
-  command.add_flag("--json", options->json, "print JSON");
   command.add_flag("--force", options->force, "overwrite existing files");
   command.add_option(
       "--table", options->table,

@@ -107,7 +107,7 @@ TEST_CASE("R above 5 % is a warning") {
   RunSummary s = good();
   s.ratio.value = 0.049;
   CHECK(kinds(s).empty());
-  s.ratio.value = 0.31;
+  s.ratio.value = 0.051;
   CHECK(kinds(s) == "R ");
   s.ratio.value = std::nan("");
   CHECK(kinds(s).empty());
@@ -224,6 +224,29 @@ TEST_CASE("the step advised after a run that blew up is between a tenth and a ha
   State overlapping = lattice.state;
   overlapping.q.set(1, overlapping.q[0] + Vec3<double>{0.05, 0, 0});
   CHECK(shorter_step(lattice, overlapping, settings) == doctest::Approx(0.04));
+}
+
+// The temperature of n degrees of freedom scatters by T √(2/n), and four times that is the bound.
+TEST_CASE("velocities of a file far from the temperature asked for are a warning") {
+  const Config config = parse_config(R"([system]
+molecules = [{ model = "argon", count = 32 }]
+density = "0.9 g/cm3"
+temperature = "100 K"
+[forces]
+cutoff = "0.6 nm"
+)",
+                                     "run.toml");
+  System system = build_system(config);
+  system.new_velocities = false;
+  const double bound = 4 * 100 * std::sqrt(2 / 93.0);
+  for (const double sign : {1.0, -1.0}) {
+    system.file_temperature = 100 + sign * 0.98 * bound;
+    CHECK(!velocities_of_file(system, config));
+    system.file_temperature = 100 + sign * 1.02 * bound;
+    const auto warning = velocities_of_file(system, config);
+    REQUIRE(warning);
+    CHECK(warning->bound == doctest::Approx(bound));
+  }
 }
 
 TEST_CASE("velocities of a file: kept, reported, compared with the temperature, or new ones") {

@@ -18,10 +18,10 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/run/adviser/effort.hpp"
+#include "polhode/run/adviser/resumable_run.hpp"
 #include "polhode/run/adviser/step_search.hpp"
 #include "polhode/run/progress_pace.hpp"
 #include "polhode/run/simulation/einstein_frequency.hpp"
-#include "polhode/run/simulation/resumable_run.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 

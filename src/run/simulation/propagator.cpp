@@ -170,6 +170,7 @@ class Propagator::Impl {
   }
 
   RunState run_state() {
+    if (before_last_sample_) return *before_last_sample_;
     clocks_->add_motion();
     RunState now{
         system_.state,
