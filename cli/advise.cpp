@@ -29,7 +29,7 @@ struct Options : JobOptions {
 Config make_config(const Options& o) {
   Config config = o.config();
   set_time(config.run.length, o.length, "--length");
-  set_schemes(config.integrator.candidates, o.schemes, "--schemes");
+  set_schemes(config.integrator.candidates, o.schemes, "--schemes", config.schemes);
   return config;
 }
 
@@ -55,20 +55,20 @@ int advise(const Options& o) {
 
 }  // namespace
 
-Action advise_verb(CLI::App& app) {
+Action advise_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  o->declare(app, "simultaneous runs");
-  o->declare_precision(app);
-  o->criterion.declare(app);
-  app.add_option("--schemes", o->schemes,
-                 "names, or stages as text, instead of the run file's candidates");
-  app.add_option("--length", o->length,
-                 "length of the runs to be planned; default: the run file's");
-  app.add_option("--time", o->seconds, "approximate computing time, in seconds")
-      ->check(in_range(0.1, 1e6))
-      ->capture_default_str();
-  app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
-  app.add_flag("--force", o->force, "overwrite output files that exist");
+  o->declare(command, "simultaneous runs");
+  o->declare_precision(command);
+  o->criterion.declare(command);
+  command.add_option("--schemes", o->schemes,
+                     "names, or stages as text, instead of the run file's candidates");
+  command.add_option("--length", o->length,
+                     "length of the runs to be planned; default: the run file's");
+  command.add_option("--time", o->seconds, "approximate computing time, in seconds")
+      .in_range(0.1, 1e6)
+      .show_default();
+  command.add_option("--output", o->output, "prefix of the output files").show_default();
+  command.add_flag("--force", o->force, "overwrite output files that exist");
   return [o] { return advise(*o); };
 }
 

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "bench_report.hpp"
+#include "console.hpp"
 #include "option_values.hpp"
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
-#include "progress_line.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -47,10 +48,11 @@ BenchmarkSettings make_settings(const Options& o) {
 int bench(const Options& o) {
   const BenchmarkSettings settings = make_settings(o);
   const Computer computer{processor(), name(current_instruction_set()), settings.threads};
-  const Benchmark result = [&] {
-    ProgressLine line;
-    return run_benchmark(settings, {.progress = [&](const Progress& now) { line.show(now); }});
-  }();
+  const Benchmark result = run_benchmark(settings, console());
+  if (result.interrupted) {
+    log("interrupted before everything was measured\n");
+    return 130;
+  }
   if (o.json)
     fmt::print("{}\n", benchmark_json(result, computer));
   else
@@ -60,19 +62,21 @@ int bench(const Options& o) {
 
 }  // namespace
 
-Action bench_verb(CLI::App& app) {
+Action bench_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  app.add_flag("--quick", o->quick, "512 waters only, fewer and shorter repeats: a few seconds");
-  app.add_option(
-         "--sizes", o->sizes,
-         fmt::format("numbers of waters; default: {}", fmt::join(BenchmarkSettings{}.sizes, ",")))
-      ->delimiter(',')
-      ->check(in_range(1, 100'000'000));
-  app.add_option("--precision", o->precision,
-                 "precision of pair interactions, double or mixed; default: both");
-  app.add_option("--threads", o->threads,
-                 "number of threads, compared with one; default: one for each available core");
-  app.add_flag("--json", o->json, "print all numbers as JSON");
+  command.add_flag("--quick", o->quick,
+                   "512 waters only, fewer and shorter repeats: a few seconds");
+  command
+      .add_option(
+          "--sizes", o->sizes,
+          fmt::format("numbers of waters; default: {}", fmt::join(BenchmarkSettings{}.sizes, ",")))
+      .separated_by(',')
+      .in_range(1, 100'000'000);
+  command.add_option("--precision", o->precision,
+                     "precision of pair interactions, double or mixed; default: both");
+  command.add_option("--threads", o->threads,
+                     "number of threads, compared with one; default: one for each available core");
+  command.add_flag("--json", o->json, "print all numbers as JSON");
   return [o] { return bench(*o); };
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode convert IN OUT: converts frames from one format to another.
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <string>
@@ -37,19 +38,22 @@ int convert_frames(const Options& o) {
 
 }  // namespace
 
-Action convert_verb(CLI::App& app) {
+Action convert_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  app.add_option("IN", o->conversion.from,
-                 "file to read: .gro .pdb .xyz .xtc .trr .dcd .h5md, or a LAMMPS .data file")
-      ->required();
-  app.add_option("OUT", o->conversion.to, "file to write, in any of these formats except the last")
-      ->required();
-  app.add_option("--names", o->conversion.names,
-                 "file with the atom names, if IN has none: XTC, TRR, DCD");
-  app.add_option("--every", o->conversion.every, "write every Nth frame only");
-  app.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
-  app.add_option("--to", o->to, "ignore frames after this time");
-  app.add_flag("--force", o->force, "overwrite OUT if it exists");
+  command
+      .add_option("IN", o->conversion.from,
+                  fmt::format("file to read: .{}, or a LAMMPS .data file",
+                              fmt::join(writable_formats(), " .")))
+      .required();
+  command
+      .add_option("OUT", o->conversion.to, "file to write, in any of these formats except the last")
+      .required();
+  command.add_option("--names", o->conversion.names,
+                     "file with the atom names, if IN has none: XTC, TRR, DCD");
+  command.add_option("--every", o->conversion.every, "write every Nth frame only");
+  command.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
+  command.add_option("--to", o->to, "ignore frames after this time");
+  command.add_flag("--force", o->force, "overwrite OUT if it exists");
   return [o] { return convert_frames(*o); };
 }
 

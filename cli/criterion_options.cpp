@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/config.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode::cli {
@@ -11,23 +12,25 @@ namespace {
 
 double fraction_option(const std::string& text, const std::string& option) {
   const double value = quantity(text, Dimension::fraction, option);
-  if (!(value > 0 && value < 1))
-    throw Error(fmt::format("{} = \"{}\" must be above 0 % and below 100 %", option, text));
+  if (const std::string wrong = wrong_bound(value); !wrong.empty())
+    throw Error(fmt::format("{} = \"{}\" {}", option, text, wrong));
   return value;
 }
 
 }  // namespace
 
-void CriterionOptions::declare(CLI::App& app) {
-  auto* const ratio = app.add_option("--accuracy", accuracy, "largest R of a run: \"0.5 %\"");
-  auto* const rate =
-      app.add_option("--drift", drift, "largest energy drift per molecule: \"0.1 kJ/mol/ns\"");
-  app.add_option(
-         "--temperature-bias", temperature_bias,
-         "largest difference between the temperatures of translation and rotation: \"0.5 %\"")
-      ->excludes(ratio)
-      ->excludes(rate);
-  rate->excludes(ratio);
+void CriterionOptions::declare(Command& command) {
+  const CommandOption ratio =
+      command.add_option("--accuracy", accuracy, "largest R of a run: \"0.5 %\"");
+  const CommandOption rate =
+      command.add_option("--drift", drift, "largest energy drift per molecule: \"0.1 kJ/mol/ns\"");
+  command
+      .add_option(
+          "--temperature-bias", temperature_bias,
+          "largest difference between the temperatures of translation and rotation: \"0.5 %\"")
+      .excludes(ratio)
+      .excludes(rate);
+  rate.excludes(ratio);
 }
 
 Criterion criterion_option(const CriterionOptions& o, const IntegratorSettings& integrator) {

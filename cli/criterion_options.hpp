@@ -2,9 +2,9 @@
 // The options of polhode advise that say what is required of a run.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
+#include "command.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/run/adviser/criterion.hpp"
 
@@ -14,7 +14,7 @@ namespace polhode::cli {
 struct CriterionOptions {
   std::string accuracy, drift, temperature_bias;
 
-  void declare(CLI::App& app);
+  void declare(Command& command);
 };
 
 /// What the options require, or the accuracy of the run file where none is given.

@@ -31,16 +31,18 @@ int energy(const Options& o) {
 
 }  // namespace
 
-Action energy_verb(CLI::App& app) {
+Action energy_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  app.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
-  app.add_flag("--forces", o->forces,
-               "print force [kJ/mol/nm] and torque [kJ/mol] of every body as CSV; energies go to "
-               "standard error");
-  app.add_flag("--gradient", o->gradient,
-               "add the directional derivative of force and torque along the displacement (f/m, "
-               "J^-1 S tau) of the gradient kick; implies --forces");
-  app.add_flag("--json", o->json, "print the energies as JSON");
+  command.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  command.add_flag(
+      "--forces", o->forces,
+      "print force [kJ/mol/nm] and torque [kJ/mol] of every body as CSV; energies go to "
+      "standard error");
+  command.add_flag(
+      "--gradient", o->gradient,
+      "add the directional derivative of force and torque along the displacement (f/m, "
+      "J^-1 S tau) of the gradient kick; implies --forces");
+  command.add_flag("--json", o->json, "print the energies as JSON");
   return [o] { return energy(*o); };
 }
 

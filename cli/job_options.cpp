@@ -9,25 +9,25 @@
 
 namespace polhode::cli {
 
-void JobOptions::declare(CLI::App& app, const std::string& of_threads) {
-  app_ = &app;
-  app.add_option("FILE", file, "run file (TOML); default: 512 TIP4P waters");
-  app.add_option("--threads", threads,
-                 "number of " + of_threads + "; default: one for each available core");
-  app.add_flag("--json", json, "print the results as JSON");
+void JobOptions::declare(Command& command, const std::string& of_threads) {
+  command_ = command;
+  command.add_option("FILE", file, "run file (TOML); default: 512 TIP4P waters");
+  command.add_option("--threads", threads,
+                     "number of " + of_threads + "; default: one for each available core");
+  command.add_flag("--json", json, "print the results as JSON");
 }
 
-void JobOptions::declare_precision(CLI::App& app) {
-  app.add_option("--precision", precision,
-                 "precision of pair interactions, double or mixed; default: the run file's");
+void JobOptions::declare_precision(Command& command) {
+  command.add_option("--precision", precision,
+                     "precision of pair interactions, double or mixed; default: the run file's");
 }
 
-void JobOptions::declare_initial_motion(CLI::App& app) {
-  app.add_option(
+void JobOptions::declare_initial_motion(Command& command) {
+  command.add_option(
       "--temperature", temperature,
       "for drawing velocities, and for equilibration: \"298 K\"; default: the run file's");
-  app.add_option("--seed", seed,
-                 "a whole number, for lattice and velocities; default: the run file's");
+  command.add_option("--seed", seed,
+                     "a whole number, for lattice and velocities; default: the run file's");
 }
 
 Config JobOptions::config() const {
@@ -39,9 +39,8 @@ Config JobOptions::config() const {
 std::string JobOptions::command(std::initializer_list<const char*> options) const {
   std::vector<std::pair<std::string, std::string>> typed = {{"", file}};
   for (const char* option : options)
-    if (const CLI::Option* given = app_->get_option(option); given->count() > 0)
-      typed.emplace_back(option, given->as<std::string>());
-  return typed_command("polhode " + app_->get_name(), typed);
+    if (const auto value = command_->given(option)) typed.emplace_back(option, *value);
+  return typed_command("polhode " + command_->name(), typed);
 }
 
 Workers JobOptions::workers() const { return Workers(requested_threads(threads, "--threads")); }

@@ -2,10 +2,11 @@
 // The options that all jobs on a run file have.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <initializer_list>
+#include <optional>
 #include <string>
 
+#include "command.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/io/config.hpp"
 
@@ -17,10 +18,10 @@ struct JobOptions {
 
   /// Declares FILE, --threads and --json.
   /// @param of_threads  what the threads do: "simultaneous runs"
-  void declare(CLI::App& app, const std::string& of_threads);
-  void declare_precision(CLI::App& app);
+  void declare(Command& command, const std::string& of_threads);
+  void declare_precision(Command& command);
   /// Declares --temperature and --seed.
-  void declare_initial_motion(CLI::App& app);
+  void declare_initial_motion(Command& command);
 
   /// The run file, or the default one, with this precision, temperature and seed.
   /// @throws Error  as read_config_option() and set_initial_motion()
@@ -34,7 +35,7 @@ struct JobOptions {
   Workers workers() const;
 
  private:
-  const CLI::App* app_ = nullptr;
+  std::optional<Command> command_;  // that these options are declared on
 };
 
 }  // namespace polhode::cli

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode: the first word is a verb; errors become messages and exit codes.
 #include <fmt/core.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <exception>
@@ -102,8 +103,9 @@ int run(std::vector<std::string> words) {
   std::vector<std::pair<CLI::App*, Action>> actions;
   for (const VerbGroup& group : verb_groups())
     for (const Verb& verb : group.verbs) {
-      CLI::App* command = app.add_subcommand(verb.name, verb.description);
-      actions.emplace_back(command, verb.declare(*command));
+      CLI::App* const parser = app.add_subcommand(verb.name, verb.description);
+      Command command(*parser);
+      actions.emplace_back(parser, verb.declare(command));
     }
   check_verb(words[0]);
   try {

@@ -32,16 +32,17 @@ std::vector<Molecule> find_molecules(const std::string& name) {
 
 }  // namespace
 
-Action molecules_verb(CLI::App& app) {
+Action molecules_verb(Command& command) {
   struct Options {
     std::string name;
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("NAME", o->name,
-                 "a model's name, or the path of a molecule file, a GROMACS topology (.top) or a "
-                 "LAMMPS data file; default: all");
-  app.add_flag("--json", o->json, "print JSON");
+  command.add_option(
+      "NAME", o->name,
+      "a model's name, or the path of a molecule file, a GROMACS topology (.top) or a "
+      "LAMMPS data file; default: all");
+  command.add_flag("--json", o->json, "print JSON");
   return [o] {
     const std::vector<Molecule> molecules = find_molecules(o->name);
     if (o->json)

@@ -28,14 +28,14 @@ void write_run_file(const std::string& kind, const std::string& file) {
 
 }  // namespace
 
-Action new_verb(CLI::App& app) {
+Action new_verb(Command& command) {
   struct Options {
     std::string kind, file;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("KIND", o->kind, "water, mixture, gromacs (topology) or lammps (data file)")
-      ->required();
-  app.add_option("FILE", o->file, "file to write; default: KIND.toml");
+  command.add_option("KIND", o->kind, "water, mixture, gromacs (topology) or lammps (data file)")
+      .required();
+  command.add_option("FILE", o->file, "file to write; default: KIND.toml");
   return [o] {
     const std::string file = o->file.empty() ? o->kind + ".toml" : o->file;
     write_run_file(o->kind, file);

@@ -3,17 +3,14 @@
 #pragma once
 
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
 
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/outputs.hpp"
@@ -40,17 +37,20 @@ std::vector<double> sorted_times(const std::vector<std::string>& texts, const st
 std::string time_text(double time);
 
 /// Sets names or texts of schemes if their option is given.
+/// @param own  those of the run file, which may be given by name
 /// @throws Error  as scheme_option()
 void set_schemes(std::vector<std::string>& schemes, const std::vector<std::string>& texts,
-                 const std::string& option);
+                 const std::string& option, const OwnSchemes& own);
 
 /// The command as it could be typed, without empty options.
 std::string typed_command(std::string command,
                           const std::vector<std::pair<std::string, std::string>>& options);
 
-/// The scheme of a name or a text, nested or not.
+/// A scheme as nested_scheme_of() reads it, with the texts of the run file's own schemes in place
+/// of their names.
 /// @throws Error  naming the option, if there is no such scheme
-NestedScheme scheme_option(const std::string& text, const std::string& option);
+std::string scheme_option(const std::string& text, const std::string& option,
+                          const OwnSchemes& own);
 
 /// The value of a named enumeration.
 /// @throws Error  for any word that is not a name
@@ -58,19 +58,6 @@ template <NamedEnum Enum>
 Enum named_option(const std::string& text, const std::string& option) {
   if (const auto value = value_of<Enum>(text)) return *value;
   throw Error(fmt::format("{} = \"{}\" {}", option, text, must_be_one_of(enum_names<Enum>, text)));
-}
-
-/// The check that an option's value is a number in a range.
-template <class Number>
-CLI::Validator in_range(Number min, Number max) {
-  const CLI::Range range(min, max);
-  const auto check = [range, min, max](std::string& text) {
-    if (range(text).empty()) return std::string();
-    return fmt::format("'{}' must be a {}number from {:.15g} to {:.15g}", text,
-                       std::is_integral_v<Number> ? "whole " : "", static_cast<double>(min),
-                       static_cast<double>(max));
-  };
-  return {check, range.get_description()};
 }
 
 /// The run file of a path, or the default one, with a precision instead of its own if one is given.

@@ -22,8 +22,7 @@ struct Options : JobOptions {
 Config make_config(const Options& o) {
   Config config = o.config();
   if (!o.scheme.empty()) {
-    scheme_option(o.scheme, "--scheme");
-    config.integrator.scheme = o.scheme;
+    config.integrator.scheme = scheme_option(o.scheme, "--scheme", config.schemes);
     config.integrator.scheme_given = true;
   }
   if (!o.step.empty()) {
@@ -52,19 +51,22 @@ int run(const Options& o) {
 
 }  // namespace
 
-Action run_verb(CLI::App& app) {
+Action run_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  o->declare(app, "threads");
-  o->declare_precision(app);
-  app.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
-  app.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");
-  app.add_option("--length", o->length, "length of the run: \"15 ps\"; default: the run file's");
-  app.add_option("--equilibrate", o->equilibrate,
-                 "time of velocity rescaling before the run: \"5 ps\"; default: the run file's");
-  o->declare_initial_motion(app);
-  app.add_option("--output", o->output, "prefix of the output files; default: the run file's");
-  app.add_flag("--continue", o->resume, "resume from the last checkpoint; start if there is none");
-  app.add_flag("--force", o->force, "overwrite output files that exist");
+  o->declare(command, "threads");
+  o->declare_precision(command);
+  command.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
+  command.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");
+  command.add_option("--length", o->length,
+                     "length of the run: \"15 ps\"; default: the run file's");
+  command.add_option(
+      "--equilibrate", o->equilibrate,
+      "time of velocity rescaling before the run: \"5 ps\"; default: the run file's");
+  o->declare_initial_motion(command);
+  command.add_option("--output", o->output, "prefix of the output files; default: the run file's");
+  command.add_flag("--continue", o->resume,
+                   "resume from the last checkpoint; start if there is none");
+  command.add_flag("--force", o->force, "overwrite output files that exist");
   return [o] { return run(*o); };
 }
 

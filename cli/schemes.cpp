@@ -11,14 +11,14 @@
 
 namespace polhode::cli {
 
-Action schemes_verb(CLI::App& app) {
+Action schemes_verb(Command& command) {
   struct Options {
     std::string name;
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("NAME", o->name, "name of a scheme, or its stages as text; default: all");
-  app.add_flag("--json", o->json, "print JSON");
+  command.add_option("NAME", o->name, "name of a scheme, or its stages as text; default: all");
+  command.add_flag("--json", o->json, "print JSON");
   return [o] {
     if (!o->name.empty() && o->json)
       fmt::print("{}\n", scheme_json(scheme_of(o->name)));

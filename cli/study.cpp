@@ -23,7 +23,7 @@ Config make_config(const Options& o) {
   Config config = o.config();
   StudySettings& study = config.study;
   if (o.quick) study = quick(study);
-  set_schemes(study.schemes, o.schemes, "--schemes");
+  set_schemes(study.schemes, o.schemes, "--schemes", config.schemes);
   if (!o.steps.empty()) study.steps = sorted_times(o.steps, "--steps");
   if (o.runs != 0) study.runs = o.runs;
   set_time(study.length, o.length, "--length");
@@ -44,26 +44,26 @@ StudyReport perform(const Options& o) {
 
 }  // namespace
 
-Action study_verb(CLI::App& app) {
+Action study_verb(Command& command) {
   auto o = std::make_shared<Options>();
-  o->declare(app, "simultaneous runs");
-  o->declare_precision(app);
-  app.add_flag("--quick", o->quick, "a small version: one to three minutes on two cores");
-  app.add_option("--schemes", o->schemes, "names, or stages as text");
-  app.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
-  app.add_option("--runs", o->runs, "independent runs at each point")->check(in_range(2, 1000));
-  app.add_option("--length", o->length, "of each run: \"15 ps\"");
-  app.add_option("--decorrelate", o->decorrelate,
-                 "equilibration of each initial configuration: \"10 ps\"");
-  o->declare_initial_motion(app);
-  app.add_option(
+  o->declare(command, "simultaneous runs");
+  o->declare_precision(command);
+  command.add_flag("--quick", o->quick, "a small version: one to three minutes on two cores");
+  command.add_option("--schemes", o->schemes, "names, or stages as text");
+  command.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
+  command.add_option("--runs", o->runs, "independent runs at each point").in_range(2, 1000);
+  command.add_option("--length", o->length, "of each run: \"15 ps\"");
+  command.add_option("--decorrelate", o->decorrelate,
+                     "equilibration of each initial configuration: \"10 ps\"");
+  o->declare_initial_motion(command);
+  command.add_option(
       "--configurational-sample", o->configurational,
       "time between samples of the configurational temperature: \"20 fs\"; default: none");
-  app.add_option(
+  command.add_option(
       "--from-record", o->from_record,
       "make tables and figure from this record, written by any version, without new runs");
-  app.add_option("--output", o->output, "prefix of the output files")->capture_default_str();
-  app.add_flag("--force", o->force, "start over if results of another study exist");
+  command.add_option("--output", o->output, "prefix of the output files").show_default();
+  command.add_flag("--force", o->force, "start over if results of another study exist");
   return [o] { return print_study(perform(*o), StudyFiles(o->output).runs, o->json); };
 }
 

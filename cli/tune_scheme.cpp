@@ -22,8 +22,9 @@ struct Options : JobOptions {
   std::string step, length, decorrelate, sample;
 };
 
-TuneSettings make_settings(const Options& o) {
+TuneSettings make_settings(const Options& o, const OwnSchemes& own) {
   TuneSettings settings = o.settings;
+  if (!settings.scheme.empty()) settings.scheme = scheme_option(settings.scheme, "--scheme", own);
   set_time(settings.step, o.step, "--step");
   set_time(settings.length, o.length, "--length");
   set_time(settings.decorrelate, o.decorrelate, "--decorrelate");
@@ -32,9 +33,10 @@ TuneSettings make_settings(const Options& o) {
 }
 
 int tune_scheme(const Options& o) {
-  const TuneSettings settings = make_settings(o);
+  const Config config = o.config();
+  const TuneSettings settings = make_settings(o, config.schemes);
   Workers workers = o.workers();
-  const TuneResult result = tune(o.config(), settings, console(), workers);
+  const TuneResult result = tune(config, settings, console(), workers);
   if (result.interrupted) {
     log("interrupted before a result was found\n");
     return 130;
@@ -48,20 +50,22 @@ int tune_scheme(const Options& o) {
 
 }  // namespace
 
-Action tune_scheme_verb(CLI::App& app) {
+Action tune_scheme_verb(Command& command) {
   auto o = std::make_shared<Options>();
   const TuneSettings& settings = o->settings;
-  o->declare(app, "simultaneous runs");
-  app.add_option("--scheme", o->settings.scheme,
-                 "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; default: the run "
-                 "file's if it has any, otherwise the families of hoa2 and gier4");
-  app.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
-  app.add_option("--runs", o->settings.runs,
-                 "number of runs for the measurement, and again for the confirmation")
-      ->check(in_range(2, 1000))
-      ->capture_default_str();
+  o->declare(command, "simultaneous runs");
+  command.add_option(
+      "--scheme", o->settings.scheme,
+      "stages with free parameters: \"free b = 0.2; B(b) A(1/2) ...\"; default: the run "
+      "file's if it has any, otherwise the families of hoa2 and gier4");
+  command.add_option("--step", o->step, "time step to tune for: \"5 fs\"; default: the run file's");
+  command
+      .add_option("--runs", o->settings.runs,
+                  "number of runs for the measurement, and again for the confirmation")
+      .in_range(2, 1000)
+      .show_default();
   const auto time = [&](const char* name, std::string& text, const char* meaning, double value) {
-    app.add_option(name, text, fmt::format("{}; default: \"{}\"", meaning, time_text(value)));
+    command.add_option(name, text, fmt::format("{}; default: \"{}\"", meaning, time_text(value)));
   };
   time("--length", o->length, "length of each run", settings.length);
   time("--decorrelate", o->decorrelate, "equilibration of each initial configuration",

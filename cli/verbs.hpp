@@ -3,33 +3,34 @@
 // function to call after parsing, whose return value is the exit code.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "command.hpp"
 
 namespace polhode::cli {
 
 using Action = std::function<int()>;
 
-Action advise_verb(CLI::App& app);
-Action analyze_verb(CLI::App& app);
-Action bench_verb(CLI::App& app);
-Action convert_verb(CLI::App& app);
-Action energy_verb(CLI::App& app);
-Action molecules_verb(CLI::App& app);
-Action new_verb(CLI::App& app);
-Action run_verb(CLI::App& app);
-Action schemes_verb(CLI::App& app);
-Action study_verb(CLI::App& app);
-Action top_verb(CLI::App& app);
-Action tune_scheme_verb(CLI::App& app);
-Action verify_verb(CLI::App& app);
+Action advise_verb(Command& command);
+Action analyze_verb(Command& command);
+Action bench_verb(Command& command);
+Action convert_verb(Command& command);
+Action energy_verb(Command& command);
+Action molecules_verb(Command& command);
+Action new_verb(Command& command);
+Action run_verb(Command& command);
+Action schemes_verb(Command& command);
+Action study_verb(Command& command);
+Action top_verb(Command& command);
+Action tune_scheme_verb(Command& command);
+Action verify_verb(Command& command);
 
 struct Verb {
   const char* name;
   const char* description;
-  Action (*declare)(CLI::App&);
+  Action (*declare)(Command&);
 };
 
 struct VerbGroup {

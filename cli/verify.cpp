@@ -14,8 +14,19 @@
 #include "verbs.hpp"
 
 namespace polhode::cli {
+namespace {
 
-Action verify_verb(CLI::App& app) {
+void check_lambda(const NestedScheme& scheme) {
+  if (scheme.has(Gradient::finite_difference)) return;
+  throw Error(fmt::format("{} has no gradient by finite difference, so lambda has no effect; leave "
+                          "it out, or take a scheme with one, such as gier4-fd",
+                          name_of(scheme)),
+              "--lambda");
+}
+
+}  // namespace
+
+Action verify_verb(Command& command) {
   struct Options {
     std::string scheme;
     int order = 0;
@@ -23,14 +34,15 @@ Action verify_verb(CLI::App& app) {
     bool json = false;
   };
   auto o = std::make_shared<Options>();
-  app.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text")->required();
-  app.add_option("--order", o->order, "expected order; default: that of the table")
-      ->check(in_range(1, 12));
-  app.add_option("--lambda", o->lambda, "of the finite-difference gradient")
-      ->check(in_range(1e-8, 1.0));
-  app.add_flag("--json", o->json, "print JSON");
-  return [o] {
+  command.add_option("SCHEME", o->scheme, "a scheme's name, or its stages as text").required();
+  command.add_option("--order", o->order, "expected order; default: that of the table")
+      .in_range(1, 12);
+  command.add_option("--lambda", o->lambda, "of the finite-difference gradient")
+      .in_range(1e-8, 1.0);
+  command.add_flag("--json", o->json, "print JSON");
+  return [o, command] {
     const NestedScheme scheme = nested_scheme_of(o->scheme);
+    if (command.given("--lambda")) check_lambda(scheme);
     const OrderMeasurement m = measure_order(scheme, o->lambda);
     const int declared = o->order ? o->order : scheme.order();
     // The error of a symmetric scheme is C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²),

@@ -8,3 +8,4 @@ set_target_properties(polhode_cli PROPERTIES OUTPUT_NAME polhode)
 target_compile_options(polhode_cli PRIVATE -O1)  # parsing and printing: compile time matters more
 target_link_libraries(polhode_cli PRIVATE polhode polhode_flags CLI11::CLI11 fmt::fmt
                                           nlohmann_json::nlohmann_json Threads::Threads)
+polhode_precompile(polhode_cli)

@@ -28,18 +28,23 @@ def analyzed(program, folder, water, o, seed):
     return result
 
 
+def number(found):
+    """The value, or the estimate of a run that is too short for one: the mean over many runs may determine it."""
+    return found["value"] if found["value"] is not None else found.get("unconverged_estimate")
+
+
 def quantities(run):
     """{name: value} of one run."""
     part, found = run["parts"][0], {"T [K]": run["temperature_K"]["value"]}
-    found["D in the box [1e-9 m2/s]"] = part["D_1e-9_m2_per_s"]["value"]
+    found["D in the box [1e-9 m2/s]"] = number(part["D_1e-9_m2_per_s"])
     if "D_without_images_1e-9_m2_per_s" in part:
-        found["D without images [1e-9 m2/s]"] = part["D_without_images_1e-9_m2_per_s"]["value"]
+        found["D without images [1e-9 m2/s]"] = number(part["D_without_images_1e-9_m2_per_s"])
     for axis, ranks in part["relaxation"].items():
         for rank, times in ranks.items():
-            if times:
-                found[f"tau {rank} {axis}, integral [ps]"] = times["integral_ps"]["value"]
-                found[f"tau {rank} {axis}, exponential [ps]"] = times["exponential_ps"]["value"]
-    found["dielectric constant"] = run["dielectric"]["constant"]["value"]
+            if "integral_ps" in times:
+                found[f"tau {rank} {axis}, integral [ps]"] = number(times["integral_ps"])
+                found[f"tau {rank} {axis}, exponential [ps]"] = number(times["exponential_ps"])
+    found["dielectric constant"] = number(run["dielectric"]["constant"])
     return found
 
 

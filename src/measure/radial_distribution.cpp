@@ -24,8 +24,10 @@ std::string without_digits(std::string name) {
   return name.empty() ? whole : name;
 }
 
-bool names(const std::string& word, const Site& site) {
-  return word == site.name || word == without_digits(site.name);
+bool names(const std::string& word, const Molecule& molecule, const Site& site) {
+  const std::string prefix = molecule.name + ":";
+  const std::string name = word.starts_with(prefix) ? word.substr(prefix.size()) : word;
+  return name == site.name || name == without_digits(site.name);
 }
 
 // A site of a frame, wrapped into the box.
@@ -156,11 +158,22 @@ std::size_t checked_bins(const RadialSettings& settings) {
 
 }  // namespace
 
+std::vector<std::string> molecules_with(const Topology& topology, const std::string& selection) {
+  std::vector<std::string> found;
+  for (const auto& [molecule, count] : topology.parts)
+    if (std::any_of(molecule.sites.begin(), molecule.sites.end(),
+                    [&](const Site& site) { return names(selection, molecule, site); }) &&
+        std::find(found.begin(), found.end(), molecule.name) == found.end())
+      found.push_back(molecule.name);
+  return found;
+}
+
 std::vector<SitePair> site_pairs(const Topology& topology) {
   std::vector<std::string> words;
   for (const auto& [molecule, count] : topology.parts)
     for (const Site& site : molecule.sites) {
-      const std::string word = without_digits(site.name);
+      std::string word = without_digits(site.name);
+      if (molecules_with(topology, word).size() > 1) word = molecule.name + ":" + word;
       if (site.mass > 0 && std::find(words.begin(), words.end(), word) == words.end())
         words.push_back(word);
     }
@@ -185,7 +198,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
     for (const Site& site : molecule.sites) {
       all_names.push_back(site.name);
       std::vector<bool> kind;
-      for (const std::string& word : words) kind.push_back(names(word, site));
+      for (const std::string& word : words) kind.push_back(names(word, molecule, site));
       if (std::find(kind.begin(), kind.end(), true) == kind.end()) continue;
       const auto known = std::find(kinds.begin(), kinds.end(), kind);
       sites.emplace_back(site.r, static_cast<std::size_t>(known - kinds.begin()));

@@ -82,6 +82,8 @@ class Room(Sandbox):
             for max_bytes in (0, 1, 1000, 3000):
                 process = self.limited(resource.RLIMIT_FSIZE, max_bytes, "convert", "out-trajectory.gro", name)
                 self.assertIn(process.returncode, (1, 2), process.err)
+                self.assertIn(f"'{name}'", process.err)
+                self.assertNotIn("unfinished", process.err)
                 self.assertEqual(self.contents(), before)
 
     def test_studies_without_room(self):

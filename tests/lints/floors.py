@@ -8,6 +8,7 @@ from tree import Finding, files, lines, main
 FLOOR = {"base": 0, "math": 1, "model": 2, "rotor": 3, "forces": 3, "integrate": 4,
          "measure": 5, "io": 5, "run": 6, "cli": 7, "python": 7, "lammps": 7}
 PRIVATE = re.compile(r"(fmt|toml\+\+|CLI|nlohmann|Eigen|benchmark|doctest)/|fftw3|pocketfft|hdf5")
+LONG = re.compile(r"CLI/|nlohmann/json\.hpp")  # seconds of compile time for each file
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
@@ -19,7 +20,7 @@ def folder_of(path, root):
     return parts[1] if parts[0] == "src" and len(parts) > 2 else parts[0]
 
 
-def check_include(own, target, is_public):
+def check_include(own, target, is_public, is_header):
     """What is wrong with one include, or None."""
     if target.startswith("hwy/") and not is_public and own == "base":
         return None
@@ -27,6 +28,8 @@ def check_include(own, target, is_public):
         return "only base/pack*.hpp and src/base know the SIMD library; use base/pack.hpp"
     if is_public and PRIVATE.match(target):
         return f"{target} in a public header; include it in the .cpp file"
+    if is_header and LONG.match(target):
+        return f"{target} in a header, for every file that includes it; include it in the .cpp file"
     if not target.startswith("polhode/"):
         return None
     folder = target.split("/")[1]
@@ -50,7 +53,7 @@ def check(root):
             found = INCLUDE.match(text)
             if not found or (is_pack and found[2].startswith("hwy/")):
                 continue
-            wrong = check_include(own, found[2], is_public)
+            wrong = check_include(own, found[2], is_public, path.suffix == ".hpp")
             if wrong:
                 yield Finding(path, number, wrong)
 

@@ -58,24 +58,24 @@ class ChargeDistribution {
 /// suffices.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
-  constexpr int points = 12, half = points / 2, aliases = 3;
+  constexpr std::size_t points = 12, half = points / 2, aliases = 3;
   constexpr double pi = units::pi;
   struct Alias {
     double k, share;
   };
   std::array<std::array<std::array<Alias, aliases>, half + 1>, 3> axis{};
   for (std::size_t d = 0; d < 3; ++d)
-    for (int n = 0; n <= half; ++n)
-      for (int l = 0; l < aliases; ++l) {
-        const double turn = pi * (static_cast<double>(n) / points + l - 1);
+    for (std::size_t n = 0; n <= half; ++n)
+      for (std::size_t l = 0; l < aliases; ++l) {
+        const double turn = pi * (static_cast<double>(n) / points + static_cast<double>(l) - 1);
         axis[d][n][l] = {2 * turn / spacing[d],
                          turn == 0 ? 1 : std::pow(std::sin(turn) / turn, 2 * order)};
       }
   const bool cubic = spacing.x == spacing.y && spacing.y == spacing.z;
   double total = 0;
-  for (int x = 0; x <= half; ++x)
-    for (int y = 0; y <= half; ++y)
-      for (int z = 0; z <= half; ++z) {
+  for (std::size_t x = 0; x <= half; ++x)
+    for (std::size_t y = 0; y <= half; ++y)
+      for (std::size_t z = 0; z <= half; ++z) {
         if (x + y + z == 0) continue;
         if (cubic && (x > y || y > z)) continue;  // once for all orders of the three
         const int orders = !cubic || (x == y && y == z) ? 1 : x == y || y == z ? 3 : 6;
@@ -93,7 +93,7 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
               kgg_form += k2 * required * required * form;
             }
         const double G = ukg / (u * uk);
-        const auto weight = [](int n) { return n == 0 || n == half ? 1 : 2; };
+        const auto weight = [](std::size_t n) { return n == 0 || n == half ? 1 : 2; };
         total += orders * weight(x) * weight(y) * weight(z) *
                  (kgg_form - 2 * G * ukg_form + G * G * uk * u_form);
       }
@@ -105,7 +105,7 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
 /// Sizes suited to the transform: even, with small prime factors.
 bool is_fft_size(std::size_t n) {
   if (n % 2 != 0) return false;
-  for (const std::size_t factor : {2, 3, 5, 7})
+  for (const std::size_t factor : {2u, 3u, 5u, 7u})
     while (n % factor == 0) n /= factor;
   return n == 1;
 }

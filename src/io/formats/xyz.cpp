@@ -165,7 +165,7 @@ class XyzReader : public FrameReader {
         lines_.refuse(
             "the box is triclinic; only rectangular (orthorhombic) boxes with edges along x, y and "
             "z are supported");
-    for (const std::size_t k : {0, 4, 8})
+    for (const std::size_t k : {0u, 4u, 8u})
       if (!(m[k] > 0))
         lines_.refuse(fmt::format("a box edge is {} Å; it must be longer than 0 Å", m[k]));
     return {angstrom_ * Vec3<double>{m[0], m[4], m[8]}};

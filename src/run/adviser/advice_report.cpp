@@ -183,6 +183,7 @@ std::vector<std::string> AdviceFiles::all() const {
 AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
                          const std::string& prefix, const OutputOptions& options,
                          const Callbacks& callbacks, Workers& workers) {
+  check_prefix(prefix);
   AdviceReport report{{}, settings.criterion, workers.threads(), {prefix, config.output.plot}};
   check_outputs(report.files.all(), options.existing);
   const Provenance made = provenance(options.command, config.text, config.system.seed);

@@ -18,9 +18,10 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/run/adviser/effort.hpp"
+#include "polhode/run/adviser/resumable_run.hpp"
 #include "polhode/run/adviser/step_search.hpp"
+#include "polhode/run/progress_pace.hpp"
 #include "polhode/run/simulation/einstein_frequency.hpp"
-#include "polhode/run/simulation/resumable_run.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 
@@ -119,7 +120,7 @@ class Adviser {
   std::function<bool()> counting_stop(double evaluations, const std::string& what) const {
     return [this, evaluations, what] {
       effort_.add(evaluations);
-      report(what);
+      if (pace_.due(Clock::now())) report(what);
       return stop();
     };
   }
@@ -143,7 +144,7 @@ class Adviser {
         return false;
     }
     noise_ = force_noise(base_, workers_);
-    frequency_ = einstein_frequency(base_, workers_);
+    frequency_ = einstein_frequency(base_, base_.state, workers_);
     check_forces(frequency_, config_.source);
     for (const Candidate& candidate : advice_.candidates)
       check_length(config_.run.length, search_of(candidate).first, candidate.name);
@@ -479,6 +480,7 @@ class Adviser {
   std::size_t drawn_ = 0;      // initial configurations so far
   Stopwatch since_start_;
   mutable std::mutex reporting_;
+  mutable SharedPace pace_;  // of reports after steps
   Advice advice_;
 };
 

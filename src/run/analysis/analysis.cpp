@@ -162,6 +162,7 @@ class Assembly {
 
   void begin_radial() {
     result_.pairs = settings_.pairs.empty() ? site_pairs(result_.topology) : settings_.pairs;
+    note_pooled();
     const double half = result_.box.shortest_edge() / 2;
     const double cutoff = settings_.cutoff.value_or(std::min(default_rdf_cutoff, half));
     if (!(cutoff / settings_.bin <= max_bins))
@@ -170,6 +171,20 @@ class Assembly {
                       "wider ones",
                       settings_.bin, cutoff / settings_.bin, cutoff, max_bins));
     result_.radial.emplace(result_.topology, RadialSettings{result_.pairs, cutoff, settings_.bin});
+  }
+
+  // Sites of several kinds of molecules in one selection.
+  void note_pooled() {
+    std::set<std::string> noted;
+    for (const SitePair& pair : result_.pairs)
+      for (const std::string& word : pair) {
+        const std::vector<std::string> kinds = molecules_with(result_.topology, word);
+        if (kinds.size() < 2 || !noted.insert(word).second) continue;
+        result_.notes.push_back(
+            fmt::format("g(r) of '{0}' is of the sites of {1} together; '{2}:{0}' selects those of "
+                        "one",
+                        word, join_names(kinds), kinds.front()));
+      }
   }
 
   void begin_dipole() {

@@ -66,7 +66,7 @@ System side_by_side(System water, std::size_t n) {
   return water;
 }
 
-System liquid_water(std::size_t molecules, Workers& workers) {
+System liquid_water(std::size_t molecules, const Callbacks& callbacks, Workers& workers) {
   Config config = default_config();
   config.forces = benchmark_forces(Precision::mixed, switches[0]);
   const std::size_t n = tiles_along_edge(molecules);
@@ -79,7 +79,7 @@ System liquid_water(std::size_t molecules, Workers& workers) {
   config.source = config.cutoff_place = fmt::format("a box of {} waters", molecules);
   System water = build_system(config);
   ForceField forces(water.topology, water.forces, water.state.box, workers);
-  equilibrate(water, forces, 0.1, {}, workers);
+  equilibrate(water, forces, 0.1, {.stop = callbacks.stop}, workers);
   return water;
 }
 
@@ -173,23 +173,23 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
 class Measurement {
  public:
   Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,
-              const std::vector<Limit>& limits, std::vector<std::unique_ptr<Workers>>& workers)
-      : effort_(effort), water_(liquid_water(molecules, *workers.back())) {
+              const std::vector<Limit>& limits, const Callbacks& callbacks,
+              std::vector<std::unique_ptr<Workers>>& workers)
+      : effort_(effort),
+        callbacks_(callbacks),
+        water_(liquid_water(molecules, callbacks, *workers.back())) {
     for (std::size_t p = 0; p < settings.precisions.size(); ++p)
       for (const auto& w : workers) kinds_.push_back({limits[p], *w, water_, {}, {}});
   }
 
+  /// Incomplete if the callbacks stop it.
   void run(const std::function<void(double)>& report) {
     const Stopwatch clock;
     for (std::size_t n = 0; n < effort_.repeats; ++n) {
       if (n >= effort_.min_repeats && clock.seconds() > effort_.max_seconds) break;
-      for (Kind& kind : kinds_)
-        for (std::size_t k = 0; k < switches.size(); ++k)
-          repeat(kind.evaluations[k], water_, forces(kind, k), kind.workers, effort_.evaluations);
-      for (std::size_t k = 0; k < motions.size(); ++k)
-        for (Kind& kind : kinds_)
-          repeat(kind.steps[k], motions[k], kind.moving, forces(kind, 0), kind.workers,
-                 effort_.steps);
+      repeat_evaluations();
+      repeat_steps();
+      if (callbacks_.stopped()) return;
       report(std::max(static_cast<double>(n + 1) / static_cast<double>(effort_.repeats),
                       std::min(1.0, clock.seconds() / effort_.max_seconds)));
     }
@@ -223,11 +223,24 @@ class Measurement {
     std::array<EvaluationRepeats, switches.size()> evaluations;
     std::array<StepRepeats, motions.size()> steps;
   };
+  void repeat_evaluations() {
+    for (Kind& kind : kinds_)
+      for (std::size_t k = 0; k < switches.size() && !callbacks_.stopped(); ++k)
+        repeat(kind.evaluations[k], water_, forces(kind, k), kind.workers, effort_.evaluations);
+  }
+  void repeat_steps() {
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      for (Kind& kind : kinds_)
+        if (!callbacks_.stopped())
+          repeat(kind.steps[k], motions[k], kind.moving, forces(kind, 0), kind.workers,
+                 effort_.steps);
+  }
   static ForceSettings forces(const Kind& kind, std::size_t k) {
     return benchmark_forces(kind.limit.precision, switches[k]);
   }
 
   Effort effort_;
+  const Callbacks& callbacks_;
   System water_;
   std::vector<Kind> kinds_;
 };
@@ -277,8 +290,10 @@ Benchmark run_benchmark(const BenchmarkSettings& settings, const Callbacks& call
           {"bench", (static_cast<double>(k) + done) / sizes, fmt::format("{} waters", molecules)});
     };
     tell(0);
-    Measurement measurement(molecules, settings, effort, result.limits, workers);
+    Measurement measurement(molecules, settings, effort, result.limits, callbacks, workers);
     measurement.run(tell);
+    result.interrupted = callbacks.stopped();
+    if (result.interrupted) return result;
     for (SystemTiming& s : measurement.result()) result.systems.push_back(std::move(s));
   }
   return result;
