@@ -32,7 +32,7 @@ TEST_CASE("an entry of the list contains slot and image") {
       CHECK(n.image() == image);
       CHECK(Neighbour(n.word()).word() == n.word());
       for (std::size_t d = 0; d < 3; ++d)  // as loops over packs read it
-        CHECK(std::int32_t((n.word() << 2 * d) & Neighbour::highest_bits) ==
+        CHECK(std::int32_t((n.word() << 2 * d) & Neighbour::top_bits) ==
               std::int32_t(std::uint32_t(image[d]) << 30));
     }
 }
