@@ -29,7 +29,7 @@ struct Options : JobOptions {
 Config make_config(const Options& o) {
   Config config = o.config();
   set_time(config.run.length, o.length, "--length");
-  set_schemes(config.integrator.candidates, o.schemes, "--schemes");
+  set_schemes(config.integrator.candidates, o.schemes, "--schemes", config.schemes);
   return config;
 }
 

@@ -8,6 +8,7 @@
 #include "analyze_report.hpp"
 #include "console.hpp"
 #include "option_values.hpp"
+#include "polhode/base/suggest.hpp"
 #include "polhode/base/threads.hpp"
 #include "verbs.hpp"
 
@@ -43,8 +44,7 @@ Action analyze_verb(Command& command) {
   command.add_option("--names", o->names, "coordinate file with the names of the atoms");
   command.add_option(
       "--what", o->what,
-      "any of rdf, msd, rotation, velocity, dielectric, density; default: all that the "
-      "frames allow");
+      fmt::format("any of {}; default: all that the frames allow", join_names(observable_names())));
   command.add_option("--output", o->output, "prefix of the output files").show_default();
   command.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
   command.add_option("--interval", o->interval,

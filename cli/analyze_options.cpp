@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "option_values.hpp"
@@ -69,7 +70,24 @@ double positive(const std::string& text, Dimension dimension, const std::string&
   return value;
 }
 
-AnalysisSettings analysis_settings(const AnalyzeOptions& o) {
+/// "OW-HW": two selections of sites. Names may contain '-', too: it is split where both exist.
+SitePair pair_option(const std::string& word, const Topology& topology) {
+  const auto dash = word.find('-');
+  if (dash == word.npos || dash == 0 || word.back() == '-')
+    throw Error(fmt::format(
+        "--pairs: '{}' must be two site names; write for example \"OW-OW, OW-HW\"", word));
+  const auto split = [&](std::size_t at) {
+    return SitePair{word.substr(0, at), word.substr(at + 1)};
+  };
+  for (auto at = dash; at != word.npos; at = word.find('-', at + 1)) {
+    const SitePair pair = split(at);
+    if (!molecules_with(topology, pair[0]).empty() && !molecules_with(topology, pair[1]).empty())
+      return pair;
+  }
+  return split(dash);
+}
+
+AnalysisSettings analysis_settings(const AnalyzeOptions& o, const Topology& topology) {
   AnalysisSettings s;
   for (const std::string& name : words(o.what)) s.what.insert(observable(name));
   s.from = o.from.empty() ? -std::numeric_limits<double>::infinity()
@@ -78,13 +96,7 @@ AnalysisSettings analysis_settings(const AnalyzeOptions& o) {
   if (!o.window.empty()) s.window = positive_time(o.window, "--window");
   if (!o.cutoff.empty()) s.cutoff = positive(o.cutoff, Dimension::length, "--cutoff");
   if (!o.bin.empty()) s.bin = positive(o.bin, Dimension::length, "--bin");
-  for (const std::string& word : words(o.pairs)) {
-    const auto dash = word.find('-');
-    if (dash == word.npos || dash == 0 || dash + 1 == word.size())
-      throw Error(fmt::format(
-          "--pairs: '{}' must be two site names; write for example \"OW-OW, OW-HW\"", word));
-    s.pairs.push_back({word.substr(0, dash), word.substr(dash + 1)});
-  }
+  for (const std::string& word : words(o.pairs)) s.pairs.push_back(pair_option(word, topology));
   if (s.cutoff && *s.cutoff < s.bin)
     throw Error(
         fmt::format("--cutoff of {:g} nm is shorter than a bin of {:g} nm; give a longer "
@@ -129,12 +141,14 @@ AnalysisInput analysis_input(const AnalyzeOptions& o) {
     throw Error(fmt::format("--plot = \"{}\" {}", o.plot, must_be_one_of(plot_formats, o.plot)));
   std::optional<Config> config;
   if (!o.run.empty()) config = read_config(o.run);
+  Topology topology = config ? build_topology(config->system) : molecules_option(o.molecules);
+  AnalysisSettings settings = analysis_settings(o, topology);
   return {.trajectory = o.trajectory,
           .names = o.names,
-          .topology = config ? build_topology(config->system) : molecules_option(o.molecules),
+          .topology = std::move(topology),
           .origin = config ? config->text : o.molecules,
           .seed = config ? config->system.seed : 0,
-          .settings = analysis_settings(o),
+          .settings = std::move(settings),
           .summary = summary_settings(o, config),
           .prefix = o.output,
           .plot = o.plot};

@@ -18,12 +18,6 @@ std::string text(const SeriesEstimate& e, int digits, double scale = 1) {
                      e.known == Known::too_short ? "(error not known from so short a run)" : "± ?");
 }
 
-/// Why a number is not a result.
-std::string not_converged(const Convergence& c, const char* relaxation) {
-  return fmt::format("not converged: length {:.3g} {}, {} {:.2g} {}, at least {:.2g} {} needed",
-                     c.length, c.unit, relaxation, c.relaxation, c.unit, c.needed, c.unit);
-}
-
 void print_peak(const SitePair& sites, const std::optional<RadialDistribution::Peak>& peak) {
   const auto& [a, b] = sites;
   fmt::print("{:<22}", fmt::format("g {}-{}", a, b));
@@ -45,7 +39,7 @@ void print_peak(const SitePair& sites, const std::optional<RadialDistribution::P
 void print_part(const PartSummary& part, const AnalysisSummary& s) {
   if (part.diffusion && !part.diffusion_convergence.converged()) {
     fmt::print("D of {:<17}{}\n", part.molecule,
-               not_converged(part.diffusion_convergence, "maximum lag"));
+               not_converged(part.diffusion_convergence, longest_lag));
   } else if (part.diffusion) {
     fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
                text(*part.diffusion, 3, in_1e9_m2_per_s), s.fit.from, s.fit.to);
@@ -59,18 +53,18 @@ void print_part(const PartSummary& part, const AnalysisSummary& s) {
     fmt::print("{:<22}{}, from velocities\n", fmt::format("D of {}", part.molecule),
                part.green_kubo_convergence.converged()
                    ? text(*part.green_kubo, 3, in_1e9_m2_per_s) + " 1e-9 m2/s in this box"
-                   : not_converged(part.green_kubo_convergence, "maximum lag"));
+                   : not_converged(part.green_kubo_convergence, longest_lag));
   for (const AxisRelaxation& axis : part.axes)
     for (std::size_t k = 0; k < 2; ++k) {
       fmt::print("{:<22}", fmt::format("P{} {} {}", k + 1, part.molecule, axis.axis));
       const auto& t = axis.rank[k];
       if (t && !t->convergence.converged())
-        fmt::print("{}\n", not_converged(t->convergence, "decay to 1/e³ within"));
+        fmt::print("{}\n", not_converged(t->convergence, decay_time));
       else if (t)
         fmt::print("{} ps by integral, {} ps by exponential ({:g} to {:g} ps)\n",
                    text(t->integral, 3), text(t->exponential, 3), t->from, t->to);
       else
-        fmt::print("does not fall to 1/e³ within the window\n");
+        fmt::print("{}\n", not_decayed);
     }
 }
 
@@ -91,7 +85,7 @@ void print_analysis(const AnalysisReport& report) {
   for (const PartSummary& part : s.parts) print_part(part, s);
   if (const auto& d = s.dielectric; d && !d->convergence.converged())
     fmt::print("dielectric constant   {}; |<M>| is {:.2f} of the rms M\n",
-               not_converged(d->convergence, "relaxation"), d->mean_over_rms);
+               not_converged(d->convergence, dipole_relaxation), d->mean_over_rms);
   else if (d)
     fmt::print("dielectric constant   {}; Kirkwood factor {}; |<M>| is {:.2f} of the rms M\n",
                text(d->constant, 2), text(d->kirkwood, 2), d->mean_over_rms);

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "bench_report.hpp"
+#include "console.hpp"
 #include "option_values.hpp"
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/threads.hpp"
-#include "progress_line.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -47,10 +48,11 @@ BenchmarkSettings make_settings(const Options& o) {
 int bench(const Options& o) {
   const BenchmarkSettings settings = make_settings(o);
   const Computer computer{processor(), name(current_instruction_set()), settings.threads};
-  const Benchmark result = [&] {
-    ProgressLine line;
-    return run_benchmark(settings, {.progress = [&](const Progress& now) { line.show(now); }});
-  }();
+  const Benchmark result = run_benchmark(settings, console());
+  if (result.interrupted) {
+    log("interrupted before everything was measured\n");
+    return 130;
+  }
   if (o.json)
     fmt::print("{}\n", benchmark_json(result, computer));
   else

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // polhode convert IN OUT: converts frames from one format to another.
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <memory>
 #include <string>
@@ -41,7 +42,8 @@ Action convert_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command
       .add_option("IN", o->conversion.from,
-                  "file to read: .gro .pdb .xyz .xtc .trr .dcd .h5md, or a LAMMPS .data file")
+                  fmt::format("file to read: .{}, or a LAMMPS .data file",
+                              fmt::join(writable_formats(), " .")))
       .required();
   command
       .add_option("OUT", o->conversion.to, "file to write, in any of these formats except the last")

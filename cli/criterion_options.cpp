@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/config.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode::cli {
@@ -11,8 +12,8 @@ namespace {
 
 double fraction_option(const std::string& text, const std::string& option) {
   const double value = quantity(text, Dimension::fraction, option);
-  if (!(value > 0 && value < 1))
-    throw Error(fmt::format("{} = \"{}\" must be above 0 % and below 100 %", option, text));
+  if (const std::string wrong = wrong_bound(value); !wrong.empty())
+    throw Error(fmt::format("{} = \"{}\" {}", option, text, wrong));
   return value;
 }
 

@@ -46,9 +46,9 @@ std::string time_text(double time) {
 }
 
 void set_schemes(std::vector<std::string>& schemes, const std::vector<std::string>& texts,
-                 const std::string& option) {
-  for (const std::string& text : texts) scheme_option(text, option);
-  if (!texts.empty()) schemes = texts;
+                 const std::string& option, const OwnSchemes& own) {
+  if (!texts.empty()) schemes.clear();
+  for (const std::string& text : texts) schemes.push_back(scheme_option(text, option, own));
 }
 
 std::string typed_command(std::string command,
@@ -62,12 +62,15 @@ std::string typed_command(std::string command,
   return command;
 }
 
-NestedScheme scheme_option(const std::string& text, const std::string& option) {
+std::string scheme_option(const std::string& text, const std::string& option,
+                          const OwnSchemes& own) {
+  const std::string whole = with_own_schemes(text, own);
   try {
-    return nested_scheme_of(text);
+    nested_scheme_of(whole);
   } catch (const Error& e) {
     throw e.at(option);
   }
+  return whole;
 }
 
 Config read_config_option(const std::string& file, const std::string& precision) {

@@ -11,7 +11,6 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/outputs.hpp"
@@ -38,17 +37,20 @@ std::vector<double> sorted_times(const std::vector<std::string>& texts, const st
 std::string time_text(double time);
 
 /// Sets names or texts of schemes if their option is given.
+/// @param own  those of the run file, which may be given by name
 /// @throws Error  as scheme_option()
 void set_schemes(std::vector<std::string>& schemes, const std::vector<std::string>& texts,
-                 const std::string& option);
+                 const std::string& option, const OwnSchemes& own);
 
 /// The command as it could be typed, without empty options.
 std::string typed_command(std::string command,
                           const std::vector<std::pair<std::string, std::string>>& options);
 
-/// The scheme of a name or a text, nested or not.
+/// A scheme as nested_scheme_of() reads it, with the texts of the run file's own schemes in place
+/// of their names.
 /// @throws Error  naming the option, if there is no such scheme
-NestedScheme scheme_option(const std::string& text, const std::string& option);
+std::string scheme_option(const std::string& text, const std::string& option,
+                          const OwnSchemes& own);
 
 /// The value of a named enumeration.
 /// @throws Error  for any word that is not a name

@@ -36,7 +36,7 @@ void ProgressLine::clear() {
 
 void ProgressLine::begin(const Progress& now) {
   job_ = now.job;
-  start_ = Clock::now();
+  watch_ = Stopwatch();
   done_at_start_ = now.done.value_or(0);
   terminal_pace_ = {};
   log_pace_ = {};
@@ -48,7 +48,7 @@ bool ProgressLine::due(const Progress& now, double elapsed) {
 
 void ProgressLine::show(const Progress& now) {
   if (now.job != job_) begin(now);
-  const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
+  const double elapsed = watch_.seconds();
   if (!due(now, elapsed)) return;
   const std::string line = line_of(now, now.done.value_or(0) - done_at_start_, elapsed);
   if (terminal_)

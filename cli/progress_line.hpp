@@ -3,9 +3,9 @@
 // terminal, a line now and then in a log.
 #pragma once
 
-#include <chrono>
 #include <string>
 
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/progress_pace.hpp"
 
@@ -25,14 +25,12 @@ class ProgressLine {
   void clear();
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void begin(const Progress& now);
   bool due(const Progress& now, double elapsed);
 
   bool terminal_, shown_ = false;
   std::string job_;
-  Clock::time_point start_;   // of the job
+  Stopwatch watch_;           // of the job
   double done_at_start_ = 0;  // of a job that was resumed
   TerminalPace terminal_pace_;
   ProgressPace log_pace_;

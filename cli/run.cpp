@@ -22,8 +22,7 @@ struct Options : JobOptions {
 Config make_config(const Options& o) {
   Config config = o.config();
   if (!o.scheme.empty()) {
-    scheme_option(o.scheme, "--scheme");
-    config.integrator.scheme = o.scheme;
+    config.integrator.scheme = scheme_option(o.scheme, "--scheme", config.schemes);
     config.integrator.scheme_given = true;
   }
   if (!o.step.empty()) {

@@ -23,7 +23,7 @@ Config make_config(const Options& o) {
   Config config = o.config();
   StudySettings& study = config.study;
   if (o.quick) study = quick(study);
-  set_schemes(study.schemes, o.schemes, "--schemes");
+  set_schemes(study.schemes, o.schemes, "--schemes", config.schemes);
   if (!o.steps.empty()) study.steps = sorted_times(o.steps, "--steps");
   if (o.runs != 0) study.runs = o.runs;
   set_time(study.length, o.length, "--length");

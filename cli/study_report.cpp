@@ -63,16 +63,15 @@ std::string cost_text(const Guideline& line, std::size_t c, std::size_t verlet) 
 }
 
 void print_costs(const StudyReport& report) {
-  fmt::print(
-      "\nminimum cost for R at or below the given value, in force evaluations per ps (ratio to "
-      "velocity Verlet);\n* extrapolated by the scheme's order, + the longest step of the "
-      "curve\n{:>8}",
-      "R %");
-  for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
-  fmt::print("  best\n");
   std::size_t verlet = report.curves.size();
   for (std::size_t c = 0; c < report.curves.size(); ++c)
     if (report.curves[c].scheme == "velocity-verlet") verlet = c;
+  fmt::print(
+      "\nminimum cost for R at or below the given value, in force evaluations per ps{};\n"
+      "* extrapolated by the scheme's order, + the longest step of the curve\n{:>8}",
+      verlet < report.curves.size() ? " (ratio to velocity Verlet)" : "", "R %");
+  for (const Curve& curve : report.curves) fmt::print(" {:>22}", curve.scheme);
+  fmt::print("  best\n");
   for (const Guideline& line : report.guidelines) {
     fmt::print("{:>8g}", 100 * line.ratio);
     for (std::size_t c = 0; c < line.costs.size(); ++c)

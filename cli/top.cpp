@@ -2,11 +2,8 @@
 // polhode top: the rotation of one free top, exact and with NO_SQUISH, or a table of tops.
 #include <fmt/core.h>
 
-#include <array>
 #include <memory>
 #include <string>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "console.hpp"
@@ -23,27 +20,10 @@ struct Options {
   std::vector<double> J, L;
   double step = 0, length = 0;
   std::string table, output, method = "series";
-  bool json = false, force = false;
+  bool force = false;
 };
 
-constexpr std::array<std::pair<std::string_view, RotorMethod>, 6> methods = {
-    {{"series", RotorMethod::series},
-     {"closed", RotorMethod::closed},
-     {"theta", RotorMethod::theta},
-     {"recursive", RotorMethod::recursive},
-     {"no-squish", RotorMethod::no_squish},
-     {"symmetric-product", RotorMethod::symmetric_product}}};
-
-RotorMethod method_of(const std::string& text) {
-  std::vector<std::string_view> names;
-  for (const auto& [name, method] : methods) {
-    if (name == text) return method;
-    names.push_back(name);
-  }
-  throw Error(fmt::format("--method = \"{}\" {}", text, must_be_one_of(names, text)));
-}
-
-void print_trajectory(const Options& o) {
+int print_trajectory(const Options& o) {
   if (o.J.size() != 3 || o.L.size() != 3)
     throw Error(
         "a top needs three principal moments and three components of angular momentum: write for "
@@ -51,12 +31,19 @@ void print_trajectory(const Options& o) {
         "--J, --L");
   const Vec3<double> J{o.J[0], o.J[1], o.J[2]}, L{o.L[0], o.L[1], o.L[2]};
   const TopFigure figure(o.output);
+  if (!o.output.empty()) check_prefix(o.output);
   if (!o.output.empty()) check_outputs(figure.files(), existing_files(false, o.force));
-  const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length);
-  print_top(trajectory, o.json);
-  if (o.output.empty()) return;
-  draw_top(figure, J, L, console());
+  const Callbacks callbacks = console();
+  const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length, callbacks.stop);
+  print_top(trajectory);
+  if (trajectory.interrupted) {
+    log("interrupted; the table ends at the last sample before\n");
+    return 130;
+  }
+  if (o.output.empty()) return 0;
+  draw_top(figure, J, L, callbacks);
   log("wrote {}, {}, {} and {}\n", figure.svg, figure.png, figure.data, figure.script);
+  return 0;
 }
 
 }  // namespace
@@ -72,7 +59,6 @@ Action top_verb(Command& command) {
   command.add_option("--length", options->length, "length of the trajectory; default: 200 steps");
   command.add_option("--output", options->output,
                      "draw the polhode on the inertia ellipsoid: PREFIX.svg, .png, .dat, .gp");
-  command.add_flag("--json", options->json, "print JSON");
   command.add_flag("--force", options->force, "overwrite existing files");
   command.add_option(
       "--table", options->table,
@@ -81,10 +67,9 @@ Action top_verb(Command& command) {
                      "for --table: series (default), closed, theta, recursive, no-squish, "
                      "symmetric-product");
   return [options] {
-    if (options->table.empty())
-      print_trajectory(*options);
-    else
-      fmt::print("{}", rotate_table(options->table, method_of(options->method)));
+    if (options->table.empty()) return print_trajectory(*options);
+    fmt::print("{}", rotate_table(options->table,
+                                  named_option<RotorMethod>(options->method, "--method")));
     return 0;
   };
 }

@@ -3,12 +3,9 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
 namespace polhode::cli {
-namespace {
 
-void print_text(const TopTrajectory& top) {
+void print_top(const TopTrajectory& top) {
   fmt::print(
       "step {:.6g}: the top initially turns by {:.3g} per step; errors of energy and |L| are "
       "relative,\nattitude is the angle [rad] from the closed form\n\n",
@@ -24,27 +21,5 @@ void print_text(const TopTrajectory& top) {
         line.series.momentum_error, line.series.angle, line.no_squish.energy_error,
         line.no_squish.momentum_error, line.no_squish.angle);
 }
-
-void print_json(const TopTrajectory& top) {
-  nlohmann::json out{{"step", top.step}, {"rows", nlohmann::json::array()}};
-  const auto track = [](const TopTrack& t) {
-    return nlohmann::json{{"energy_error", t.energy_error},
-                          {"momentum_error", t.momentum_error},
-                          {"attitude_error", t.angle}};
-  };
-  for (const TopSample& line : top.samples) {
-    const Quaternion<double>& q = line.exact.rotation;
-    out["rows"].push_back({{"t", line.t},
-                           {"L", {line.exact.L.x, line.exact.L.y, line.exact.L.z}},
-                           {"rotation", {q.w, q.x, q.y, q.z}},
-                           {"series", track(line.series)},
-                           {"no_squish", track(line.no_squish)}});
-  }
-  fmt::print("{}\n", out.dump(2));
-}
-
-}  // namespace
-
-void print_top(const TopTrajectory& top, bool json) { json ? print_json(top) : print_text(top); }
 
 }  // namespace polhode::cli

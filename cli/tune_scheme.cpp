@@ -22,8 +22,9 @@ struct Options : JobOptions {
   std::string step, length, decorrelate, sample;
 };
 
-TuneSettings make_settings(const Options& o) {
+TuneSettings make_settings(const Options& o, const OwnSchemes& own) {
   TuneSettings settings = o.settings;
+  if (!settings.scheme.empty()) settings.scheme = scheme_option(settings.scheme, "--scheme", own);
   set_time(settings.step, o.step, "--step");
   set_time(settings.length, o.length, "--length");
   set_time(settings.decorrelate, o.decorrelate, "--decorrelate");
@@ -32,9 +33,10 @@ TuneSettings make_settings(const Options& o) {
 }
 
 int tune_scheme(const Options& o) {
-  const TuneSettings settings = make_settings(o);
+  const Config config = o.config();
+  const TuneSettings settings = make_settings(o, config.schemes);
   Workers workers = o.workers();
-  const TuneResult result = tune(o.config(), settings, console(), workers);
+  const TuneResult result = tune(config, settings, console(), workers);
   if (result.interrupted) {
     log("interrupted before a result was found\n");
     return 130;

@@ -13,7 +13,7 @@ const std::vector<VerbGroup>& verb_groups() {
         {"energy", "energies of an initial configuration; forces and torques, too", energy_verb},
         {"analyze", "structure and dynamics from a trajectory: g(r), diffusion, relaxation",
          analyze_verb},
-        {"convert", "convert coordinates and trajectories: GRO, PDB, XYZ, XTC, TRR, DCD, H5MD",
+        {"convert", "convert coordinates and trajectories from one format to another",
          convert_verb}}},
       {"choose a scheme and a step",
        {{"advise", "choose both for a required accuracy, and confirm them by runs", advise_verb},

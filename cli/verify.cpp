@@ -14,6 +14,17 @@
 #include "verbs.hpp"
 
 namespace polhode::cli {
+namespace {
+
+void check_lambda(const NestedScheme& scheme) {
+  if (scheme.has(Gradient::finite_difference)) return;
+  throw Error(fmt::format("{} has no gradient by finite difference, so lambda has no effect; leave "
+                          "it out, or take a scheme with one, such as gier4-fd",
+                          name_of(scheme)),
+              "--lambda");
+}
+
+}  // namespace
 
 Action verify_verb(Command& command) {
   struct Options {
@@ -29,8 +40,9 @@ Action verify_verb(Command& command) {
   command.add_option("--lambda", o->lambda, "of the finite-difference gradient")
       .in_range(1e-8, 1.0);
   command.add_flag("--json", o->json, "print JSON");
-  return [o] {
+  return [o, command] {
     const NestedScheme scheme = nested_scheme_of(o->scheme);
+    if (command.given("--lambda")) check_lambda(scheme);
     const OrderMeasurement m = measure_order(scheme, o->lambda);
     const int declared = o->order ? o->order : scheme.order();
     // The error of a symmetric scheme is C hᵏ + O(hᵏ⁺²): the slope differs from k by O(h²),

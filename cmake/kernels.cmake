@@ -62,6 +62,10 @@ foreach(name IN LISTS known_sets)
   endif()
 endforeach()
 
+# Those of GNU for any compiler: lld 14 cannot resolve the groups of an object.
+find_program(POLHODE_LD NAMES ld.bfd ld REQUIRED)
+find_program(POLHODE_OBJCOPY NAMES objcopy REQUIRED)
+
 function(polhode_compile_kernels library)
   foreach(name IN LISTS compiled_sets)
     set(objects ${library}_${name})
@@ -76,9 +80,9 @@ function(polhode_compile_kernels library)
       set(merged ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)
       add_custom_command(
         OUTPUT ${merged}
-        COMMAND ${CMAKE_LINKER} -r --force-group-allocation -o ${merged}
+        COMMAND ${POLHODE_LD} -r --force-group-allocation -o ${merged}
                 $<TARGET_OBJECTS:${objects}>
-        COMMAND ${CMAKE_OBJCOPY} --wildcard "--keep-global-symbol=*polhode*loops_${name}*" ${merged}
+        COMMAND ${POLHODE_OBJCOPY} --wildcard "--keep-global-symbol=*polhode*loops_${name}*" ${merged}
         DEPENDS ${objects} $<TARGET_OBJECTS:${objects}>
         COMMAND_EXPAND_LISTS VERBATIM
         COMMENT "Joining the ${name} loops")

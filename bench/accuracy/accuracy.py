@@ -37,10 +37,17 @@ trajectory_every = "{every:g} fs"
 formats = ["{form}"]
 plot = "none"
 """
+
+
+def number(found):
+    """The value, or the estimate of a run that is too short for one: the mean over many runs may determine it."""
+    return found["value"] if found["value"] is not None else found["unconverged_estimate"]
+
+
 # name in the table, unit, position in the output of analyze or run
 QUANTITIES = {
-    "D": ("1e-9 m²/s", lambda run, said: said["parts"][0]["D_1e-9_m2_per_s"]["value"]),
-    "tau": ("ps", lambda run, said: said["parts"][0]["relaxation"]["dipole"]["P2"]["exponential_ps"]["value"]),
+    "D": ("1e-9 m²/s", lambda run, said: number(said["parts"][0]["D_1e-9_m2_per_s"])),
+    "tau": ("ps", lambda run, said: number(said["parts"][0]["relaxation"]["dipole"]["P2"]["exponential_ps"])),
     "T": ("K", lambda run, said: run["temperature_K"]),
     "T_translation": ("K", lambda run, said: run["temperature_translation_K"]),
     "T_rotation": ("K", lambda run, said: fmean(run["temperature_rotation_K"])),

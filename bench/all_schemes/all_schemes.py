@@ -34,8 +34,8 @@ def table_of_schemes(o):
 
 def steps(system, cost):
     """Steps [fs] at equal costs for every scheme."""
-    most, points = COSTS[system]
-    return [float(f"{1000 * cost / (most / FACTOR**k):.3g}") for k in range(points)]
+    max_cost, points = COSTS[system]
+    return [float(f"{1000 * cost / (max_cost / FACTOR**k):.3g}") for k in range(points)]
 
 
 def cost_at(own, ratio, order):
@@ -81,8 +81,8 @@ def tables(result):
             for rank, s in enumerate(row["schemes"]):
                 cell = f"{s['cost']:.0f}{s['how']}" + (f" ({1000 * s['seconds_per_ps']:.0f} s)" if "seconds_per_ps" in s else "")
                 cells.setdefault(s["scheme"], {})[column] = f"**{cell}**" if rank == 0 else cell
-        least = lambda name: sum(next((k for k, s in enumerate(r["schemes"]) if s["scheme"] == name), 99) for r in of["ranking"])
-        for name in sorted(cells, key=least):
+        rank_sum = lambda name: sum(next((k for k, s in enumerate(r["schemes"]) if s["scheme"] == name), 99) for r in of["ranking"])
+        for name in sorted(cells, key=rank_sum):
             text.append(f"| {name} | " + " | ".join(cells[name].get(k, "") for k in range(len(heads))) + " |")
         text.append("")
     return "\n".join(text)

@@ -116,7 +116,7 @@ def quantities(said):
     for axis, ranks in part.get("relaxation", {}).items():
         for rank, times in ranks.items():
             for kind in ("integral", "exponential"):
-                take(f"{rank} {axis}, {kind} [ps]", times and times[f"{kind}_ps"])
+                take(f"{rank} {axis}, {kind} [ps]", times.get(f"{kind}_ps"))
     take("dielectric constant", said.get("dielectric", {}).get("constant"))
     take("Kirkwood factor", said.get("dielectric", {}).get("kirkwood"))
     return found

@@ -3,8 +3,6 @@
 constant energy with PME; values are means over independent runs, errors from their scatter."""
 
 import argparse
-import json
-import subprocess
 import sys
 from math import sqrt
 from pathlib import Path
@@ -18,36 +16,35 @@ import machine  # noqa: E402
 MODELS = [w for w in waters.WATERS if w.model in ("spce", "tip4p-2005")]
 
 
-def analysed(program, folder, water, o, seed):
+def analyzed(program, folder, water, o, seed):
     """The results of `polhode analyze` for one run; the frames are deleted once they are stored."""
-    said = folder / f"{water.model}-{seed}-analysis.json"
-    if not said.exists():
-        waters.made(program, folder, water, o.count, seed, waters.TEMPERATURE, o.equilibrate, o.length, o.every,
-                    "trr")
-        frames = folder / f"{water.model}-{seed}-trajectory.trr"
-        done = subprocess.run(
-            [program, "analyze", frames.name, "--run", f"{water.model}-{seed}.toml", "--from", f"{o.every:g} ps",
-             "--window", f"{o.window:g} ps", "--fit", f"{o.window / 10:g} ps, {o.window:g} ps", "--pairs", "OW-OW",
-             "--what", "rdf,msd,rotation,dielectric,density", "--plot", "none", "--threads", "1", "--force", "--json",
-             "--output", f"{water.model}-{seed}"], cwd=folder, check=True, stdout=subprocess.PIPE, text=True)
-        said.write_text(done.stdout, encoding="utf-8")
-        if not o.keep:
-            frames.unlink()
-    return json.loads(said.read_text(encoding="utf-8"))
+    prefix = f"{water.model}-{seed}"
+    if not (folder / f"{prefix}-analysis.json").exists():
+        waters.made(program, folder, water, o.count, seed, waters.TEMPERATURE, o.equilibrate, o.length, o.every)
+    result = waters.analyzed(program, folder, prefix, o.every, "--window", f"{o.window:g} ps", "--fit",
+                             f"{o.window / 10:g} ps, {o.window:g} ps", "--what", "rdf,msd,rotation,dielectric,density")
+    if not o.keep:
+        (folder / f"{prefix}-trajectory.trr").unlink(missing_ok=True)
+    return result
+
+
+def number(found):
+    """The value, or the estimate of a run that is too short for one: the mean over many runs may determine it."""
+    return found["value"] if found["value"] is not None else found.get("unconverged_estimate")
 
 
 def quantities(run):
     """{name: value} of one run."""
     part, found = run["parts"][0], {"T [K]": run["temperature_K"]["value"]}
-    found["D in the box [1e-9 m2/s]"] = part["D_1e-9_m2_per_s"]["value"]
+    found["D in the box [1e-9 m2/s]"] = number(part["D_1e-9_m2_per_s"])
     if "D_without_images_1e-9_m2_per_s" in part:
-        found["D without images [1e-9 m2/s]"] = part["D_without_images_1e-9_m2_per_s"]["value"]
+        found["D without images [1e-9 m2/s]"] = number(part["D_without_images_1e-9_m2_per_s"])
     for axis, ranks in part["relaxation"].items():
         for rank, times in ranks.items():
-            if times:
-                found[f"tau {rank} {axis}, integral [ps]"] = times["integral_ps"]["value"]
-                found[f"tau {rank} {axis}, exponential [ps]"] = times["exponential_ps"]["value"]
-    found["dielectric constant"] = run["dielectric"]["constant"]["value"]
+            if "integral_ps" in times:
+                found[f"tau {rank} {axis}, integral [ps]"] = number(times["integral_ps"])
+                found[f"tau {rank} {axis}, exponential [ps]"] = number(times["exponential_ps"])
+    found["dielectric constant"] = number(run["dielectric"]["constant"])
     return found
 
 
@@ -81,7 +78,7 @@ def main():
     results = [(water, []) for water in MODELS]
     for seed in range(1, o.runs + 1):
         for water, runs in results:
-            runs.append(analysed(o.polhode, o.folder, water, o, seed))
+            runs.append(analyzed(o.polhode, o.folder, water, o, seed))
             (o.folder / "table.md").write_text(table([r for r in results if r[1]]) + "\n", encoding="utf-8")
             print(f"{water.name}, run {seed} done", file=sys.stderr, flush=True)
     print(table(results))

@@ -17,16 +17,13 @@ import records
 import waters
 
 
-def analysed(water, runs, o):
+def properties(water, runs, o):
     """The results for one water model, from its runs."""
     samples = [r.energies for r in runs]
     found = analysis.blocks(samples, o.blocks)
     at = lambda own: analysis.at_temperature(own, waters.TEMPERATURE)
     value, error = analysis.jackknife(found, at)
     by_run = analysis.jackknife(analysis.blocks(samples, 1), at)[1] if len(runs) > 2 else {}
-    edge = runs[0].frames[0][0]
-    histograms = [analysis.distances(*frame) for r in runs for frame in r.frames[1:]]
-    peak, peak_error = analysis.peak(histograms, edge, o.count, len(found))
     of = lambda name, scale: {"value": value[name] * scale, "error": error[name] * scale,
                               "error_by_run": by_run.get(name, error[name]) * scale}
     mean = lambda k, name: fmean(getattr(b, name) for b in found if b.run == k)
@@ -37,7 +34,10 @@ def analysed(water, runs, o):
               "R": r.summary["R"], "drift_kJ_per_mol_ps": r.summary["drift_kJ_per_mol_ps"]}
              for k, r in enumerate(runs)]
     temperatures = [m["temperature_K"] for m in means]
-    return {"model": water.model, "name": water.name, "density_g_per_cm3": water.density, "edge_nm": edge,
+    peak, peak_error = analysis.first_peak([(t, r.peak["peak_nm"]["value"], r.peak["peak_height"]["value"])
+                                            for t, r in zip(temperatures, runs)], waters.TEMPERATURE)
+    g = [[round(bins[0][0], 6), round(fmean(value for _, value in bins), 6)] for bins in zip(*(r.g for r in runs))]
+    return {"model": water.model, "name": water.name, "density_g_per_cm3": water.density,
             "potential_kJ_per_mol": of("potential", 1 / o.count), "pressure_bar": of("pressure", 1),
             "heat_capacity_J_per_mol_K": of("heat_capacity", 1000 / o.count),
             "peak_nm": {"value": peak["place"], "error": peak_error["place"]},
@@ -45,7 +45,7 @@ def analysed(water, runs, o):
             "temperature_K": {"value": fmean(temperatures), "error": stdev(temperatures) / sqrt(len(temperatures))},
             "pressure_block_errors_bar": analysis.block_errors(samples, "pressure", o.halvings),
             "temperature_block_errors_K": analysis.block_errors(samples, "temperature", o.halvings),
-            "runs": means, "g": [[round(r, 6), round(g, 6)] for r, g in analysis.radial(histograms, edge, o.count)]}
+            "runs": means, "g": g}
 
 
 def shown(number, digits):
@@ -126,7 +126,7 @@ def main():
         for water in waters.WATERS:
             runs = [waters.run(o.polhode, folder, water, o.count, seed, temperature, o.equilibrate, o.length, o.every)
                     for seed, temperature in enumerate(temperatures, 1)]
-            result["waters"].append(analysed(water, runs, o))
+            result["waters"].append(properties(water, runs, o))
             print(f"{water.name} done", file=sys.stderr, flush=True)
     records.write(Path(f"{o.output}.json"), result)
     Path(f"{o.output}.md").write_text(report(result), encoding="utf-8")

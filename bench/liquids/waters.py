@@ -27,7 +27,7 @@ sample = "20 fs"
 [output]
 prefix = "{prefix}"
 trajectory_every = "{every:g} ps"
-formats = ["{trajectory}"]
+formats = ["trr"]
 plot = "none"
 """
 
@@ -45,37 +45,27 @@ WATERS = (Water("tip4p", "TIP4P", 0.999), Water("spce", "SPC/E", 0.997), Water("
 class Run(NamedTuple):
     summary: dict  # of polhode run --json
     energies: list  # {column: value} of each sample
-    frames: list  # (edge [nm], oxygens [nm]) of each frame
+    peak: dict  # of g(r), of polhode analyze --json
+    g: list  # (r [nm], g) of each bin
 
 
-def energies(text):
-    """Samples of an energy table, columns named without their units."""
+def table(path):
+    """The rows of a CSV file as {column: number, nan if empty}, columns named without their units."""
+    text = path.read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if not line.startswith("#")]
     names = [column.split(" [")[0] for column in lines[0].split(",")]
-    return [dict(zip(names, map(float, line.split(",")))) for line in lines[1:]]
+    return [dict(zip(names, (float(field or "nan") for field in line.split(",")))) for line in lines[1:]]
 
 
-def frames(text):
-    """(edge [nm], oxygens [nm]) of each frame of an extended XYZ file of waters in a cube."""
-    lines, found, at = text.splitlines(), [], 0
-    while at < len(lines):
-        count = int(lines[at])
-        edge = float(lines[at + 1].split('"')[1].split()[0]) / 10
-        atoms = (line.split() for line in lines[at + 2 : at + 2 + count])
-        found.append((edge, [tuple(float(x) / 10 for x in a[1:4]) for a in atoms if a[0] == "O"]))
-        at += 2 + count
-    return found
-
-
-def made(program, folder, water, count, seed, temperature, equilibrate, length, every, trajectory="xyz"):
+def made(program, folder, water, count, seed, temperature, equilibrate, length, every):
     """The prefix of the files of one run from a lattice; a finished run of the same run file is not repeated."""
     prefix = f"{water.model}-{seed}"
     text = RUN_FILE.format(model=water.model, count=count, density=water.density, temperature=temperature,
-                           seed=seed, equilibrate=equilibrate, length=length, every=every, trajectory=trajectory,
-                           prefix=prefix)
+                           seed=seed, equilibrate=equilibrate, length=length, every=every, prefix=prefix)
     run_file, said = folder / f"{prefix}.toml", folder / f"{prefix}.json"
     if not (said.exists() and run_file.exists() and run_file.read_text(encoding="utf-8") == text):
-        said.unlink(missing_ok=True)
+        for old in (said, folder / f"{prefix}-analysis.json"):
+            old.unlink(missing_ok=True)
         run_file.write_text(text, encoding="utf-8")
         done = subprocess.run([program, "run", run_file.name, "--threads", "1", "--force", "--json"], cwd=folder,
                               check=True, stdout=subprocess.PIPE, text=True)
@@ -83,9 +73,21 @@ def made(program, folder, water, count, seed, temperature, equilibrate, length, 
     return prefix
 
 
+def analyzed(program, folder, prefix, every, *options):
+    """The results of `polhode analyze` for a finished run without its first frame; stored ones are not made again."""
+    said = folder / f"{prefix}-analysis.json"
+    if not said.exists():
+        done = subprocess.run(
+            [program, "analyze", f"{prefix}-trajectory.trr", "--run", f"{prefix}.toml", "--from", f"{every:g} ps",
+             "--pairs", "OW-OW", "--plot", "none", "--threads", "1", "--force", "--json", "--output", prefix, *options],
+            cwd=folder, check=True, stdout=subprocess.PIPE, text=True)
+        said.write_text(done.stdout, encoding="utf-8")
+    return json.loads(said.read_text(encoding="utf-8"))
+
+
 def run(program, folder, water, count, seed, temperature, equilibrate, length, every):
     """One run, performed or read from the folder."""
     prefix = made(program, folder, water, count, seed, temperature, equilibrate, length, every)
-    return Run(json.loads((folder / f"{prefix}.json").read_text(encoding="utf-8")),
-               energies((folder / f"{prefix}-energies.csv").read_text(encoding="utf-8")),
-               frames((folder / f"{prefix}-trajectory.xyz").read_text(encoding="utf-8")))
+    peak, = analyzed(program, folder, prefix, every, "--what", "rdf")["rdf"]
+    return Run(json.loads((folder / f"{prefix}.json").read_text(encoding="utf-8")), table(folder / f"{prefix}-energies.csv"),
+               peak, [(row["r"], row["g OW-OW"]) for row in table(folder / f"{prefix}-rdf.csv")])

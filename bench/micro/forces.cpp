@@ -6,10 +6,10 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
 
 #include "polhode/base/instruction_set.hpp"
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/benchmark/benchmark.hpp"
@@ -61,19 +61,17 @@ void derivative(benchmark::State& loop, InstructionSet instruction_set, Precisio
   Vec3Column dq, dtheta;
   gradient_direction(water.state, water.bodies, load, dq, dtheta);
   double derivative = 1, evaluation = 1;  // [s]
-  const auto timed = [](double& least, const auto& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    least = std::min(least, taken.count());
-    return taken.count();
+  const auto timed = [](double& min_seconds, const auto& work) {
+    const double seconds = seconds_of(work);
+    min_seconds = std::min(min_seconds, seconds);
+    return seconds;
   };
   for (auto _ : loop) {
     timed(evaluation, [&] { forces.forces_alone(water.state, load); });
     loop.SetIterationTime(
         timed(derivative, [&] { forces.directional_derivative(water.state, dq, dtheta, slope); }));
   }
-  loop.counters["least_us"] = 1e6 * derivative;
+  loop.counters["min_us"] = 1e6 * derivative;
   loop.counters["force_us"] = 1e6 * evaluation;
   loop.counters["ratio"] = derivative / evaluation;
 }

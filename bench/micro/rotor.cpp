@@ -11,10 +11,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <random>
 
 #include "polhode/base/instruction_set.hpp"
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/rotor/free_rotation.hpp"
 
 namespace polhode {
@@ -78,15 +78,13 @@ void turn_one_by_one(benchmark::State& state, RotorMethod method, double angle) 
 }
 
 double nanoseconds_per_body(Turn turn, Tops& tops) {
-  using clock = std::chrono::steady_clock;
   const int rounds = 400;
-  const auto start = clock::now();
+  const Stopwatch watch;
   for (int n = 0; n < rounds; ++n) {
     turn(tops, n % 2 == 0 ? 1.0 : -1.0);
     benchmark::ClobberMemory();
   }
-  const std::chrono::duration<double, std::nano> spent = clock::now() - start;
-  return spent.count() / (rounds * static_cast<double>(count));
+  return 1e9 * watch.seconds() / (rounds * static_cast<double>(count));
 }
 
 struct Loops {

@@ -15,7 +15,7 @@ CAVEAT = ("cost: evaluations of all forces, and of near forces times their share
           "steps an outer drift, near forces up to r.  Crossed: R above 10 %")
 
 
-def shown(points, most):
+def shown(points, max_nested):
     """Curves by scheme: the single schemes, and of each pair of nested schemes the one that is cheapest at its middle R."""
     own = {}
     for p in points:
@@ -31,7 +31,7 @@ def shown(points, most):
         pair = scheme.split(" x ")[0]
         if pair not in best or worth < best[pair][0]:
             best[pair] = (worth, scheme)
-    nested = [scheme for _, scheme in sorted(best.values())][:most]
+    nested = [scheme for _, scheme in sorted(best.values())][:max_nested]
     return {s: own[s] for s in (*[s for s in SINGLE if s in own], *nested)}
 
 

@@ -85,8 +85,8 @@ class Engine:
         """Why it cannot run here, or None."""
         return None if shutil.which(self.program) else f"no program '{self.program}' on PATH"
 
-    def threads(self, wanted):
-        return wanted
+    def threads(self, requested):
+        return requested
 
 
 class Polhode(Engine):
@@ -102,8 +102,8 @@ class Polhode(Engine):
         self.ladder, self.start_step = self.ladders[scheme], self.start_steps[scheme]
         self.evaluations = self.costs[scheme]
 
-    def threads(self, wanted):
-        return wanted if self.threaded else 1
+    def threads(self, requested):
+        return requested if self.threaded else 1
 
     def version(self):
         return said(self.program, "--version").strip()
@@ -179,8 +179,8 @@ class Lammps(Engine):
     def __init__(self, options, name="lammps", law="reaction-field"):
         self.name, self.program, self.law = name, options.lmp, law
 
-    def threads(self, wanted):
-        return wanted if shutil.which("mpirun") else 1
+    def threads(self, requested):
+        return requested if shutil.which("mpirun") else 1
 
     def version(self):
         found = re.search(r"Simulator - (.*)", said(self.program, "-h"))

@@ -210,8 +210,8 @@ def main():
                 steps = {e.name: [e.start_step] for e in programs}
                 if not options.quick:
                     for e in programs:
-                        wanted = [h for h, _ in reached[e.name].values() if h]
-                        steps[e.name] = list(dict.fromkeys([e.start_step, *wanted]))
+                        met = [h for h, _ in reached[e.name].values() if h]
+                        steps[e.name] = list(dict.fromkeys([e.start_step, *met]))
                 measured = times(programs, cases[n], threads, steps, options)
                 result["times"] += report_times(programs, n, threads, measured)
                 result["costs"] += costs(programs, reached, measured, n, threads)

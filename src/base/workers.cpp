@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cstdint>
 #include <exception>
 #include <limits>
 #include <mutex>
 #include <thread>
 #include <vector>
+
+#include "polhode/base/stopwatch.hpp"
 
 #ifdef __linux__
 #include <linux/futex.h>
@@ -32,15 +33,15 @@ void pause() {
 /// up, and little time taken from another process on the core.
 template <class Done>
 bool spin(const Done& done) {
-  constexpr std::chrono::microseconds max_spin(30);
-  constexpr int pauses = 16;  // between two readings of the clock
-  const auto start = std::chrono::steady_clock::now();
+  constexpr double max_spin = 30e-6;  // [s]
+  constexpr int pauses = 16;          // between two readings of the clock
+  const Stopwatch watch;
   do {
     for (int n = 0; n < pauses; ++n) {
       if (done()) return true;
       pause();
     }
-  } while (std::chrono::steady_clock::now() - start < max_spin);
+  } while (watch.seconds() < max_spin);
   return done();
 }
 

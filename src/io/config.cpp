@@ -56,11 +56,11 @@ Config parse_config(std::string_view text, const std::string& file) {
     config.cutoff_place = forces->where("cutoff");
   }
   if (pairs) read_pairs(*pairs, config.system, file, config.forces.mixing);
-  const OwnSchemes own = schemes ? read_schemes(*schemes) : OwnSchemes{};
-  if (integrator) read_integrator(*integrator, config.integrator, own);
+  if (schemes) config.schemes = read_schemes(*schemes);
+  if (integrator) read_integrator(*integrator, config.integrator, config.schemes);
   if (run) read_run(*run, config.run);
   if (output) read_output(*output, config.output);
-  if (study) read_study(*study, config.study, own);
+  if (study) read_study(*study, config.study, config.schemes);
   set_precision(config, config.forces.precision);
   return config;
 }

@@ -32,9 +32,12 @@ void take_schemes(TomlTable& table, std::string_view key, std::vector<std::strin
   }
 }
 
-constexpr auto must_be_accuracy =
-    "must be above 0 % and below 100 %: it bounds R, the fluctuation of the total energy divided "
-    "by that of the potential energy";
+void check_accuracy(double bound, const TomlTable& table) {
+  if (const std::string wrong = wrong_bound(bound); !wrong.empty())
+    table.refuse("accuracy", wrong +
+                                 ": it bounds R, the fluctuation of the total energy divided "
+                                 "by that of the potential energy");
+}
 
 void take_configurational_sample(TomlTable& table, double& interval) {
   take_time(table, "configurational_sample", interval, "20 fs");
@@ -47,6 +50,10 @@ constexpr auto must_be_time = "must be 0 ps or longer, and at most 1e6 us (one s
 
 }  // namespace
 
+std::string wrong_bound(double bound) {
+  return bound > 0 && bound < 1 ? "" : "must be above 0 % and below 100 %";
+}
+
 void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own) {
   integrator.scheme_given = table.has("scheme");
   take(integrator.scheme, table.text("scheme"));
@@ -56,8 +63,7 @@ void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnS
   take_time(table, "step", integrator.step, "2 fs");
   table.require(integrator.step > 0, "step", "must be longer than 0 fs");
   integrator.accuracy = table.quantity("accuracy", Dimension::fraction, "0.5 %");
-  table.require(integrator.accuracy.value_or(0.5) > 0 && integrator.accuracy.value_or(0.5) < 1,
-                "accuracy", must_be_accuracy);
+  if (integrator.accuracy) check_accuracy(*integrator.accuracy, table);
   table.require(!integrator.accuracy || !table.has("step"), "accuracy",
                 "cannot be combined with a step, which it chooses itself; leave one out");
   take_schemes(table, "candidates", integrator.candidates, own);

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,10 +22,7 @@ void read_forces(TomlTable table, ForceSettings& forces);
 void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,
                 const std::string& file, Mixing& mixing);
 /// The texts of the schemes in the table [schemes], by name, such as "mine: B(1/2) A(1) B(1/2)".
-using OwnSchemes = std::map<std::string, std::string, std::less<>>;
 OwnSchemes read_schemes(TomlTable table);
-/// A name of one of them, alone or on either side of a slash, replaced by its text.
-std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 
 void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own);
 void read_run(TomlTable table, RunSettings& run);

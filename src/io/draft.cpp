@@ -38,6 +38,12 @@ Draft::Draft(const std::string& path, Name name) : path_(path) {
   create_named();
 }
 
+std::string Draft::with_final_name(std::string message) const {
+  if (const auto at = message.find(draft_); at != message.npos)
+    message.replace(at, draft_.size(), path_);
+  return message;
+}
+
 void Draft::create_named() {
   do {
     draft_ = name_beside(path_);

@@ -8,6 +8,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "polhode/model/wrap.hpp"
+
 namespace polhode {
 namespace {
 
@@ -69,7 +71,6 @@ std::vector<AtomKind> atom_kinds(const Topology& topology, MasslessSites massles
 
 void each_atom(const State& state, const Topology& topology, MasslessSites massless,
                const std::function<void(const Atom&)>& visit) {
-  const Vec3<double> edge = state.box.edge;
   std::size_t i = 0;
   std::uint32_t first_kind = 0;
   for (const auto& [molecule, count] : topology.parts) {
@@ -78,9 +79,7 @@ void each_atom(const State& state, const Topology& topology, MasslessSites massl
       if (visible(site, massless)) sites.push_back(site.r);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       const Vec3<double> q = state.q[i];
-      const Vec3<double> home{q.x - edge.x * std::floor(q.x / edge.x),
-                              q.y - edge.y * std::floor(q.y / edge.y),
-                              q.z - edge.z * std::floor(q.z / edge.z)};
+      const Vec3<double> home = wrapped(q, state.box);
       const Vec3<double> L = to_body(state.attitude[i], state.ell[i]);
       const Vec3<double> J = molecule.J;
       const Vec3<double> omega =

@@ -52,9 +52,10 @@ bool any_at_rounding(const EfficiencyCurve& curve) {
 
 // Ranges of the axes: linear up to `highest`, as far as any curve differs from the axis; and
 // logarithmic for all points.
-void add_ranges(FigureScript& script, const std::vector<EfficiencyCurve>& curves, double highest) {
+void add_ranges(FigureScript& script, const std::vector<EfficiencyCurve>& curves,
+                double max_ratio) {
   const Ranges r = ranges_of(curves);
-  const double top = std::min(highest, 1.08 * r.ratio_high);
+  const double top = std::min(max_ratio, 1.08 * r.ratio_high);
   script.number("cost_low", 0.6 * r.cost_low);
   script.number("cost_high", 1.1 * last_cost_above(curves, 0.02 * top));
   script.number("ratio_high", 100 * top);
@@ -135,7 +136,7 @@ std::string efficiency_script(const EfficiencyFigure& figure, const Image& image
   script.schemes(names_of(curves)).text("caption", figure.caption);
   script.count("some_end", std::any_of(curves.begin(), curves.end(), end_known));
   script.count("some_rounded", std::any_of(curves.begin(), curves.end(), any_at_rounding));
-  add_ranges(script, curves, figure.highest);
+  add_ranges(script, curves, figure.max_ratio);
   script.block("points");
   for (const EfficiencyCurve& curve : curves) script.rows(curve.scheme, rows_of(curve));
   return script.end_block().with("efficiency");

@@ -111,6 +111,8 @@ Words words(Dimension dimension) {
   return {"", "", ""};
 }
 
+constexpr std::string_view no_break_space = "\u00A0";
+
 const Unit* find(std::string_view symbol, Dimension dimension) {
   for (const Unit& u : all_units)
     if (u.symbol == symbol && u.dimension == dimension) return &u;
@@ -180,6 +182,10 @@ double unit_at(std::string_view rest, const QuantityText& source) {
       source.refuse(fmt::format(" is {} {}; it must be {} {}, in one of: {}",
                                 words(u.dimension).article, words(u.dimension).noun, article, noun,
                                 join_names(known)));
+  if (symbol.find(no_break_space) != symbol.npos)
+    source.refuse(
+        " has a no-break space (U+00A0), as word processors and web pages write it; replace it by "
+        "an ordinary space");
   const auto near = nearest_name(symbol, known);
   source.refuse(fmt::format(": there is no unit '{}' of {}{}; there are: {}", symbol, noun,
                             near ? fmt::format(" (did you mean '{}'?)", *near) : "",

@@ -52,11 +52,11 @@ std::string head_of(const std::vector<Table::Column>& columns) {
 
 void write_head(std::ostream& out, const std::vector<Table::Column>& columns,
                 const Provenance& provenance) {
-  out << fmt::format(
+  out << head_of(columns) << '\n'
+      << fmt::format(
              "# polhode {}\n# command: {}\n# config hash: {}\n# instruction set: {}\n# seed: {}\n",
              provenance.version, printable(provenance.command), text_hash(provenance.config),
-             provenance.instruction_set, provenance.seed)
-      << head_of(columns) << '\n';
+             provenance.instruction_set, provenance.seed);
 }
 
 }  // namespace

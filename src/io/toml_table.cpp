@@ -15,7 +15,7 @@ namespace {
 
 // The TOML library recurses into dotted keys without a limit, and into up to 256 nested values: the
 // stack must hold the product of both.
-constexpr std::size_t most_dots = 8;
+constexpr std::size_t max_dots = 8;
 
 // The end of the string that begins at a quote.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
@@ -50,10 +50,10 @@ void check_keys(std::string_view text, const std::string& file) {
       k = std::min(text.find('\n', k), text.size());
       continue;
     }
-    if (c == '.' && ++dots > most_dots)
+    if (c == '.' && ++dots > max_dots)
       throw Error(
           fmt::format("a key has more than {} dots, or tables are nested that deep; delete it",
-                      most_dots),
+                      max_dots),
           fmt::format("{}:{}", file, line));
     if (std::string_view("=,[]{}\n").find(c) != std::string_view::npos) dots = 0;
     line += c == '\n';

@@ -188,9 +188,9 @@ struct Hypothesis {
 Hypothesis hypothesis(const std::vector<ModeGroup>& groups, const Spectrum& spectrum, double degree,
                       double walk, double scale) {
   constexpr int iterations = 20;
-  constexpr double least_share = 1e-3;  // of white noise in the fastest modes
+  constexpr double min_share = 1e-3;  // of white noise in the fastest modes
   double modes = 0, white = groups.back().squares / groups.back().modes(), log_likelihood = 0;
-  const double floor = std::max(least_share * white, std::numeric_limits<double>::min());
+  const double floor = std::max(min_share * white, std::numeric_limits<double>::min());
   const auto known = [&](double k) { return walk > 0 ? walk * walk_share(k) : 0.0; };
   std::vector<std::array<double, 2>> powers;  // of each group: of the spectrum, of the known walk
   for (const ModeGroup& g : groups) {

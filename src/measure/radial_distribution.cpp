@@ -7,14 +7,13 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <set>
 #include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/memory.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/model/cell_width.hpp"
+#include "polhode/model/cell_list.hpp"
 
 namespace polhode {
 namespace {
@@ -25,8 +24,10 @@ std::string without_digits(std::string name) {
   return name.empty() ? whole : name;
 }
 
-bool names(const std::string& word, const Site& site) {
-  return word == site.name || word == without_digits(site.name);
+bool names(const std::string& word, const Molecule& molecule, const Site& site) {
+  const std::string prefix = molecule.name + ":";
+  const std::string name = word.starts_with(prefix) ? word.substr(prefix.size()) : word;
+  return name == site.name || name == without_digits(site.name);
 }
 
 // A site of a frame, wrapped into the box.
@@ -35,63 +36,11 @@ struct WrappedSite {
   std::uint32_t body, kind;
 };
 
-// Sites sorted by cells that are at least as wide as the cutoff; one cell along a short edge, and
-// at most as many cells as sites.
-struct CellSort {
-  std::array<std::size_t, 3> cells;
-  std::vector<WrappedSite> sites;
-  std::vector<std::size_t> first;  // of each cell, and the end
-
-  CellSort(const std::vector<WrappedSite>& unsorted, const Box& box, double cutoff) {
-    const double width =
-        cell_width(box, cutoff, std::max(27.0, static_cast<double>(unsorted.size())));
-    for (std::size_t k = 0; k < 3; ++k)
-      cells[k] = std::max<std::size_t>(1, static_cast<std::size_t>(box.edge[k] / width));
-    const auto cell_of = [&](const WrappedSite& site) {
-      std::size_t cell = 0;
-      for (std::size_t k = 3; k-- > 0;) {
-        const auto n = static_cast<double>(cells[k]);
-        const auto c = static_cast<std::size_t>(site.r[k] / box.edge[k] * n);
-        cell = cell * cells[k] + std::min(c, cells[k] - 1);
-      }
-      return cell;
-    };
-    first.assign(cells[0] * cells[1] * cells[2] + 1, 0);
-    for (const WrappedSite& site : unsorted) ++first[cell_of(site) + 1];
-    for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
-    std::vector<std::size_t> next(first.begin(), first.end() - 1);
-    sites.resize(unsorted.size());
-    for (const WrappedSite& site : unsorted) sites[next[cell_of(site)]++] = site;
-  }
-
-  // The cell itself and its neighbours with higher numbers, each once even if a small box has few.
-  std::set<std::size_t> later_neighbours(std::size_t cell) const {
-    const std::array at = {cell % cells[0], cell / cells[0] % cells[1],
-                           cell / (cells[0] * cells[1])};
-    std::set<std::size_t> found;
-    for (std::size_t z = 0; z < 3; ++z)
-      for (std::size_t y = 0; y < 3; ++y)
-        for (std::size_t x = 0; x < 3; ++x) {
-          const auto along = [&](std::size_t k, std::size_t step) {
-            return (at[k] + cells[k] + step - 1) % cells[k];
-          };
-          const std::size_t other = (along(2, z) * cells[1] + along(1, y)) * cells[0] + along(0, x);
-          if (other >= cell) found.insert(other);
-        }
-    return found;
-  }
-};
-
 // The minimum image of the difference of two positions in the box.
 Vec3<double> nearest(Vec3<double> d, const Vec3<double>& edge, const Vec3<double>& half) {
   for (std::size_t k = 0; k < 3; ++k)
     d[k] += d[k] > half[k] ? -edge[k] : d[k] < -half[k] ? edge[k] : 0.0;
   return d;
-}
-
-Vec3<double> wrap_into_box(const Vec3<double>& r, const Vec3<double>& edge) {
-  return {r.x - edge.x * std::floor(r.x / edge.x), r.y - edge.y * std::floor(r.y / edge.y),
-          r.z - edge.z * std::floor(r.z / edge.z)};
 }
 
 // The bins to which a cubic is fitted.
@@ -197,7 +146,7 @@ Extremum maximum(std::span<const double> g, const Bins& bins, double sign) {
   return {middle + best, sign * value(c, best)};
 }
 
-// Rows of sites are distributed over this many tasks, each with its own histogram.
+// Pairs of sites are distributed over this many tasks, each with its own histogram.
 constexpr std::size_t tasks = 32;
 
 std::size_t checked_bins(const RadialSettings& settings) {
@@ -209,11 +158,22 @@ std::size_t checked_bins(const RadialSettings& settings) {
 
 }  // namespace
 
+std::vector<std::string> molecules_with(const Topology& topology, const std::string& selection) {
+  std::vector<std::string> found;
+  for (const auto& [molecule, count] : topology.parts)
+    if (std::any_of(molecule.sites.begin(), molecule.sites.end(),
+                    [&](const Site& site) { return names(selection, molecule, site); }) &&
+        std::find(found.begin(), found.end(), molecule.name) == found.end())
+      found.push_back(molecule.name);
+  return found;
+}
+
 std::vector<SitePair> site_pairs(const Topology& topology) {
   std::vector<std::string> words;
   for (const auto& [molecule, count] : topology.parts)
     for (const Site& site : molecule.sites) {
-      const std::string word = without_digits(site.name);
+      std::string word = without_digits(site.name);
+      if (molecules_with(topology, word).size() > 1) word = molecule.name + ":" + word;
       if (site.mass > 0 && std::find(words.begin(), words.end(), word) == words.end())
         words.push_back(word);
     }
@@ -238,7 +198,7 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
     for (const Site& site : molecule.sites) {
       all_names.push_back(site.name);
       std::vector<bool> kind;
-      for (const std::string& word : words) kind.push_back(names(word, site));
+      for (const std::string& word : words) kind.push_back(names(word, molecule, site));
       if (std::find(kind.begin(), kind.end(), true) == kind.end()) continue;
       const auto known = std::find(kinds.begin(), kinds.end(), kind);
       sites.emplace_back(site.r, static_cast<std::size_t>(known - kinds.begin()));
@@ -291,34 +251,24 @@ void RadialDistribution::add(const State& state, Workers& workers) {
   for (std::size_t part = 0; part < sites_.size(); ++part)
     for (const std::size_t end = i + bodies_[part]; i < end; ++i)
       for (const auto& [r, kind] : sites_[part])
-        placed.push_back({wrap_into_box(state.q[i] + to_lab(state.attitude[i], r), edge),
+        placed.push_back({wrapped(state.q[i] + to_lab(state.attitude[i], r), state.box),
                           static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(kind)});
-  const CellSort sorted(placed, state.box, cutoff_);
+  const CellList sites(placed, state.box, cutoff_);
 
   // Integers, so that the sum does not depend on the distribution over tasks.
   std::vector<std::vector<std::uint64_t>> histograms(tasks);
-  std::vector<std::set<std::size_t>> near;
-  for (std::size_t cell = 0; cell + 1 < sorted.first.size(); ++cell)
-    near.push_back(sorted.later_neighbours(cell));
   const double reach2 = std::pow(static_cast<double>(bins_) * width_, 2);
   workers.each(tasks, [&](std::size_t task) {
     std::vector<std::uint64_t>& histogram = histograms[task];
     histogram.assign(pairs_.size() * bins_, 0);
-    for (std::size_t cell = 0; cell < near.size(); ++cell)
-      for (const std::size_t other : near[cell])
-        for (std::size_t a = sorted.first[cell]; a < sorted.first[cell + 1]; ++a) {
-          if (a % tasks != task) continue;
-          const WrappedSite& one = sorted.sites[a];
-          for (std::size_t b = other == cell ? a + 1 : sorted.first[other];
-               b < sorted.first[other + 1]; ++b) {
-            const WrappedSite& two = sorted.sites[b];
-            const double r2 = norm2(nearest(one.r - two.r, edge, half));
-            if (r2 >= reach2 || one.body == two.body) continue;
-            const auto bin = std::min(bins_ - 1, static_cast<std::size_t>(std::sqrt(r2) / width_));
-            for (const auto& [p, times] : counts_[one.kind][two.kind])
-              histogram[p * bins_ + bin] += times;
-          }
-        }
+    const auto count = [&](const WrappedSite& one, const WrappedSite& two) {
+      const double r2 = norm2(nearest(one.r - two.r, edge, half));
+      if (r2 >= reach2 || one.body == two.body) return;
+      const auto bin = std::min(bins_ - 1, static_cast<std::size_t>(std::sqrt(r2) / width_));
+      for (const auto& [p, times] : counts_[one.kind][two.kind])
+        histogram[p * bins_ + bin] += times;
+    };
+    sites.each_pair(count, task, tasks);
   });
   std::vector<double> sample(pairs_.size() * bins_ + 1, 0.0);
   for (const auto& histogram : histograms)

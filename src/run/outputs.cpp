@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/outputs.hpp"
 
+#include <fmt/core.h>
+
 #include <sstream>
 
+#include "polhode/base/error.hpp"
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/version.hpp"
 
@@ -14,6 +17,14 @@ Provenance provenance(const std::string& command, const std::string& config, std
 
 void check_outputs(const std::vector<std::string>& files, ExistingFiles existing) {
   for (const std::string& file : files) refuse_existing(file, existing == ExistingFiles::replace);
+}
+
+void check_prefix(const std::string& prefix) {
+  if (!prefix.empty() && prefix.back() != '/') return;
+  throw Error(
+      fmt::format("the prefix '{0}' ends without a name, with which the names of the output "
+                  "files begin; write for example '{0}run'",
+                  prefix));
 }
 
 OutputLock::OutputLock(const std::string& path, const Callbacks& callbacks) : lock_(path) {

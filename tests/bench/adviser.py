@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The statistics of bench/adviser are right, and a complete run of it on argon works."""
 
-import argparse
 import json
 import subprocess
 import sys
@@ -9,8 +8,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import built_program
+
 ADVISER = Path(__file__).resolve().parents[2] / "bench/adviser/adviser.py"
-PROGRAM = None  # the built program, from the command line
 sys.path.insert(0, str(ADVISER.parent))
 
 import adviser
@@ -46,7 +46,7 @@ class Adviser(unittest.TestCase):
 
     def test_one_question_on_argon(self):
         with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.run([sys.executable, "-B", ADVISER, "--program", PROGRAM, "--systems", "argon-108",
+            run = subprocess.run([sys.executable, "-B", ADVISER, "--program", built_program.PROGRAM, "--systems", "argon-108",
                                   "--accuracies", "5", "--fresh", "2", "--time", "2", "--length", "4", "--equilibrate", "0.5",
                                   "--threads", "1", "--output", "result"],
                                  cwd=folder, text=True, capture_output=True, check=False)
@@ -66,8 +66,4 @@ class Adviser(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
-    unittest.main(module="__main__", argv=["adviser", *rest])
+    built_program.main()

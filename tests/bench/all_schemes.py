@@ -14,10 +14,10 @@ import all_schemes
 import figure
 
 
-def curve(scheme, evaluations, factor, order, steps, longest=99):
+def curve(scheme, evaluations, factor, order, steps, max_step=99):
     """Points of a scheme with R = factor hⁿ at evaluations per step; above the longest step the energy is lost."""
     return [{"scheme": scheme, "step_fs": h, "force_evaluations_per_ps": 1000 * evaluations / h, "stable": True,
-             "R": factor * h**order if h <= longest else 1.2} for h in steps]
+             "R": factor * h**order if h <= max_step else 1.2} for h in steps]
 
 
 class Family(unittest.TestCase):
@@ -28,7 +28,7 @@ class Family(unittest.TestCase):
         self.assertAlmostEqual(all_schemes.steps("co2", 2)[0], 2)
 
     def test_costs_between_below_and_above_the_points(self):
-        own = curve("hoa2", 2, 2e-4, 2, (2, 4, 8), longest=4)
+        own = curve("hoa2", 2, 2e-4, 2, (2, 4, 8), max_step=4)
         cost, step, how = all_schemes.cost_at(own, 2e-4 * 9, 2)
         self.assertAlmostEqual(step, 3, 9)
         self.assertEqual(how, "")
@@ -36,10 +36,10 @@ class Family(unittest.TestCase):
         self.assertAlmostEqual(cost, 2000, 6)
         self.assertEqual(how, "*")
         self.assertEqual(all_schemes.cost_at(own, 1, 2), (500, 4, "+"))
-        self.assertIsNone(all_schemes.cost_at(curve("hoa2", 2, 2e-4, 2, (2, 4), longest=1), 1, 2))
+        self.assertIsNone(all_schemes.cost_at(curve("hoa2", 2, 2e-4, 2, (2, 4), max_step=1), 1, 2))
 
     def test_the_figure_tells_the_cheapest_apart_and_marks_what_drifts(self):
-        points = curve("hoa2", 2, 2e-4, 2, (2, 4, 8), longest=4) + curve("bcss3", 3, 1e-5, 2, (2, 4)) + curve(
+        points = curve("hoa2", 2, 2e-4, 2, (2, 4, 8), max_step=4) + curve("bcss3", 3, 1e-5, 2, (2, 4)) + curve(
             "yoshida6", 7, 1e-3, 6, (2, 4))
         ranking = [{"R": 0.01, "schemes": [{"scheme": "bcss3", "cost": 300, "step_fs": 4, "how": ""},
                                            {"scheme": "hoa2", "cost": 500, "step_fs": 4, "how": "+", "seconds_per_ps": 0.2}]}]

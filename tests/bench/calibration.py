@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """bench/calibration: its statistics on numbers whose result is known, and both scripts from end to end on small systems."""
 
-import argparse
 import json
 import math
 import random
@@ -11,8 +10,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import built_program
+
 FOLDER = Path(__file__).resolve().parents[2] / "bench/calibration"
-PROGRAM = None  # the built program, from the command line
 sys.path.insert(0, str(FOLDER))
 
 import analyze
@@ -65,7 +65,7 @@ class Whole(unittest.TestCase):
     def test_drifts_of_two_runs(self):
         calibration_script = FOLDER / "calibration.py"
         with tempfile.TemporaryDirectory() as folder:
-            self.done(folder, calibration_script, "--program", PROGRAM, "--runs", 2, "--systems", "64 argon", "--lengths", 0.2, 0.4,
+            self.done(folder, calibration_script, "--program", built_program.PROGRAM, "--runs", 2, "--systems", "64 argon", "--lengths", 0.2, 0.4,
                       "--output", "result.json")
             rows = json.loads((Path(folder) / "result.json").read_text(encoding="utf-8"))["rows"]
             text = (Path(folder) / "result.md").read_text(encoding="utf-8")
@@ -75,7 +75,7 @@ class Whole(unittest.TestCase):
 
     def test_errors_of_analyze(self):
         with tempfile.TemporaryDirectory() as folder:
-            self.done(folder, FOLDER / "analyze.py", "--polhode", PROGRAM, "--systems", "argon", "--runs", 1, "--length", 6,
+            self.done(folder, FOLDER / "analyze.py", "--polhode", built_program.PROGRAM, "--systems", "argon", "--runs", 1, "--length", 6,
                       "--pieces", 3, "--window", 0.4, "--output", "result")
             rows = json.loads((Path(folder) / "result.json").read_text(encoding="utf-8"))["results"]
         self.assertLessEqual({"T [K]", "peak of g Ar-Ar: position [nm]", "D, displacements [1e-9 m2/s]"}, {r["quantity"] for r in rows})
@@ -83,8 +83,4 @@ class Whole(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
-    unittest.main(argv=[sys.argv[0], *rest])
+    built_program.main()

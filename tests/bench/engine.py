@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """bench/engine runs, stores its results and draws them."""
 
-import argparse
 import json
 import shutil
 import subprocess
@@ -10,15 +9,16 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import built_program
+
 ENGINE = Path(__file__).resolve().parents[2] / "bench/engine/engine.py"
-PROGRAM = None  # the built program, from the command line
 
 
 class Engine(unittest.TestCase):
     def test_quick(self):
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run([sys.executable, "-B", ENGINE, "--quick", "--sizes", "512,600", "--threads", "1",
-                                  "--polhode", PROGRAM, "--json", "numbers.json", "--figures", "picture"],
+                                  "--polhode", built_program.PROGRAM, "--json", "numbers.json", "--figures", "picture"],
                                  cwd=folder, text=True, capture_output=True, check=False)
             self.assertEqual(run.returncode, 0, run.stderr)
             result = json.loads((Path(folder) / "numbers.json").read_text(encoding="utf-8"))
@@ -33,8 +33,4 @@ class Engine(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
-    unittest.main(module="__main__", argv=["engine", *rest])
+    built_program.main()

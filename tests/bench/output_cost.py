@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """bench/output_cost measures each format and the checkpoint, and its tables contain the results."""
 
-import argparse
 import json
 import subprocess
 import sys
@@ -9,8 +8,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import built_program
+
 WRITING = Path(__file__).resolve().parents[2] / "bench/output_cost/output_cost.py"
-PROGRAM = None  # the built program, from the command line
 sys.path.insert(0, str(WRITING.parent))
 
 import output_cost
@@ -23,7 +23,7 @@ class Writing(unittest.TestCase):
 
     def test_short_runs(self):
         with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.run([sys.executable, "-B", WRITING, "--program", PROGRAM, "--formats", "xtc", "h5md", "--every",
+            run = subprocess.run([sys.executable, "-B", WRITING, "--program", built_program.PROGRAM, "--formats", "xtc", "h5md", "--every",
                                   "0.02", "--length", "0.08", "--rounds", "2", "--waters", "512", "--steps", "4",
                                   "--folder", folder, "--output", "result"],
                                  cwd=folder, text=True, capture_output=True, check=False)
@@ -39,8 +39,4 @@ class Writing(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
-    unittest.main(module="__main__", argv=["output_cost", *rest])
+    built_program.main()

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """bench/quick_study on short runs goes through all of it, and it finds the curves that lack points."""
 
-import argparse
 import io
 import subprocess
 import sys
@@ -10,8 +9,9 @@ import unittest
 from contextlib import redirect_stdout
 from pathlib import Path
 
+import built_program
+
 BENCH = Path(__file__).resolve().parents[2] / "bench/quick_study/quick_study.py"
-PROGRAM = None  # the built program, from the command line
 sys.path.insert(0, str(BENCH.parent))
 
 import quick_study
@@ -38,7 +38,7 @@ class QuickStudy(unittest.TestCase):
 
     def test_short_runs(self):
         with tempfile.TemporaryDirectory() as folder:
-            command = [sys.executable, "-B", BENCH, "--polhode", PROGRAM, "--seeds", "1", "--instruction-sets", "scalar", "--folder",
+            command = [sys.executable, "-B", BENCH, "--polhode", built_program.PROGRAM, "--seeds", "1", "--instruction-sets", "scalar", "--folder",
                        "studies", "--", "--length", "0.08 ps", "--decorrelate", "0.01 ps", "--runs", "2", "--steps", "4 fs"]
             first, again = (subprocess.run(command, cwd=folder, text=True, capture_output=True, check=False) for _ in range(2))
             self.assertEqual(first.returncode, 0, first.stderr)
@@ -47,8 +47,4 @@ class QuickStudy(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
-    unittest.main(argv=["quick_study", *rest])
+    built_program.main()

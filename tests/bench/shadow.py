@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """bench/shadow on four waters goes through all of it, and its table holds what the runs said."""
 
-import argparse
 import json
 import subprocess
 import sys
@@ -9,8 +8,9 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import built_program
+
 BENCH = Path(__file__).resolve().parents[2] / "bench/shadow/shadow.py"
-PROGRAM = None  # the built program, from the command line
 sys.path.insert(0, str(BENCH.parent))
 
 import shadow
@@ -22,7 +22,7 @@ class Shadow(unittest.TestCase):
 
     def test_few_waters(self):
         with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.run([sys.executable, "-B", BENCH, "--program", PROGRAM, "--length", "0.3", "--equilibrate", "0.05",
+            run = subprocess.run([sys.executable, "-B", BENCH, "--program", built_program.PROGRAM, "--length", "0.3", "--equilibrate", "0.05",
                                   "--system", 'molecules = [{ model = "tip4p", count = 8 }]\ndensity = "0.1 g/cm3"',
                                   "--forces", 'cutoff = "0.6 nm"\nswitch = "0.5 nm"', "--output", "result.json"],
                                  cwd=folder, text=True, capture_output=True, check=False)
@@ -36,8 +36,4 @@ class Shadow(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
-    unittest.main(argv=["shadow", *rest])
+    built_program.main()

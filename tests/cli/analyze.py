@@ -62,6 +62,48 @@ class Analyze(Sandbox):
                          [{"pair": ["OW", "OW"], "peak_nm": None, "peak_height": None, "minimum_nm": None,
                            "coordination": None, "coordination_of_second": None}])
 
+    def test_numbers_that_the_run_does_not_determine(self):
+        """They are no values: JSON has the reason, and the estimate under another name."""
+        options = ("--run", "run.toml", "--what", "msd,rotation", "--window", "0.1 ps", "--plot", "none", "--force")
+        report = json.loads(self.analyze(*options, "--json").out)
+        D = report["parts"][0]["D_1e-9_m2_per_s"]
+        self.assertFalse(D["converged"])
+        self.assertIsNone(D["value"])
+        self.assertIsNone(D["error"])
+        self.assertGreater(D["unconverged_estimate"], 0)
+        self.assertRegex(D["reason"], r"^not converged: length 0.2.* ps, maximum lag .* a run of at least .* ps is needed$")
+        times = [time for axis in report["parts"][0]["relaxation"].values() for time in axis.values()]
+        undecayed = [time for time in times if "integral_ps" not in time]
+        for time in undecayed:
+            self.assertEqual(set(time), {"converged", "reason"})
+            self.assertIn("does not fall to 1/e³ within the window of lags; use a longer window", time["reason"])
+        self.assertGreater(len(undecayed), 0)
+        for time in times:
+            self.assertIsNone(time.get("integral_ps", {}).get("value"))  # 0.2 ps determine none
+        text = self.analyze(*options).out
+        self.assertIn("not converged: the function does not fall to 1/e³", text)
+
+    def test_sites_of_equal_names(self):
+        """Those of two kinds of molecules are separate, unless they are asked for together."""
+        self.write("run.toml", edited(WATERS, ("count = 27 }", "count = 14 }, { model = \"spce\", count = 13 }")))
+        self.assertEqual(self.polhode("run", "run.toml", "--force").returncode, 0)
+        options = ("--run", "run.toml", "--what", "rdf", "--plot", "none", "--force", "--json")
+        report = json.loads(self.analyze(*options).out)
+        pairs = [pair["pair"] for pair in report["rdf"]]
+        self.assertIn(["tip4p:OW", "spce:OW"], pairs)
+        self.assertIn(["tip4p:OW", "tip4p:HW"], pairs)
+        self.assertEqual(len(pairs), 10)  # of four selections
+        self.assertEqual(report["notes"], [])
+        pooled = json.loads(self.analyze(*options, "--pairs", "OW-OW").out)
+        self.assertIn("g(r) of 'OW' is of the sites of tip4p, spce together; 'tip4p:OW' selects those of one", pooled["notes"])
+
+    def test_names_with_dashes(self):
+        self.done("run", edited(WATERS, ("count = 27 }", "count = 25 }, { model = \"na-tip4p-ew\", count = 2 }")), "--force")
+        process = self.analyze("--run", "run.toml", "--what", "rdf", "--plot", "none", "--json",
+                               "--pairs", "OW-na-tip4p-ew:Na, na-tip4p-ew:Na-tip4p:OW")
+        self.assertEqual([pair["pair"] for pair in json.loads(process.out)["rdf"]],
+                         [["OW", "na-tip4p-ew:Na"], ["na-tip4p-ew:Na", "tip4p:OW"]])
+
     def test_wrong_input(self):
         before = self.contents()
         for options, said in (((), "--run water.toml"),

@@ -281,7 +281,7 @@ class BadInput(Sandbox):
                                       ('"0.02 ps"\n\n[output]', '"400 ps"\n\n[output]')))
         process = self.polhode("run", "run.toml")
         self.assertEqual(process.returncode, 1, process.err)
-        for word in ("blew up at step", " ps): ", "(argon) are ", "nm apart, between Ar and Ar", "400 fs", "try 200 fs"):
+        for word in ("blew up at step", " ps): ", "(argon) are ", "nm apart, between Ar and Ar", "400 fs", "try 200 fs, or"):
             self.assertIn(word, process.err)
 
 

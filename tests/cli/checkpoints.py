@@ -103,9 +103,9 @@ class Checkpoints(Sandbox):
 
     def test_no_room(self):
         summary, files = self.whole()
-        most = len(files["out-trajectory.gro"]) // 2
+        max_bytes = len(files["out-trajectory.gro"]) // 2
 
-        process = self.limited(resource.RLIMIT_FSIZE, most, "run", "run.toml")
+        process = self.limited(resource.RLIMIT_FSIZE, max_bytes, "run", "run.toml")
         self.assertEqual(process.returncode, 1, process.err)
         for word in ("out-trajectory.gro", "disk full", "out-checkpoint.bin", "--continue"):
             self.assertIn(word, process.err)

@@ -96,9 +96,9 @@ class Formats(Sandbox):
             self.assertLess(numpy.abs(off).max(), 1e-9)
             energies = self.rows("out-energies.csv")
             column = energies[0].split(",").index("potential [kJ/mol]")
-            wanted = {round(float(line.split(",")[0]), 6): float(line.split(",")[column]) for line in energies[1:]}
+            expected = {round(float(line.split(",")[0]), 6): float(line.split(",")[column]) for line in energies[1:]}
             numpy.testing.assert_allclose(file["observables/potential_energy/value"][:],
-                                          [wanted[round(t, 6)] for t in times], rtol=1e-12)
+                                          [expected[round(t, 6)] for t in times], rtol=1e-12)
 
     def test_h5md_frames_of_a_killed_run_are_readable(self):
         endless = edited(WATER, ('length = "0.02 ps"', 'length = "1000 ps"'))
@@ -173,7 +173,7 @@ class Formats(Sandbox):
             (["out-trajectory.gro", "out-trajectory.pdb"], ["exists and would be overwritten", "--force"]),
             (["out-trajectory.gro", "a.pdb", "--from", "1 ps"], ["no frame", "first and the last time"]),
             (["out-trajectory.gro", "a.pdb", "--every", "0"], ["no 0th frame", "1 or more"]),
-            (["out-trajectory.gro", "a.pdb", "--from", "2 ps", "--to", "1 ps"], ["2 ps", "1 ps", "exchange"]),
+            (["out-trajectory.gro", "a.pdb", "--from", "2 ps", "--to", "1 ps"], ["2 ps", "1 ps", "swap"]),
             (["run.toml", "a.pdb"], ["'run.toml' has no known extension"]),
         ]:
             before = self.contents()

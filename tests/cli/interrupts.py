@@ -84,11 +84,28 @@ class Interrupts(Sandbox):
         self.assertEqual(process.out, "")
         self.assertTrue(process.err.endswith("interrupted before a result was found\n"), process.err)
 
-    def test_study_without_a_run(self):
-        """There is nothing to tabulate."""
-        self.write("run.toml", edited(LONG, ('"0.1 ps"', '"1000 ps"')))
-        process = self.interrupted(lambda: self.lines("study-runs.csv") > 2, signal.SIGINT, "study", "run.toml")
+    def test_top(self):
+        begin = time.monotonic()
+        process = self.interrupted(lambda: time.monotonic() > begin + 0.5, signal.SIGINT, "top", "--J", "1,2,3",
+                                   "--L", "0.1,0.2,1", "--step", "0.1", "--length", "1e7", "--output", "top")
+        self.assertIn("step 0.1", process.out)
+        self.assertTrue(process.err.endswith("interrupted; the table ends at the last sample before\n"), process.err)
+        self.assertEqual(self.contents(), {})
+
+    def test_bench(self):
+        begin = time.monotonic()
+        process = self.interrupted(lambda: time.monotonic() > begin + 0.5, signal.SIGINT, "bench", "--threads", "1")
         self.assertEqual(process.out, "")
+        self.assertTrue(process.err.endswith("interrupted before everything was measured\n"), process.err)
+
+    def test_study_without_a_run(self):
+        """There is nothing to tabulate or to draw, and the tables of an earlier study stay."""
+        self.write("study.csv", "of an earlier study\n")
+        self.write("run.toml", edited(LONG, ('"0.1 ps"', '"1000 ps"')))
+        process = self.interrupted(lambda: self.lines("study-runs.csv") > 2, signal.SIGINT, "study", "run.toml", "--force")
+        self.assertEqual(process.out, "")
+        self.assertEqual(set(self.contents()) - {"study-study.lock"}, {"run.toml", "study.csv", "study-runs.csv"})
+        self.assertEqual((self.folder / "study.csv").read_text(), "of an earlier study\n")
         self.assertIn("before the first run ended; the same command resumes from study-runs.csv", process.err)
 
     def test_study(self):

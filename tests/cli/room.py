@@ -79,14 +79,16 @@ class Room(Sandbox):
         self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
         before = self.contents()
         for name in ("out.gro", "out.trr", "out.h5md"):
-            for most in (0, 1, 1000, 3000):
-                process = self.limited(resource.RLIMIT_FSIZE, most, "convert", "out-trajectory.gro", name)
+            for max_bytes in (0, 1, 1000, 3000):
+                process = self.limited(resource.RLIMIT_FSIZE, max_bytes, "convert", "out-trajectory.gro", name)
                 self.assertIn(process.returncode, (1, 2), process.err)
+                self.assertIn(f"'{name}'", process.err)
+                self.assertNotIn("unfinished", process.err)
                 self.assertEqual(self.contents(), before)
 
     def test_studies_without_room(self):
-        for most in (0, 1, 100, 500):
-            process = self.limited(resource.RLIMIT_FSIZE, most, "study", "run.toml", "--output", "out")
+        for max_bytes in (0, 1, 100, 500):
+            process = self.limited(resource.RLIMIT_FSIZE, max_bytes, "study", "run.toml", "--output", "out")
             self.assertEqual(process.returncode, 1, process.err)
             process = self.polhode("study", "run.toml", "--output", "out")
             self.assertEqual(process.returncode, 0, process.err)

@@ -73,9 +73,9 @@ class Sandbox(unittest.TestCase):
                 raise
         return process
 
-    def limited(self, what, most, *arguments):
+    def limited(self, what, maximum, *arguments):
         """The finished process of `polhode ARGUMENTS` under a soft limit of the system."""
-        return self.polhode(*arguments, limit=(what, most))
+        return self.polhode(*arguments, limit=(what, maximum))
 
     def kill_at_random_moments(self, times, within, *arguments):
         """Kills `polhode ARGUMENTS` after up to `within` seconds, `times` times; a run that ends before is started again."""

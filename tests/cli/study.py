@@ -83,6 +83,21 @@ class Study(Sandbox):
         self.assertEqual((other["scheme"], other["runs"]), ("mine", 2))
         self.assertNotEqual(other["R"], point["R"])
 
+    def test_schemes_of_the_run_file_by_name(self):
+        text = SMALL + '[schemes]\nmine = "x = 1/6; B(x) A(1/2) B(1 - 2*x) A(1/2) B(x)"\n'
+        self.write("run.toml", text)
+        (point,), _ = self.points("--schemes", "mine")
+        self.assertEqual(point["scheme"], "mine")
+        # Nothing is compared with velocity Verlet where it is not there.
+        out = self.done("study", text, "--schemes", "mine").out
+        self.assertNotIn("velocity Verlet", out)
+        self.assertIn("(ratio to velocity Verlet)", self.done("study", text, "--output", "both").out)
+        report = json.loads(self.done("run", text, "--scheme", "mine", "--json").out)
+        self.assertEqual(report["scheme"], "mine")
+        self.assertTrue(report["text"].startswith("B(0.16666"), report["text"])
+        self.assertEqual(json.loads(self.done("run", text, "--json", "--force").out)["scheme"], "hoa2")
+        self.refused(("run", "run.toml", "--scheme", "mime"), ["'mime'", "--scheme"])
+
     def test_a_file_that_is_not_a_record(self):
         self.write("run.toml", SMALL)
         self.refused(("study", "run.toml", "--from-record", "none.csv"), ["'none.csv'", "record"])

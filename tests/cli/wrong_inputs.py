@@ -20,6 +20,14 @@ BOX = """two argon atoms
     2argon   AR    2   1.500   1.500   1.500
    2.50000   2.50000   2.50000 0 0 0.5 0 0 0
 """
+TILTED = """LAMMPS data file
+
+2 atoms
+0 5 xlo xhi
+0 5 ylo yhi
+0 5 zlo zhi
+1 0 0 xy xz yz
+"""
 RUN = ("run", "run.toml")
 
 
@@ -56,6 +64,16 @@ CASES = [
     ("no threads", SMALL, (*RUN, "--threads", "0"), ["threads = '0'", "from 1 to", "use a number in this range"]),
     ("a coordinate file as run file", "", ("run", "start.gro"), ["not a run file", "polhode new gromacs", "start.gro"]),
     ("a LAMMPS data file as run file", "", ("energy", "w.data"), ["not a run file", "polhode new lammps", "w.data"]),
+    ("a prefix that is a folder", SMALL, (*RUN, "--output", "results/"), ["'results/'", "without a name", "'results/run'"]),
+    ("a prefix of a run file that is a folder", system(('"out"', '"results/"')), RUN, ["'results/'", "'results/run'"]),
+    ("a prefix of a study that is a folder", SMALL, ("study", "run.toml", "--output", "results/"), ["'results/run'"]),
+    ("a prefix of advice that is a folder", SMALL, ("advise", "run.toml", "--accuracy", "1 %", "--output", "results/"), ["'results/run'"]),
+    ("a prefix of an analysis that is a folder", SMALL, ("analyze", "start.gro", "--run", "run.toml", "--output", "results/"), ["'results/run'"]),
+    ("a prefix of a figure that is a folder", "", ("top", "--J", "1,2,3", "--L", "1,2,3", "--output", "results/"), ["'results/run'"]),
+    ("lambda of a scheme with exact gradients", "", ("verify", "gier4", "--lambda", "0.1"),
+     ["gier4 has no gradient by finite difference", "leave it out", "gier4-fd", "--lambda"]),
+    ("a scheme to be tuned with a typing error", SMALL, ("tune-scheme", "run.toml", "--scheme", "gier5"),
+     ["'gier5'", "did you mean 'gier4'", "--scheme"]),
     # names
     ("a model in capitals", WATER.replace("tip4p", "TIP4P"), RUN, ["'TIP4P'", "did you mean 'tip4p'", "polhode molecules", "run.toml:2"]),
     ("a model with a slash", WATER.replace("tip4p", "SPC/E"), RUN, ["'SPC/E'", "did you mean 'spce'", "run.toml:2"]),
@@ -76,6 +94,15 @@ CASES = [
     ("a unit in capitals", system(('"1.0 nm"', '"1.0 NM"')), RUN, ["'NM'", "'nm'", "forces.cutoff"]),
     ("a temperature in Celsius", system(('"100 K"', '"25 C"')), RUN, ["25 C", "there is no unit 'C' of temperature; there are: K"]),
     ("a decimal comma", system(('"1.0 nm"', '"1,0 nm"')), RUN, ["1,0 nm", "decimal point"]),
+    ("a no-break space", system(('"2 fs"\n\n', '"2\u00a0fs"\n\n')), RUN, ["no-break space (U+00A0)", "ordinary space", '"2 fs"', "run.toml:11"]),
+    ("a no-break space on the command line", SMALL, (*RUN, "--step", "2\u00a0fs"), ["no-break space (U+00A0)", "--step"]),
+    ("an accuracy above 100 %", system(('step = "2 fs"', 'accuracy = "200 %"')), RUN,
+     ["above 0 % and below 100 %", "it bounds R", "integrator.accuracy"]),
+    ("an accuracy above 100 % on the command line", SMALL, ("advise", "run.toml", "--accuracy", "200 %"),
+     ["--accuracy", "above 0 % and below 100 %"]),
+    ("velocities from a file that has none",
+     system(('box = "2.5 nm"', 'initial_configuration = "cuboid.gro"\nvelocities = "from file"'), ("count = 27", "count = 2")), RUN,
+     ["cuboid.gro' has no velocities", "\"new\"", "system.velocities"]),
     ("a negative step", system(('step = "2 fs"', 'step = "-2 fs"')), RUN, ["-2 fs", "longer than 0 fs", "run.toml:11"]),
     ("a text without quotes", system(('"2 fs"\n\n', "2 fs\n\n")), RUN, ["not TOML", 'step = "2 fs"', "run.toml:11"]),
     # physics
@@ -89,6 +116,8 @@ CASES = [
      ["'w.dat'", "LAMMPS", ".data", "system.initial_configuration"]),
     ("an initial configuration that does not exist", system(('box = "2.5 nm"', 'initial_configuration = "none.gro"')), RUN,
      ["none.gro", "w512", "run.toml:3"]),
+    ("a tilted box of LAMMPS", system(('box = "2.5 nm"', 'initial_configuration = "tilted.data"'), ("count = 27", "count = 2")), RUN,
+     ["triclinic", "orthorhombic", "'region box block'", "tilted.data:7"]),
     # schemes
     ("a scheme with a missing bracket", scheme("B(1/2) A(1 B(1/2)"), RUN, ["'B(1/2)'", "character 12", "')'"]),
     ("a scheme whose kicks do not sum to one", scheme("B(1/2) A(1) B(1/3)"), RUN, ["0.8333", "sum to 1"]),
@@ -103,6 +132,8 @@ CASES = [
 class WrongInputs(Sandbox):
     def prepare(self, text):
         self.write("start.gro", BOX)
+        self.write("cuboid.gro", BOX.replace(" 0 0 0.5 0 0 0", ""))
+        self.write("tilted.data", TILTED)
         for name in ("w.dat", "w.data"):
             self.write(name, "LAMMPS data file\n\n2 atoms\n")
         self.write("run.toml", text)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The stored tables are those that the current program makes from the stored runs, and the documents agree with them."""
 
-import argparse
 import csv
 import json
 import re
@@ -14,10 +13,10 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FIGURE = ROOT / "docs/figure1"
-PROGRAM = None
-sys.path.insert(0, str(ROOT / "bench/all_schemes"))
+sys.path[:0] = [str(ROOT / "bench/all_schemes"), str(ROOT / "tests/bench")]
 
 import all_schemes
+import built_program
 
 
 def rows(path):
@@ -29,7 +28,7 @@ class PaperFigure(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         with tempfile.TemporaryDirectory() as folder:
-            made = subprocess.run([PROGRAM, "study", "--from-record", FIGURE / "figure1-runs.csv", "--output", "figure1", "--json"],
+            made = subprocess.run([built_program.PROGRAM, "study", "--from-record", FIGURE / "figure1-runs.csv", "--output", "figure1", "--json"],
                                   cwd=folder, text=True, capture_output=True, check=False)
             if made.returncode != 0:
                 raise AssertionError(made.stderr)
@@ -93,7 +92,7 @@ class AllSchemes(unittest.TestCase):
             self.assertEqual({p["runs"] for p in of["points"]}, {runs}, system)
 
     def test_the_ranking_and_the_page_are_what_the_points_say(self):
-        listed = subprocess.run([PROGRAM, "schemes", "--json"], text=True, capture_output=True, check=True).stdout
+        listed = subprocess.run([built_program.PROGRAM, "schemes", "--json"], text=True, capture_output=True, check=True).stdout
         orders = {s["name"]: s["order"] for s in json.loads(listed)}
         again = {system: {"ranking": all_schemes.ranking(of["points"], orders)} for system, of in self.stored["systems"].items()}
         self.assertEqual(all_schemes.tables({"systems": again}), all_schemes.tables(self.stored))
@@ -101,8 +100,4 @@ class AllSchemes(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--program", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    PROGRAM = options.program.resolve()
-    unittest.main(argv=["stored_results", *rest])
+    built_program.main()

@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -21,12 +20,13 @@
 #include <vector>
 
 #include "fuzz.hpp"
+#include "polhode/base/stopwatch.hpp"
 
 extern "C" void __sanitizer_set_death_callback(void (*callback)());
 
 namespace {
 
-constexpr int most_seconds = 10;  // CPU time for one input, with the sanitizers
+constexpr int max_seconds = 10;  // CPU time for one input, with the sanitizers
 
 std::string file_bytes(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -41,7 +41,7 @@ class Mutator {
   std::string next() {
     std::string text = pick(seeds_);
     for (std::size_t n = 1 + below(5); n-- > 0;) mutate(text);
-    if (text.size() > longest) text.resize(longest);
+    if (text.size() > max_size) text.resize(max_size);
     if (below(one_in) == 0) repeat(text);
     return text;
   }
@@ -49,7 +49,7 @@ class Mutator {
  private:
   // Most inputs are short, so that many are tried. Some repeat a piece until they are long, because
   // only these reveal quadratic running time.
-  static constexpr std::size_t longest = 1 << 16, longest_repeated = 1 << 20, one_in = 100;
+  static constexpr std::size_t max_size = 1 << 16, max_repeated_size = 1 << 20, one_in = 100;
 
   // A line or a piece of one, repeated.
   void repeat(std::string& text) {
@@ -60,7 +60,7 @@ class Mutator {
         line ? text.substr(begin, end - begin) : text.substr(at, 1 + below(8));
     if (piece.empty()) return;
     std::string many;
-    const std::size_t bytes = below(longest_repeated);
+    const std::size_t bytes = below(max_repeated_size);
     while (many.size() + piece.size() <= bytes) many += piece;
     text.insert(line ? begin : at, many);
   }
@@ -180,7 +180,7 @@ void set_timer(int seconds) {
 
 void feed(std::string text) {
   now_read = std::move(text);
-  set_timer(most_seconds);
+  set_timer(max_seconds);
   LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(now_read.data()), now_read.size());
   set_timer(0);
 }
@@ -217,12 +217,9 @@ int main(int argc, char** argv) {
   std::sort(seeds.begin(), seeds.end());            // whatever the order of the folder
   for (const std::string& text : seeds) feed(text);
   Mutator mutator(seeds, seed);
-  const auto begin = std::chrono::steady_clock::now();
+  const polhode::Stopwatch watch;
   std::uint64_t done = 0;
-  const auto elapsed = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
-  for (; done < inputs && elapsed() < seconds; ++done) feed(mutator.next());
+  for (; done < inputs && watch.seconds() < seconds; ++done) feed(mutator.next());
   std::printf("%s: %zu seeds and %llu mutations, no findings\n", name.c_str(), seeds.size(),
               static_cast<unsigned long long>(done));
 }

@@ -20,11 +20,11 @@ namespace {
 // an atom of 56 bytes or a site of 160, twice while a vector grows.
 constexpr std::size_t multiple = 256, beside = std::size_t{8} << 20;
 
-std::atomic<std::size_t> live{0}, most{0};
+std::atomic<std::size_t> live{0}, peak{0};
 
 void on_malloc(const volatile void*, std::size_t size) {
   const std::size_t now = live += size;
-  if (now > most) most = now;
+  if (now > peak) peak = now;
 }
 void on_free(const volatile void* pointer) {
   if (pointer == nullptr) return;
@@ -48,7 +48,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const bool hooked = __sanitizer_install_malloc_and_free_hooks(on_malloc, on_free) != 0;
   if (!hooked) finding("the hooks of malloc", " cannot be set");
   const std::size_t before = live;
-  most = before;
+  peak = before;
   try {
     polhode::fuzz::read({reinterpret_cast<const char*>(data), size});
   } catch (const polhode::Error& e) {
@@ -56,7 +56,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const std::exception& e) {
     finding("a reader threw something other than Error: ", e.what());
   }
-  if (most - before > multiple * size + beside)
+  if (peak - before > multiple * size + beside)
     finding("a reader used more memory than its input justifies", "");
   return 0;
 }

@@ -12,7 +12,7 @@ BIB = "@article{one1990,\n  author = {A},\n  title = {B},\n  year = {1990}\n}\n"
 SOUND = {
     ".clang-format": (HERE.parents[1] / ".clang-format").read_text(),
     "docs/references.bib": BIB,
-    "docs/glossary.md": "Words.\n\n| do not write | write |\n| --- | --- |\n| `goes on`, `some N` | resumes |\n",
+    "docs/glossary.md": "Words.\n\n| do not write | write |\n| --- | --- |\n| `goes on`, `some N`, `most_*` | resumes |\n",
     "docs/notes.md": "As in one1990; energies in kJ/mol/nm; `goes on` is code.\n",
     "tests/reference/a.cpp": SPDX + 'int goes, on;\n',
     "tests/reference/a.py": SPDX.replace("//", "#") + "text = 'goes on'\n",
@@ -62,6 +62,8 @@ FAULTS = [
     ("words", "tests/reference/a.cpp", "int x; // goes on\n", 3),
     ("words", "src/io/file.cpp", 'auto text = "a run that goes "\n            "on";\n', 5),
     ("words", "tests/reference/a.py", "x = 1  # goes on\n", 3),
+    ("words", "tests/reference/a.cpp", "int most_bins;  // and why\n", 3),
+    ("words", "tests/reference/a.py", "text = most_bins\n", 3),
     ("words", "tests/reference/a.py", 'option(help="it "\n       "goes on")\n', 4),
     ("words", "tests/reference/a.py", 'def f():\n    """A run.\n\n    It goes on."""\n', 6),
 ]

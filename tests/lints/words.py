@@ -2,7 +2,8 @@
 """Documents, comments and texts of the program contain none of the words that docs/glossary.md says to avoid.
 
 They are the phrases in code font in the left column of its last table. Upper and lower case are equal, a phrase may
-continue on the next line or in the next string literal, and N is any number. Code, formulas and links are not checked.
+continue on the next line or in the next string literal, and N is any number. Formulas and links are not checked, code
+only for names with a beginning in that column, such as `most_*`.
 """
 
 import io
@@ -28,12 +29,25 @@ def blank(match):
     return re.sub(r"[^\n]", " ", match[0] if isinstance(match, re.Match) else match)
 
 
+def rows(root):
+    """The rows of the glossary's last table."""
+    path = root / GLOSSARY
+    return list(ROW.finditer(path.read_text(encoding="utf-8").rpartition(TABLE)[2])) if path.exists() else []
+
+
+def names_to_avoid(root):
+    """Pairs of a pattern of names, of which a glossary row has the beginning, and what to write instead."""
+    for row in rows(root):
+        for beginning in re.findall(r"`(\w+_)\*`", row["avoid"]):
+            yield re.compile(rf"\b{beginning}\w+"), row["write"].strip()
+
+
 def phrases_to_avoid(root):
     """Pairs of a pattern and what to write instead."""
-    path = root / GLOSSARY
-    table = path.read_text(encoding="utf-8").rpartition(TABLE)[2] if path.exists() else ""
-    for row in ROW.finditer(table):
+    for row in rows(root):
         for phrase in re.findall(r"`([^`]+)`", row["avoid"]):
+            if phrase.endswith("_*"):
+                continue
             words = [r"\d[\d.,]*" if word == "N" else re.escape(word) for word in phrase.split()]
             after = r"(?![\w-])" if phrase[-1].isalnum() else ""
             yield re.compile(r"(?<![\w-])" + r"\s+".join(words) + after, re.I), row["write"].strip()
@@ -70,6 +84,22 @@ def prose_of_python(text):
     return NOT_PROSE.sub(blank, "".join(rows))
 
 
+def code_of_cpp(text):
+    """The code at its positions; comments and literals are blank."""
+    return IN_CPP.sub(blank, text)
+
+
+def code_of_python(text):
+    """The names at their positions; everything else is blank."""
+    rows = [blank(line) for line in text.splitlines(keepends=True)]
+    for token in tokenize.generate_tokens(io.StringIO(text).readline):
+        if token.type == tokenize.NAME:
+            (row, column), name = token.start, token.string
+            rows[row - 1] = rows[row - 1][:column] + name + rows[row - 1][column + len(name):]
+    return "".join(rows)
+
+
+CODE = {".hpp": code_of_cpp, ".cpp": code_of_cpp, ".py": code_of_python}
 PROSE = {".md": prose_of_markdown, ".hpp": prose_of_cpp, ".cpp": prose_of_cpp, ".py": prose_of_python}
 
 
@@ -78,7 +108,7 @@ def lies_in(name, places):
 
 
 def check(root):
-    phrases = list(phrases_to_avoid(root))
+    phrases, names = list(phrases_to_avoid(root)), list(names_to_avoid(root))
     if not phrases:
         yield Finding(root / GLOSSARY, 1, f"no table {TABLE} write |; add it, this lint reads it")
     for path in files(root, tuple(PROSE)):
@@ -90,6 +120,10 @@ def check(root):
             for match in pattern.finditer(prose):
                 phrase = " ".join(match[0].split())
                 yield Finding(path, line_of(prose, match.start()), f"'{phrase}' is to be avoided; write: {better}")
+        code = CODE[path.suffix](text) if path.suffix in CODE else ""
+        for pattern, better in names:
+            for match in pattern.finditer(code):
+                yield Finding(path, line_of(code, match.start()), f"the name '{match[0]}' is to be avoided; write: {better}")
 
 
 if __name__ == "__main__":

@@ -64,16 +64,16 @@ inline double largest_difference(const Vec3Column& a, const std::vector<Vec3<dou
   return m;
 }
 inline double largest(const Mat3<double>& m) {
-  double most = 0;
+  double max_size = 0;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(m[i][k]));
-  return most;
+    for (std::size_t k = 0; k < 3; ++k) max_size = std::max(max_size, std::abs(m[i][k]));
+  return max_size;
 }
 inline double largest_difference(const Mat3<double>& a, const Mat3<double>& b) {
-  double most = 0;
+  double max_size = 0;
   for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(a[i][k] - b[i][k]));
-  return most;
+    for (std::size_t k = 0; k < 3; ++k) max_size = std::max(max_size, std::abs(a[i][k] - b[i][k]));
+  return max_size;
 }
 
 inline double rms_distance(const Vec3Column& a, const std::vector<Vec3<double>>& b) {

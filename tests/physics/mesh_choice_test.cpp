@@ -89,10 +89,10 @@ TEST_CASE("the chosen mesh has the required accuracy, and not much more") {
   for (const Liquid& liquid : {water(), salt_water()}) {
     CAPTURE(liquid.name);
     for (const double cutoff : {0.9, 1.1})
-      for (const double wanted : {1e-3, 1e-4, 1e-5, 1e-6}) {
+      for (const double required : {1e-3, 1e-4, 1e-5, 1e-6}) {
         CAPTURE(cutoff);
-        CAPTURE(wanted);
-        const MeshSettings settings = mesh_for(wanted, cutoff, liquid.state.box, liquid.topology);
+        CAPTURE(required);
+        const MeshSettings settings = mesh_for(required, cutoff, liquid.state.box, liquid.topology);
         CAPTURE(settings.points[0]);
         CAPTURE(settings.order);
         CAPTURE(settings.exponent);
@@ -103,13 +103,13 @@ TEST_CASE("the chosen mesh has the required accuracy, and not much more") {
         CHECK(typical < 1.1 * exact.rms);
         const double error = rms_error<double>(liquid, settings, exact) / exact.rms;
         CAPTURE(error);
-        CHECK(error < wanted);
-        CHECK(error > 0.1 * wanted);
-        if (wanted < 1e-5) continue;
+        CHECK(error < required);
+        CHECK(error > 0.1 * required);
+        if (required < 1e-5) continue;
         const double rounded = rms_error<float>(liquid, settings, exact) / exact.rms;
         CAPTURE(rounded);
-        CHECK(rounded < wanted);
-        CHECK(rounded > 0.1 * wanted);
+        CHECK(rounded < required);
+        CHECK(rounded > 0.1 * required);
       }
   }
 }

@@ -44,10 +44,10 @@ struct MeshScene {
               .skin = 0.05},
              state.box) {
     list.build(state, 16);
-    std::size_t most = 0;
+    std::size_t max_sites = 0;
     for (const auto& part : topology.parts)
-      most = std::max(most, InteractionSites(part.molecule).size());
-    records = SiteRecords<T>(list.slots().size(), most);
+      max_sites = std::max(max_sites, InteractionSites(part.molecule).size());
+    records = SiteRecords<T>(list.slots().size(), max_sites);
     const auto place = POLHODE_CURRENT_OVERLOAD(place_sites, double (*)(const PlaceJob<T>&));
     for (std::size_t p = 0; p < topology.parts.size(); ++p) {
       std::vector<Vec3<double>> sites;

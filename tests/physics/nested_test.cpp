@@ -146,13 +146,13 @@ TEST_CASE("near and slow forces add up to all forces") {
     split.near(scene.state, near);
     split.whole(scene.state, whole);
     CHECK(slow.potential() == whole.potential());
-    double most = 0;
+    double max_force = 0;
     for (std::size_t i = 0; i < slow.f.size(); ++i) {
-      most = std::max(most, norm(slow.f[i]));
+      max_force = std::max(max_force, norm(slow.f[i]));
       CHECK(norm(slow.f[i] + near.f[i] - whole.f[i]) < 1e-11);
       CHECK(norm(slow.tau[i] + near.tau[i] - whole.tau[i]) < 1e-11);
     }
-    CHECK(most > 1);  // there are slow forces
+    CHECK(max_force > 1);  // there are slow forces
   }
   for (const double apart : {0.3, 0.6}) {
     scenes::Scene pair = scenes::lattice({{"tip4p", 2}}, 0.3, 2.1, 5);

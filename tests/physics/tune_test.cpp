@@ -109,7 +109,7 @@ cutoff = "0.75 nm"
   };
   run(hoa2, 2 * h);
   const ErrorCovariance c = error_covariance(brackets, h);
-  double least = INFINITY, at = 0;
+  double min_measured = INFINITY, at = 0;
   for (const double eta : {0.15, 0.17, 0.18, 0.185, 0.19, 0.195, 0.2, 0.21, 0.23}) {
     CAPTURE(eta);
     const ErrorTerms terms = error_terms(hoa2_family().at({{eta}})), from = error_terms(hoa2);
@@ -117,7 +117,7 @@ cutoff = "0.75 nm"
         std::sqrt(c.variance({terms.alpha - from.alpha, terms.beta - from.beta}) / c.VV);
     const double measured = run(hoa2_family().at({{eta}}), 0).statistics.energies.ratio();
     CHECK(measured == doctest::Approx(predicted).epsilon(0.1));
-    if (measured < least) least = measured, at = eta;
+    if (measured < min_measured) min_measured = measured, at = eta;
   }
   CHECK(std::abs(best_parameters(c, hoa2_family())[0] - at) <=
         0.006);  // the spacing of the grid there

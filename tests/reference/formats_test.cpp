@@ -21,9 +21,10 @@ const std::string folder = std::string(POLHODE_TEST_DATA) + "/formats/";
 Vec3<double> vector(const nlohmann::json& numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
 double distance(const Vec3<double>& a, const Vec3<double>& b) {
-  double most = 0;
-  for (std::size_t k = 0; k < 3; ++k) most = std::max(most, std::abs(a[k] - b[k]));
-  return most;
+  double max_difference = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    max_difference = std::max(max_difference, std::abs(a[k] - b[k]));
+  return max_difference;
 }
 
 // The rounding error of a float below 2 (nm) is at most 2^-24. Programs that store nm as floats and

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/simulation/equipartition.hpp"
+#include "polhode/run/study/equipartition.hpp"
 
 using namespace polhode;
 

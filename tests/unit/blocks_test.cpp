@@ -151,9 +151,9 @@ TEST_CASE("displace moves and turns each body by its own force and torque") {
       const auto turn = [&](std::size_t i) {  // J⁻¹ S τ
         return scaled(start.bodies.inverse_J[i], to_body(start.state.attitude[i], load.tau[i]));
       };
-      double most = 0;
-      for (std::size_t i = 0; i < count; ++i) most = std::max(most, norm(turn(i)));
-      const double c = largest / most;
+      double max_size = 0;
+      for (std::size_t i = 0; i < count; ++i) max_size = std::max(max_size, norm(turn(i)));
+      const double c = largest / max_size;
       State moved = start.state;
       displace(moved, start.bodies, load, c);
       double worst_q = 0, worst_turn = 0;

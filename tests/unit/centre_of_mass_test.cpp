@@ -29,9 +29,9 @@ void add_velocity(State& state, const Bodies& bodies, const Vec3<double>& v) {
 }
 
 double largest(const Vec3Column& v) {
-  double most = 0;
-  for (std::size_t i = 0; i < v.size(); ++i) most = std::max(most, norm(v[i]));
-  return most;
+  double max_size = 0;
+  for (std::size_t i = 0; i < v.size(); ++i) max_size = std::max(max_size, norm(v[i]));
+  return max_size;
 }
 
 const Vec3<double> common{1, -2, 0.5};  // [nm/ps]

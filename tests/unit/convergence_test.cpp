@@ -68,8 +68,8 @@ Convergence of_walkers(std::uint64_t seed, int frames, double tau, int lags) {
       state.q.add(i, v[i]);
     }
   }
-  const auto longest = static_cast<double>(lags);
-  return diffusion_convergence(displacement.mean_square(0), 1, {longest / 5, longest});
+  const auto max_lag = static_cast<double>(lags);
+  return diffusion_convergence(displacement.mean_square(0), 1, {max_lag / 5, max_lag});
 }
 
 }  // namespace

@@ -199,12 +199,13 @@ TEST_CASE("names come from another file if a format has none") {
 
 TEST_CASE("a frame with more atoms than its format can count is refused before it is written") {
   // A record has at most 2³¹ − 1 bytes: 12 bytes per atom in TRR, 4 in DCD.
-  for (const auto& [format, most] :
+  for (const auto& [format, max_molecules] :
        {std::pair{"trr", 178'956'970}, std::pair{"dcd", 536'870'911}}) {
     const Folder folder;
-    const Topology topology{{{read_molecule("argon"), static_cast<std::size_t>(most) + 1}}};
+    const Topology topology{
+        {{read_molecule("argon"), static_cast<std::size_t>(max_molecules) + 1}}};
     const auto file = create_frames(folder / (std::string("a.") + format), topology);
-    check_error([&] { file->write(State{}); }, {std::to_string(most).c_str()});
+    check_error([&] { file->write(State{}); }, {std::to_string(max_molecules).c_str()});
     CHECK(file->mark().frames == 0);
   }
 }

@@ -52,11 +52,11 @@ TEST_CASE("cells of a large box are as wide as their number allows") {
   };
   for (const Vec3<double>& edge :
        {Vec3<double>{3, 3, 3}, {400, 300, 500}, {8000, 8000, 8000}, {1, 1, 8000}, {0.3, 900, 900}})
-    for (const double most : {1.0, 64.0, 1e5}) {
+    for (const double max_cells : {1.0, 64.0, 1e5}) {
       const Box box{edge};
-      const double width = cell_width(box, 0.5, most);
+      const double width = cell_width(box, 0.5, max_cells);
       CHECK(width >= 0.5);
-      CHECK(cells(box, width) <= most);
-      if (width > 0.5) CHECK(cells(box, width / 1.25) > most);
+      CHECK(cells(box, width) <= max_cells);
+      if (width > 0.5) CHECK(cells(box, width / 1.25) > max_cells);
     }
 }

@@ -3,7 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cstdlib>
+
+#include "polhode/base/workers.hpp"
 
 namespace polhode {
 
@@ -38,6 +42,16 @@ TEST_CASE("a line on a terminal is written five times a second, and when the job
   lines = 0;
   for (int step = 1; step <= 1000; ++step) lines += pace.due(1, 1 + 0.001 * step) ? 1 : 0;
   CHECK(std::abs(lines - 5) <= 1);
+}
+
+TEST_CASE("threads that report after every step share one pace") {
+  SharedPace pace;
+  const std::chrono::steady_clock::time_point now{std::chrono::hours(1)};
+  std::atomic<int> due = 0;
+  Workers(4).each(1000, [&](std::size_t) { due += pace.due(now) ? 1 : 0; });
+  CHECK(due == 1);
+  CHECK(!pace.due(now + SharedPace::interval / 2));
+  CHECK(pace.due(now + SharedPace::interval));
 }
 
 TEST_CASE("a job of less than a second has no line in a log") {

@@ -189,6 +189,18 @@ TEST_CASE("steps after a run continue it") {
   CHECK(numbers(simulation.state()) == whole_run().state);
 }
 
+TEST_CASE("a simulation saved after a run has no last sample either") {
+  const Folder folder;
+  Simulation first(config_in(folder, replaced(argon, "0.2 ps", "0.135 ps")));
+  CHECK(first.run().report->summary.samples == 15);
+  first.save(folder / "saved.bin");
+  Simulation second(config_in(folder));
+  second.resume(folder / "saved.bin");
+  second.step(13);
+  CHECK(second.summary().samples == 21);
+  CHECK(numbers(second.state()) == whole_run().state);
+}
+
 TEST_CASE("a run continues from steps already taken") {
   const Folder folder;
   Simulation simulation(config_in(folder));

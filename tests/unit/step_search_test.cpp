@@ -39,10 +39,10 @@ std::vector<AdviserPoint> searched(const KnownLaw& scheme, const StepSearch& sea
   std::mt19937_64 random(2);
   std::vector<AdviserPoint> points;
   while (const auto step = next_step(search, points)) {
-    double longest = 0;
+    double max_step = 0;
     for (const AdviserPoint& p : points)
-      if (p.usable) longest = std::max(longest, p.step);
-    if (longest > 0) CHECK(*step < max_growth * longest * (1 + 1e-12));
+      if (p.usable) max_step = std::max(max_step, p.step);
+    if (max_step > 0) CHECK(*step < max_growth * max_step * (1 + 1e-12));
     points.push_back(measured(scheme, search, *step, random));
     std::sort(points.begin(), points.end(), [](auto& a, auto& b) { return a.step < b.step; });
     REQUIRE(points.size() <= 12);

@@ -126,7 +126,7 @@ TEST_CASE("theta functions and Carlson's integral agree however near the separat
   std::mt19937_64 random(12);
   std::uniform_real_distribution<double> mass(0.1, 1), exponent(-300, -8), time(-2, 5);
   std::normal_distribution<double> normal;
-  double nearest = 1, most_half_periods = 0;
+  double nearest = 1, max_half_periods = 0;
   int on_it = 0;
   for (int k = 0; k < 5000; ++k) {
     const double a = mass(random), b = mass(random), c = mass(random);
@@ -154,7 +154,7 @@ TEST_CASE("theta functions and Carlson's integral agree however near the separat
       nearest = std::fmin(nearest, orbit.modulus.complement);
     const PrecessionAngle phi(orbit);
     const Orbit::Elapsed v = orbit.elapsed(top.t);
-    most_half_periods = std::fmax(most_half_periods, std::abs(v.half_periods));
+    max_half_periods = std::fmax(max_half_periods, std::abs(v.half_periods));
     const double by_theta = phi.by_theta(top.t, v), by_carlson = phi.by_carlson(v);
     CAPTURE(speed * t);
     CAPTURE(orbit.modulus.complement);
@@ -165,5 +165,5 @@ TEST_CASE("theta functions and Carlson's integral agree however near the separat
   }
   CHECK(nearest < 1e-290);
   CHECK(on_it > 500);
-  CHECK(most_half_periods > 100);
+  CHECK(max_half_periods > 100);
 }

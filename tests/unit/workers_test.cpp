@@ -122,16 +122,16 @@ TEST_CASE(
 TEST_CASE("tasks after one that throws are not started") {
   Workers workers(2);
   Meeting meeting(2);
-  std::atomic<int> begun = 0;
+  std::atomic<int> started = 0;
   CHECK_THROWS_AS(workers.each(300,
                                [&](std::size_t k) {
-                                 ++begun;
+                                 ++started;
                                  if (k < 2) meeting.join();
                                  if (k == 0) throw std::runtime_error("0");
                                  std::this_thread::sleep_for(std::chrono::milliseconds(1));
                                }),
                   std::runtime_error);
-  CHECK(begun < 300);
+  CHECK(started < 300);
 }
 
 TEST_CASE("the exception of the lowest task is rethrown") {
@@ -139,17 +139,17 @@ TEST_CASE("the exception of the lowest task is rethrown") {
     Workers workers(threads);
     for (int repeat = 0; repeat < 200; ++repeat) {
       std::string what;
-      std::atomic<int> begun = 0;
+      std::atomic<int> started = 0;
       try {
         workers.each(100, [&](std::size_t k) {
-          ++begun;
+          ++started;
           if (k == 17 || k == 18 || k == 19) throw std::runtime_error(std::to_string(k));
         });
       } catch (const std::runtime_error& e) {
         what = e.what();
       }
       REQUIRE(what == "17");
-      REQUIRE(begun >= 18);
+      REQUIRE(started >= 18);
       int done = 0;  // the next call is a whole one
       std::vector<int> each(10, 0);
       workers.each(10, [&](std::size_t k) { each[k] = 1; });

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,7 +30,9 @@ struct SystemSettings {
   double temperature = 297;         ///< [K]
   bool temperature_given = false;   ///< in the run file
   bool seed_given = false;          ///< likewise
-  bool new_velocities = false;      ///< drawn even if the initial configuration has some
+  /// Whether velocities are drawn, or must be those of the initial configuration; nothing: drawn
+  /// unless it has some.
+  std::optional<bool> new_velocities{};
   std::uint64_t seed = 1;
   /// Path of a coordinate file; "w512" is the built-in one; empty: lattice.
   std::string initial_configuration;
@@ -85,6 +89,9 @@ struct StudySettings {
   double configurational_sample = 0;  ///< interval of configurational temperatures [ps]; 0: none
 };
 
+/// Schemes with names given in the run file: name, and text such as "mine: B(1/2) A(1) B(1/2)".
+using OwnSchemes = std::map<std::string, std::string, std::less<>>;
+
 struct Config {
   SystemSettings system;
   ForceSettings forces;
@@ -92,12 +99,21 @@ struct Config {
   RunSettings run;
   OutputSettings output;
   StudySettings study;
+  OwnSchemes schemes;
   std::string source;         ///< path of the file, or "default"
   std::string text;           ///< as read; its hash identifies outputs
   bool mixing_given = false;  ///< whether the file contains a mixing rule
   std::string cutoff_place;   ///< "water.toml:9, forces.cutoff", for an error once the box is
                               ///< known
 };
+
+/// A text with the names of such schemes, alone or on either side of a slash, replaced by their
+/// texts.
+std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
+
+/// What is wrong with a bound of R, or of a relative difference of temperatures [1]; empty if
+/// nothing.
+std::string wrong_bound(double bound);
 
 /// In mixed precision: the default of lambda, and the smallest value accepted.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;

@@ -21,6 +21,8 @@ class Draft {
 
   /// The path under which it is opened for writing.
   const std::string& path() const { return draft_; }
+  /// A message about the draft, with the final name of the file in place of its own.
+  std::string with_final_name(std::string message) const;
   /// Syncs it to disk and gives it its name.
   /// @param keep  new name for an existing file; if empty, that file is replaced
   /// @throws RunError  if that cannot be done

@@ -108,8 +108,7 @@ struct FormatTraits {
 };
 FormatTraits format_traits(const std::string& path);
 
-/// Extensions of the formats that can be written, without the dot: "gro", "pdb", "xyz", "xtc",
-/// "trr", "dcd", "h5md".
+/// Extensions of the formats that can be written, without the dot, such as "gro".
 std::vector<std::string_view> writable_formats();
 
 /// An initial configuration: the built-in "w512", or the first frame of a file in any format that

@@ -66,8 +66,8 @@ struct EfficiencyCurve {
 
 struct EfficiencyFigure {
   std::vector<EfficiencyCurve> curves;
-  std::string caption{};   ///< below the axes: the conditions of the comparison
-  double highest = 0.035;  ///< R of the linear axis
+  std::string caption{};     ///< below the axes: the conditions of the comparison
+  double max_ratio = 0.035;  ///< R of the linear axis
 };
 
 /// R against cost for each scheme [vanzon2008, Fig. 1], on linear axes, and all points on

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of results: CSV files with header comments that tell how they were made, written
+// Tables of results: CSV files with comments that tell how they were made, written
 // atomically, or row by row.
 #pragma once
 
@@ -44,8 +44,9 @@ struct Table {
   std::vector<std::vector<Cell>> rows;
 };
 
-/// CSV: "# " lines of provenance, a line "time [ps],potential [kJ/mol]", then the rows. NaN is
-/// written as an empty field.
+/// CSV: a line "time [ps],potential [kJ/mol]", "# " lines of provenance, then the rows. NaN is
+/// written as an empty field. The names come first, since numpy reads them from the first line even
+/// if that is a comment.
 void write_csv(std::ostream& out, const Table& table, const Provenance& provenance);
 
 /// Position at the end of a growing table.

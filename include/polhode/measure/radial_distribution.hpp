@@ -19,10 +19,14 @@
 namespace polhode {
 
 /// Two selections of sites: a site name, or the name without trailing digits, so that "HW" selects
-/// HW1 and HW2.
+/// HW1 and HW2; "benzene:C" selects the sites of one kind of molecule, "C" those of all kinds.
 using SitePair = std::array<std::string, 2>;
 
-/// All pairs of names, without trailing digits, of sites that have mass.
+/// The names of the molecules that have such sites.
+std::vector<std::string> molecules_with(const Topology& topology, const std::string& selection);
+
+/// All pairs of names, without trailing digits, of sites that have mass. A name that occurs in
+/// several kinds of molecules has the kind before it.
 std::vector<SitePair> site_pairs(const Topology& topology);
 
 struct RadialSettings {

@@ -9,11 +9,11 @@
 
 namespace polhode {
 
-/// `width` [nm], increased until the box has no more than `most` whole cells, at least one along
-/// each edge: a large, sparsely filled box has large cells.
-inline double cell_width(const Box& box, double width, double most) {
+/// `width` [nm], increased until the box has no more than `max_cells` whole cells, at least one
+/// along each edge: a large, sparsely filled box has large cells.
+inline double cell_width(const Box& box, double width, double max_cells) {
   const auto along = [&](double edge) { return std::max(1.0, std::floor(edge / width)); };
-  while (along(box.edge.x) * along(box.edge.y) * along(box.edge.z) > std::max(most, 1.0))
+  while (along(box.edge.x) * along(box.edge.y) * along(box.edge.z) > std::max(max_cells, 1.0))
     width *= 1.25;
   return width;
 }

@@ -3,6 +3,9 @@
 // units.
 #pragma once
 
+#include <array>
+
+#include "polhode/base/enum_names.hpp"
 #include "polhode/rotor/comparison/no_squish.hpp"
 #include "polhode/rotor/comparison/recursive.hpp"
 #include "polhode/rotor/comparison/symmetric_product.hpp"
@@ -19,6 +22,10 @@ enum class RotorMethod {
   no_squish,          ///< second order, for comparison
   symmetric_product,  ///< second order, for comparison
 };
+
+template <>
+inline constexpr std::array<std::string_view, 6> enum_names<RotorMethod> = {
+    "series", "closed", "theta", "recursive", "no-squish", "symmetric-product"};
 
 /// The series within its radius, the closed form beyond it. A single body gains nothing from
 /// sub-steps, and moments that no mass distribution has (J_z > J_x + J_y) violate the bound of the

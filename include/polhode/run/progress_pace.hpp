@@ -2,6 +2,8 @@
 // When the progress of a job is shown: on a terminal, and as a line in a log.
 #pragma once
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -43,6 +45,22 @@ class TerminalPace {
  private:
   double last_ = -1;  // when the line was written
   bool complete_ = false;
+};
+
+/// Ten times a second for all threads together, without a lock: for reports after every step.
+class SharedPace {
+ public:
+  /// Whether a report is due; for one of the threads that ask at the same time.
+  bool due(std::chrono::steady_clock::time_point now) {
+    const auto time = now.time_since_epoch();
+    auto next = next_.load(std::memory_order_relaxed);
+    return time >= next && next_.compare_exchange_strong(next, time + interval);
+  }
+
+  static constexpr std::chrono::milliseconds interval{100};
+
+ private:
+  std::atomic<std::chrono::steady_clock::duration> next_{};
 };
 
 }  // namespace polhode

@@ -58,24 +58,24 @@ class ChargeDistribution {
 /// suffices.
 double mean_square_error(const ChargeDistribution& distribution, const Vec3<double>& spacing,
                          int order, const CompactSplit& split) {
-  constexpr int points = 12, half = points / 2, aliases = 3;
+  constexpr std::size_t points = 12, half = points / 2, aliases = 3;
   constexpr double pi = units::pi;
   struct Alias {
     double k, share;
   };
   std::array<std::array<std::array<Alias, aliases>, half + 1>, 3> axis{};
   for (std::size_t d = 0; d < 3; ++d)
-    for (int n = 0; n <= half; ++n)
-      for (int l = 0; l < aliases; ++l) {
-        const double turn = pi * (static_cast<double>(n) / points + l - 1);
+    for (std::size_t n = 0; n <= half; ++n)
+      for (std::size_t l = 0; l < aliases; ++l) {
+        const double turn = pi * (static_cast<double>(n) / points + static_cast<double>(l) - 1);
         axis[d][n][l] = {2 * turn / spacing[d],
                          turn == 0 ? 1 : std::pow(std::sin(turn) / turn, 2 * order)};
       }
   const bool cubic = spacing.x == spacing.y && spacing.y == spacing.z;
   double total = 0;
-  for (int x = 0; x <= half; ++x)
-    for (int y = 0; y <= half; ++y)
-      for (int z = 0; z <= half; ++z) {
+  for (std::size_t x = 0; x <= half; ++x)
+    for (std::size_t y = 0; y <= half; ++y)
+      for (std::size_t z = 0; z <= half; ++z) {
         if (x + y + z == 0) continue;
         if (cubic && (x > y || y > z)) continue;  // once for all orders of the three
         const int orders = !cubic || (x == y && y == z) ? 1 : x == y || y == z ? 3 : 6;
@@ -87,13 +87,13 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
             for (const Alias& c : axis[2][z]) {
               const double k2 = a.k * a.k + b.k * b.k + c.k * c.k, k = std::sqrt(k2);
               const double share = a.share * b.share * c.share, form = distribution.form(k);
-              const double wanted = 4 * pi / k2 * split.transform(k).value;
-              u += share, uk += share * k2, ukg += share * k2 * wanted;
-              u_form += share * form, ukg_form += share * k2 * wanted * form;
-              kgg_form += k2 * wanted * wanted * form;
+              const double required = 4 * pi / k2 * split.transform(k).value;
+              u += share, uk += share * k2, ukg += share * k2 * required;
+              u_form += share * form, ukg_form += share * k2 * required * form;
+              kgg_form += k2 * required * required * form;
             }
         const double G = ukg / (u * uk);
-        const auto weight = [](int n) { return n == 0 || n == half ? 1 : 2; };
+        const auto weight = [](std::size_t n) { return n == 0 || n == half ? 1 : 2; };
         total += orders * weight(x) * weight(y) * weight(z) *
                  (kgg_form - 2 * G * ukg_form + G * G * uk * u_form);
       }
@@ -105,7 +105,7 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
 /// Sizes suited to the transform: even, with small prime factors.
 bool is_fft_size(std::size_t n) {
   if (n % 2 != 0) return false;
-  for (const std::size_t factor : {2, 3, 5, 7})
+  for (const std::size_t factor : {2u, 3u, 5u, 7u})
     while (n % factor == 0) n /= factor;
   return n == 1;
 }
@@ -193,8 +193,8 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
   // each other, larger because of the coarse sum over wave vectors. The margin covers the larger
   // values.
   constexpr double margin = 1.5;
-  const double wanted = relative_error_ * typical_force(topology_, box) / margin;
-  const double wanted_in_unit_box = wanted * std::sqrt(box.volume());
+  const double required = relative_error_ * typical_force(topology_, box) / margin;
+  const double required_in_unit_box = required * std::sqrt(box.volume());
   const double charges = ChargeDistribution(topology_).charges();
   MeshSettings best{{}, 0, 0, cutoff_};
   double min_seconds = std::numeric_limits<double>::infinity();
@@ -206,7 +206,7 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
       double low = cutoff_ / 40, high = cutoff_ / 2;
       while (high / low > 1.03) {
         const double h = std::sqrt(low * high);
-        (error(h, order, m) < wanted_in_unit_box ? low : high) = h;
+        (error(h, order, m) < required_in_unit_box ? low : high) = h;
       }
       if (low < coarsest) break;
       coarsest = low, exponent = m;

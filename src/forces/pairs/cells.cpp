@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "polhode/base/blocks.hpp"
+#include "polhode/base/counting_sort.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/model/wrap.hpp"
 
 namespace polhode {
 
@@ -35,33 +37,26 @@ Slots::Slots(const Topology& topology) {
 
 void Slots::sort(const State& state, const CellGrid& grid, Workers& workers) {
   constexpr std::size_t at_once = 1024;
-  const auto in_box = [&](double x, std::size_t d) {
-    return std::max(0.0, x - std::floor(x / grid.edge[d]) * grid.edge[d]);
-  };
+  const Box box{grid.edge};
   each_block(state.size(), at_once, workers, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3<double> q = state.q[i];
       if (!std::isfinite(norm2(q)))
         throw RunError(fmt::format("the position of molecule {} is not finite", i + 1));
-      cell_of_[i] = static_cast<std::uint32_t>(grid.index(grid.coordinate(in_box(q.x, 0), 0),
-                                                          grid.coordinate(in_box(q.y, 1), 1),
-                                                          grid.coordinate(in_box(q.z, 2), 2)));
+      const Vec3<double> r = wrapped(q, box);
+      cell_of_[i] = static_cast<std::uint32_t>(
+          grid.index(grid.coordinate(r.x, 0), grid.coordinate(r.y, 1), grid.coordinate(r.z, 2)));
     }
   });
 
-  cell_end.assign(parts.size() * grid.size(), 0);
+  cell_end.resize(parts.size() * grid.size());
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    std::uint32_t* const count = &cell_end[p * grid.size()];
     const std::uint32_t first = first_body_[p], end = first + parts[p].count;
-    for (std::uint32_t i = first; i < end; ++i) ++count[cell_of_[i]];
-    std::uint32_t slot = parts[p].first;  // counts become first slots, then end slots as bodies are
-                                          // entered
-    for (std::size_t c = 0; c < grid.size(); ++c) {
-      const std::uint32_t here = count[c];
-      count[c] = slot;
-      slot += here;
-    }
-    for (std::uint32_t i = first; i < end; ++i) body[count[cell_of_[i]]++] = i;
+    const auto each = [&](const auto& visit) {
+      for (std::uint32_t i = first; i < end; ++i) visit(cell_of_[i], i);
+    };
+    counting_sort({&cell_end[p * grid.size()], grid.size()}, parts[p].first, each,
+                  [&](std::uint32_t slot, std::uint32_t i) { body[slot] = i; });
     const std::size_t whole = blocks(parts[p].count, slot_block) * slot_block;
     for (std::size_t s = parts[p].end(); s < parts[p].first + whole; ++s) body[s] = first;
   }
@@ -70,7 +65,7 @@ void Slots::sort(const State& state, const CellGrid& grid, Workers& workers) {
     for (std::size_t s = begin; s < end; ++s) {
       const Vec3<double> q = state.q[body[s]];
       built_at.set(s, q);
-      place.set(s, {in_box(q.x, 0), in_box(q.y, 1), in_box(q.z, 2)});
+      place.set(s, wrapped(q, box));
     }
   });
 }

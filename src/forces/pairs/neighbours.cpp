@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 #include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/forces/system_size.hpp"
 #include "polhode/model/cell_width.hpp"
 
@@ -38,7 +38,7 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
 
 // A dense liquid has about five bodies per cell; the table of cells for each part of the topology
 // must not outgrow the bodies, however large the box is.
-double most_cells(const Topology& topology) {
+double max_cells(const Topology& topology) {
   const auto parts = std::max<std::size_t>(1, topology.parts.size());
   return std::max(64.0, 8 * static_cast<double>(topology.size() / parts));
 }
@@ -51,8 +51,8 @@ constexpr std::size_t slots_at_once = 1024;  // per task that converts to fixed 
 std::vector<ListChunk> chunks_of(const Slots& slots) {
   std::vector<ListChunk> chunks;
   const std::size_t all = slots.size();
-  const std::size_t wanted = all < 1000 ? 8 : all < 400000 ? 16 : 32;
-  const std::size_t blocks = std::max<std::size_t>(1, all / slot_block / wanted);
+  const std::size_t min_chunks = all < 1000 ? 8 : all < 400000 ? 16 : 32;
+  const std::size_t blocks = std::max<std::size_t>(1, all / slot_block / min_chunks);
   for (std::uint32_t part = 0; part < slots.parts.size(); ++part) {
     const Slots::Part& p = slots.parts[part];
     for (std::uint32_t s = p.first; s < p.end();) {
@@ -132,7 +132,7 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
     }
   range_ = max_range + skin;
   allowed2_ = skin * skin / 4;
-  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, most_cells(topology)));
+  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, max_cells(topology)));
   box_ = box;
   width_ = 0;
   reserve_rows();
@@ -158,7 +158,7 @@ std::size_t NeighbourList::lanes() const {
 }
 
 void NeighbourList::build(const State& state, std::size_t width, Workers& workers) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   slots_.sort(state, grid_, workers);
   std::array<std::vector<std::int32_t>, 3> fixed;
   for (auto& f : fixed) f.resize(slots_.size() + slot_block);  // packs read past the last slot
@@ -175,7 +175,7 @@ void NeighbourList::build(const State& state, std::size_t width, Workers& worker
   workers.each(chunks_.size(), [&](std::size_t c) { find(job, chunks_[c]); });
   width_ = width;
   ++rebuilds_;
-  seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  seconds_ += watch.seconds();
 }
 
 }  // namespace polhode

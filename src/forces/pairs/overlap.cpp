@@ -12,7 +12,9 @@
 #include <optional>
 #include <vector>
 
+#include "polhode/base/counting_sort.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/model/wrap.hpp"
 
 namespace polhode {
 namespace {
@@ -67,11 +69,13 @@ class Buckets {
 
   Vec3<double> edge_;
   Cell cells_;
-  std::uint64_t row_, layer_;         // strides in buckets; odd, so that few cells share a bucket
-  std::uint64_t mask_;                // number of buckets, a power of two, minus one
-  std::vector<std::uint32_t> begin_;  // first contact of each bucket, and the end
-  std::vector<Contact> contacts_;     // within a bucket, in the order of their numbers
+  std::uint64_t row_, layer_;        // strides in buckets; odd, so that few cells share a bucket
+  std::uint64_t mask_;               // number of buckets, a power of two, minus one
+  std::vector<std::uint32_t> ends_;  // one past the last contact of each bucket
+  std::vector<Contact> contacts_;    // within a bucket, in the order of their numbers
 };
+
+bool can_overlap(const Site& site) { return site.mass != 0 || site.has_short_range(); }
 
 // Calls visit(body, site position) for all sites that can overlap, in the order of the bodies.
 template <class Visit>
@@ -80,21 +84,17 @@ void each_site(const Topology& topology, const State& state, Visit visit) {
   for (const auto& [molecule, count] : topology.parts) {
     std::vector<Vec3<double>> sites;
     for (const Site& site : molecule.sites)
-      if (site.mass != 0 || site.has_short_range()) sites.push_back(site.r);
+      if (can_overlap(site)) sites.push_back(site.r);
     for (std::size_t copy = 0; copy < count; ++copy, ++i) {
       const Vec3<double> q = state.q[i];
       const Mat3<double> to_lab = transpose(matrix_S(state.attitude[i]));
       for (const Vec3<double>& site : sites) {
-        Vec3<double> r = q + to_lab * site;
+        const Vec3<double> r = q + to_lab * site;
         if (!std::isfinite(norm2(r)))
           throw Error(fmt::format(
               "molecule {} has a position that is not finite; correct the initial configuration",
               i + 1));
-        for (std::size_t d = 0; d < 3; ++d) {
-          const double edge = state.box.edge[d];
-          r[d] -= std::floor(r[d] / edge) * edge;
-        }
-        visit(i, r);
+        visit(i, wrapped(r, state.box));
       }
     }
   }
@@ -107,28 +107,30 @@ Buckets::Buckets(const Topology& topology, const State& state) : edge_(state.box
         static_cast<std::int64_t>(std::clamp(edge_[d] / (2 * closest_contact), 1.0, max_cells));
   row_ = static_cast<std::uint64_t>(cells_[0]) | 1;
   layer_ = (static_cast<std::uint64_t>(cells_[1]) * row_) | 1;
-  std::size_t sites = 0;
-  for (const auto& [molecule, count] : topology.parts) sites += count * molecule.sites.size();
+  std::size_t sites = 0, contacts = 0;
+  for (const auto& [molecule, count] : topology.parts) {
+    sites += count * molecule.sites.size();
+    contacts += count * static_cast<std::size_t>(std::count_if(molecule.sites.begin(),
+                                                               molecule.sites.end(), can_overlap));
+  }
   if (sites > std::numeric_limits<std::uint32_t>::max())
     throw Error(fmt::format("{} sites are more than can be indexed ({}); run a smaller system",
                             sites, std::numeric_limits<std::uint32_t>::max()));
   mask_ = std::bit_ceil(std::max<std::size_t>(sites, 1)) - 1;
-  begin_.assign(mask_ + 2, 0);
+  ends_.resize(mask_ + 1);
   const auto bucket_of = [&](const Vec3<double>& r) {
     const Cell cell = cell_of(r);
     return bucket(cell[0], cell[1], cell[2]);
   };
-  each_site(topology, state,
-            [&](std::size_t, const Vec3<double>& r) { ++begin_[bucket_of(r) + 1]; });
-  for (std::size_t k = 0; k <= mask_; ++k) begin_[k + 1] += begin_[k];
-  contacts_.resize(begin_.back());
-  std::uint32_t number = 0;
-  each_site(topology, state, [&](std::size_t body, const Vec3<double>& r) {
-    contacts_[begin_[bucket_of(r)]++] = {number++, static_cast<std::uint32_t>(body), r};
-  });
-  // Filling has advanced every bucket's start to that of the next: shift them back.
-  std::copy_backward(begin_.begin(), begin_.end() - 1, begin_.end());
-  begin_.front() = 0;
+  const auto each = [&](const auto& visit) {
+    std::uint32_t number = 0;
+    each_site(topology, state, [&](std::size_t body, const Vec3<double>& r) {
+      visit(bucket_of(r), Contact{number++, static_cast<std::uint32_t>(body), r});
+    });
+  };
+  contacts_.resize(contacts);
+  counting_sort(ends_, 0, each,
+                [&](std::uint32_t place, const Contact& contact) { contacts_[place] = contact; });
 }
 
 std::optional<Overlap> Buckets::first_overlap() const {
@@ -156,10 +158,10 @@ std::optional<Overlap> Buckets::first_overlap() const {
         const std::size_t left = bucket(adjacent(0, -1), y, z),
                           right = bucket(adjacent(0, 1), y, z);
         if (left + 2 == right) {
-          compare(begin_[left], begin_[right + 1]);
+          compare(begin_of(ends_, left), ends_[right]);
         } else {
           for (const std::size_t b : {left, bucket(cell[0], y, z), right})
-            compare(begin_[b], begin_[b + 1]);
+            compare(begin_of(ends_, b), ends_[b]);
         }
       }
   }

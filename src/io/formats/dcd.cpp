@@ -120,13 +120,13 @@ class DcdReader : public FrameReader {
     for (std::size_t k = 0; k < 6; ++k)
       cell[k] = decode<double>(record.data() + sizeof(double) * k, in_.order);
     end_record(record.size());
-    for (const std::size_t k : {1, 3, 4})
+    for (const std::size_t k : {1u, 3u, 4u})
       if (!(std::abs(cell[k] - 90) <= 1e-4 || std::abs(cell[k]) <= 1e-6))
         in_.refuse(
             fmt::format("an angle of the unit cell is {} (degrees, or its cosine); it must be 90 "
                         "degrees: only rectangular (orthorhombic) boxes are supported",
                         cell[k]));
-    for (const std::size_t k : {0, 2, 5})
+    for (const std::size_t k : {0u, 2u, 5u})
       if (!(cell[k] > 0) || !std::isfinite(cell[k]))
         in_.refuse(fmt::format("a box edge is {} Å; it must be longer than 0 Å", cell[k]));
     return {angstrom_ * Vec3<double>{cell[0], cell[2], cell[5]}};

@@ -38,10 +38,10 @@ struct Format {
 // Eight columns for a coordinate and nine for an edge, in Å with three decimals; serials of five
 // characters.
 inline constexpr FormatLimits pdb_limits{
-    .atoms = 87'440'031, .lowest = -99.9999, .highest = 999.9999, .edge = 9999.9999};
+    .atoms = 87'440'031, .min = -99.9999, .max = 999.9999, .edge = 9999.9999};
 // Coordinates are whole numbers of 0.001 nm; their differences must also fit in 32 bits.
 inline constexpr FormatLimits xtc_limits{
-    .atoms = 2'147'483'647, .lowest = -1'073'741.8, .highest = 1'073'741.8};
+    .atoms = 2'147'483'647, .min = -1'073'741.8, .max = 1'073'741.8};
 // Lengths of records are signed 32-bit numbers: 12 bytes per atom in TRR, 4 in DCD.
 inline constexpr FormatLimits trr_limits{.atoms = 2'147'483'647 / 12};
 inline constexpr FormatLimits dcd_limits{

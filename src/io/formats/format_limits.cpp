@@ -11,18 +11,18 @@
 namespace polhode {
 namespace {
 
-double longest_edge(const Box& box) { return std::max({box.edge.x, box.edge.y, box.edge.z}); }
+double max_edge(const Box& box) { return std::max({box.edge.x, box.edge.y, box.edge.z}); }
 
 }  // namespace
 
 FrameExtent extent_of(const Frame& frame) {
   FrameExtent extent{.atoms = frame.atoms.size(),
-                     .edge = longest_edge(frame.box),
+                     .edge = max_edge(frame.box),
                      .has_velocities = frame.has_velocities,
                      .time = frame.time};
   for (const Atom& atom : frame.atoms) {
-    extent.lowest = std::min({extent.lowest, atom.r.x, atom.r.y, atom.r.z});
-    extent.highest = std::max({extent.highest, atom.r.x, atom.r.y, atom.r.z});
+    extent.min = std::min({extent.min, atom.r.x, atom.r.y, atom.r.z});
+    extent.max = std::max({extent.max, atom.r.x, atom.r.y, atom.r.z});
   }
   return extent;
 }
@@ -31,10 +31,10 @@ FrameExtent extent_of(const State& state, const Topology& topology, const FrameC
   double extent = 0;
   for (const auto& part : topology.parts)
     for (const Site& site : part.molecule.sites) extent = std::max(extent, norm(site.r));
-  const double edge = longest_edge(state.box);
+  const double edge = max_edge(state.box);
   return {.atoms = atom_count(topology, choice.massless),
-          .lowest = -extent,
-          .highest = edge + extent,
+          .min = -extent,
+          .max = edge + extent,
           .edge = edge,
           .has_velocities = choice.velocities,
           .time = state.time,
@@ -65,12 +65,12 @@ void FrameFit::check_alone(const FrameExtent& frame) const {
     throw Error(fmt::format(
         "a frame has {} atoms; a frame of a .{} file can have at most {}, so write another format",
         frame.atoms, format_, limits_.atoms));
-  for (const double coordinate : {frame.lowest, frame.highest})
-    if (!(limits_.lowest <= coordinate && coordinate <= limits_.highest))
+  for (const double coordinate : {frame.min, frame.max})
+    if (!(limits_.min <= coordinate && coordinate <= limits_.max))
       throw Error(fmt::format(
           "a coordinate is or can become {:.10g} nm; in a .{} file it must be from {:.10g} to "
           "{:.10g} nm, so write another format, or wrap the molecules into the box",
-          coordinate, format_, limits_.lowest, limits_.highest));
+          coordinate, format_, limits_.min, limits_.max));
   if (!(frame.edge <= limits_.edge))
     throw Error(
         fmt::format("a box edge is {:.10g} nm; in a .{} file it must be at most {:.10g} nm, so "

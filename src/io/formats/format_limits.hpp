@@ -15,9 +15,9 @@ namespace polhode {
 /// Limits of a format.
 struct FormatLimits {
   std::size_t atoms = std::numeric_limits<std::size_t>::max();
-  double lowest = -std::numeric_limits<double>::infinity();  ///< coordinate [nm]
-  double highest = std::numeric_limits<double>::infinity();  ///< coordinate [nm]
-  double edge = std::numeric_limits<double>::infinity();     ///< longest edge of the box [nm]
+  double min = -std::numeric_limits<double>::infinity();  ///< coordinate [nm]
+  double max = std::numeric_limits<double>::infinity();   ///< coordinate [nm]
+  double edge = std::numeric_limits<double>::infinity();  ///< longest edge of the box [nm]
   bool same_atoms = false;       ///< all frames have as many atoms as the first
   bool same_velocities = false;  ///< all frames have velocities, or none
   bool even_times = false;       ///< the interval between frames is constant
@@ -26,8 +26,8 @@ struct FormatLimits {
 /// The properties of a frame that a format limits.
 struct FrameExtent {
   std::size_t atoms = 0;
-  double lowest = 0, highest = 0;  ///< coordinates [nm]
-  double edge = 0;                 ///< longest edge of the box [nm]
+  double min = 0, max = 0;  ///< coordinates [nm]
+  double edge = 0;          ///< longest edge of the box [nm]
   bool has_velocities = false;
   double time = 0;        ///< [ps]
   bool of_a_run = false;  ///< frames have the interval of the run, except possibly the last one

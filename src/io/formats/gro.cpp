@@ -146,16 +146,17 @@ class GroLines {
   // decimals, as in GROMACS. Readers infer the width from the distance between decimal points.
   static std::size_t width_of(const FrameView& frame, int decimals) {
     double r = 0, v = 0;
-    const auto widen = [](double& most, const Vec3<double>& x) {
-      most = std::max({most, -10 * x.x, x.x, -10 * x.y, x.y, -10 * x.z, x.z});  // a sign is a digit
+    const auto widen = [](double& largest, const Vec3<double>& x) {
+      largest =
+          std::max({largest, -10 * x.x, x.x, -10 * x.y, x.y, -10 * x.z, x.z});  // a sign is a digit
     };
     frame.each_atom([&](const Atom& atom) {
       widen(r, atom.r);
       widen(v, atom.v);
     });
-    const double most = frame.has_velocities ? std::max(r, 10 * v) : r;  // one decimal more
+    const double largest = frame.has_velocities ? std::max(r, 10 * v) : r;  // one decimal more
     std::size_t width = static_cast<std::size_t>(decimals) + 5;
-    for (double power = 9999; most > power && power < 1e300; power *= 10) ++width;
+    for (double power = 9999; largest > power && power < 1e300; power *= 10) ++width;
     return width;
   }
 

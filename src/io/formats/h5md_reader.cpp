@@ -296,7 +296,9 @@ class H5mdReader : public FrameReader {
     if (values_.size() == 9) {
       for (std::size_t k = 0; k < 9; ++k)
         if (k % 4 != 0 && values_[k] != 0)
-          refuse("the box is triclinic; only rectangular (orthorhombic) boxes are supported");
+          refuse(
+              "the box is triclinic; only rectangular (orthorhombic) boxes are supported; "
+              "build the system in one");
       values_ = {values_[0], values_[4], values_[8]};
     }
     for (const double edge : values_)

@@ -107,7 +107,7 @@ class BitInput {
   static std::array<std::uint32_t, 3> parts(Number number,
                                             const std::array<std::uint32_t, 3>& sizes) {
     std::array<std::uint32_t, 3> parts;
-    for (const std::size_t k : {2, 1}) {
+    for (const std::size_t k : {2u, 1u}) {
       parts[k] = static_cast<std::uint32_t>(number % sizes[k]);
       number /= sizes[k];
     }

@@ -165,7 +165,7 @@ class XyzReader : public FrameReader {
         lines_.refuse(
             "the box is triclinic; only rectangular (orthorhombic) boxes with edges along x, y and "
             "z are supported");
-    for (const std::size_t k : {0, 4, 8})
+    for (const std::size_t k : {0u, 4u, 8u})
       if (!(m[k] > 0))
         lines_.refuse(fmt::format("a box edge is {} Å; it must be longer than 0 Å", m[k]));
     return {angstrom_ * Vec3<double>{m[0], m[4], m[8]}};
@@ -195,9 +195,10 @@ class XyzReader : public FrameReader {
                         : any_of({"vel", "velo", "velocity", "velocities"}) ? What::velocity
                         : any_of({"resid", "molid", "mol", "residue"})      ? What::residue
                                                                             : What::other;
-      const std::size_t wanted = what == What::position || what == What::velocity ? 3 : 1;
-      if (what != What::other && *words != wanted)
-        lines_.refuse(fmt::format("'{}' has {} columns; it must have {}", part[0], *words, wanted));
+      const std::size_t expected = what == What::position || what == What::velocity ? 3 : 1;
+      if (what != What::other && *words != expected)
+        lines_.refuse(
+            fmt::format("'{}' has {} columns; it must have {}", part[0], *words, expected));
       found.push_back({what, *words});
     }
     return found;

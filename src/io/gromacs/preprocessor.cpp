@@ -18,7 +18,7 @@ namespace {
 // they expand is also limited.
 constexpr std::size_t max_include_depth = 32, max_includes = 10'000, max_characters = 1 << 25;
 constexpr std::size_t max_macro_depth = 16, max_condition_depth = 256, max_line_length = 1 << 16;
-constexpr std::size_t most_replaced = 1 << 22;
+constexpr std::size_t max_replaced = 1 << 22;
 
 }  // namespace
 
@@ -131,7 +131,7 @@ void Preprocessor::include(std::string_view name) {
   };
   if (!take_quoted('"', '"') && !take_quoted('<', '>'))
     refuse(fmt::format("#include is followed by '{}' instead of a file name in quotes", name));
-  const std::string wanted(name.substr(1, name.size() - 2));
+  const std::string included(name.substr(1, name.size() - 2));
   if (sources_.size() >= max_include_depth)
     refuse(fmt::format("included files are nested {} deep, the maximum; does one include itself?",
                        max_include_depth));
@@ -139,15 +139,15 @@ void Preprocessor::include(std::string_view name) {
     refuse(fmt::format(
         "{} files with {} characters were included; the maximum is {} files and {} characters",
         includes_, characters_, max_includes, max_characters));
-  auto loaded = loader_(wanted, *sources_.back().file);
+  auto loaded = loader_(included, *sources_.back().file);
   if (!loaded)
     refuse(
         fmt::format("there is no file '{}', neither in the folder of this one nor in those of "
                     "'include', GMXLIB, GMXDATA or GROMACS's own data; check its path",
-                    wanted));
+                    included));
   for (const Source& open : sources_)
     if (*open.file == loaded->file)
-      refuse(fmt::format("'{}' includes itself without end; delete one #include", wanted));
+      refuse(fmt::format("'{}' includes itself without end; delete one #include", included));
   sources_.push_back({std::make_shared<const std::string>(std::move(loaded->file)),
                       std::move(loaded->text), 0, 0, conditions_.size()});
 }
@@ -176,11 +176,11 @@ void Preprocessor::expand(std::string_view text, Expansion& e) {
           fmt::format("the line is longer than {} characters when macros are replaced"
                       "; shorten it",
                       max_line_length));
-    if (!e.within.empty() && ++replaced_ > most_replaced)
+    if (!e.within.empty() && ++replaced_ > max_replaced)
       refuse(
           fmt::format("macros were expanded to {} words in this topology, the maximum; write "
                       "shorter macros, or values",
-                      most_replaced));
+                      max_replaced));
     if (plain) {
       if (!e.out.empty()) e.out += ' ';
       e.out += word;

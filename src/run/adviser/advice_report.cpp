@@ -108,7 +108,7 @@ std::vector<AdviceCurve> figure_curves(const Advice& advice) {
 nlohmann::json as_json(const AdviceReport& report) {
   const Advice& advice = report.advice;
   const Criterion& criterion = report.criterion;
-  nlohmann::json json{{"quality", name(criterion.quality)},
+  nlohmann::json json{{"quality", name_of(criterion.quality)},
                       {"requested", criterion.bound},
                       {"probability", guarantee_probability},
                       {"interrupted", advice.stopped},
@@ -183,6 +183,7 @@ std::vector<std::string> AdviceFiles::all() const {
 AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
                          const std::string& prefix, const OutputOptions& options,
                          const Callbacks& callbacks, Workers& workers) {
+  check_prefix(prefix);
   AdviceReport report{{}, settings.criterion, workers.threads(), {prefix, config.output.plot}};
   check_outputs(report.files.all(), options.existing);
   const Provenance made = provenance(options.command, config.text, config.system.seed);

@@ -14,18 +14,6 @@ std::string percent(const Estimate& x) {
 
 }  // namespace
 
-const char* name(Quality quality) {
-  switch (quality) {
-    case Quality::ratio:
-      return "R";
-    case Quality::drift:
-      return "energy drift";
-    case Quality::temperature_bias:
-      return "temperature bias";
-  }
-  return "";
-}
-
 std::string bound_text(Quality quality, double bound) {
   return quality == Quality::drift
              ? fmt::format("{:.3g} kJ/mol/ns", bound / unit("kJ/mol/ns", Dimension::power))
@@ -35,7 +23,7 @@ std::string bound_text(Quality quality, double bound) {
 std::string description(const Criterion& criterion) {
   return fmt::format("{} {} of at most {}",
                      criterion.quality == Quality::temperature_bias ? "a" : "an",
-                     name(criterion.quality), bound_text(criterion.quality, criterion.bound));
+                     name_of(criterion.quality), bound_text(criterion.quality, criterion.bound));
 }
 
 std::string unreachable(const Advice& advice, const Criterion& criterion) {

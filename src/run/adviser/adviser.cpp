@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -15,23 +14,19 @@
 #include "candidate_time.hpp"
 #include "first_step.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/run/adviser/effort.hpp"
+#include "polhode/run/adviser/resumable_run.hpp"
 #include "polhode/run/adviser/step_search.hpp"
+#include "polhode/run/progress_pace.hpp"
 #include "polhode/run/simulation/einstein_frequency.hpp"
-#include "polhode/run/simulation/resumable_run.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 
 namespace polhode {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// Initial configurations of the choosing runs, and of each set of confirming runs.
 constexpr std::size_t choosing = 6, confirming = 8;
@@ -41,7 +36,7 @@ constexpr double preparation = 2;  // of an initial configuration, at most [ps],
 /// Maximum interval of energies: fewer samples would determine R less well than the run could [ps].
 constexpr double max_sample_interval = 0.004;
 /// Number of longer steps tried instead of ones well below the bound.
-constexpr int most_lengthenings = 4;
+constexpr int max_lengthenings = 4;
 /// Fractions of the length of confirming runs after which hopeless sets are stopped.
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
 /// The first of them after which a longer step may be tried instead.
@@ -87,12 +82,12 @@ class Adviser {
 
   Advice advice() {
     if (!prepare_base()) return stopped_advice();
-    const Clock::time_point before = Clock::now();
+    const Stopwatch watch;
     effort_.expect(min_work());
     starts_ = fresh_starts(choosing);
     if (stop()) return stopped_advice();
     const double rounds = std::ceil(static_cast<double>(choosing) / workers_.threads());
-    evaluation_ = since(before) / (rounds * std::max(1.0, 1000 * preparation_length()));
+    evaluation_ = watch.seconds() / (rounds * std::max(1.0, 1000 * preparation_length()));
     const double seconds = min_work() * evaluation_ / workers_.threads();
     if (seconds > settings_.seconds)
       callbacks_.note(
@@ -125,7 +120,7 @@ class Adviser {
   std::function<bool()> counting_stop(double evaluations, const std::string& what) const {
     return [this, evaluations, what] {
       effort_.add(evaluations);
-      report(what);
+      if (pace_.due(Clock::now())) report(what);
       return stop();
     };
   }
@@ -149,11 +144,11 @@ class Adviser {
         return false;
     }
     noise_ = force_noise(base_, workers_);
-    frequency_ = einstein_frequency(base_, workers_);
+    frequency_ = einstein_frequency(base_, base_.state, workers_);
     check_forces(frequency_, config_.source);
     for (const Candidate& candidate : advice_.candidates)
       check_length(config_.run.length, search_of(candidate).first, candidate.name);
-    begin_ = Clock::now();
+    since_start_ = Stopwatch();
     return !stop();
   }
 
@@ -266,8 +261,8 @@ class Adviser {
   std::optional<double> longer_step(std::size_t c, const AdviserPoint& point) const {
     const Candidate& candidate = advice_.candidates[c];
     if (settings_.criterion.quality != Quality::ratio || !candidate.model || !calm(point) ||
-        advice_.surpassed.size() >= most_lengthenings ||
-        since(begin_) + last_set_ > settings_.seconds)
+        advice_.surpassed.size() >= max_lengthenings ||
+        since_start_.seconds() + last_set_ > settings_.seconds)
       return std::nullopt;
     double too_long = std::numeric_limits<double>::infinity();
     for (const AdviserPoint& p : candidate.points)
@@ -420,14 +415,15 @@ class Adviser {
       if (stop()) return;
       Candidate& candidate = advice_.candidates[*c];
       const double cost = candidate.scheme.cost() / candidate.step;
-      const double left = std::max(min_confirming_share, 1 - since(begin_) / settings_.seconds);
+      const double left =
+          std::max(min_confirming_share, 1 - since_start_.seconds() / settings_.seconds);
       const double length = advice_.best ? advice_.confirmation.length
                                          : std::clamp(affordable(budget(left), confirming, cost),
                                                       min_length(), config_.run.length);
-      const Clock::time_point before = Clock::now();
+      const Stopwatch watch;
       const AdviserPoint point = confirming_runs(starts, {*c, candidate.step, length});
       if (stop()) return;
-      if (point.length == length) last_set_ = since(before);
+      if (point.length == length) last_set_ = watch.seconds();
       const auto longer = longer_step(*c, point);
       if (calm(point) && point.length == length && point.bound <= settings_.criterion.bound) {
         if (advice_.best) advice_.surpassed.emplace_back(*c, advice_.confirmation);
@@ -482,8 +478,9 @@ class Adviser {
   double last_set_ = 0;        // seconds that the last set of runs took
   std::vector<bool> settled_;  // candidates whose steps are known accurately enough
   std::size_t drawn_ = 0;      // initial configurations so far
-  Clock::time_point begin_ = Clock::now();
+  Stopwatch since_start_;
   mutable std::mutex reporting_;
+  mutable SharedPace pace_;  // of reports after steps
   Advice advice_;
 };
 

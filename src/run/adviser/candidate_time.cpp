@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "candidate_time.hpp"
 
-#include <chrono>
-
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
 namespace polhode {
 
 double time_of(const Candidate& candidate, System system, const Config& config, double seconds,
                const std::function<bool()>& stop, Workers& workers) {
-  using Clock = std::chrono::steady_clock;
   const auto stopped = [&] { return stop && stop(); };
   ForceField forces(system.topology, system.forces, system.state.box, workers);
-  const Clock::time_point end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                   std::chrono::duration<double>(seconds));
-  const auto over = [&] { return stopped() || Clock::now() > end; };
+  const Stopwatch watch;
+  const auto over = [&] { return stopped() || watch.seconds() > seconds; };
   // Twenty to a thousand steps at a time, including a few list rebuilds.
   const double min_duration = 20 * candidate.step;
   const TrajectorySettings s{candidate.scheme, candidate.step, 1000 * candidate.step,

@@ -14,6 +14,21 @@
 #include "polhode/run/adviser/adviser.hpp"
 
 namespace polhode {
+namespace {
+
+std::string in_percent(double ratio) { return fmt::format("\"{:.12g} %\"", 100 * ratio); }
+
+/// Refuses to resume a run with another guarantee than that with which its step was chosen.
+void check_same(const std::string& file, const char* key, const std::string& then,
+                const std::string& now) {
+  if (then == now) return;
+  throw OutputError(
+      fmt::format("the run was started with {0} = {1}, for which its step was chosen ('{3}'), and "
+                  "{0} is now {2}; give the earlier value, another output, or start over",
+                  key, then, now, file));
+}
+
+}  // namespace
 
 std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks& callbacks,
                                                 Workers& workers) {
@@ -50,6 +65,11 @@ void write_guarantee(const std::string& file, const Guarantee& guarantee,
 
 Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator) try {
   const auto json = nlohmann::json::parse(std::ifstream(file));
+  check_same(file, "accuracy", in_percent(json.at("accuracy")),
+             in_percent(integrator.accuracy.value()));
+  if (integrator.scheme_given)
+    check_same(file, "scheme", text_of(nested_scheme_of(json.at("scheme").get<std::string>())),
+               text_of(nested_scheme_of(integrator.scheme)));
   integrator.scheme = json.at("scheme");
   integrator.step = json.at("step_ps");
   return {json.at("accuracy"),

@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::size_t max_points = 12;
 constexpr double ladder = 1.25;  // ratio of successive steps, where there is no power law to follow
-constexpr double shortest = 1.0 / 64, max_shrinking = 0.25;  // smallest step relative to the first
-                                                             // one; largest reduction of a step
+constexpr double min_relative_step = 1.0 / 64;  // smallest step relative to the first one
+constexpr double max_shrinking = 0.25;          // largest reduction of a step
 constexpr double min_slope = 0.5;  // of log R against log h: rounding and kinks flatten it
 constexpr double nearby = 0.7;     // the model uses steps from this fraction of where R equals
                                    // the bound
@@ -77,7 +77,7 @@ bool is_measured(const std::vector<AdviserPoint>& points, double step, double wi
 
 std::optional<double> next_towards_ratio(const StepSearch& search, const Range& range) {
   const double at = crossing(search, range);
-  if (at < shortest * search.first) return std::nullopt;
+  if (at < min_relative_step * search.first) return std::nullopt;
   constexpr double near = 0.06, beside = 0.04;
   if (!is_measured(range.usable, at, near)) return at;
   for (const double part : {0.9, 0.8})
@@ -111,11 +111,11 @@ double three_digits(double step) {
 }
 
 std::optional<double> lengthened(double step, double reached, double exponent, double too_long) {
-  constexpr double most = 1.25, least = 1.02;
-  if (!(reached > 0) || reached >= most_caution) return std::nullopt;
-  const double proposed = step * std::min(most, std::pow(aim / reached, 1 / exponent));
+  constexpr double max_ratio = 1.25, min_ratio = 1.02;
+  if (!(reached > 0) || reached >= max_caution) return std::nullopt;
+  const double proposed = step * std::min(max_ratio, std::pow(aim / reached, 1 / exponent));
   const double longer = three_digits(std::min(proposed, std::sqrt(step * too_long)));
-  return longer >= least * step ? std::optional(longer) : std::nullopt;
+  return longer >= min_ratio * step ? std::optional(longer) : std::nullopt;
 }
 
 double shortening(const Criterion& criterion, const std::vector<Outcome>& runs,
@@ -135,7 +135,8 @@ std::optional<double> next_step(const StepSearch& search, const std::vector<Advi
   if (points.empty()) return search.first;
   const Range range = range_of(points);
   if (range.usable.empty())
-    return range.end > shortest * search.first ? std::optional(range.end / 2) : std::nullopt;
+    return range.end > min_relative_step * search.first ? std::optional(range.end / 2)
+                                                        : std::nullopt;
   return search.criterion.quality == Quality::ratio ? next_towards_ratio(search, range)
                                                     : next_of_ladder(search, range);
 }

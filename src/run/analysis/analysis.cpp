@@ -17,7 +17,7 @@ namespace polhode {
 namespace {
 
 // More than any curve needs, but few enough to be stored for every pair of sites and every body.
-constexpr double most_bins = 1e5, most_lags = 1e6;
+constexpr double max_bins = 1e5, max_lags = 1e6;
 
 // Frames read before they are processed: at least two, to determine the interval.
 std::size_t batch_size(const Workers& workers) {
@@ -89,11 +89,11 @@ class Assembly {
       return;
     }
     const double window = settings_.window / result_.interval;
-    if (!(window <= most_lags))
+    if (!(window <= max_lags))
       throw Error(
           fmt::format("the window of {:g} ps has {:g} lags of {:g} ps; the maximum is {:g}, so "
                       "give a shorter one",
-                      settings_.window, window, result_.interval, most_lags));
+                      settings_.window, window, result_.interval, max_lags));
     const auto lags = static_cast<std::size_t>(std::max(1.0, window + 1e-6)) + 1;
     const auto bodies = static_cast<double>(result_.topology.size());
     require_memory(bytes_of_lag * bodies * static_cast<double>(lags),
@@ -162,14 +162,29 @@ class Assembly {
 
   void begin_radial() {
     result_.pairs = settings_.pairs.empty() ? site_pairs(result_.topology) : settings_.pairs;
+    note_pooled();
     const double half = result_.box.shortest_edge() / 2;
     const double cutoff = settings_.cutoff.value_or(std::min(default_rdf_cutoff, half));
-    if (!(cutoff / settings_.bin <= most_bins))
+    if (!(cutoff / settings_.bin <= max_bins))
       throw Error(
           fmt::format("bins of {:g} nm make {:g} bins up to {:g} nm; the maximum is {:g}, so give "
                       "wider ones",
-                      settings_.bin, cutoff / settings_.bin, cutoff, most_bins));
+                      settings_.bin, cutoff / settings_.bin, cutoff, max_bins));
     result_.radial.emplace(result_.topology, RadialSettings{result_.pairs, cutoff, settings_.bin});
+  }
+
+  // Sites of several kinds of molecules in one selection.
+  void note_pooled() {
+    std::set<std::string> noted;
+    for (const SitePair& pair : result_.pairs)
+      for (const std::string& word : pair) {
+        const std::vector<std::string> kinds = molecules_with(result_.topology, word);
+        if (kinds.size() < 2 || !noted.insert(word).second) continue;
+        result_.notes.push_back(
+            fmt::format("g(r) of '{0}' is of the sites of {1} together; '{2}:{0}' selects those of "
+                        "one",
+                        word, join_names(kinds), kinds.front()));
+      }
   }
 
   void begin_dipole() {

@@ -64,15 +64,29 @@ nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
   return {{"value", e.value * scale}, {"error", known_error(e) * scale}};
 }
 
-/// The same, with whether it is converged; if not, why.
-nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, double scale = 1) {
+/// The same if it is converged. If not, it has no value: what the run gives is an estimate, with
+/// the reason.
+nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, const char* relaxation,
+                          double scale = 1) {
   nlohmann::json one = pair(e, scale);
   one["converged"] = c.converged();
+  if (c.converged()) return one;
   const auto key = [&](const char* what) { return fmt::format("{}_{}", what, c.unit); };
-  if (!c.converged())
-    one.update(
-        {{key("length"), c.length}, {key("relaxation"), c.relaxation}, {key("needed"), c.needed}});
+  one.update({{"value", nullptr},
+              {"error", nullptr},
+              {"unconverged_estimate", e.value * scale},
+              {"reason", not_converged(c, relaxation)},
+              {key("length"), c.length},
+              {key("relaxation"), c.relaxation},
+              {key("needed"), c.needed}});
   return one;
+}
+
+nlohmann::json relaxation_json(const std::optional<RelaxationTimes>& t) {
+  if (!t) return {{"converged", false}, {"reason", not_decayed}};
+  return {{"integral_ps", converging(t->integral, t->convergence, decay_time)},
+          {"exponential_ps", converging(t->exponential, t->convergence, decay_time)},
+          {"fit_ps", {t->from, t->to}}};
 }
 
 /// Null for numbers that do not exist without a peak.
@@ -95,21 +109,16 @@ nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {
   nlohmann::json one = {{"molecule", part.molecule}, {"count", part.count}};
   if (part.diffusion)
     one["D_1e-9_m2_per_s"] =
-        converging(*part.diffusion, part.diffusion_convergence, in_1e9_m2_per_s);
+        converging(*part.diffusion, part.diffusion_convergence, longest_lag, in_1e9_m2_per_s);
   if (const auto D = part.corrected(s))
     one["D_without_images_1e-9_m2_per_s"] =
-        converging(*D, part.diffusion_convergence, in_1e9_m2_per_s);
+        converging(*D, part.diffusion_convergence, longest_lag, in_1e9_m2_per_s);
   if (part.green_kubo)
     one["D_green_kubo_1e-9_m2_per_s"] =
-        converging(*part.green_kubo, part.green_kubo_convergence, in_1e9_m2_per_s);
+        converging(*part.green_kubo, part.green_kubo_convergence, longest_lag, in_1e9_m2_per_s);
   for (const AxisRelaxation& axis : part.axes)
-    for (std::size_t k = 0; k < 2; ++k) {
-      nlohmann::json& time = one["relaxation"][axis.axis][fmt::format("P{}", k + 1)];
-      if (const auto& t = axis.rank[k])
-        time = {{"integral_ps", converging(t->integral, t->convergence)},
-                {"exponential_ps", converging(t->exponential, t->convergence)},
-                {"fit_ps", {t->from, t->to}}};
-    }
+    for (std::size_t k = 0; k < 2; ++k)
+      one["relaxation"][axis.axis][fmt::format("P{}", k + 1)] = relaxation_json(axis.rank[k]);
   return one;
 }
 
@@ -117,6 +126,7 @@ nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {
 
 AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& options,
                             const Callbacks& callbacks, Workers& workers) {
+  check_prefix(input.prefix);
   const std::optional<Frame> names = names_of_atoms(input.names);
   const auto reader = open_frames(input.trajectory, names ? &*names : nullptr);
   check_outputs(possible_files(input), options.existing);
@@ -159,8 +169,8 @@ std::string analysis_json(const AnalysisReport& report) {
         in_1e9_m2_per_s * *s.finite_size_correction;
   for (const PartSummary& part : s.parts) json["parts"].push_back(part_json(part, s));
   if (const auto& d = s.dielectric)
-    json["dielectric"] = {{"constant", converging(d->constant, d->convergence)},
-                          {"kirkwood", converging(d->kirkwood, d->convergence)},
+    json["dielectric"] = {{"constant", converging(d->constant, d->convergence, dipole_relaxation)},
+                          {"kirkwood", converging(d->kirkwood, d->convergence, dipole_relaxation)},
                           {"mean_over_rms_dipole", d->mean_over_rms}};
   json["files"] = report.files;
   return json.dump(2);

@@ -122,6 +122,13 @@ void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySetting
 
 }  // namespace
 
+std::string not_converged(const Convergence& c, const std::string& relaxation) {
+  return fmt::format(
+      "not converged: length {:.3g} {}, {} {:.2g} {}; a run of at least {:.2g} {} is "
+      "needed",
+      c.length, c.unit, relaxation, c.relaxation, c.unit, c.needed, c.unit);
+}
+
 void SummarySettings::set_surroundings(const ForceSettings& forces) {
   switch (forces.electrostatics) {
     case Electrostatics::pme:

@@ -5,16 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <functional>
 #include <memory>
 #include <numeric>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/forces/system_size.hpp"
+#include "polhode/forces/timed_forces.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/model/cell_list.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
 namespace polhode {
@@ -28,16 +30,6 @@ struct Motion {
 };
 constexpr std::array motions = {Motion{"hoa2", 0.004}, Motion{"velocity-verlet", 0.002},
                                 Motion{"gier4-fd", 0.005}};
-
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // Duration and number of repeats of each measurement; large systems are measured less often.
 struct Effort {
@@ -74,7 +66,7 @@ System side_by_side(System water, std::size_t n) {
   return water;
 }
 
-System liquid_water(std::size_t molecules, Workers& workers) {
+System liquid_water(std::size_t molecules, const Callbacks& callbacks, Workers& workers) {
   Config config = default_config();
   config.forces = benchmark_forces(Precision::mixed, switches[0]);
   const std::size_t n = tiles_along_edge(molecules);
@@ -87,7 +79,7 @@ System liquid_water(std::size_t molecules, Workers& workers) {
   config.source = config.cutoff_place = fmt::format("a box of {} waters", molecules);
   System water = build_system(config);
   ForceField forces(water.topology, water.forces, water.state.box, workers);
-  equilibrate(water, forces, 0.1, {}, workers);
+  equilibrate(water, forces, 0.1, {.stop = callbacks.stop}, workers);
   return water;
 }
 
@@ -107,38 +99,12 @@ void repeat(EvaluationRepeats& repeats, const System& water, const ForceSettings
   repeats.list.push_back(forces.neighbours().seconds());
   repeats.lanes = static_cast<double>(forces.neighbours().lanes());
   constexpr std::size_t min_repeats = 3;
-  const Clock clock;
+  const Stopwatch clock;
   for (std::size_t n = 0; n < min_repeats || clock.seconds() < seconds; ++n) {
-    const Clock first;
-    forces.forces_alone(water.state, load);
-    repeats.forces.push_back(first.seconds());
-    const Clock second;
-    forces(water.state, load);
-    repeats.energies.push_back(second.seconds());
+    repeats.forces.push_back(seconds_of([&] { forces.forces_alone(water.state, load); }));
+    repeats.energies.push_back(seconds_of([&] { forces(water.state, load); }));
   }
 }
-
-// The forces with a stopwatch; the list has its own.
-struct TimedForces {
-  ForceField& forces;
-  double seconds = 0;
-  void operator()(const State& state, Load& load) {
-    const Clock clock;
-    forces(state, load);
-    seconds += clock.seconds();
-  }
-  void forces_alone(const State& state, Load& load) {
-    const Clock clock;
-    forces.forces_alone(state, load);
-    seconds += clock.seconds();
-  }
-  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
-                              Load& slope) {
-    const Clock clock;
-    forces.directional_derivative(state, dq, dtheta, slope);
-    seconds += clock.seconds();
-  }
-};
 
 struct StepRepeats {
   std::vector<double> forces, other, drift, kick;
@@ -160,12 +126,10 @@ void repeat(StepRepeats& repeats, const Motion& motion, System& water,
   const double list_before = list.seconds();
   const auto rebuilds_before = static_cast<double>(list.rebuilds());
   std::size_t steps = 0;
-  for (const Clock clock; steps < min_repeats || clock.seconds() < seconds; ++steps) {
+  for (const Stopwatch clock; steps < min_repeats || clock.seconds() < seconds; ++steps) {
     timed.seconds = 0;
     const double in_list = list.seconds();
-    const Clock step;
-    integrator.advance(water.state, motion.step, 1, false);
-    const double all = step.seconds();
+    const double all = seconds_of([&] { integrator.advance(water.state, motion.step, 1, false); });
     repeats.forces.push_back(timed.seconds - (list.seconds() - in_list));
     repeats.other.push_back(all - timed.seconds);
   }
@@ -176,12 +140,10 @@ void repeat(StepRepeats& repeats, const Motion& motion, System& water,
   // Times drifts and kicks separately, on a state that is discarded.
   State state = water.state;
   for (std::size_t n = 0; n < min_repeats; ++n) {
-    const Clock first;
-    drift(state, water.bodies, motion.step / 2, workers);
-    repeats.drift.push_back(first.seconds());
-    const Clock second;
-    kick(state, water.bodies, integrator.last_load(), motion.step / 2, workers);
-    repeats.kick.push_back(second.seconds());
+    repeats.drift.push_back(
+        seconds_of([&] { drift(state, water.bodies, motion.step / 2, workers); }));
+    repeats.kick.push_back(seconds_of(
+        [&] { kick(state, water.bodies, integrator.last_load(), motion.step / 2, workers); }));
   }
 }
 
@@ -211,23 +173,23 @@ StepTiming summary_of(const StepRepeats& repeats, const Motion& motion) {
 class Measurement {
  public:
   Measurement(std::size_t molecules, const BenchmarkSettings& settings, const Effort& effort,
-              const std::vector<Limit>& limits, std::vector<std::unique_ptr<Workers>>& workers)
-      : effort_(effort), water_(liquid_water(molecules, *workers.back())) {
+              const std::vector<Limit>& limits, const Callbacks& callbacks,
+              std::vector<std::unique_ptr<Workers>>& workers)
+      : effort_(effort),
+        callbacks_(callbacks),
+        water_(liquid_water(molecules, callbacks, *workers.back())) {
     for (std::size_t p = 0; p < settings.precisions.size(); ++p)
       for (const auto& w : workers) kinds_.push_back({limits[p], *w, water_, {}, {}});
   }
 
+  /// Incomplete if the callbacks stop it.
   void run(const std::function<void(double)>& report) {
-    const Clock clock;
+    const Stopwatch clock;
     for (std::size_t n = 0; n < effort_.repeats; ++n) {
       if (n >= effort_.min_repeats && clock.seconds() > effort_.max_seconds) break;
-      for (Kind& kind : kinds_)
-        for (std::size_t k = 0; k < switches.size(); ++k)
-          repeat(kind.evaluations[k], water_, forces(kind, k), kind.workers, effort_.evaluations);
-      for (std::size_t k = 0; k < motions.size(); ++k)
-        for (Kind& kind : kinds_)
-          repeat(kind.steps[k], motions[k], kind.moving, forces(kind, 0), kind.workers,
-                 effort_.steps);
+      repeat_evaluations();
+      repeat_steps();
+      if (callbacks_.stopped()) return;
       report(std::max(static_cast<double>(n + 1) / static_cast<double>(effort_.repeats),
                       std::min(1.0, clock.seconds() / effort_.max_seconds)));
     }
@@ -261,11 +223,24 @@ class Measurement {
     std::array<EvaluationRepeats, switches.size()> evaluations;
     std::array<StepRepeats, motions.size()> steps;
   };
+  void repeat_evaluations() {
+    for (Kind& kind : kinds_)
+      for (std::size_t k = 0; k < switches.size() && !callbacks_.stopped(); ++k)
+        repeat(kind.evaluations[k], water_, forces(kind, k), kind.workers, effort_.evaluations);
+  }
+  void repeat_steps() {
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      for (Kind& kind : kinds_)
+        if (!callbacks_.stopped())
+          repeat(kind.steps[k], motions[k], kind.moving, forces(kind, 0), kind.workers,
+                 effort_.steps);
+  }
   static ForceSettings forces(const Kind& kind, std::size_t k) {
     return benchmark_forces(kind.limit.precision, switches[k]);
   }
 
   Effort effort_;
+  const Callbacks& callbacks_;
   System water_;
   std::vector<Kind> kinds_;
 };
@@ -288,36 +263,16 @@ double Benchmark::spread() const {
 }
 
 std::size_t pairs_within(const State& state, double distance) {
-  const Box& box = state.box;
-  std::size_t n[3], cells = 1, pairs = 0;
-  for (std::size_t d = 0; d < 3; ++d) {
-    n[d] = static_cast<std::size_t>(box.edge[d] / distance);
-    if (n[d] < 3) n[d] = 1;  // otherwise the neighbours on both sides are the same cell
-    cells *= n[d];
-  }
-  std::vector<std::vector<Vec3<double>>> bodies(cells);
-  for (std::size_t i = 0; i < state.size(); ++i) {
-    std::size_t cell = 0;
-    for (std::size_t d = 0; d < 3; ++d) {
-      const double x = state.q[i][d] / box.edge[d];
-      const auto k = static_cast<std::size_t>((x - std::floor(x)) * static_cast<double>(n[d]));
-      cell = cell * n[d] + std::min(k, n[d] - 1);
-    }
-    bodies[cell].push_back(state.q[i]);
-  }
-  const auto from = [](std::size_t edge) { return edge == 1 ? 0 : edge - 1; };
-  const auto to = [](std::size_t edge) { return edge == 1 ? 0 : edge + 1; };
-  for (std::size_t x = 0; x < n[0]; ++x)
-    for (std::size_t y = 0; y < n[1]; ++y)
-      for (std::size_t z = 0; z < n[2]; ++z)
-        for (std::size_t i = x + from(n[0]); i <= x + to(n[0]); ++i)
-          for (std::size_t j = y + from(n[1]); j <= y + to(n[1]); ++j)
-            for (std::size_t k = z + from(n[2]); k <= z + to(n[2]); ++k)
-              for (const Vec3<double>& a : bodies[(x * n[1] + y) * n[2] + z])
-                for (const Vec3<double>& b : bodies[(i % n[0] * n[1] + j % n[1]) * n[2] + k % n[2]])
-                  pairs += norm2(box.minimum_image(a - b)) < distance * distance;
-  return (pairs - state.size()) / 2;  // every pair was counted twice, and every body paired with
-                                      // itself
+  struct Centre {
+    Vec3<double> r;
+  };
+  std::vector<Centre> centres;
+  for (std::size_t i = 0; i < state.size(); ++i) centres.push_back({state.q[i]});
+  std::size_t pairs = 0;
+  CellList(centres, state.box, distance).each_pair([&](const Centre& a, const Centre& b) {
+    pairs += norm2(state.box.minimum_image(a.r - b.r)) < distance * distance;
+  });
+  return pairs;
 }
 
 Benchmark run_benchmark(const BenchmarkSettings& settings, const Callbacks& callbacks) {
@@ -335,8 +290,10 @@ Benchmark run_benchmark(const BenchmarkSettings& settings, const Callbacks& call
           {"bench", (static_cast<double>(k) + done) / sizes, fmt::format("{} waters", molecules)});
     };
     tell(0);
-    Measurement measurement(molecules, settings, effort, result.limits, workers);
+    Measurement measurement(molecules, settings, effort, result.limits, callbacks, workers);
     measurement.run(tell);
+    result.interrupted = callbacks.stopped();
+    if (result.interrupted) return result;
     for (SystemTiming& s : measurement.result()) result.systems.push_back(std::move(s));
   }
   return result;

@@ -2,22 +2,15 @@
 #include "polhode/run/benchmark/peak_performance.hpp"
 
 #include <algorithm>
-#include <chrono>
 
 #include "polhode/base/column.hpp"
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/run/simulation/system.hpp"
 
 namespace polhode {
 namespace {
 
 constexpr double cutoff = 0.9, switch_from = 0.765;  // [nm]
-
-template <class Work>
-double seconds_of(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 // The first molecule of the built-in configuration with partners at realistic distances, repeated
 // until the packs are full.
@@ -81,7 +74,6 @@ class WaterPairs {
 
 template <class T>
 Limit measure(Precision precision, double seconds) {
-  using Clock = std::chrono::steady_clock;
   constexpr std::size_t rounds = 5000, chains = 12;
   Limit limit;
   limit.precision = precision;
@@ -93,9 +85,8 @@ Limit measure(Precision precision, double seconds) {
 
   // All kinds interleaved, so that changes of the clock rate affect them equally.
   std::vector<double> times, kinds[2][2];  // [energies][truncated]
-  const auto start = Clock::now();
-  while (times.size() < 5 ||
-         std::chrono::duration<double>(Clock::now() - start).count() < seconds) {
+  const Stopwatch watch;
+  while (times.size() < 5 || watch.seconds() < seconds) {
     times.push_back(seconds_of([&] { multiply_adds(rounds, numbers.data()); }));
     for (const bool energies : {false, true})
       for (const bool truncated : {false, true})

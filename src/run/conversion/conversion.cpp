@@ -45,39 +45,56 @@ void check_selection(const Conversion& c) {
 // Times in files are rounded, to floats or to some decimals.
 double slack(double time) { return 1e-6 * std::max(1.0, std::abs(time)); }
 
+struct Written {
+  ConversionResult result;
+  bool velocities_lost = false;
+};
+
+Written write_frames(FrameReader& reader, const std::string& path, const Conversion& c,
+                     const Callbacks& callbacks) {
+  const bool velocities = format_traits(c.to).velocities;
+  const auto writer = create_frames(path, {});
+  Written written;
+  std::size_t read = 0;
+  for (Frame frame; reader.next(frame) && !(frame.time > c.last + slack(c.last));) {
+    if (callbacks.stopped()) return {{0, true}};
+    callbacks.report({"converting", reader.fraction_read()});
+    if (frame.time < c.first - slack(c.first) || read++ % c.every != 0) continue;
+    if (written.result.frames++ == 0) check_names(frame, c);
+    written.velocities_lost |= frame.has_velocities && !velocities;
+    complete_elements(frame);
+    writer->write(frame);
+  }
+  if (written.result.frames == 0)
+    throw Error(fmt::format("'{}' has no frame between the first and the last time; choose others",
+                            c.from));
+  writer->mark();
+  return written;
+}
+
 }  // namespace
 
 ConversionResult convert(const Conversion& c, const OutputOptions& options,
                          const Callbacks& callbacks) {
   check_selection(c);
-  const FormatTraits format = format_traits(c.to);
   const std::optional<Frame> names = read_names(c.names);
   const auto reader = open_frames(c.from, names ? &*names : nullptr);
   check_outputs({c.to}, options.existing);
   Draft draft(c.to, Draft::Name::unique);
-  auto writer = create_frames(draft.path(), {});
-
-  ConversionResult result;
-  std::size_t read = 0;
-  bool lost = false;
-  for (Frame frame; reader->next(frame) && !(frame.time > c.last + slack(c.last));) {
-    if (callbacks.stopped()) return {0, true};
-    callbacks.report({"converting", reader->fraction_read()});
-    if (frame.time < c.first - slack(c.first) || read++ % c.every != 0) continue;
-    if (result.frames++ == 0) check_names(frame, c);
-    lost = lost || (frame.has_velocities && !format.velocities);
-    complete_elements(frame);
-    writer->write(frame);
-  }
-  if (result.frames == 0)
-    throw Error(fmt::format("'{}' has no frame between the first and the last time; choose others",
-                            c.from));
-  writer->mark();
-  writer.reset();
+  const Written written = [&] {
+    try {
+      return write_frames(*reader, draft.path(), c, callbacks);
+    } catch (const RunError& e) {
+      throw RunError(draft.with_final_name(e.what()));
+    } catch (const Error& e) {
+      throw Error(draft.with_final_name(e.what()), e.where());
+    }
+  }();
+  if (written.result.interrupted) return written.result;
   draft.finish();
-  if (lost)
+  if (written.velocities_lost)
     callbacks.note(fmt::format("note: velocities are not written; the format {} has none", c.to));
-  return result;
+  return written.result;
 }
 
 }  // namespace polhode

@@ -19,7 +19,7 @@ double size_or_infinity(const Vec3<double>& force) {
   return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
 }
 
-std::optional<std::size_t> most_pushed(const System& system, const State& state) try {
+std::optional<std::size_t> body_with_largest_force(const System& system, const State& state) try {
   ForceField forces(system.topology, system.forces, state.box);
   Load load(state.size());
   forces(state, load);
@@ -70,7 +70,7 @@ Contact closest(const System& system, const State& state, std::size_t body) {
 
 std::string strongest_contact(const System& system, const State& state) {
   if (state.size() < 2) return {};
-  const auto body = most_pushed(system, state);
+  const auto body = body_with_largest_force(system, state);
   if (!body) return {};
   const Contact contact = closest(system, state, *body);
   const auto name = [&](std::size_t i) {

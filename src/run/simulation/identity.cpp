@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <map>
+#include <span>
 #include <sstream>
 #include <tuple>
 
@@ -14,17 +15,22 @@
 namespace polhode {
 namespace {
 
+/// The contents of a table, whose file may have changed under the same name; nothing for other
+/// laws.
+std::string table_identity(const ShortRangeLaw& law) {
+  const auto* tabulated = std::get_if<TabulatedLaw>(&law);
+  if (!tabulated) return {};
+  const PotentialTable& table = *tabulated->table;
+  const auto* coefficients = table.coefficients<double>();
+  return fmt::format(" from {} nm by {} nm: {}", table.first(), table.spacing(),
+                     fmt::join(std::span(coefficients, coefficients + 4 * table.intervals()), " "));
+}
+
 // For Lennard-Jones: nothing besides σ and ε.
 std::string law_identity(const Site& site) {
   if (std::holds_alternative<LennardJonesLaw>(site.law)) return {};
-  std::string id =
-      std::string(name(site.law)) + ' ' + parameters(site.sigma, site.epsilon, site.law);
-  if (const auto* tabulated = std::get_if<TabulatedLaw>(&site.law)) {
-    const PotentialTable& table = *tabulated->table;
-    for (std::size_t k = 0; k < table.intervals(); ++k)
-      id += fmt::format(" {}", table.coefficients<double>()[4 * k]);
-  }
-  return id + ' ';
+  return fmt::format("{} {}{} ", name(site.law), parameters(site.sigma, site.epsilon, site.law),
+                     table_identity(site.law));
 }
 
 /// The first line, a hash of everything that a run depends on.
@@ -71,6 +77,7 @@ std::string identity(const Config& config, const System& system,
   if (f.dispersion_correction) id << " dispersion";
   if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
     id << ' ' << mixing;
+  for (const PairOverride& pair : system.forces.mixing.pairs) id << table_identity(pair.law);
   return id.str();
 }
 

@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/stopwatch.hpp"
 
 namespace polhode {
 
@@ -43,9 +43,7 @@ double near_weight(const System& system, const std::optional<InnerScheme>& inner
   ForceField near(system.topology, near_settings(system.forces, *inner), state.box);
   Load load(state.size());
   const auto seconds = [&](ForceField& forces) {
-    const auto start = std::chrono::steady_clock::now();
-    forces.forces_alone(state, load);
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return seconds_of([&] { forces.forces_alone(state, load); });
   };
   double min_full = std::numeric_limits<double>::infinity(), min_near = min_full;
   for (int k = 0; k < repeats; ++k) {  // the first pass builds the lists

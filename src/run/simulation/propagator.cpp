@@ -4,56 +4,22 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/law_range.hpp"
+#include "polhode/forces/timed_forces.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/run/simulation/contact.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/stable_step.hpp"
 
 namespace polhode {
 namespace {
-
-class Stopwatch {
- public:
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-/// Forces with a stopwatch.
-struct TimedForces {
-  ForceField& forces;
-  double seconds = 0;  // with the list
-  void operator()(const State& state, Load& load) {
-    Stopwatch watch;
-    forces(state, load);
-    seconds += watch.lap();
-  }
-  void forces_alone(const State& state, Load& load) {
-    Stopwatch watch;
-    forces.forces_alone(state, load);
-    seconds += watch.lap();
-  }
-  void directional_derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta,
-                              Load& slope) {
-    Stopwatch watch;
-    forces.directional_derivative(state, dq, dtheta, slope);
-    seconds += watch.lap();
-  }
-};
 
 /// Ends the trajectory but keeps its results.
 struct BlowUp : RunError {
@@ -61,14 +27,22 @@ struct BlowUp : RunError {
   std::string cause;
 };
 
+/// What shows which molecules collided: its copy at each step costs half of that of the state.
+void copy_positions(const State& from, State& to) {
+  to.q = from.q;
+  to.attitude = from.attitude;
+  to.box = from.box;
+}
+
+/// @param shorter  step to try [ps]
 [[noreturn]] void throw_blow_up(const TrajectorySettings& s, std::size_t step,
-                                const std::string& cause) {
+                                const std::string& cause, double shorter) {
   throw BlowUp(
       fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
-                  "{}, or the initial configuration is too far from equilibrium: try {:g} fs, or "
+                  "{}, or the initial configuration is too far from equilibrium: try {}, or "
                   "equilibrate first",
                   step, static_cast<double>(step) * s.step, cause, s.step * units::fs_per_ps,
-                  name_of({s.scheme, s.inner}), s.step * 500),
+                  name_of({s.scheme, s.inner}), rounded_fs(shorter)),
       cause);
 }
 
@@ -104,9 +78,7 @@ class Clocks {
   }
 
  private:
-  static double in_list(const TimedForces* timed) {
-    return timed ? timed->forces.neighbours().seconds() : 0;
-  }
+  static double in_list(const TimedForces* timed) { return timed ? timed->in_list() : 0; }
 
   const TimedForces& whole_;
   const TimedForces* near_;
@@ -182,6 +154,7 @@ class Propagator::Impl {
         interval_(settings.steps_per_sample()),
         integrator_(system, forces, settings, workers),
         start_(system.state.time) {
+    copy_positions(system.state, first_);
     start_clocks({});
   }
 
@@ -197,6 +170,7 @@ class Propagator::Impl {
   }
 
   RunState run_state() {
+    if (before_last_sample_) return *before_last_sample_;
     clocks_->add_motion();
     RunState now{
         system_.state,
@@ -274,7 +248,7 @@ class Propagator::Impl {
   }
 
   void step(bool energies) {
-    before_ = system_.state;
+    copy_positions(system_.state, before_);
     try {
       integrator_.apply([&](auto& integrator) {
         integrator.advance(system_.state, settings_.step, 1, energies);
@@ -295,7 +269,7 @@ class Propagator::Impl {
     std::string contact = strongest_contact(system_, system_.state);
     if (contact.empty()) contact = strongest_contact(system_, before_);
     if (!contact.empty()) cause += "; " + contact;
-    throw_blow_up(settings_, step, cause);
+    throw_blow_up(settings_, step, cause, shorter_step(system_, first_, settings_, workers_));
   }
 
   const Load& last_load() {
@@ -394,7 +368,7 @@ class Propagator::Impl {
   TrajectoryStatistics statistics_;
   std::optional<Clocks> clocks_;
   std::optional<RunState> before_last_sample_;
-  State before_;  // the last step
+  State first_, before_;  // positions at the start, and before the last step
 };
 
 Propagator::Propagator(System& system, ForceField& forces, const TrajectorySettings& settings,

@@ -100,10 +100,7 @@ void RunFiles::sample(std::size_t step, const State& state, const Energies& ener
   next_frame_ = step + steps_per_frame_;
 }
 
-bool RunFiles::due() const {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - last_).count() >=
-         interval_;
-}
+bool RunFiles::due() const { return since_checkpoint_.seconds() >= interval_; }
 
 OutputMarks RunFiles::marks() {
   OutputMarks marks{.energies = energies_->mark(), .next_frame = next_frame_};
@@ -121,7 +118,7 @@ void RunFiles::checkpoint(RunState at) {
                    {provenance_.version, provenance_.instruction_set});
   last_checkpoint_step_ = checkpoint_.at.steps;
   checkpoint_.at = {};
-  last_ = std::chrono::steady_clock::now();
+  since_checkpoint_ = Stopwatch();
 }
 
 void RunFiles::flush() {

@@ -34,7 +34,8 @@ json drift_json(const Drift& drift, std::uint64_t samples) {
 json run_settings(const RunReport& r) {
   const RunSummary& s = r.summary;
   return {{"molecules", s.molecules},
-          {"scheme", text_of({r.settings.scheme, r.settings.inner})},
+          {"scheme", name_of({r.settings.scheme, r.settings.inner})},
+          {"text", text_of({r.settings.scheme, r.settings.inner})},
           {"step_fs", r.settings.step * units::fs_per_ps},
           {"steps", s.steps},
           {"length_ps", s.length},

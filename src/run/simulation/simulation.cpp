@@ -255,6 +255,7 @@ void Simulation::note_warnings(const Callbacks& callbacks) const {
 
 RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbacks) {
   resumable_step_.reset();
+  check_prefix(config_.output.prefix);
   const OutputLock lock(config_.output.prefix + "-run.lock", callbacks);
   if (!choose_step(options, callbacks)) return {RunEnd::interrupted_choosing_step, {}};
   const RunFileNames names(config_.output);

@@ -113,7 +113,12 @@ System build_system(const Config& config) {
     system.state = std::move(fitted.state);
     system.fit_deviation = fitted.deviation;
     system.massless_deviation = fitted.massless_deviation;
-    system.new_velocities = !fitted.has_velocities || config.system.new_velocities;
+    if (!fitted.has_velocities && config.system.new_velocities == false)
+      throw Error(fmt::format("'{}' has no velocities, but velocities = \"from file\"; give a file "
+                              "that has some, or write \"new\"",
+                              config.system.initial_configuration),
+                  config.source + ", system.velocities");
+    system.new_velocities = config.system.new_velocities.value_or(!fitted.has_velocities);
   }
   system.bodies = Bodies(system.topology);
   try {

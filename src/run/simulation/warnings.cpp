@@ -10,7 +10,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
-#include "polhode/run/simulation/einstein_frequency.hpp"
+#include "polhode/run/simulation/stable_step.hpp"
 
 namespace polhode {
 namespace {
@@ -18,11 +18,10 @@ namespace {
 /// Standard deviations beyond which a difference is not due to chance: two normal values of a
 /// thousand.
 constexpr double far = 3;
-/// For a temperature that had no effect on the run.
-constexpr double rather_far = 2;
 /// The bounds below which nothing is wrong whatever the statistics, each relative to the quantity
 /// in its comment.
 constexpr double min_temperature_difference = 0.01;  // the requested temperature
+constexpr double min_ignored_difference = 0.02;      // likewise, if it had no effect on the run
 constexpr double max_ratio = 0.05;                   // R itself
 constexpr double min_drift_share = 0.5;              // R
 constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
@@ -40,17 +39,21 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   const double T = target.value;
   const double error =
       s.temperature.known == Known::yes ? s.temperature.error : T * std::sqrt(2 / n);
-  const double chance =
-      (target.ignored ? rather_far : far) * std::hypot(temperature_scatter(T, n), error);
-  const double bound = std::max(min_temperature_difference * T, chance);
+  // Of velocities that were not drawn at T, only the error of the mean is due to chance.
+  const double scatter = target.ignored ? 0 : temperature_scatter(T, n);
+  const double bound =
+      std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
+               far * std::hypot(scatter, error));
   const double difference = s.temperature.value - T;
   if (!(std::abs(difference) > bound)) return std::nullopt;
   return Warning{
       "temperature", s.temperature.value, bound,
-      fmt::format("the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, and runs of a "
-                  "system of this size deviate by at most {:.2g} K",
+      fmt::format("the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, {} {:.2g} K",
                   s.temperature.value, T, std::abs(difference),
-                  difference > 0 ? "too hot" : "too cold", bound),
+                  difference > 0 ? "too hot" : "too cold",
+                  target.ignored ? "above the bound of"
+                                 : "and runs of a system of this size deviate by at most",
+                  bound),
       target.ignored ? "the velocities of the initial configuration were used: write velocities = "
                        "\"new\" in [system], and equilibrate"
                      : "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]"};
@@ -173,10 +176,10 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
 
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers) {
-  if (settings.inner || degrees_of_freedom(system.topology).all() == 0) return std::nullopt;
-  const double reached = settings.step * einstein_frequency(system, workers);
+  const double max_step = max_stable_step(system, system.state, settings, workers);
+  if (!(settings.step > max_step)) return std::nullopt;
   const double bound = near_stability * stability_limit(settings.scheme);
-  if (!(reached > bound)) return std::nullopt;
+  const double reached = bound * settings.step / max_step;
   return Warning{
       "step", reached, bound,
       fmt::format(
@@ -184,7 +187,7 @@ std::optional<Warning> step_near_stability(const System& system, const Trajector
           "of the fastest motions it is {:.2g}, above {:.2g}",
           settings.step * units::fs_per_ps, name_of({settings.scheme, settings.inner}), reached,
           bound),
-      fmt::format("use at most {:.2g} fs", settings.step * units::fs_per_ps * bound / reached)};
+      "use at most " + rounded_fs(max_step)};
 }
 
 std::vector<Warning> warnings_of_results(const RunSummary& s,

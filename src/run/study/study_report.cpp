@@ -156,7 +156,8 @@ StudyReport report_of(Config config, const System& system, const std::vector<Stu
   config.forces.mixing = system.forces.mixing;  // known after the topology file is read
   StudyReport report(config,
                      efficiency_points(study_points(config.study), counted, config.study.length));
-  write_study(files, report, provenance, callbacks);
+  // A study without a complete run has nothing to tabulate; what an earlier one wrote stays.
+  if (!report.points.empty()) write_study(files, report, provenance, callbacks);
   return report;
 }
 
@@ -206,6 +207,7 @@ std::string advice(const StudyReport& report, double ratio) {
 std::string study_json(const StudyReport& report) {
   nlohmann::json json;
   json["conditions"] = conditions(report.config);
+  json["points"] = nlohmann::json::array();
   for (const Curve& curve : report.curves)
     for (std::size_t i = 0; i < curve.points.size(); ++i)
       json["points"].push_back(as_json(curve.points[i], i < curve.usable));
@@ -219,6 +221,7 @@ std::string study_json(const StudyReport& report) {
 
 StudyReport run_study(const Config& config, const std::string& prefix, const OutputOptions& options,
                       const Callbacks& callbacks, Workers& workers) {
+  check_prefix(prefix);
   const std::vector<StudyPoint> points = study_points(config.study);
   check_lengths(config, points);
   const System system = build_system(config);
@@ -248,7 +251,7 @@ StudyReport run_study(const Config& config, const std::string& prefix, const Out
   };
   perform_study_runs(config, record.known(), keep, callbacks, workers);
   StudyReport report = report_of(config, system, runs, files, made, callbacks);
-  report.files = files.all();
+  report.files = report.points.empty() ? std::vector{files.runs} : files.all();
   report.interrupted = callbacks.stopped();
   return report;
 }
@@ -256,6 +259,7 @@ StudyReport run_study(const Config& config, const std::string& prefix, const Out
 StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix, const OutputOptions& options,
                                 const Callbacks& callbacks) {
+  check_prefix(prefix);
   std::ifstream in(record, std::ios::binary);
   if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
   const std::vector<StudyRun> runs = read_any_study_record(in, record);
@@ -265,7 +269,7 @@ StudyReport report_study_record(const Config& config, const std::string& record,
   const Provenance made =
       provenance(options.command, study_identity(config, system), config.system.seed);
   StudyReport report = report_of(config, system, runs, files, made, callbacks);
-  report.files = files.tables();
+  if (!report.points.empty()) report.files = files.tables();
   return report;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/io/table_file.hpp"
-#include "polhode/run/simulation/equipartition.hpp"
+#include "polhode/run/study/equipartition.hpp"
 
 namespace polhode {
 

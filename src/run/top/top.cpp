@@ -27,14 +27,20 @@ void measure(TopTrack& track, const Vec3<double>& J, const Vec3<double>& L0,
   track.angle = 2 * std::atan2(norm(off.vector()), std::abs(off.w));
 }
 
-std::vector<TopSample> samples_of(const Vec3<double>& J, const Vec3<double>& L, double step,
-                                  double steps) {
-  std::vector<TopSample> samples;
+constexpr double steps_between_stops = 4096;  // about a millisecond
+
+/// Adds the samples of a number of steps to the trajectory.
+void integrate(TopTrajectory& trajectory, const Vec3<double>& J, const Vec3<double>& L,
+               double steps, const std::function<bool()>& stop) {
+  const double step = trajectory.step;
+  std::vector<TopSample>& samples = trajectory.samples;
   const double shown = std::min(steps, 20.0);
   TopSample now{0, closed_rotation(J, L, 0), {{}, L}, {{}, L}};
   samples.push_back(now);
   double next = 1;
   for (double n = 1; n <= steps; ++n) {
+    trajectory.interrupted = stop && std::fmod(n, steps_between_stops) == 0 && stop();
+    if (trajectory.interrupted) return;
     const auto advance = [&](TopTrack& track, RotorMethod method) {
       const FreeRotation r = free_rotation(J, track.L, step, method);
       track.attitude = normalized(track.attitude * r.rotation);
@@ -50,7 +56,6 @@ std::vector<TopSample> samples_of(const Vec3<double>& J, const Vec3<double>& L, 
     measure(now.no_squish, J, L, now.exact);
     samples.push_back(now);
   }
-  return samples;
 }
 
 }  // namespace
@@ -96,7 +101,7 @@ void check_top(const Vec3<double>& J, const Vec3<double>& L, double t, const std
 }
 
 TopTrajectory integrate_top(const Vec3<double>& J, const Vec3<double>& L, double step,
-                            double length) {
+                            double length, const std::function<bool()>& stop) {
   check_top(J, L, 0, "J", "J, L");
   double speed = 0;
   for (std::size_t k = 0; k < 3; ++k) speed = std::hypot(speed, J[k] == 0 ? 0 : L[k] / J[k]);
@@ -107,7 +112,9 @@ TopTrajectory integrate_top(const Vec3<double>& J, const Vec3<double>& L, double
                             "positive step and a length of at least one step",
                             step, length),
                 "step, length");
-  return {step, speed * step, samples_of(J, L, step, std::floor(length / step * (1 + 1e-12)))};
+  TopTrajectory trajectory{step, speed * step, {}};
+  integrate(trajectory, J, L, std::floor(length / step * (1 + 1e-12)), stop);
+  return trajectory;
 }
 
 }  // namespace polhode

@@ -58,11 +58,11 @@ def exact_for_doubles(J, L):
     return alpha == beta
 
 
-def tops(most):
+def tops(max_moment):
     """(J, L) with ascending moments of a mass distribution."""
-    for low in range(1, most + 1):
-        for middle in range(low + 1, most + 1):
-            for high in range(middle + 1, min(most, low + middle) + 1):
+    for low in range(1, max_moment + 1):
+        for middle in range(low + 1, max_moment + 1):
+            for high in range(middle + 1, min(max_moment, low + middle) + 1):
                 above, below = high * (middle - low), low * (high - middle)
                 common = math.gcd(above, below)
                 Lz, Lx = math.isqrt(above // common), math.isqrt(below // common)

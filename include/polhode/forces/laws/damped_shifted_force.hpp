@@ -29,7 +29,8 @@ inline SmoothPolynomial damped_shifted_force(double cutoff, double damping, int 
   std::vector<double> terms = inverse_distance_terms(smoothness);
   // g = a erf(α r)/r satisfies (1 − y) g' = g/2 − x/√π e^(−x² (1 − y)), where x = α a.
   double g = std::erf(x), gauss = x / std::sqrt(units::pi) * std::exp(-x * x);
-  for (int k = 0; k < SmoothPolynomial::max_degree; ++k) {
+  constexpr auto max_degree = static_cast<int>(SmoothPolynomial::max_degree);
+  for (int k = 0; k < max_degree; ++k) {
     g = ((k + 0.5) * g - gauss) / (k + 1);
     gauss *= x * x / (k + 1);
     if (k + 1 <= smoothness) continue;

@@ -46,7 +46,8 @@ struct GaussianSplit {
 /// at a, and nothing is truncated.
 class CompactSplit {
  public:
-  static constexpr int max_exponent = SmoothPolynomial::max_degree - 1;  ///< the largest m
+  static constexpr int max_exponent =
+      static_cast<int>(SmoothPolynomial::max_degree) - 1;  ///< the largest m
 
   /// @param cutoff    a [nm]
   /// @param exponent  m, from 0 to `max_exponent`
@@ -71,7 +72,7 @@ class CompactSplit {
   double integral() const { return 2 * units::pi * cutoff() * cutoff() / (2 * degree() + 3); }
 
  private:
-  int degree() const { return polynomial_.degree(); }
+  int degree() const { return static_cast<int>(polynomial_.degree()); }
 
   // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, otherwise by upward
   // recurrence in n.

@@ -93,8 +93,8 @@ class Switch {
 /// applied by the caller.
 template <class T = double>
 struct SmoothPart {
-  int degree = 0;    ///< of −u'/r; that of u is one higher
-  T inverse_a2 = 0;  ///< 1/a² [1/nm²]
+  std::size_t degree = 0;  ///< of −u'/r; that of u is one higher
+  T inverse_a2 = 0;        ///< 1/a² [1/nm²]
   std::array<T, SmoothPolynomial::max_degree + 1> u{}, s{};  ///< coefficients [1/nm], [1/nm³]
 
   SmoothPart() = default;
@@ -102,8 +102,9 @@ struct SmoothPart {
       : degree(polynomial.degree() - 1),
         inverse_a2(static_cast<T>(1 / (polynomial.cutoff() * polynomial.cutoff()))) {
     const double a = polynomial.cutoff();
-    for (int k = 0; k <= degree + 1; ++k) u[k] = static_cast<T>(polynomial.coefficient(k) / a);
-    for (int k = 0; k <= degree; ++k)
+    for (std::size_t k = 0; k <= degree + 1; ++k)
+      u[k] = static_cast<T>(polynomial.coefficient(k) / a);
+    for (std::size_t k = 0; k <= degree; ++k)
       s[k] = static_cast<T>(polynomial.slope_coefficient(k) / (a * a * a));
   }
 };

@@ -20,29 +20,29 @@ struct RadialValue {
 /// short-range u(r) that vanishes for r ≥ a.
 class SmoothPolynomial {
  public:
-  static constexpr int max_degree = 25;  ///< highest power of y
+  static constexpr std::size_t max_degree = 25;  ///< highest power of y
 
   /// @param cutoff  a [nm]
   /// @param terms   coefficients of 1, y, y², … of a times the smooth part, at least two
   SmoothPolynomial(double cutoff, const std::vector<double>& terms)
-      : a_(cutoff), degree_(static_cast<int>(terms.size()) - 1) {
+      : a_(cutoff), degree_(terms.size() - 1) {
     std::copy(terms.begin(), terms.end(), u_.begin());
-    for (int k = 0; k < degree_; ++k) s_[k] = 2 * (k + 1) * u_[k + 1];
+    for (std::size_t k = 0; k < degree_; ++k) s_[k] = 2 * static_cast<double>(k + 1) * u_[k + 1];
   }
 
   double cutoff() const { return a_; }
-  int degree() const { return degree_; }
+  std::size_t degree() const { return degree_; }
   /// Coefficient of y^k of a times the smooth part, k ≤ degree.
-  double coefficient(int k) const { return u_[k]; }
+  double coefficient(std::size_t k) const { return u_[k]; }
   /// Coefficient of y^k of a³ times −smooth'/r, k < degree.
-  double slope_coefficient(int k) const { return s_[k]; }
+  double slope_coefficient(std::size_t k) const { return s_[k]; }
 
   RadialValue smooth(double r) const {
     if (r >= a_) return {1 / r, 1 / (r * r * r)};
     const double y = 1 - r * r / (a_ * a_);
     double u = 0, s = 0;
-    for (int k = degree_; k >= 0; --k) u = u * y + u_[k];
-    for (int k = degree_; k-- > 0;) s = s * y + s_[k];
+    for (std::size_t k = degree_ + 1; k-- > 0;) u = u * y + u_[k];
+    for (std::size_t k = degree_; k-- > 0;) s = s * y + s_[k];
     return {u / a_, s / (a_ * a_ * a_)};
   }
   RadialValue pair(double r) const {
@@ -54,7 +54,7 @@ class SmoothPolynomial {
 
  private:
   double a_;
-  int degree_;
+  std::size_t degree_;
   std::array<double, max_degree + 1> u_{};
   std::array<double, max_degree> s_{};
 };

@@ -119,12 +119,12 @@ template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class
       u[k][a] = Polynomial<Real>(C(law.u[law.degree + 1]));
       s[k][a] = Polynomial<Real>(C(law.s[law.degree]));
     });
-    for (int n = law.degree; n-- > 0;)
+    for (std::size_t n = law.degree; n-- > 0;)
       pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
         s[k][a].step(y[k][a], C(law.s[n]));
       });
     if constexpr (need_u)
-      for (int n = law.degree + 1; n-- > 0;)
+      for (std::size_t n = law.degree + 1; n-- > 0;)
         pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
           u[k][a].step(y[k][a], C(law.u[n]));
         });

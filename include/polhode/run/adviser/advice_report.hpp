@@ -36,9 +36,6 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
 /// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
 std::string advice_json(const AdviceReport& report);
 
-/// "R", "energy drift" or "temperature bias".
-const char* name(Quality quality);
-
 /// A bound on a quality in the unit that users enter: "0.5 %", "0.1 kJ/mol/ns".
 std::string bound_text(Quality quality, double bound);
 

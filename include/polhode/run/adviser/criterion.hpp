@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/base/enum_names.hpp"
 #include "polhode/run/simulation/system.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
@@ -34,6 +35,10 @@ enum class Quality {
   drift,            ///< of the total energy per molecule, its size [kJ/mol/ps]
   temperature_bias  ///< the largest |T_k/T − 1| of translation and rotation about each axis [1]
 };
+
+template <>
+inline constexpr std::array<std::string_view, 3> enum_names<Quality> = {"R", "energy drift",
+                                                                        "temperature bias"};
 
 struct Criterion {
   Quality quality = Quality::ratio;

@@ -46,13 +46,13 @@ struct FoundStep {
 };
 FoundStep found_step(const StepSearch& search, const std::vector<AdviserPoint>& points);
 
-/// Relative to the required value: a step whose bound is below `most_caution` is shorter than
+/// Relative to the required value: a step whose bound is below `max_caution` is shorter than
 /// necessary, by a tenth or more at second order, and is lengthened until the bound would be `aim`.
-inline constexpr double most_caution = 0.8, aim = 0.9;
+inline constexpr double max_caution = 0.8, aim = 0.9;
 
 /// A longer step instead of one whose runs met the requirement with a wide margin, by
 /// R ∝ h^exponent, at most 1.25 times as long and at most half of the way, on a logarithmic scale,
-/// to a step that is known to be too long. Nothing if the ratio reached is at least `most_caution`,
+/// to a step that is known to be too long. Nothing if the ratio reached is at least `max_caution`,
 /// or if the gain is below 2 %.
 /// @param reached   the bound of the runs divided by the required value
 /// @param too_long  the shortest step known to be too long; infinite if none is [ps]

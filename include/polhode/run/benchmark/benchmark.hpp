@@ -54,6 +54,7 @@ struct SystemTiming {
 struct Benchmark {
   std::vector<Limit> limits;          ///< one per precision
   std::vector<SystemTiming> systems;  ///< by size, precision, threads
+  bool interrupted = false;           ///< the numbers are incomplete
   const Limit& limit(Precision precision) const;
   /// The largest relative spread of all timings in `systems`.
   double spread() const;

@@ -8,7 +8,8 @@ namespace polhode {
 
 /// The frequency of the fastest degrees of freedom [1/ps], ω² = ⟨f²⟩/(m k_B T) for translation and
 /// ⟨τ_k²⟩/(J_k k_B T) for rotation about each axis, averaged over each kind of molecule separately:
-/// the Einstein frequency of a liquid, from the forces at one time.
-double einstein_frequency(const System& system, Workers& workers = Workers::serial());
+/// the Einstein frequency of a liquid, from the forces at the positions of one state.
+double einstein_frequency(const System& system, const State& state,
+                          Workers& workers = Workers::serial());
 
 }  // namespace polhode

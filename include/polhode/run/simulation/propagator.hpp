@@ -22,7 +22,8 @@ class Propagator {
 
   /// Resumes from that state, bit for bit as if never suspended.
   void resume_from(const RunState& state);
-  /// All that the rest of the trajectory depends on.
+  /// All that the rest of the trajectory depends on; without the last sample of run(), which a
+  /// longer trajectory would not have.
   RunState run_state();
 
   /// Takes steps, with samples where they are due, the first one at the start.

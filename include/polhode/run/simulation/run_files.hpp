@@ -2,12 +2,12 @@
 // The files of a run: created or resumed, appended to at samples, synced at checkpoints.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "polhode/base/stopwatch.hpp"
 #include "polhode/run/simulation/checkpoint.hpp"
 #include "polhode/run/simulation/energy_file.hpp"
 
@@ -68,7 +68,7 @@ class RunFiles {
   std::vector<std::unique_ptr<FrameWriter>> trajectories_;
   std::size_t next_frame_ = 0;
   std::optional<std::size_t> last_checkpoint_step_;
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+  Stopwatch since_checkpoint_;
 };
 
 }  // namespace polhode

@@ -32,14 +32,10 @@ std::optional<Warning> cutoff_of_ions(const System& system);
 /// canonical kinetic temperature, T √(2/n) for n degrees of freedom.
 std::optional<Warning> velocities_of_file(const System& system, const Config& config);
 
-/// A step beyond `near_stability` of the stability limit of the scheme, for the fastest degrees of
-/// freedom at the state of the system. The value is the step times their Einstein frequency.
+/// A step beyond max_stable_step() at the state of the system. The value is the step times the
+/// Einstein frequency of the fastest degrees of freedom.
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers = Workers::serial());
-
-/// The fastest motions of a liquid are about twice as fast as its Einstein frequency, so a warning
-/// at the limit itself would come too late.
-inline constexpr double near_stability = 0.4;
 
 /// Warnings of ions, the step, and the results of a run (docs/manual/outputs.md, Warnings).
 std::vector<Warning> warnings(const RunSummary& summary, const System& system,

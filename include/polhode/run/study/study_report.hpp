@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "polhode/run/outputs.hpp"
-#include "polhode/run/simulation/equipartition.hpp"
 #include "polhode/run/study/claims.hpp"
+#include "polhode/run/study/equipartition.hpp"
 
 namespace polhode {
 

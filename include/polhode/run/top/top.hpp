@@ -2,6 +2,7 @@
 // One free top: its exact rotation, and both integrators step by step.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,14 +35,16 @@ struct TopTrajectory {
   double step = 0;                 ///< in the units of J and L
   double angle = 0;                ///< by which the top initially turns in a step [rad]
   std::vector<TopSample> samples;  ///< the start, and about 20 more
+  bool interrupted = false;        ///< before the end; the samples are those up to there
 };
 
 /// Integrates a top by the series and by NO_SQUISH.
 /// @param step    0: the top initially turns by 0.2 in a step
 /// @param length  0: 200 steps
+/// @param stop    asked now and then, true ends the integration
 /// @throws Error  as check_top(), or if there are not 1 to 10⁸ steps
 TopTrajectory integrate_top(const Vec3<double>& J, const Vec3<double>& L, double step = 0,
-                            double length = 0);
+                            double length = 0, const std::function<bool()>& stop = {});
 
 /// Rotates the tops of a CSV file with columns I1, I2, I3, L1, L2, L3, t. All rows are checked and
 /// computed before the text is returned.

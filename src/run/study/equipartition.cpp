@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/equipartition.hpp"
+#include "polhode/run/study/equipartition.hpp"
 
 #include <cmath>
 

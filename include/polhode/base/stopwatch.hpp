@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// Elapsed time, read in one way everywhere: from a clock that never goes back.
+#pragma once
+
+#include <chrono>
+
+namespace polhode {
+
+/// Measures the time since its construction or its last lap.
+class Stopwatch {
+ public:
+  /// Time since the start [s].
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  /// Time since the start [s]; starts again, so that consecutive laps add up to the whole.
+  double lap() {
+    const Clock::time_point now = Clock::now();
+    const double seconds = std::chrono::duration<double>(now - start_).count();
+    start_ = now;
+    return seconds;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// The time [s] that work() takes.
+template <class Work>
+double seconds_of(const Work& work) {
+  const Stopwatch watch;
+  work();
+  return watch.seconds();
+}
+
+}  // namespace polhode
