@@ -39,7 +39,7 @@ void print_peak(const SitePair& sites, const std::optional<RadialDistribution::P
 void print_part(const PartSummary& part, const AnalysisSummary& s) {
   if (part.diffusion && !part.diffusion_convergence.converged()) {
     fmt::print("D of {:<17}{}\n", part.molecule,
-               not_converged(part.diffusion_convergence, longest_lag));
+               not_converged(part.diffusion_convergence, max_lag));
   } else if (part.diffusion) {
     fmt::print("D of {:<17}{} 1e-9 m2/s in this box, lags {:g} to {:g} ps\n", part.molecule,
                text(*part.diffusion, 3, in_1e9_m2_per_s), s.fit.from, s.fit.to);
@@ -53,7 +53,7 @@ void print_part(const PartSummary& part, const AnalysisSummary& s) {
     fmt::print("{:<22}{}, from velocities\n", fmt::format("D of {}", part.molecule),
                part.green_kubo_convergence.converged()
                    ? text(*part.green_kubo, 3, in_1e9_m2_per_s) + " 1e-9 m2/s in this box"
-                   : not_converged(part.green_kubo_convergence, longest_lag));
+                   : not_converged(part.green_kubo_convergence, max_lag));
   for (const AxisRelaxation& axis : part.axes)
     for (std::size_t k = 0; k < 2; ++k) {
       fmt::print("{:<22}", fmt::format("P{} {} {}", k + 1, part.molecule, axis.axis));

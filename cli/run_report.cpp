@@ -43,7 +43,7 @@ std::string estimate_text(const Estimate& e, Known known, std::uint64_t samples,
 
 std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < min_samples_reported) return not_known(samples);
-  const std::string rate = estimate_text(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
+  std::string rate = estimate_text(drift.rate, drift.known, samples, 3, "kJ/mol/ps");
   if (drift.known != Known::yes) return rate;
   return fmt::format("{}, {} (p-value {:.2g})", rate, verdict(drift), drift.p_value);
 }

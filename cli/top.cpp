@@ -68,8 +68,8 @@ Action top_verb(Command& command) {
                      "symmetric-product");
   return [options] {
     if (options->table.empty()) return print_trajectory(*options);
-    fmt::print("{}", rotate_table(options->table,
-                                  named_option<RotorMethod>(options->method, "--method")));
+    fmt::print(
+        "{}", rotate_table(options->table, named_option<RotorMethod>(options->method, "--method")));
     return 0;
   };
 }

@@ -18,10 +18,10 @@ void add_outer(Mat3<double>& to, const Vec3<double>& a, const Vec3<double>& b) {
 
 /// e^(i n g·r) of each charge for 0 ≤ n ≤ most, one direction of the box.
 std::vector<Complex> phases(const PointCharges& charges, double edge, std::size_t d, int n_max) {
-  const auto waves = static_cast<std::size_t>(n_max) + 1;
-  std::vector<Complex> e(charges.size() * waves);
+  const auto modes = static_cast<std::size_t>(n_max) + 1;
+  std::vector<Complex> e(charges.size() * modes);
   for (std::size_t i = 0; i < charges.size(); ++i)
-    for (std::size_t n = 0; n < waves; ++n)
+    for (std::size_t n = 0; n < modes; ++n)
       e[n * charges.size() + i] =
           std::polar(1.0, 2 * units::pi / edge * static_cast<double>(n) * charges.r[i][d]);
   return e;

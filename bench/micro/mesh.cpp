@@ -120,7 +120,7 @@ void add_all(const std::string& precision) {
   for (const double error : {1e-3, 1e-4, 1e-5, 1e-6})
     add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,
            mesh_for(error, cutoff, water.state.box, water.topology));
-  for (const std::size_t copies : {2, 4, 6}) {
+  for (const std::size_t copies : {2u, 4u, 6u}) {
     const std::size_t n = 20 * copies;
     add<T>("waters=" + std::to_string(512 * copies * copies * copies) + precision, best,
            What::forces, copies, {{n, n, n}, 5, 5, cutoff});

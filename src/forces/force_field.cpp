@@ -5,7 +5,6 @@
 #include "polhode/forces/laws/law_range.hpp"
 #include "polhode/forces/laws/tail.hpp"
 #include "polhode/forces/mesh/self_interaction.hpp"
-#include "polhode/forces/pairs/molecule_pair.hpp"
 #include "polhode/forces/system_size.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 

@@ -8,7 +8,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/check_settings.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/forces/pairs/molecule_pair.hpp"
+#include "polhode/forces/pairs/cutoff_treatment.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/model/topology.hpp"
 #include "short_range_keys.hpp"

@@ -9,8 +9,8 @@
 namespace polhode {
 namespace {
 
-fftw_complex* library(std::complex<double>* waves) {
-  return reinterpret_cast<fftw_complex*>(waves);
+fftw_complex* library(std::complex<double>* modes) {
+  return reinterpret_cast<fftw_complex*>(modes);
 }
 
 }  // namespace
@@ -20,11 +20,11 @@ struct RealTransform::Plans {
 
   explicit Plans(std::size_t size) {
     Column<double> series(size);
-    Column<std::complex<double>> waves(size / 2 + 1);
+    Column<std::complex<double>> modes(size / 2 + 1);
     const int n = static_cast<int>(size);
     const std::lock_guard lock(fourier_planning());
-    forward = fftw_plan_dft_r2c_1d(n, series.data(), library(waves.data()), FFTW_ESTIMATE);
-    backward = fftw_plan_dft_c2r_1d(n, library(waves.data()), series.data(), FFTW_ESTIMATE);
+    forward = fftw_plan_dft_r2c_1d(n, series.data(), library(modes.data()), FFTW_ESTIMATE);
+    backward = fftw_plan_dft_c2r_1d(n, library(modes.data()), series.data(), FFTW_ESTIMATE);
   }
   ~Plans() {
     const std::lock_guard lock(fourier_planning());
@@ -39,12 +39,12 @@ RealTransform::RealTransform(std::size_t min_length)
 RealTransform::~RealTransform() = default;
 RealTransform::RealTransform(RealTransform&&) noexcept = default;
 
-void RealTransform::forward(Column<double>& series, Column<std::complex<double>>& waves) const {
-  fftw_execute_dft_r2c(plans_->forward, series.data(), library(waves.data()));
+void RealTransform::forward(Column<double>& series, Column<std::complex<double>>& modes) const {
+  fftw_execute_dft_r2c(plans_->forward, series.data(), library(modes.data()));
 }
 
-void RealTransform::backward(Column<std::complex<double>>& waves, Column<double>& series) const {
-  fftw_execute_dft_c2r(plans_->backward, library(waves.data()), series.data());
+void RealTransform::backward(Column<std::complex<double>>& modes, Column<double>& series) const {
+  fftw_execute_dft_c2r(plans_->backward, library(modes.data()), series.data());
 }
 
 std::vector<double> cosine_transform(std::span<const double> values, double interval) {

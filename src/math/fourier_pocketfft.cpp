@@ -21,16 +21,16 @@ RealTransform::RealTransform(RealTransform&&) noexcept = default;
 
 // pocketfft stores the coefficients of a real series as r0, r1, i1, r2, i2 ... From r1 on this is
 // our order; the first imaginary part is missing, and for an even length the last.
-void RealTransform::forward(Column<double>& series, Column<std::complex<double>>& waves) const {
-  double* const parts = reinterpret_cast<double*>(waves.data());
+void RealTransform::forward(Column<double>& series, Column<std::complex<double>>& modes) const {
+  double* const parts = reinterpret_cast<double*>(modes.data());
   std::copy_n(series.data(), size_, parts + 1);
   plans_->plan.exec(parts + 1, 1.0, true);
   parts[0] = std::exchange(parts[1], 0.0);
   if (size_ % 2 == 0) parts[size_ + 1] = 0;
 }
 
-void RealTransform::backward(Column<std::complex<double>>& waves, Column<double>& series) const {
-  double* const parts = reinterpret_cast<double*>(waves.data());
+void RealTransform::backward(Column<std::complex<double>>& modes, Column<double>& series) const {
+  double* const parts = reinterpret_cast<double*>(modes.data());
   parts[1] = parts[0];
   plans_->plan.exec(parts + 1, 1.0, false);
   std::copy_n(parts + 1, size_, series.data());

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t max_groups = 32;
 constexpr std::size_t chunks_per_window = 4;  // more need more transforms, fewer give few blocks
 
-using Waves = Column<std::complex<double>>;
+using Modes = Column<std::complex<double>>;
 
 // Number of functions of one vector whose products add up to a Product of two vectors.
 std::size_t terms(Product product) {
@@ -49,9 +49,9 @@ double term(Product product, std::size_t k, const Vec3<double>& a) {
 
 struct TimeCorrelation::Scratch {
   explicit Scratch(const RealTransform& transform)
-      : series(transform.size()), all(transform.waves()), fresh(transform.waves()) {}
+      : series(transform.size()), all(transform.modes()), fresh(transform.modes()) {}
   Column<double> series;
-  Waves all, fresh;
+  Modes all, fresh;
 };
 
 TimeCorrelation::TimeCorrelation(std::size_t bodies, std::size_t lags,
@@ -106,7 +106,7 @@ void TimeCorrelation::sum_up(std::size_t group) {
   Scratch scratch(transform_);
   for (std::size_t p = 0; p < products_.size(); ++p) {
     const Product product = products_[p];
-    Waves correlation(transform_.waves());
+    Modes correlation(transform_.modes());
     std::vector<double> squares(held + 1, 0.0);  // Σ |a|² over the group and the preceding frames
     for (std::size_t i = group; i < bodies_; i += groups_) {
       const double* const x = &history_[3 * i * row];
@@ -122,7 +122,7 @@ void TimeCorrelation::sum_up(std::size_t group) {
         transform_.forward(scratch.series, scratch.all);
         for (std::size_t t = 0; t < before_; ++t) scratch.series[t] = 0;
         transform_.forward(scratch.series, scratch.fresh);
-        for (std::size_t w = 0; w < transform_.waves(); ++w)
+        for (std::size_t w = 0; w < transform_.modes(); ++w)
           correlation[w] += scratch.fresh[w] * std::conj(scratch.all[w]);
       }
       if (product == Product::displacement)

@@ -60,7 +60,7 @@ const char* name(const ShortRangeLaw& law) {
 }
 
 std::string parameters(double sigma, double epsilon, const ShortRangeLaw& law) {
-  const std::string depth = fmt::format("sigma {} nm, epsilon {} kJ/mol", sigma, epsilon);
+  std::string depth = fmt::format("sigma {} nm, epsilon {} kJ/mol", sigma, epsilon);
   if (const auto* mie = std::get_if<MieLaw>(&law))
     return fmt::format("{}, exponents {} and {}", depth, mie->n, mie->m);
   if (const auto* exp6 = std::get_if<BuckinghamLaw>(&law))

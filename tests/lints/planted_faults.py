@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Every lint fails on a fault planted in a small tree, and passes without it."""
 
+import json
 import subprocess
 import sys
 import tempfile
@@ -9,8 +10,16 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 SPDX = "// SPDX-License-Identifier: MIT\n"
 BIB = "@article{one1990,\n  author = {A},\n  title = {B},\n  year = {1990}\n}\n"
+TIDIED = SPDX + '#include "polhode/io/tidied.hpp"\n\nnamespace {\nstruct Own {};\n}  // namespace\n'
+COMMANDS = [{"directory": "../..", "file": file, "command": "c++ -std=c++20 -Iinclude"}
+            for file in ("src/io/one.cpp", "src/io/two.cpp")]
 SOUND = {
     ".clang-format": (HERE.parents[1] / ".clang-format").read_text(),
+    ".clang-tidy": (HERE.parents[1] / ".clang-tidy").read_text(),
+    "build/release/compile_commands.json": json.dumps(COMMANDS),
+    "include/polhode/io/tidied.hpp": SPDX + "#pragma once\n",
+    "src/io/one.cpp": TIDIED,
+    "src/io/two.cpp": TIDIED,
     "docs/references.bib": BIB,
     "docs/glossary.md": "Words.\n\n| do not write | write |\n| --- | --- |\n| `goes on`, `some N`, `most_*` | resumes |\n",
     "docs/notes.md": "As in one1990; energies in kJ/mol/nm; `goes on` is code.\n",
@@ -55,6 +64,8 @@ FAULTS = [
     ("function_size", "src/io/file.cpp", "struct S {\n  S()\n      : x{1} {\n" + "    ++x;\n" * 59 + "  }\n};\n", 6),
     ("function_size", "src/io/file.cpp",
      "int g() {\n  return [] {\n    return [&x](auto) {\n      return [] { return 1; }();\n    }(2);\n  }();\n}\n", 8),
+    ("tidy", "src/io/two.cpp", "bool is_equal(int x) { return x == x; }\n", 7),
+    ("tidy", "include/polhode/io/tidied.hpp", "inline bool is_equal(int x) { return x == x; }\n", 3),
     ("words", "docs/notes.md", "It is long,\nand Goes\non.\n", 3),
     ("words", "docs/notes.md", "It takes some 20 ps.\n", 2),
     ("words", "docs/glossary.md", "\n| do not write | write |\n| --- | --- |\n", 1),

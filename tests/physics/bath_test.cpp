@@ -109,7 +109,7 @@ TEST_CASE("a bath that does nothing leaves every trajectory as it was, to the bi
       ForceField forces = field(), its_forces = field();
       Integrator integrator(scheme, scene.bodies, forces);
       auto other = with_bath(bathed, scene.bodies, its_forces, Idle{});
-      for (const std::size_t steps : {1, 1, k == 0 ? 1 : 3}) {
+      for (const std::size_t steps : {1u, 1u, k == 0 ? 1u : 3u}) {
         integrator.advance(without, 0.002, steps);
         other.advance(with, 0.002, steps);
       }
@@ -139,7 +139,8 @@ TEST_CASE("a scheme with baths costs as many evaluations as it says") {
            // The bath keeps the gradient kicks of two steps apart.
            {"O(1/2) B(1/2, 1/48) A(1) B(1/2, 1/48) O(1/2)", 1, 2},
            {"B(1/2, 1/48) A(1/2) O(1) A(1/2) B(1/2, 1/48)", 1, 1}}) {
-    CAPTURE(std::string(text));
+    const auto shown_text = std::string(text);
+    CAPTURE(shown_text);
     const Scheme scheme = scheme_of(text);
     CHECK(scheme.force_evaluations() == evaluations);
     CHECK(scheme.derivatives() == derivatives);
@@ -259,7 +260,8 @@ TEST_CASE("bodies on springs in a bath that damps oscillate as damped oscillator
         {"B(1/6) A(1/2) O(1/2) B(2/3, 1/48, fd) O(1/2) A(1/2) B(1/6)", 2},
         {"B(1/2) A(1) B(1/2) O(1)", 1},
         {"O(1) B(1/2) A(1) B(1/2)", 1}}) {
-    CAPTURE(std::string(text));
+    const auto shown_text = std::string(text);
+    CAPTURE(shown_text);
     const double slope = std::log2(error(text, 320) / error(text, 640));
     CHECK(std::abs(slope - order) < 0.1);
   }
@@ -325,7 +327,7 @@ TEST_CASE("a nested scheme may have a bath in its outer one") {
     return state;
   };
   const State without = advanced(scheme, NoBath{});
-  for (const std::size_t k : {0, 1}) {
+  for (const std::size_t k : {0u, 1u}) {
     NestedScheme bathed = scheme;
     bathed.outer = with_bath_before(scheme.outer, k);
     CHECK(bathed.near_evaluations() == scheme.near_evaluations());

@@ -109,7 +109,8 @@ void check_follows(const scenes::Scene& scene, const ForceSettings& settings, in
                    Workers& workers) {
   ForceField forces(scene.topology, settings, scene.state.box, workers);
   for (const auto& [name, state] : states(scene.state)) {
-    CAPTURE(name);
+    const auto shown_name = name;
+    CAPTURE(shown_name);
     ForceField fresh(scene.topology, settings, state.box);
     for (int n = 0; n < 3; ++n) {
       const int kind = (first_kind + n) % 3;

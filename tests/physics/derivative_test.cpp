@@ -82,7 +82,7 @@ ForceSettings with_mesh(const MeshSettings& mesh) {
 // All laws and kinds of bodies: charges on a mesh, atoms and ions.
 std::vector<NamedLaw> mesh_laws() {
   std::vector<NamedLaw> laws;
-  for (int order = MeshSettings::lowest_order; order <= MeshSettings::highest_order; ++order)
+  for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order)
     laws.push_back({"mesh of order " + std::to_string(order),
                     with_mesh({.points = {18, 20, 16}, .order = order, .exponent = 6})});
   return laws;

@@ -126,7 +126,8 @@ TEST_CASE("the expected error of a mesh is that of randomly placed bodies") {
   }
   for (const auto& [points, order, exponent] :
        {std::tuple{16, 4, 5}, {20, 5, 6}, {24, 6, 7}, {18, 7, 6}, {20, 8, 8}}) {
-    CAPTURE(order);
+    const auto shown_order = order;
+    CAPTURE(shown_order);
     const auto n = std::size_t(points);
     const MeshSettings settings{{n, n, n}, order, exponent, 0.9};
     const ExactMesh exact(gas.topology, gas.state, CompactSplit(0.9, exponent));

@@ -170,7 +170,7 @@ TEST_CASE("energy is conserved to the order of the scheme, and momentum exactly,
 TEST_CASE(
     "energy is conserved to the order of the scheme, and momentum exactly, with the Ewald sum") {
   for (const char* name : {"tip4p", "co2", "na-spce"})
-    for (const std::size_t points : {24, 12}) {
+    for (const std::size_t points : {24u, 12u}) {
       CAPTURE(std::string(name));
       CAPTURE(points);
       Crowd made = crowd(read_molecule(name));

@@ -195,7 +195,8 @@ TEST_CASE("with many inner steps the inner flow is exact") {
   };
   const State exact = with("forest-ruth", 48);
   for (const auto& [inner, order] : {std::pair("hoa2", 2), std::pair("gier4", 4)}) {
-    CAPTURE(std::string(inner));
+    const auto shown_inner = std::string(inner);
+    CAPTURE(shown_inner);
     const double coarse = largest_difference(with(inner, 4).q, exact.q);
     const double fine = largest_difference(with(inner, 8).q, exact.q);
     CHECK(std::abs(std::log2(coarse / fine) - order) < 0.2);

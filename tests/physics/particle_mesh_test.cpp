@@ -90,7 +90,7 @@ TEST_CASE("forces and torques of a mesh are minus the gradient of its energy") {
       BodyLoads ignored;
       return mesh_load<double>(scene.topology, state, settings, ignored).energy;
     };
-    for (const std::size_t body : {3, 31, 40})  // water, ion, linear
+    for (const std::size_t body : {3u, 31u, 40u})  // water, ion, linear
       for (std::size_t d = 0; d < 3; ++d) {
         Vec3<double> axis;
         axis[d] = 1;

@@ -192,7 +192,7 @@ TEST_CASE("samples of the shadow energy of a resumed run equal those of an unint
   const Trajectory t = run_trajectory(whole, forces, settings, watch);
   REQUIRE(t.statistics.shadow.samples == 5);
   const Bits expected = bits(whole.state, t);
-  for (const std::size_t steps : {1, 6, 7, 12, 17, 25}) {
+  for (const std::size_t steps : {1u, 6u, 7u, 12u, 17u, 25u}) {
     const RunState from = stored(kept.at(steps));
     CAPTURE(steps);
     CHECK(from.statistics.shadow.samples == steps / 6 + 1);

@@ -148,7 +148,7 @@ TEST_CASE(
     "momenta of one, two and many bodies are drawn, rescaled and measured at the same "
     "temperature") {
   for (const char* name : {"tip4p", "n2", "argon"})
-    for (const std::size_t n : {1, 2, 30}) {
+    for (const std::size_t n : {1u, 2u, 30u}) {
       CAPTURE(std::string(name));
       CAPTURE(n);
       const Topology topology{{{read_molecule(name), n}}};

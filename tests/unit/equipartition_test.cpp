@@ -28,7 +28,8 @@ const double rounding = 1e-12;
 
 TEST_CASE("an excess proportional to the order of the scheme is extrapolated to its known limit") {
   for (const auto& [scheme, order] : {std::pair("hoa2", 2), {"gier4", 4}}) {
-    CAPTURE(scheme);
+    const auto shown_scheme = scheme;
+    CAPTURE(shown_scheme);
     Curve curve{scheme, {}, 3};
     for (const double h : {0.001, 0.002, 0.004}) {
       const double x = std::pow(h, order);

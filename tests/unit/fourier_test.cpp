@@ -15,14 +15,14 @@ TEST_CASE("a real transform and its inverse") {
   const RealTransform transform(97);
   CHECK(transform.size() == 98);  // 2 · 7 · 7
   Column<double> series(98), back(98);
-  Column<std::complex<double>> waves(50);
+  Column<std::complex<double>> modes(50);
   Random random(3);
   for (std::size_t k = 0; k < 98; ++k) series[k] = back[k] = random.normal();
-  transform.forward(series, waves);
+  transform.forward(series, modes);
   double sum = 0;
   for (std::size_t k = 0; k < 98; ++k) sum += back[k];
-  CHECK(waves[0].real() == doctest::Approx(sum).epsilon(1e-12));
-  transform.backward(waves, series);
+  CHECK(modes[0].real() == doctest::Approx(sum).epsilon(1e-12));
+  transform.backward(modes, series);
   for (std::size_t k = 0; k < 98; ++k) CHECK(std::abs(series[k] / 98 - back[k]) < 1e-13);
 }
 

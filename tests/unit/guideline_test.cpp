@@ -83,9 +83,9 @@ TEST_CASE("a curve ends where all longer steps drift, or at the first that blows
   CHECK(curves(points)[0].usable == 6);  // a lone drift in the middle
   points[3].drift = matters;
   CHECK(curves(points)[0].usable == 6);
-  for (const std::size_t i : {4, 5}) points[i].drift = {{0.001, 1e-5}, 1e-6};
+  for (const std::size_t i : {4u, 5u}) points[i].drift = {{0.001, 1e-5}, 1e-6};
   CHECK(curves(points)[0].usable == 6);  // significant, but too small to matter
-  for (const std::size_t i : {4, 5}) points[i].drift = matters;
+  for (const std::size_t i : {4u, 5u}) points[i].drift = matters;
   const auto all = curves(points);
   CHECK(all[0].usable == 2);
   CHECK(cost_at(all[0], points[4].ratio.value)->step == points[1].step);

@@ -126,7 +126,7 @@ void same(const TrajectoryStatistics& a, const TrajectoryStatistics& b) {
 
 TEST_CASE("a checkpoint restores every number written to it") {
   const Folder folder;
-  for (const std::size_t bodies : {0, 1, 2, 17}) {
+  for (const std::size_t bodies : {0u, 1u, 2u, 17u}) {
     Checkpoint c = example(bodies);
     if (bodies == 17) c.at.equilibrated.reset(), c.at.statistics = {}, c.outputs.reset();
     write_checkpoint(folder.files(), c, program);

@@ -79,7 +79,8 @@ TEST_CASE("every format restores what was written, to its last digit") {
   const Folder folder;
   const Topology topology = some_molecules();
   for (const auto& [format, position, velocity, names] : kept) {
-    CAPTURE(format);
+    const auto shown_format = format;
+    CAPTURE(shown_format);
     const std::string path = folder / ("a." + format);
     {
       const auto writer = create_frames(path, topology);

@@ -114,8 +114,8 @@ TEST_CASE("velocities in H5MD files are matched to positions by step") {
     made.numbers(all + "velocity/step", {2}, {10, 30});
     const auto frames = made.frames();
     REQUIRE(frames.size() == 4);
-    for (const std::size_t n : {0, 2}) CHECK(!frames[n].has_velocities);
-    for (const std::size_t n : {1, 3}) {
+    for (const std::size_t n : {0u, 2u}) CHECK(!frames[n].has_velocities);
+    for (const std::size_t n : {1u, 3u}) {
       REQUIRE(frames[n].has_velocities);
       CHECK(frames[n].atoms[0].v.x == 10 * frames[n].atoms[0].r.x);
     }

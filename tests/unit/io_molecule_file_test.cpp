@@ -101,8 +101,8 @@ TEST_CASE("the sites of TIP5P are at the published positions") {
   CHECK(angle(3, 4) == doctest::Approx(109.47).epsilon(1e-12));
   // The two V shapes are perpendicular, so all four angles between them have the same cosine,
   // −cos(104.52°/2) cos(109.47°/2).
-  for (const std::size_t h : {1, 2})
-    for (const std::size_t l : {3, 4})
+  for (const std::size_t h : {1u, 2u})
+    for (const std::size_t l : {3u, 4u})
       CHECK(std::cos(angle(h, l) * std::acos(-1.0) / 180) ==
             doctest::Approx(-std::cos(52.26 * std::acos(-1.0) / 180) *
                             std::cos(54.735 * std::acos(-1.0) / 180))

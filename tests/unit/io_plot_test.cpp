@@ -138,7 +138,7 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
        0.01,
        AdviceMark{1.5, 0.006, 0.001}},
       "svg", warnings));
-  for (const std::size_t columns : {1, 2, 5}) {
+  for (const std::size_t columns : {1u, 2u, 5u}) {
     CurvesFigure figure{(place.folder / "many.csv").string(), "many", "r", "g", {}, true};
     std::ofstream csv(figure.csv);
     csv << "r,a,b,c,d,e\n";

@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
-#include <chrono>
 #include <cstdlib>
 
 #include "polhode/base/workers.hpp"
@@ -46,7 +45,7 @@ TEST_CASE("a line on a terminal is written five times a second, and when the job
 
 TEST_CASE("threads that report after every step share one pace") {
   SharedPace pace;
-  const std::chrono::steady_clock::time_point now{std::chrono::hours(1)};
+  constexpr double now = 3600;
   std::atomic<int> due = 0;
   Workers(4).each(1000, [&](std::size_t) { due += pace.due(now) ? 1 : 0; });
   CHECK(due == 1);

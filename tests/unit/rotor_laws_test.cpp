@@ -170,11 +170,11 @@ TEST_CASE("norm and energy do not grow linearly over a million steps") {
     double worst_q = 0;
     for (int n = 0; n < steps; ++n) {
       const Quaternion<double> r =
-          unnormalised_rotation<long_series>(inverse_J, to_body(attitude, ell), 0.3);
+          unnormalized_rotation<long_series>(inverse_J, to_body(attitude, ell), 0.3);
       attitude = normalized(attitude * r);
       worst_q = std::fmax(worst_q, std::abs(norm2(attitude) - 1));
       free_L =
-          to_body(normalized(unnormalised_rotation<long_series>(inverse_J, free_L, 0.3)), free_L);
+          to_body(normalized(unnormalized_rotation<long_series>(inverse_J, free_L, 0.3)), free_L);
     }
     const double walk = 6 * 2 * epsilon * std::sqrt(steps);
     const double lever = norm2(ell) * (1 / J.x - 1 / J.z) / E;

@@ -76,7 +76,7 @@ double worst_error(double angle, int count) {
 
     const Vec3<Real> inverse_J{Real(1 / J.x), Real(1 / J.y), Real(1 / J.z)};
     const Vec3<Real> L{Real(w.x * J.x), Real(w.y * J.y), Real(w.z * J.z)};
-    const auto r = unnormalised_rotation<order>(inverse_J, L, Real(1));
+    const auto r = unnormalized_rotation<order>(inverse_J, L, Real(1));
     const Quaternion<Long> truth =
         taylor_rotation({Long(inverse_J.x), Long(inverse_J.y), Long(inverse_J.z)},
                         {Long(L.x), Long(L.y), Long(L.z)});

@@ -32,7 +32,7 @@ TEST_CASE("an entry of the list contains slot and image") {
       CHECK(n.image() == image);
       CHECK(Neighbour(n.word()).word() == n.word());
       for (std::size_t d = 0; d < 3; ++d)  // as loops over packs read it
-        CHECK(std::int32_t((n.word() << 2 * d) & Neighbour::highest_bits) ==
+        CHECK(std::int32_t((n.word() << 2 * d) & Neighbour::top_bits) ==
               std::int32_t(std::uint32_t(image[d]) << 30));
     }
 }
@@ -60,7 +60,7 @@ TEST_CASE(
     "a row hands its surplus partners to later rows of its chunk, with their images, or keeps them "
     "all") {
   const auto images = all_images();
-  for (const std::size_t width : {1, 2, 4, 8, 16})
+  for (const std::size_t width : {1u, 2u, 4u, 8u, 16u})
     for (std::size_t length = 0; length < 40; ++length)
       for (const std::size_t takers : {std::size_t{0}, std::size_t{3}, length}) {
         if (takers > length) continue;

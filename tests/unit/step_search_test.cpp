@@ -107,7 +107,8 @@ TEST_CASE("steps are rounded down to three digits") {
 // twice the step at order 2, and at √2 times it at order 4; final runs begin at 0.7 of that.
 TEST_CASE("the expected maximum step is where R extrapolated by the order equals the bound") {
   for (const auto& [order, expected] : {std::pair(2, 0.002), {4, 0.001 * std::sqrt(2.0)}}) {
-    CAPTURE(order);
+    const auto shown_order = order;
+    CAPTURE(shown_order);
     const StepSearch search{{Quality::ratio, 0.005}, order, 0.001};
     CHECK(max_expected_step(search, {}) == std::numeric_limits<double>::infinity());
     CHECK(!decides(search, {}, 0.001));  // nothing is known before the first

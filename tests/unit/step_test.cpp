@@ -70,7 +70,7 @@ TEST_CASE("adjacent drifts and kicks are applied as one, baths one by one") {
   const auto joined_calls = [](const char* text, bool join_drifts = true) {
     Record record;
     JoinedFlows joined(record, join_drifts);
-    for (const std::uint64_t number : {0, 1}) step(scheme_of(text), joined, 1.0, number);
+    for (const std::uint64_t number : {0u, 1u}) step(scheme_of(text), joined, 1.0, number);
     joined.flush();
     joined.flush();  // nothing is left
     return record.calls;

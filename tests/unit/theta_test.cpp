@@ -57,8 +57,10 @@ constexpr IntegralRow integral_rows[] = {
 TEST_CASE("theta series gives theta functions of complex argument") {
   const Complex i{0, 1};
   for (const auto& [x, y, q, theta4, slope4, theta2] : theta_rows) {
-    CAPTURE(x);
-    CAPTURE(q);
+    const auto shown_x = x;
+    CAPTURE(shown_x);
+    const auto shown_q = q;
+    CAPTURE(shown_q);
     const Complex z{x, y};
     const auto [S, D] = theta_series(q * std::exp(-2.0 * i * z), q * std::exp(2.0 * i * z), q);
     // The arguments contribute 2|z| + 2 roundings to terms of at most 1, whose sums are below 2.
@@ -74,8 +76,10 @@ TEST_CASE("theta series gives theta functions of complex argument") {
 
 TEST_CASE("theta integral of the third kind is linear plus the argument of a theta function") {
   for (const auto& [n, m, v, rate, value] : integral_rows) {
-    CAPTURE(n);
-    CAPTURE(m);
+    const auto shown_n = n;
+    CAPTURE(shown_n);
+    const auto shown_m = m;
+    CAPTURE(shown_m);
     const Modulus modulus{std::sqrt(m), std::sqrt(1 - m)};
     REQUIRE(ThetaIntegral::applies(modulus));
     const double K = quarter_period(modulus);

@@ -38,7 +38,7 @@ TEST_CASE("workers do each task exactly once") {
   for (const int threads : {1, 2, 3, 5}) {
     Workers workers(threads);
     CHECK(workers.threads() == threads);
-    for (const std::size_t count : {0, 1, 2, 3, 7, 1000}) {
+    for (const std::size_t count : {0u, 1u, 2u, 3u, 7u, 1000u}) {
       std::vector<int> done(count, 0);  // not atomic: each belongs to one task
       workers.each(count, [&](std::size_t k) { ++done[k]; });
       CAPTURE(threads);
@@ -103,7 +103,7 @@ TEST_CASE("a call ends after the last of its tasks") {
 TEST_CASE(
     "if two tasks throw, the exception of the lower index is rethrown, whichever came first") {
   Workers workers(2);
-  for (const std::size_t late : {0, 1}) {
+  for (const std::size_t late : {0u, 1u}) {
     Meeting meeting(2);
     std::string what;
     try {

@@ -153,7 +153,7 @@ class InversePowers<Pack<T>> {
   Real correction(double c1, double c2, double c3) const {
     const auto c = [](double x) { return Real(static_cast<T>(x)); };
     const Real ye = y_ * e_;
-    if constexpr (HWY_TARGET == HWY_SCALAR)
+    if constexpr (HWY_TARGET == HWY_SCALAR)  // NOLINT(misc-redundant-expression): macros
       return Real();
     else if constexpr (sizeof(T) == 8)
       return ye * fma(e_, fma(e_, c(c3), c(c2)), c(c1));

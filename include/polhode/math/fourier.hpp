@@ -22,12 +22,12 @@ class RealTransform {
   RealTransform(RealTransform&&) noexcept;
 
   std::size_t size() const { return size_; }
-  std::size_t waves() const { return size_ / 2 + 1; }
+  std::size_t modes() const { return size_ / 2 + 1; }
 
-  /// waves[k] = Σ series[j] exp(−2πi jk/size). May be called from any thread on its own columns.
-  void forward(Column<double>& series, Column<std::complex<double>>& waves) const;
-  /// The inverse transform; `waves` is overwritten.
-  void backward(Column<std::complex<double>>& waves, Column<double>& series) const;
+  /// modes[k] = Σ series[j] exp(−2πi jk/size). May be called from any thread on its own columns.
+  void forward(Column<double>& series, Column<std::complex<double>>& modes) const;
+  /// The inverse transform; `modes` is overwritten.
+  void backward(Column<std::complex<double>>& modes, Column<double>& series) const;
 
  private:
   struct Plans;

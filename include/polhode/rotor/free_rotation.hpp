@@ -42,7 +42,7 @@ inline FreeRotation series_or_closed_rotation(const Vec3<double>& J, const Vec3<
   const bool physical =
       m.x <= (m.y + m.z) * slack && m.y <= (m.z + m.x) * slack && m.z <= (m.x + m.y) * slack;
   if (!physical || !(radius <= long_series.radius)) return closed_rotation(J, L, t);
-  const Quaternion<double> r = normalized(unnormalised_rotation<long_series>(i, top.L, top.t));
+  const Quaternion<double> r = normalized(unnormalized_rotation<long_series>(i, top.L, top.t));
   return {r, top.in_units_of_caller(momentum_after(r, top.L))};
 }
 

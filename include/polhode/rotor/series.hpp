@@ -184,7 +184,7 @@ inline constexpr SeriesOrder float_series{3, 4, 0.3};   ///< truncation error be
 /// @source           addition theorem: DLMF 22.8; discrete top: moser1991, mclachlan2005;
 ///                   derivation: docs/theory-rotor.md
 template <SeriesOrder order, class Real>
-Quaternion<Real> unnormalised_rotation(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
+Quaternion<Real> unnormalized_rotation(const Vec3<Real>& inverse_J, const Vec3<Real>& L, Real t) {
   const Vec3<Real> i = inverse_J * (Real(0.5f) * t);    // time in units of t/2 from here on
   const Vec3<Real> A{i.z - i.y, i.x - i.z, i.y - i.x};  // L_x' = A_x L_y L_z, cyclic
   const Vec3<Real> L2{L.x * L.x, L.y * L.y, L.z * L.z};
@@ -261,7 +261,7 @@ Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real
       part = Real(0.5f) * part;
       last = false;
     }
-    const Quaternion<Real> r = unnormalised_rotation<long_series>(inverse_J, L, part);
+    const Quaternion<Real> r = unnormalized_rotation<long_series>(inverse_J, L, part);
     if (last) return then(r);
     const Quaternion<Real> step = normalized(r);
     turned = then(step);
@@ -269,7 +269,7 @@ Quaternion<Real> series_rotation(const Vec3<Real>& inverse_J, Vec3<Real> L, Real
     L = momentum_after(step, L);
     t = t - part;
   }
-  return then(unnormalised_rotation<short_series>(inverse_J, L, t));
+  return then(unnormalized_rotation<short_series>(inverse_J, L, t));
 }
 
 }  // namespace polhode

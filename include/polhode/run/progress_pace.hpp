@@ -3,7 +3,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <optional>
 
@@ -51,16 +50,16 @@ class TerminalPace {
 class SharedPace {
  public:
   /// Whether a report is due; for one of the threads that ask at the same time.
-  bool due(std::chrono::steady_clock::time_point now) {
-    const auto time = now.time_since_epoch();
-    auto next = next_.load(std::memory_order_relaxed);
-    return time >= next && next_.compare_exchange_strong(next, time + interval);
+  /// @param elapsed  since the job began [s]
+  bool due(double elapsed) {
+    double next = next_.load(std::memory_order_relaxed);
+    return elapsed >= next && next_.compare_exchange_strong(next, elapsed + interval);
   }
 
-  static constexpr std::chrono::milliseconds interval{100};
+  static constexpr double interval = 0.1;  // [s]
 
  private:
-  std::atomic<std::chrono::steady_clock::duration> next_{};
+  std::atomic<double> next_ = 0;
 };
 
 }  // namespace polhode

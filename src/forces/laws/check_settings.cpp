@@ -8,7 +8,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/damped_shifted_force.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/forces/pairs/molecule_pair.hpp"
+#include "polhode/forces/pairs/cutoff_treatment.hpp"
 
 namespace polhode {
 namespace {

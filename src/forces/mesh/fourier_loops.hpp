@@ -34,9 +34,9 @@ struct ColumnsJob {
 
 POLHODE_DECLARE_LOOPS(
     /// Σ_x row[x] exp(−2πi kx/length), followed by zeros up to whole packs.
-    void rows_to_waves(const RowsJob<double>& job); void rows_to_waves(const RowsJob<float>& job);
+    void rows_to_modes(const RowsJob<double>& job); void rows_to_modes(const RowsJob<float>& job);
     /// The inverse times the length.
-    void waves_to_rows(const RowsJob<double>& job); void waves_to_rows(const RowsJob<float>& job);
+    void modes_to_rows(const RowsJob<double>& job); void modes_to_rows(const RowsJob<float>& job);
     /// Transforms columns, with the sign −1 or +1 in the exponent; not normalized.
     void transform_columns(const ColumnsJob<double>& job, int sign);
     void transform_columns(const ColumnsJob<float>& job, int sign);)

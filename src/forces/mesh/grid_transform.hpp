@@ -26,10 +26,10 @@ class GridTransform {
 
   /// Transforms plane z of the grid along x and y. The plane is overwritten.
   void plane(std::size_t z);
-  /// Transforms the coefficients of one y along z into `waves`, row after row.
-  void columns(std::size_t y, T* waves);
+  /// Transforms the coefficients of one y along z into `modes`, row after row.
+  void columns(std::size_t y, T* modes);
   /// The inverse, not normalized: forward and back multiplies by the number of points.
-  void columns_back(std::size_t y, T* waves);
+  void columns_back(std::size_t y, T* modes);
   void plane_back(std::size_t z);
 
  private:
@@ -38,7 +38,7 @@ class GridTransform {
   // Strides of rows and planes of coefficients, in numbers.
   std::size_t row_ = spread_lines<T>(2 * (grid_.points[0] / 2 + 1));
   std::size_t plane_ = odd_lines<T>(row_ * grid_.points[1]);
-  Column<T> waves_{plane_ * grid_.points[2]};
+  Column<T> modes_{plane_ * grid_.points[2]};
   std::unique_ptr<Plans> plans_;
 };
 

@@ -38,20 +38,20 @@ template <class T>
 void GridTransform<T>::plane(std::size_t z) {
   const auto [nx, ny, nz] = grid_.points;
   T* const at = &grid_.values[z * grid_.plane];
-  POLHODE_CURRENT_OVERLOAD(rows_to_waves, void (*)(const RowsJob<T>&))
+  POLHODE_CURRENT_OVERLOAD(rows_to_modes, void (*)(const RowsJob<T>&))
   ({plans_->x, at, nx, ny, grid_.row});
-  transform<T>({plans_->y, ny, numbers(grid_), at, grid_.row, &waves_[z * plane_], row_}, -1);
+  transform<T>({plans_->y, ny, numbers(grid_), at, grid_.row, &modes_[z * plane_], row_}, -1);
 }
 
 template <class T>
-void GridTransform<T>::columns(std::size_t y, T* waves) {
-  transform<T>({plans_->z, grid_.points[2], numbers(grid_), &waves_[y * row_], plane_, waves, row_},
+void GridTransform<T>::columns(std::size_t y, T* modes) {
+  transform<T>({plans_->z, grid_.points[2], numbers(grid_), &modes_[y * row_], plane_, modes, row_},
                -1);
 }
 
 template <class T>
-void GridTransform<T>::columns_back(std::size_t y, T* waves) {
-  transform<T>({plans_->z, grid_.points[2], numbers(grid_), waves, row_, &waves_[y * row_], plane_},
+void GridTransform<T>::columns_back(std::size_t y, T* modes) {
+  transform<T>({plans_->z, grid_.points[2], numbers(grid_), modes, row_, &modes_[y * row_], plane_},
                1);
 }
 
@@ -59,8 +59,8 @@ template <class T>
 void GridTransform<T>::plane_back(std::size_t z) {
   const auto [nx, ny, nz] = grid_.points;
   T* const at = &grid_.values[z * grid_.plane];
-  transform<T>({plans_->y, ny, numbers(grid_), &waves_[z * plane_], row_, at, grid_.row}, 1);
-  POLHODE_CURRENT_OVERLOAD(waves_to_rows, void (*)(const RowsJob<T>&))
+  transform<T>({plans_->y, ny, numbers(grid_), &modes_[z * plane_], row_, at, grid_.row}, 1);
+  POLHODE_CURRENT_OVERLOAD(modes_to_rows, void (*)(const RowsJob<T>&))
   ({plans_->x, at, nx, ny, grid_.row});
 }
 

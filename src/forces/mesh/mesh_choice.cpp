@@ -198,7 +198,7 @@ MeshSettings MeshChoice::cheapest(const Box& box) {
   const double charges = ChargeDistribution(topology_).charges();
   MeshSettings best{{}, 0, 0, cutoff_};
   double min_seconds = std::numeric_limits<double>::infinity();
-  for (int order = MeshSettings::lowest_order; order <= MeshSettings::highest_order; ++order) {
+  for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order) {
     // For each exponent the coarsest sufficient spacing, which has a single maximum over exponents.
     double coarsest = 0;
     int exponent = 0;

@@ -16,9 +16,9 @@ Influence::Influence(const MeshSettings& settings, const Box& box)
       Wave wave{2 * units::pi * signed_n / box.edge[d], {}, 0, 0};
       const int next = signed_n > 0 ? -1 : 1;
       for (int l = -aliases; l <= aliases; ++l) {
-        const double waves = signed_n + l * points, angle = units::pi * waves / points;
-        const double k = 2 * units::pi * waves / box.edge[d];
-        const double share = waves == 0 ? 1 : std::pow(std::sin(angle) / angle, 2 * settings.order);
+        const double m = signed_n + l * points, angle = units::pi * m / points;
+        const double k = 2 * units::pi * m / box.edge[d];
+        const double share = m == 0 ? 1 : std::pow(std::sin(angle) / angle, 2 * settings.order);
         if (l == 0) wave.near[0] = {k, share};
         if (l == next) wave.near[1] = {k, share};
         wave.all += share;

@@ -23,10 +23,9 @@ constexpr std::size_t slots_at_once = 4 * slot_block;  // gathered per task
 
 template <class T>
 void check(const MeshSettings& settings) {
-  if (settings.order < MeshSettings::lowest_order || settings.order > MeshSettings::highest_order)
+  if (settings.order < MeshSettings::min_order || settings.order > MeshSettings::max_order)
     throw Error(fmt::format("the spline order of the mesh is {}; it must be from {} to {}",
-                            settings.order, MeshSettings::lowest_order,
-                            MeshSettings::highest_order));
+                            settings.order, MeshSettings::min_order, MeshSettings::max_order));
   if (settings.exponent < 1 || settings.exponent > CompactSplit::max_exponent)
     throw Error(fmt::format("the splitting exponent is {}; it must be from 1 to {}",
                             settings.exponent, CompactSplit::max_exponent));
@@ -115,7 +114,7 @@ ParticleMesh<T>::ParticleMesh(const Topology& topology, const MeshSettings& sett
   const std::size_t tasks = threads == 1 ? 1 : std::min(ny, 4 * threads);
   for (std::size_t k = 0; k < tasks; ++k)
     spaces_.push_back(
-        {Column<T>(row * nz), std::vector<const T*>(2 * nz), std::vector<WaveSums>(nz)});
+        {Column<T>(row * nz), std::vector<const T*>(2 * nz), std::vector<ModeSums>(nz)});
   loads_.resize(ny);
   set_box(box);
 }
@@ -172,7 +171,7 @@ void ParticleMesh<T>::find_touched_planes() {
 template <class T>
 void ParticleMesh<T>::make_influence() {
   const Influence influence(settings_, box_);
-  const std::size_t row = field_->transform.row(), waves_x = settings_.points[0] / 2 + 1;
+  const std::size_t row = field_->transform.row(), modes_x = settings_.points[0] / 2 + 1;
   for (std::size_t d = 0; d < 3; ++d) {
     axes_[d] = {};
     for (std::size_t n = 0; n < settings_.points[d]; ++n) {
@@ -180,7 +179,7 @@ void ParticleMesh<T>::make_influence() {
       axes_[d].odd.push_back(2 * n == settings_.points[d] ? 0 : influence.k(d, n));
     }
   }
-  for (std::size_t x = 0; x < waves_x; ++x)
+  for (std::size_t x = 0; x < modes_x; ++x)
     for (std::size_t part = 0; part < 2; ++part) {
       weight_[2 * x + part] = x == 0 || 2 * x == settings_.points[0] ? 1 : 2;
       kx_[2 * x + part] = static_cast<T>(axes_[0].odd[x]);
@@ -189,7 +188,7 @@ void ParticleMesh<T>::make_influence() {
   const std::size_t half_y = settings_.points[1] / 2 + 1, half_z = settings_.points[2] / 2 + 1;
   workers_.each(half_y, [&](std::size_t y) {
     for (std::size_t z = 0; z < half_z; ++z)
-      for (std::size_t x = 0; x < waves_x; ++x) {
+      for (std::size_t x = 0; x < modes_x; ++x) {
         const InfluenceValue value = influence({x, y, z});
         for (std::size_t part = 0; part < 2; ++part) {
           const std::size_t at = (y * half_z + z) * row + 2 * x + part;
@@ -299,7 +298,7 @@ MeshLoad ParticleMesh<T>::convolve_on(Field& field, bool energies) {
   workers_.each(spaces_.size(), [&](std::size_t task) {
     Space& space = spaces_[task];
     for (std::size_t y = task; y < settings_.points[1]; y += spaces_.size())
-      convolve_row(field, y, space.waves.data(), space.rows.data(),
+      convolve_row(field, y, space.modes.data(), space.rows.data(),
                    energies ? space.sums.data() : nullptr);
   });
   workers_.each(nz, [&](std::size_t z) {
@@ -317,8 +316,8 @@ MeshLoad ParticleMesh<T>::convolve_on(Field& field, bool energies) {
 
 /// All k of one k_y: transforms along z, multiplies by the influence function, transforms back.
 template <class T>
-void ParticleMesh<T>::convolve_row(Field& field, std::size_t y, T* waves, const T** rows,
-                                   WaveSums* sums) {
+void ParticleMesh<T>::convolve_row(Field& field, std::size_t y, T* modes, const T** rows,
+                                   ModeSums* sums) {
   const auto [nx, ny, nz] = settings_.points;
   const std::size_t row = field.transform.row(), half_z = nz / 2 + 1, row_y = std::min(y, ny - y);
   for (std::size_t z = 0; z < nz; ++z) {
@@ -326,10 +325,10 @@ void ParticleMesh<T>::convolve_row(Field& field, std::size_t y, T* waves, const 
     rows[z] = &influence_[at];
     rows[nz + z] = &slope_[at];
   }
-  field.transform.columns(y, waves);
-  POLHODE_CURRENT_OVERLOAD(convolve, void (*)(const ConvolveJob<T>&, WaveSums*))
-  ({waves, row, nz, rows, rows + nz, weight_.data(), kx_.data(), kx_squared_.data()}, sums);
-  field.transform.columns_back(y, waves);
+  field.transform.columns(y, modes);
+  POLHODE_CURRENT_OVERLOAD(convolve, void (*)(const ConvolveJob<T>&, ModeSums*))
+  ({modes, row, nz, rows, rows + nz, weight_.data(), kx_.data(), kx_squared_.data()}, sums);
+  field.transform.columns_back(y, modes);
   if (!sums) return;
   MeshLoad load;
   Mat3<double>& virial = load.virial;

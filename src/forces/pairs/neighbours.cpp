@@ -40,7 +40,8 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
 // must not outgrow the bodies, however large the box is.
 double max_cells(const Topology& topology) {
   const auto parts = std::max<std::size_t>(1, topology.parts.size());
-  return std::max(64.0, 8 * static_cast<double>(topology.size() / parts));
+  const std::size_t molecules = topology.size() / parts;  // of a kind
+  return std::max(64.0, 8 * static_cast<double>(molecules));
 }
 
 constexpr std::size_t slots_at_once = 1024;  // per task that converts to fixed point

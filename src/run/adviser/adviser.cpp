@@ -120,7 +120,7 @@ class Adviser {
   std::function<bool()> counting_stop(double evaluations, const std::string& what) const {
     return [this, evaluations, what] {
       effort_.add(evaluations);
-      if (pace_.due(Clock::now())) report(what);
+      if (pace_.due(watch_.seconds())) report(what);
       return stop();
     };
   }
@@ -480,6 +480,7 @@ class Adviser {
   std::size_t drawn_ = 0;      // initial configurations so far
   Stopwatch since_start_;
   mutable std::mutex reporting_;
+  const Stopwatch watch_{};
   mutable SharedPace pace_;  // of reports after steps
   Advice advice_;
 };

@@ -123,22 +123,22 @@ std::vector<AnalysisFile> velocity_files(Analysis& a, Workers& workers) {
       "velocity", lags, a.interval,
       {{}, "autocorrelation of velocities and angular velocities", "lag  (ps)", "C(t)/C(0)", {}});
   const Spectrum first = spectrum(curves.front().curve, a.interval);
-  AnalysisFile waves = file_over(
+  AnalysisFile spectra = file_over(
       "spectrum", "frequency", "THz", first.frequency.size(),
       [&](std::size_t k) { return first.frequency[k]; },
       {{}, "spectra of velocities and angular velocities", "frequency  (THz)", "I  (ps)", {}});
-  waves.table.columns.push_back({"wavenumber", "1/cm"});
+  spectra.table.columns.push_back({"wavenumber", "1/cm"});
   for (std::size_t k = 0; k < first.frequency.size(); ++k)
-    waves.table.rows[k].emplace_back(first.frequency[k] * wavenumber);
+    spectra.table.rows[k].emplace_back(first.frequency[k] * wavenumber);
   for (const auto& [name, curve, linear] : curves) {
     add(time, name, "1", series_estimates(normalized(curve)));
     add(time, name + " product", linear ? "nm2/ps2" : "1/ps2", series_estimates(curve), false);
     if (linear)
       add(time, name + " integral", "nm2/ps", series_estimates(running_integral(curve, a.interval)),
           false);
-    add(waves, name, "ps", spectrum(curve, a.interval).intensity);
+    add(spectra, name, "ps", spectrum(curve, a.interval).intensity);
   }
-  return {std::move(time), std::move(waves)};
+  return {std::move(time), std::move(spectra)};
 }
 
 /// A file over the time analyzed so far, or over its frames if they have no times.

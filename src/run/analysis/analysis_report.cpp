@@ -109,13 +109,13 @@ nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {
   nlohmann::json one = {{"molecule", part.molecule}, {"count", part.count}};
   if (part.diffusion)
     one["D_1e-9_m2_per_s"] =
-        converging(*part.diffusion, part.diffusion_convergence, longest_lag, in_1e9_m2_per_s);
+        converging(*part.diffusion, part.diffusion_convergence, max_lag, in_1e9_m2_per_s);
   if (const auto D = part.corrected(s))
     one["D_without_images_1e-9_m2_per_s"] =
-        converging(*D, part.diffusion_convergence, longest_lag, in_1e9_m2_per_s);
+        converging(*D, part.diffusion_convergence, max_lag, in_1e9_m2_per_s);
   if (part.green_kubo)
     one["D_green_kubo_1e-9_m2_per_s"] =
-        converging(*part.green_kubo, part.green_kubo_convergence, longest_lag, in_1e9_m2_per_s);
+        converging(*part.green_kubo, part.green_kubo_convergence, max_lag, in_1e9_m2_per_s);
   for (const AxisRelaxation& axis : part.axes)
     for (std::size_t k = 0; k < 2; ++k)
       one["relaxation"][axis.axis][fmt::format("P{}", k + 1)] = relaxation_json(axis.rank[k]);

@@ -218,7 +218,7 @@ Trajectory Simulation::run_trajectory(RunFiles& files, const Callbacks& callback
                     .checkpoint = [&](RunState at) { files.checkpoint(std::move(at)); }};
   if (steps() > 0 && !files.last_checkpoint_step())  // they begin within the trajectory
     files.checkpoint(propagator().run_state());
-  const Trajectory trajectory = propagator().run(watch);
+  Trajectory trajectory = propagator().run(watch);
   files.flush();
   return trajectory;
 } catch (const RunError&) {

@@ -78,7 +78,7 @@ struct GatherDerivativeJob {
 /// Fourier coefficients of one k_y: rows along k_x, one per k_z; real and imaginary alternate.
 template <class T>
 struct ConvolveJob {
-  T* waves;
+  T* modes;
   std::size_t row, rows;              ///< numbers per row, in whole packs
   const T* const* influence;          ///< for each row: factors of the coefficients, each twice
   const T* const* slope;              ///< for each row: H in virial = ½ Σ |S|² (G + H k ⊗ k)
@@ -87,7 +87,7 @@ struct ConvolveJob {
 };
 
 /// ½ Σ G |S|² and ½ Σ H |S|² k_x^a of each row, weighted.
-struct WaveSums {
+struct ModeSums {
   double energy = 0, slope = 0, slope_x = 0, slope_xx = 0;
 };
 
@@ -105,7 +105,7 @@ POLHODE_DECLARE_LOOPS(
     void gather_derivative(const GatherDerivativeJob<double>& job);
     void gather_derivative(const GatherDerivativeJob<float>& job);
     /// Multiplies by the influence function; with `sums`, also computes the energies of each row.
-    void convolve(const ConvolveJob<double>& job, WaveSums* sums);
-    void convolve(const ConvolveJob<float>& job, WaveSums* sums);)
+    void convolve(const ConvolveJob<double>& job, ModeSums* sums);
+    void convolve(const ConvolveJob<float>& job, ModeSums* sums);)
 
 }  // namespace polhode

@@ -8,7 +8,7 @@
 namespace polhode {
 
 struct MeshSettings {
-  static constexpr int lowest_order = 4, highest_order = 8;
+  static constexpr int min_order = 4, max_order = 8;
 
   std::array<std::size_t, 3> points{16, 16, 16};  ///< grid points along each edge
   int order = 5;                                  ///< of the B-splines

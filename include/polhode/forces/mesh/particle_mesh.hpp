@@ -94,7 +94,7 @@ class ParticleMesh {
   void spread_to(Field& field, std::size_t slab, const Slots& slots, const SiteRecords<T>& records,
                  const SiteRecords<T>* displacements);
   MeshLoad convolve_on(Field& field, bool energies);
-  void convolve_row(Field& field, std::size_t y, T* waves, const T** rows, WaveSums* sums);
+  void convolve_row(Field& field, std::size_t y, T* modes, const T** rows, ModeSums* sums);
   template <class Gather>
   void each_charged_block(const Slots& slots, const Gather& gather);
 
@@ -119,9 +119,9 @@ class ParticleMesh {
   };
   std::vector<Slab> slabs_;
   struct Space {  // scratch space of a task
-    Column<T> waves;
+    Column<T> modes;
     std::vector<const T*> rows;
-    std::vector<WaveSums> sums;
+    std::vector<ModeSums> sums;
   };
   std::vector<Space> spaces_;
   std::vector<MeshLoad> loads_;     // of each y

@@ -46,7 +46,7 @@ class Neighbour {
     const auto two = [](int edges) { return static_cast<std::uint32_t>(edges) & 3u; };
     return two(image.x) << 30 | two(image.y) << 28 | two(image.z) << 26;
   }
-  static constexpr std::uint32_t highest_bits = 3u << 30;
+  static constexpr std::uint32_t top_bits = 3u << 30;
 
  private:
   int edges(std::size_t d) const { return static_cast<std::int32_t>(word_ << 2 * d) >> 30; }

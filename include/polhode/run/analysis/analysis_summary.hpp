@@ -71,7 +71,7 @@ inline constexpr const char* not_decayed =
     "window, and a run of at least eight windows";
 
 /// The names of relaxation times in these texts.
-inline constexpr const char *longest_lag = "maximum lag", *decay_time = "decay to 1/e³ within",
+inline constexpr const char *max_lag = "maximum lag", *decay_time = "decay to 1/e³ within",
                             *dipole_relaxation = "relaxation";
 
 AnalysisSummary summary(Analysis& analysis, const SummarySettings& settings,

@@ -40,27 +40,27 @@ void store_rows(const RowsJob<T>& job, std::size_t row, std::size_t numbers,
 template <class T>
 void each_rows(const RowsJob<T>& job, bool forward) {
   constexpr std::size_t width = Pack<T>::width;
-  const std::size_t n = job.length, waves = 2 * (n / 2 + 1);
-  arr<Pack<T>> space(waves + 2 * width);
-  Pack<T>*const series = space.data() + width, *const wave = series - 1;
+  const std::size_t n = job.length, modes = 2 * (n / 2 + 1);
+  arr<Pack<T>> space(modes + 2 * width);
+  Pack<T>*const series = space.data() + width, *const mode = series - 1;
   for (std::size_t row = 0; row < job.count; row += width) {
     if (forward) {
       load_rows(job, row, n, series);
       job.plan.exec(series, T(1), true);
-      wave[0] = series[0];
-      wave[1] = Pack<T>();
-      for (std::size_t k = n + 1; k < waves + width; ++k) wave[k] = Pack<T>();
-      store_rows(job, row, waves, wave);
+      mode[0] = series[0];
+      mode[1] = Pack<T>();
+      for (std::size_t k = n + 1; k < modes + width; ++k) mode[k] = Pack<T>();
+      store_rows(job, row, modes, mode);
     } else {
-      load_rows(job, row, waves, wave);
-      series[0] = wave[0];
+      load_rows(job, row, modes, mode);
+      series[0] = mode[0];
       job.plan.exec(series, T(1), false);
       store_rows(job, row, n, series);
     }
   }
 }
 
-/// Real and imaginary parts of the waves in two packs, in some order: that of join().
+/// Real and imaginary parts of the modes in two packs, in some order: that of join().
 template <class T>
 cmplx<Pack<T>> split(Pack<T> a, Pack<T> b) {
 #if HWY_TARGET == HWY_SCALAR
@@ -70,7 +70,7 @@ cmplx<Pack<T>> split(Pack<T> a, Pack<T> b) {
   const auto low = hn::InterleaveLower(tag, a.v, b.v), high = hn::InterleaveUpper(tag, a.v, b.v);
   if constexpr (sizeof(T) == 8) {
     return {low, high};
-  } else {  // two waves in 16 bytes
+  } else {  // two modes in 16 bytes
     const hn::RepartitionToWide<typename Pack<T>::Tag> pairs;
     const auto x = hn::BitCast(pairs, low), y = hn::BitCast(pairs, high);
     return {hn::BitCast(tag, hn::InterleaveLower(pairs, x, y)),
@@ -81,8 +81,8 @@ cmplx<Pack<T>> split(Pack<T> a, Pack<T> b) {
 
 /// The inverse of split(), which is itself.
 template <class T>
-cmplx<Pack<T>> join(const cmplx<Pack<T>>& wave) {
-  return split(wave.r, wave.i);
+cmplx<Pack<T>> join(const cmplx<Pack<T>>& mode) {
+  return split(mode.r, mode.i);
 }
 
 template <class T>
@@ -98,19 +98,19 @@ void each_columns(const ColumnsJob<T>& job, bool forward) {
     job.plan.exec(series.data(), T(1), forward);
     for (std::size_t k = 0; k < job.length; ++k) {
       T* const to = job.to + k * job.to_stride + x;
-      const cmplx<Real> waves = join(series[k]);
-      waves.r.store(to);
-      if (both) waves.i.store(to + Real::width);
+      const cmplx<Real> modes = join(series[k]);
+      modes.r.store(to);
+      if (both) modes.i.store(to + Real::width);
     }
   }
 }
 
 }  // namespace
 
-void rows_to_waves(const RowsJob<double>& job) { each_rows(job, true); }
-void rows_to_waves(const RowsJob<float>& job) { each_rows(job, true); }
-void waves_to_rows(const RowsJob<double>& job) { each_rows(job, false); }
-void waves_to_rows(const RowsJob<float>& job) { each_rows(job, false); }
+void rows_to_modes(const RowsJob<double>& job) { each_rows(job, true); }
+void rows_to_modes(const RowsJob<float>& job) { each_rows(job, true); }
+void modes_to_rows(const RowsJob<double>& job) { each_rows(job, false); }
+void modes_to_rows(const RowsJob<float>& job) { each_rows(job, false); }
 void transform_columns(const ColumnsJob<double>& job, int sign) { each_columns(job, sign < 0); }
 void transform_columns(const ColumnsJob<float>& job, int sign) { each_columns(job, sign < 0); }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Multiplies the waves by the influence function.
+// Multiplies the modes by the influence function.
 #include "polhode/base/pack_transpose.hpp"
 #include "polhode/forces/mesh/mesh_loops.hpp"
 
@@ -7,14 +7,14 @@ namespace polhode::POLHODE_LOOPS {
 namespace {
 
 template <class T, bool energies>
-void multiply(const ConvolveJob<T>& job, [[maybe_unused]] WaveSums* sums) {
+void multiply(const ConvolveJob<T>& job, [[maybe_unused]] ModeSums* sums) {
   using Real = Pack<T>;
   for (std::size_t z = 0; z < job.rows; ++z) {
-    T* const wave = job.waves + z * job.row;
+    T* const mode = job.modes + z * job.row;
     [[maybe_unused]] Pack<double> total[4];
     for (std::size_t c = 0; c < job.row; c += Real::width) {
-      const Real S = Real::load(wave + c), G = Real::load(job.influence[z] + c), product = G * S;
-      product.store(wave + c);
+      const Real S = Real::load(mode + c), G = Real::load(job.influence[z] + c), product = G * S;
+      product.store(mode + c);
       if constexpr (energies) {
         const Real square = S * Real::load(job.weight + c);
         const Real slope = square * S * Real::load(job.slope[z] + c);
@@ -33,7 +33,7 @@ void multiply(const ConvolveJob<T>& job, [[maybe_unused]] WaveSums* sums) {
 }
 
 template <class T>
-void multiply_rows(const ConvolveJob<T>& job, WaveSums* sums) {
+void multiply_rows(const ConvolveJob<T>& job, ModeSums* sums) {
   if (sums)
     multiply<T, true>(job, sums);
   else
@@ -42,7 +42,7 @@ void multiply_rows(const ConvolveJob<T>& job, WaveSums* sums) {
 
 }  // namespace
 
-void convolve(const ConvolveJob<double>& job, WaveSums* sums) { multiply_rows(job, sums); }
-void convolve(const ConvolveJob<float>& job, WaveSums* sums) { multiply_rows(job, sums); }
+void convolve(const ConvolveJob<double>& job, ModeSums* sums) { multiply_rows(job, sums); }
+void convolve(const ConvolveJob<float>& job, ModeSums* sums) { multiply_rows(job, sums); }
 
 }  // namespace polhode::POLHODE_LOOPS

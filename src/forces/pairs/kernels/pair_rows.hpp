@@ -34,7 +34,7 @@ inline Pack<double> in_image(Pack<double> c, PackIndex<double> words, std::size_
 }
 inline Pack<float> in_image(Pack<float> c, PackIndex<float> words, std::size_t d, double) {
   static_assert(fixed_point_edge == 1 << 30);  // the two highest bits count edges
-  return fixed_point_sum(c, (words << 2 * d) & Neighbour::highest_bits);
+  return fixed_point_sum(c, (words << 2 * d) & Neighbour::top_bits);
 }
 
 // Works through the rows of a chunk pack by pack, as a software pipeline: while the pairs of one
