@@ -44,6 +44,8 @@ struct EnergyStatistics {
   SeriesEstimate pressure() const;
   SeriesEstimate volume() const;           ///< mean [nm³]
   SeriesEstimate volume_variance() const;  ///< [nm⁶]
+  /// The slope of the volume [nm³/ps], tested as a drift.
+  Drift volume_drift() const;
   /// The drift of the conserved energy [kJ/mol/ps].
   /// @param walks  variance per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;

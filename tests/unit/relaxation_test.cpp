@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/separation.hpp"
+#include "polhode/run/simulation/relaxation.hpp"
 
 #include <doctest/doctest.h>
 
@@ -78,20 +78,6 @@ TEST_CASE("an equilibration that is stopped while molecules are moved apart begi
   REQUIRE(left);
   CHECK(*left->equilibrated == 0);
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(norm(left->state.q[i] - before.q[i]) == 0);
-}
-
-TEST_CASE("no move is longer than the cap, and momenta stay") {
-  System system = build_system(benzene("0.876 g/cm3", "0.8 nm", 1));
-  const State before = system.state;
-  int steps = 0;
-  separate_molecules(system, [&] { return ++steps > 1; });
-  double farthest = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    farthest = std::max(farthest, norm(system.state.q[i] - before.q[i]));
-    CHECK(norm(system.state.p[i] - before.p[i]) == 0);
-    CHECK(norm(system.state.ell[i] - before.ell[i]) == 0);
-  }
-  CHECK(farthest == doctest::Approx(max_separation_move));  // and it was reached
 }
 
 TEST_CASE("a liquid stays as it is") {
