@@ -55,7 +55,8 @@ TEST_CASE("two argon atoms reach the minimum of the Lennard-Jones potential") {
   CHECK(result.after.potential == doctest::Approx(load_of(argon).potential()).epsilon(1e-14));
 }
 
-// -6.24 kcal/mol [jorgensen1983, Table II]; the tolerance is half of its last digit.
+// -6.24 kcal/mol [jorgensen1983]. The tolerance is half of its last digit, and the difference of
+// the Coulomb constant, 332.18 kcal/mol Å/e² there and 332.06 here, times at most 35 kJ/mol.
 TEST_CASE("the best of the minima of two TIP4P waters is the published dimer") {
   double lowest = 0;
   for (int seed = 1; seed <= 6; ++seed) {
@@ -72,7 +73,7 @@ TEST_CASE("the best of the minima of two TIP4P waters is the published dimer") {
     CHECK(result.after.potential < result.before.potential);
     lowest = std::min(lowest, result.after.potential);
   }
-  CHECK(std::abs(lowest - -6.24 * 4.184) < 0.005 * 4.184);
+  CHECK(std::abs(lowest - -6.24 * 4.184) < 0.005 * 4.184 + 35 * (332.18 / 332.06 - 1));
 }
 
 TEST_CASE("no move is longer than the cap, and the cap is reached where molecules overlap") {

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "errors.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/forces/pairs/overlap.hpp"
 #include "polhode/measure/energy.hpp"
@@ -78,6 +79,16 @@ TEST_CASE("an equilibration that is stopped while molecules are moved apart begi
   REQUIRE(left);
   CHECK(*left->equilibrated == 0);
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(norm(left->state.q[i] - before.q[i]) == 0);
+}
+
+TEST_CASE("a lattice needs a density or a box") {
+  check_error(
+      [] {
+        build_system(parse_config("[system]\nmolecules = [{ model = \"argon\", count = 27 }]\n",
+                                  "run.toml"));
+      },
+      {"there is no density, box or initial configuration", "density = \"1 g/cm3\"",
+       "run.toml, system"});
 }
 
 TEST_CASE("a liquid stays as it is") {
