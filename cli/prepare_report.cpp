@@ -17,6 +17,12 @@ std::string text_of(const SeriesEstimate& e, double unit, const char* name) {
              : fmt::format("{:.4g} {} (too short for an error)", e.value / unit, name);
 }
 
+const char* change_of(const Drift& drift) {
+  if (drift.known != Known::yes) return "too short to tell whether it still changes";
+  if (!drift.significant()) return "no longer changing";
+  return drift.rate.value < 0 ? "still falling" : "still rising";
+}
+
 }  // namespace
 
 void print_preparation(const PreparationReport& r) {
@@ -32,7 +38,7 @@ void print_preparation(const PreparationReport& r) {
   fmt::print("pressure              {}{}\n", text_of(p.summary.pressure, bar, "bar"),
              p.pressure ? fmt::format(" (barostat: {:g})", *p.pressure / bar) : "");
   fmt::print("potential energy      {:.4f} kJ/mol per molecule, {}\n", p.summary.potential,
-             p.summary.potential_drift.significant() ? "still changing" : "no longer changing");
+             change_of(p.summary.potential_drift));
   print_files({r.final_state, r.run_file});
   fmt::print("next                  polhode run {}\n", r.run_file);
   print_warnings(p.warnings);

@@ -8,7 +8,8 @@
 #include <limits>
 #include <string>
 
-#include "polhode/model/initial_state.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/relaxation.hpp"
 
 using namespace polhode;
@@ -133,6 +134,19 @@ TEST_CASE("momenta are 0 afterwards; a system keeps them in the body frame") {
     const Vec3<double> L = to_body(start.state.attitude[i], start.state.ell[i]);
     CHECK(norm(to_body(kept.state.attitude[i], kept.state.ell[i]) - L) < 1e-14 * (1 + norm(L)));
   }
+}
+
+// A sphere of diameter σ for each atom; the points of the count err by less than a layer of half
+// their spacing, 0.01 nm, on a radius of 0.17 nm.
+TEST_CASE("the density of a liquid is estimated from the diameters of sites") {
+  const Topology argon = system_of("argon", 5, "2.5 nm").topology;
+  const Molecule& atom = argon.parts[0].molecule;
+  const double sphere = units::pi / 6 * std::pow(atom.sites[0].sigma, 3);
+  CHECK(std::abs(estimated_density(argon) / (0.45 * atom.mass / sphere) - 1) < 3 * 0.005 / 0.17);
+  // Spheres of one molecule overlap; sites without a short-range law have none.
+  const double water = estimated_density(system_of("tip4p", 5, "2.5 nm").topology);
+  CHECK(water == doctest::Approx(0.45 * 18.0154 / (units::pi / 6 * std::pow(0.315365, 3)))
+                     .epsilon(3 * 0.005 / 0.157));
 }
 
 TEST_CASE("atoms at the same place are an error that names them") {

@@ -13,6 +13,7 @@
 #include "polhode/forces/pairs/overlap.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/simulation/contact.hpp"
+#include "polhode/run/simulation/simulation.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
 using namespace polhode;
@@ -79,6 +80,25 @@ TEST_CASE("an equilibration that is stopped while molecules are moved apart begi
   REQUIRE(left);
   CHECK(*left->equilibrated == 0);
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(norm(left->state.q[i] - before.q[i]) == 0);
+}
+
+TEST_CASE("a run that is interrupted while it minimises or equilibrates ends with the same bits") {
+  Config config = benzene("0.876 g/cm3", "0.8 nm", 2);
+  config.run.minimise = true;
+  config.run.equilibrate = 0.05;
+  Simulation whole(config);
+  CHECK(whole.equilibrate());
+  for (const int calls : {1, 5, 100, 400}) {
+    CAPTURE(calls);
+    Simulation parts(config);
+    int asked = 0;
+    const Callbacks callbacks{.stop = [&] { return ++asked == calls; }};
+    if (!parts.equilibrate(callbacks)) CHECK(parts.equilibrate(callbacks));
+    for (std::size_t i = 0; i < whole.state().size(); ++i) {
+      CHECK(whole.state().q[i] == parts.state().q[i]);
+      CHECK(whole.state().ell[i] == parts.state().ell[i]);
+    }
+  }
 }
 
 TEST_CASE("a lattice needs a density or a box") {
