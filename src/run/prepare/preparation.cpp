@@ -157,6 +157,23 @@ PreparedProperties Preparation::properties(const System& system, const Trajector
   return p;
 }
 
+/// A run at constant energy keeps the energy of its start, and with the mean of the canonical
+/// distribution it has the temperature of the thermostat: momenta are scaled to it.
+void set_energy(System& system, double mean_total, Workers& workers) {
+  State& state = system.state;
+  ForceField forces(system.topology, system.forces, state.box, workers);
+  Load load;
+  forces(state, load);
+  const Energies now = energies(state, system.bodies, load, workers);
+  const double kinetic = mean_total - now.potential();
+  if (!(kinetic > 0) || !(now.kinetic() > 0)) return;
+  const double factor = std::sqrt(kinetic / now.kinetic());
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    state.p.set(i, factor * state.p[i]);
+    state.ell.set(i, factor * state.ell[i]);
+  }
+}
+
 PreparationReport Preparation::perform(const std::string& final_state,
                                        const std::string& run_file) {
   PreparationReport report;
@@ -177,7 +194,11 @@ PreparationReport Preparation::perform(const std::string& final_state,
                                 stages_[k].length, step_ * units::fs_per_ps));
     const Trajectory trajectory = run(system, k, settings);
     if (trajectory.stopped) return report;
-    if (k + 1 == stages_.size()) report.properties = properties(system, settings, trajectory);
+    if (k + 1 == stages_.size()) {
+      report.properties = properties(system, settings, trajectory);
+      if (!config_.ensemble.thermostat && !config_.ensemble.hybrid_monte_carlo)
+        set_energy(system, trajectory.statistics.energies.total(), workers_);
+    }
     // Forces are those of a liquid now.
     constexpr double tenth_of_fs = 1e-4;
     const double stable = max_stable_step(system, system.state, settings, workers_);

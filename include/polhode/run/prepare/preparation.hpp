@@ -44,6 +44,8 @@ double estimated_density(const Topology& topology);
 /// 2. minimise(), to forces of 100 kJ/mol/nm and torques of 10 kJ/mol.
 /// 3. NVT: Langevin dynamics by BAOAB [leimkuhler2013] in steps of 1 fs, friction 5/ps.
 /// 4. NPT if there is a barostat: the same with its moves of the box, in steps of at most 2 fs.
+/// If the run file has neither a thermostat nor hybrid Monte Carlo, momenta are then scaled to the
+/// mean total energy of the last half stage, so that a run at constant energy has the temperature.
 /// Writes PREFIX-prepared.gro, with velocities, and PREFIX-prepared.toml, a run file that starts
 /// from it; nothing if it is interrupted.
 /// @throws Error     if a setting does not fit, or outputs exist
