@@ -139,6 +139,20 @@ std::optional<Warning> density_warning(const Drift& slope, double length, double
                  "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
 }
 
+/// A mean pressure from which the density will still change by more than half a percent.
+std::optional<Warning> pressure_warning(const SeriesEstimate& pressure, const BarostatSettings& b) {
+  constexpr double min_change = 0.005, far = 3;
+  const double bar = unit("bar", Dimension::pressure);
+  const double bound = std::max(far * pressure.error, min_change / b.compressibility);
+  if (pressure.known != Known::yes || std::abs(pressure.value - b.pressure) <= bound)
+    return std::nullopt;
+  return Warning{"barostat", pressure.value / bar, bound / bar,
+                 fmt::format("the mean pressure is {:.3g} bar instead of {:g} bar: the volume has "
+                             "not reached equilibrium",
+                             pressure.value / bar, b.pressure / bar),
+                 "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
+}
+
 PreparedProperties Preparation::properties(const System& system, const TrajectorySettings& settings,
                                            const Trajectory& trajectory) const {
   const EnergyStatistics& energies = trajectory.statistics.energies;
@@ -152,6 +166,9 @@ PreparedProperties Preparation::properties(const System& system, const Trajector
   for (const auto& warning :
        {settings.ensemble.barostat ? density_warning(energies.volume_drift(), p.summary.length, V)
                                    : std::nullopt,
+        settings.ensemble.barostat
+            ? pressure_warning(p.summary.pressure, *settings.ensemble.barostat)
+            : std::nullopt,
         cutoff_of_ions(system)})
     if (warning) p.warnings.push_back(*warning);
   return p;
