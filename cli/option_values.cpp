@@ -64,7 +64,7 @@ std::string typed_command(std::string command,
 
 std::string scheme_option(const std::string& text, const std::string& option,
                           const OwnSchemes& own) {
-  const std::string whole = with_own_schemes(text, own);
+  std::string whole = with_own_schemes(text, own);
   try {
     nested_scheme_of(whole);
   } catch (const Error& e) {
