@@ -303,7 +303,7 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                    {},
                    trajectory.stopped};
   report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
-  if (guarantee_ && !trajectory.stopped)
+  if (guarantee_ && !trajectory.stopped && settings_->ensemble.constant_energy())
     report.guarantee = check_guarantee(*guarantee_, trajectory.statistics);
   return report;
 }

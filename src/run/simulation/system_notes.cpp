@@ -73,6 +73,14 @@ void note_ensemble(const TrajectorySettings& settings, const Callbacks& callback
         asked, settings.steps(), whole));
 }
 
+void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks) {
+  if (config.ensemble.constant_energy()) return;
+  callbacks.note(
+      fmt::format("note: {} is made of runs at constant energy, which [thermostat], [barostat] and "
+                  "[hybrid_monte_carlo] of the run file do not change: R is defined there",
+                  what));
+}
+
 void note_forces(const System& system, const Callbacks& callbacks) {
   const ForceSettings& forces = system.forces;
   if (const std::string mixing = description(forces.mixing); !mixing.empty())
