@@ -31,8 +31,6 @@ scenes::Scene tops(std::size_t each) {
                          100, 1);
 }
 
-void no_forces(const State&, Load&) {}
-
 // The standard normal deviates that a flow has added to one body, from momenta 0: three of
 // translation and one for each axis with inertia.
 template <class F>
