@@ -158,6 +158,7 @@ CASES += [
      ["keeps the temperature itself", "leave the thermostat out", "run.toml"]),
     ("hybrid Monte Carlo with finite differences", ensemble(*HYBRID), (*RUN, "--scheme", "gier4-fd"),
      ["volume in phase space", '"gier4"', "finite difference"]),
+    ("stages of a bath without a thermostat", scheme("B(1/2) A(1/2) O(1) A(1/2) B(1/2)"), RUN, ["needs a thermostat", "O(...)", "run.toml"]),
     ("a scheme with a bath without a thermostat", SMALL, (*RUN, "--scheme", "baoab"), ["needs a thermostat", "[thermostat]", "O(...)"]),
     ("0 K at constant energy", system(('"100 K"', '"0 K"')), RUN, ["above 0 K", "which then cools", "system.temperature"]),
     ("hybrid Monte Carlo at 0 K", ensemble(*HYBRID).replace('"100 K"', '"0 K"'), RUN, ["above 0 K", "samples nothing", "system.temperature"]),
