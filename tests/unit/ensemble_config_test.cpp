@@ -99,8 +99,8 @@ TEST_CASE("a thermostat at 0 K cools") {
   const Folder folder;
   std::ofstream(folder / "hot.gro")
       << "two argon atoms\n    2\n"
-         "    1argon   AR    1   0.500   0.500   0.500  0.3 0.1 0.2\n"
-         "    2argon   AR    2   2.000   2.000   2.000 -0.3 -0.1 -0.2\n"
+         "    1argon   AR    1   0.500   0.500   0.500  0.3000  0.1000  0.2000\n"
+         "    2argon   AR    2   2.000   2.000   2.000 -0.3000 -0.1000 -0.2000\n"
          "   4.00000   4.00000   4.00000\n";
   Simulation simulation(
       parse_config("[system]\nmolecules = [{ model = \"argon\" }]\ntemperature = \"0 K\"\n"

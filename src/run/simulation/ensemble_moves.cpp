@@ -20,11 +20,10 @@ BarostatSettings barostat_settings(const TrajectorySettings& settings) {
 
 void check_ensemble(const TrajectorySettings& settings) {
   const EnsembleSettings& e = settings.ensemble;
-  if (settings.scheme.has(Flow::bath) && !e.thermostat)
+  if (settings.scheme.has(Flow::bath) && !e.thermostat && !e.hybrid_monte_carlo)
     throw Error(
         "the scheme has a bath O, and a bath needs a thermostat; add a table [thermostat], or "
-        "leave "
-        "the stages O(...) out of the scheme");
+        "leave the stages O(...) out of the scheme");
   if (e.hybrid_monte_carlo) {
     if (e.thermostat)
       throw Error("hybrid Monte Carlo keeps the temperature itself; leave the thermostat out");
