@@ -28,6 +28,7 @@ import machine  # noqa: E402
 import waters  # noqa: E402
 
 SKIPPED = 10  # at the beginning of each run [ps]
+SCALED = (0.99, 1.01)  # edges of the box, for the check of energies
 COMPARED = ("density [kg/m³]", "potential energy [kJ/mol]", "compressibility [1e-5/bar]")
 
 
@@ -63,15 +64,15 @@ def prepared(liquid, o):
     if not start.exists():
         (o.folder / f"{liquid.model}-start.toml").write_text(liquids.lattice(liquid), encoding="utf-8")
         called(o.folder, o.polhode, "run", f"{liquid.model}-start.toml", "--threads", 1, "--force")
-    (o.folder / f"{liquid.model}.gro").write_text(liquids.coordinates(liquid, start.read_text(encoding="utf-8")), encoding="utf-8")
-    (o.folder / f"{liquid.model}.top").write_text(liquids.topology(liquid), encoding="utf-8")
-    return start.name
+    return start
 
 
-def gromacs_input(liquid, o, name, steps):
-    (o.folder / f"{name}.mdp").write_text(liquids.parameters(liquid, steps), encoding="utf-8")
-    return called(o.folder, o.gmx, "-nobackup", "grompp", "-f", f"{name}.mdp", "-c", f"{liquid.model}.gro", "-p", f"{liquid.model}.top",
-                  "-o", f"{name}.tpr", "-po", f"{name}-out.mdp", "-maxwarn", 2)
+def gromacs_input(liquid, o, name, configuration, steps):
+    for ending, text in (("mdp", liquids.parameters(liquid, steps)), ("top", liquids.topology(liquid)),
+                         ("gro", liquids.coordinates(liquid, configuration))):
+        (o.folder / f"{name}.{ending}").write_text(text, encoding="utf-8")
+    called(o.folder, o.gmx, "-nobackup", "grompp", "-f", f"{name}.mdp", "-c", f"{name}.gro", "-p", f"{name}.top",
+           "-o", f"{name}.tpr", "-po", f"{name}-out.mdp", "-maxwarn", 2)
 
 
 def gromacs_table(o, name, terms):
@@ -83,53 +84,54 @@ def gromacs_table(o, name, terms):
     return [rows[:, legends.index(term)] for term in terms]
 
 
-def terms_of_gromacs(liquid, o):
-    """Energies of the initial configuration [kJ/mol]."""
+def terms_of_gromacs(liquid, o, configuration):
+    """Energies of a configuration [kJ/mol]."""
     name = f"{liquid.model}-check"
-    gromacs_input(liquid, o, name, 0)
+    gromacs_input(liquid, o, name, configuration, 0)
     called(o.folder, o.gmx, "-nobackup", "mdrun", "-deffnm", name, "-ntmpi", 1, "-ntomp", 1, "-noconfout")
     short, tail, real, mesh, potential = (float(v[0]) for v in gromacs_table(
         o, name, ("LJ-(SR)", "Disper.-corr.", "Coulomb-(SR)", "Coul.-recip.", "Potential")))
     return {"potential": potential, "van der Waals": short + tail, "Coulomb": real + mesh, "dispersion correction": tail}
 
 
-def terms_of_polhode(liquid, o, start, accuracy, precision):
-    name = f"{liquid.model}-check.toml"
-    (o.folder / name).write_text(liquids.static(liquid, start, accuracy, precision), encoding="utf-8")
-    said = called(o.folder, o.polhode, "energy", name, "--json").stdout
-    found = json.loads(said)
+def terms_of_polhode(liquid, o, configuration, accuracy, precision):
+    name = f"{liquid.model}-check"
+    (o.folder / f"{name}-polhode.gro").write_text(configuration, encoding="utf-8")
+    (o.folder / f"{name}.toml").write_text(liquids.static(liquid, f"{name}-polhode.gro", accuracy, precision), encoding="utf-8")
+    found = json.loads(called(o.folder, o.polhode, "energy", f"{name}.toml", "--json").stdout)
     return {"potential": found["potential_kJ_per_mol"], "van der Waals": found["van_der_waals_kJ_per_mol"],
             "Coulomb": found["coulomb_kJ_per_mol"], "dispersion correction": found["terms_kJ_per_mol"]["dispersion tail"]}
 
 
 def check(liquid, o):
-    """Prints the energies of the initial configuration by both programs.
-
-    The potential of each molecule's own charges on the mesh makes the split of Coulomb and van der Waals differ where a
-    linear molecule's or M's sites are excluded, never their sum."""
-    start = prepared(liquid, o)
-    rows = [("GROMACS", terms_of_gromacs(liquid, o))]
-    rows += [(f"polhode, pme_accuracy {accuracy:g}, {precision}", terms_of_polhode(liquid, o, start, accuracy, precision))
-             for accuracy, precision in ((1e-4, "mixed"), (1e-6, "double"))]
-    names = list(rows[0][1])
-    print(f"\n| {liquid.model}, initial configuration [kJ/mol] | {' | '.join(names)} |\n| --- |{' --- |' * len(names)}")
-    for program, terms in rows:
-        print(f"| {program} | {' | '.join(f'{terms[n]:.2f}' for n in names)} |")
+    """Prints the energies of the initial configuration by both programs, and how they change as centres of mass are
+    scaled with the box: the virial, by differences."""
+    start = prepared(liquid, o).read_text(encoding="utf-8")
+    programs = {"GROMACS": lambda c: terms_of_gromacs(liquid, o, c),
+                "polhode, pme_accuracy 1e-4, mixed": lambda c: terms_of_polhode(liquid, o, c, 1e-4, "mixed"),
+                "polhode, pme_accuracy 1e-6, double": lambda c: terms_of_polhode(liquid, o, c, 1e-6, "double")}
+    names = ["potential", "van der Waals", "Coulomb", "dispersion correction"]
+    changes = [f"potential, edges {100 * (f - 1):+g} %" for f in SCALED]
+    print(f"\n| {liquid.model}, initial configuration [kJ/mol] | {' | '.join(names + changes)} |\n"
+          f"| --- |{' --- |' * len(names + changes)}")
+    for program, terms in programs.items():
+        own = terms(liquids.expanded(liquid, start, 1))
+        scaled = [terms(liquids.expanded(liquid, start, f))["potential"] - own["potential"] for f in SCALED]
+        print(f"| {program} | " + " | ".join([*(f"{own[n]:.2f}" for n in names), *(f"{x:+.2f}" for x in scaled)]) + " |", flush=True)
 
 
 # Runs
 
 def run_gromacs(liquid, o):
     name = f"{liquid.model}-gromacs"
-    prepared(liquid, o)
-    gromacs_input(liquid, o, name, round(1000 * o.length / liquid.gromacs_step))
+    gromacs_input(liquid, o, name, prepared(liquid, o).read_text(encoding="utf-8"), round(1000 * o.length / liquid.gromacs_step))
     called(o.folder, o.gmx, "-nobackup", "mdrun", "-deffnm", name, "-cpi", f"{name}.cpt", "-cpt", 1, "-ntmpi", 1, "-ntomp", 1,
            "-pin", "off", "-noconfout")
 
 
 def run_polhode(liquid, way, o):
     name = f"{liquid.model}-{way.name}"
-    text = liquids.production(liquid, prepared(liquid, o), way, name)
+    text = liquids.production(liquid, prepared(liquid, o).name, way, name)
     (o.folder / f"{name}.toml").write_text(text, encoding="utf-8")
     called(o.folder, o.polhode, "run", f"{name}.toml", "--continue", "--length", f"{o.length:g} ps", "--threads", 1)
 

@@ -187,16 +187,33 @@ def topology(liquid):
 def coordinates(liquid, text):
     """A GRO file of GROMACS from one of polhode: with the mass points of linear molecules, without velocities."""
     read, size, own = gro.read(text), len(liquid.sites), atoms(liquid)
-    lines = [liquid.model, f"{liquid.count * len(own):5d}"]
+    places = []
     for m in range(liquid.count):
-        places = read.positions[m * size : (m + 1) * size]
+        sites = read.positions[m * size : (m + 1) * size]
         if is_linear(liquid.sites):
             xs = [position(s)[0] for s in liquid.sites]
-            axis = [(q - p) / (xs[2] - xs[1]) for p, q in zip(places[1], places[2])]
-            places = [[c + (x - xs[0]) * e for c, e in zip(places[0], axis)] for x in mass_points(liquid.sites)] + places
-        lines += [f"{m + 1:5d}  MOL{a.name:>5}{(m * len(own) + k + 1) % 100000:5d}" + "".join(f"{x:15.10f}" for x in r)
-                  for k, (a, r) in enumerate(zip(own, places))]
-    return "\n".join([*lines, "".join(f"{edge:15.10f}" for edge in read.box)]) + "\n"
+            axis = [(q - p) / (xs[2] - xs[1]) for p, q in zip(sites[1], sites[2])]
+            places += [[c + (x - xs[0]) * e for c, e in zip(sites[0], axis)] for x in mass_points(liquid.sites)]
+        places += sites
+    return gro_text(liquid.model, [("MOL", a.name) for a in own] * liquid.count, len(own), places, read.box)
+
+
+def expanded(liquid, text, factor):
+    """A GRO file with the edges and the centres of mass scaled, molecules unchanged, without velocities."""
+    read, size = gro.read(text), len(liquid.sites)
+    masses = [number(s, "mass") for s in liquid.sites]
+    places = []
+    for m in range(liquid.count):
+        own = read.positions[m * size : (m + 1) * size]
+        centre = [sum(w * r[k] for w, r in zip(masses, own)) / liquid.mass for k in range(3)]
+        places += [[x + (factor - 1) * c for x, c in zip(r, centre)] for r in own]
+    return gro_text(liquid.model, read.labels, size, places, [factor * edge for edge in read.box])
+
+
+def gro_text(title, labels, size, positions, box):
+    lines = [f"{k // size + 1:5d}{residue:>5}{name:>5}{(k + 1) % 100000:5d}" + "".join(f"{x:15.10f}" for x in r)
+             for k, ((residue, name), r) in enumerate(zip(labels, positions))]
+    return "\n".join([title, f"{len(lines):5d}", *lines, "".join(f"{edge:15.10f}" for edge in box)]) + "\n"
 
 
 MDP = Template("""; NPT with potential-switched Lennard-Jones and its dispersion correction, as polhode has them, and an accurate mesh

@@ -82,6 +82,23 @@ class Inputs(unittest.TestCase):
             self.assertAlmostEqual(hypot(*(x - y for x, y in zip(found.positions[k], (1, 1, 1 + sign * radius)))), 0, 9)
 
 
+    def test_expanded(self):
+        """Centres of mass and edges are scaled; the sites keep their places about the centre."""
+        liquid = npt_liquids.LIQUIDS["spce"]._replace(count=2)
+        places = [[c + x for c, x in zip(centre, npt_liquids.position(s))] for centre in ((1, 1, 1), (2, 0.5, 1.5))
+                  for s in liquid.sites]
+        labels = [("spce", s["name"]) for s in liquid.sites] * 2
+        text = npt_liquids.gro_text("two", labels, 3, places, (3, 3, 4))
+        found = npt_liquids.gro.read(npt_liquids.expanded(liquid, text, 1.1))
+        for edge, expected in zip(found.box, (3.3, 3.3, 4.4)):
+            self.assertAlmostEqual(edge, expected, 9)
+        above = 2 * 1.008 * 0.057735896651553043 / liquid.mass  # the centre of mass above the oxygen, along y
+        for r, before in zip(found.positions, places):
+            centre = (1, 1 + above, 1) if before[0] < 1.5 else (2, 0.5 + above, 1.5)
+            for k in range(3):
+                self.assertAlmostEqual(r[k], before[k] + 0.1 * centre[k], 9)
+
+
 class Results(unittest.TestCase):
     def test_from_the_energies_of_polhode(self):
         """The density of the mean volume, and var V / (<V> k T) with volumes of ±1 % and ±3 % around 16 nm³."""
