@@ -80,7 +80,7 @@ SitePair pair_option(const std::string& word, const Topology& topology) {
     return SitePair{word.substr(0, at), word.substr(at + 1)};
   };
   for (auto at = dash; at != word.npos; at = word.find('-', at + 1)) {
-    const SitePair pair = split(at);
+    SitePair pair = split(at);
     if (!molecules_with(topology, pair[0]).empty() && !molecules_with(topology, pair[1]).empty())
       return pair;
   }

@@ -71,8 +71,23 @@ Config parse_config(std::string_view text, const std::string& file) {
   if (thermostat) ensemble.thermostat = read_thermostat(*thermostat);
   if (barostat) ensemble.barostat = read_barostat(*barostat);
   if (hybrid) ensemble.hybrid_monte_carlo = read_hybrid_monte_carlo(*hybrid);
+  if (const std::string wrong = wrong_temperature(config); !wrong.empty())
+    system->refuse("temperature", wrong);
   set_precision(config, config.forces.precision);
   return config;
+}
+
+std::string wrong_temperature(const Config& config) {
+  const EnsembleSettings& ensemble = config.ensemble;
+  if (config.system.temperature > 0) return "";
+  if (ensemble.hybrid_monte_carlo || ensemble.barostat)
+    return fmt::format(
+        "must be above 0 K: at 0 K {} accepts only moves to lower energies, so it "
+        "samples nothing; to reach an energy minimum, leave it out and use a "
+        "[thermostat] at 0 K",
+        ensemble.hybrid_monte_carlo ? "hybrid Monte Carlo" : "a barostat");
+  if (ensemble.thermostat) return "";
+  return "must be above 0 K; 0 K has a meaning with a [thermostat] only, which then cools";
 }
 
 void set_precision(Config& config, Precision precision) {

@@ -160,11 +160,13 @@ std::size_t checked_bins(const RadialSettings& settings) {
 
 std::vector<std::string> molecules_with(const Topology& topology, const std::string& selection) {
   std::vector<std::string> found;
-  for (const auto& [molecule, count] : topology.parts)
+  for (const auto& part : topology.parts) {
+    const Molecule& molecule = part.molecule;
     if (std::any_of(molecule.sites.begin(), molecule.sites.end(),
                     [&](const Site& site) { return names(selection, molecule, site); }) &&
         std::find(found.begin(), found.end(), molecule.name) == found.end())
       found.push_back(molecule.name);
+  }
   return found;
 }
 

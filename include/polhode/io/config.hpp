@@ -125,6 +125,10 @@ std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 /// nothing.
 std::string wrong_bound(double bound);
 
+/// What is wrong with the temperature of a run; empty if nothing. 0 K has a meaning with a
+/// thermostat only.
+std::string wrong_temperature(const Config& config);
+
 /// In mixed precision: the default of lambda, and the smallest value accepted.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
 

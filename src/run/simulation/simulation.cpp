@@ -262,6 +262,7 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
       version(), system_.topology.size(), config_.source,
       name_of({settings_->scheme, settings_->inner}), settings_->step * units::fs_per_ps,
       with.instruction_set, with.threads));
+  note_ensemble(*settings_, callbacks);
   note_molecules(system_, callbacks);
   note_velocities(system_, config_, callbacks);
   note_forces(system_, callbacks);
@@ -325,7 +326,7 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                    {},
                    trajectory.stopped};
   report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
-  if (guarantee_ && !trajectory.stopped)
+  if (guarantee_ && !trajectory.stopped && settings_->ensemble.constant_energy())
     report.guarantee = check_guarantee(*guarantee_, trajectory.statistics);
   return report;
 }

@@ -21,7 +21,7 @@ struct GridPoints {
 };
 
 // Several kinds of weights of `order` grid points along an edge, for each charge of a pack.
-template <class T, int order, std::size_t kinds>
+template <class T, std::size_t order, std::size_t kinds>
 class ChargeWeights {
  public:
   void set(std::size_t kind, std::size_t k, const Pack<T>& weight) {

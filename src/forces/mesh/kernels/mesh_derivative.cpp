@@ -12,7 +12,7 @@ namespace {
 enum Share { y_w, y_vs, z_w, z_vs, shares };
 
 // One charge of a pack; x and dx are q w_x and q v_x s_x.
-template <class T, int order>
+template <class T, std::size_t order>
 [[gnu::always_inline]] inline void add_dipole(const SpreadJob<T>& job,
                                               const std::int32_t (&index)[3][Pack<T>::width],
                                               std::size_t lane, const Run<T>& x, const Run<T>& dx,
@@ -37,7 +37,7 @@ template <class T, int order>
   }
 }
 
-template <class T, int order>
+template <class T, std::size_t order>
 void spread(const SpreadDipolesJob<T>& dipoles) {
   using Real = Pack<T>;
   const SpreadJob<T>& job = dipoles.charges;
@@ -91,7 +91,7 @@ void spread(const SpreadDipolesJob<T>& dipoles) {
 enum Weight { w_y, s_y, vc_y, w_z, s_z, vc_z, s_z_by_y, s_z_by_z, weights };
 
 // Around one charge, for each point along x: A, B, C, A', B' + P and C' + Q.
-template <class T, int order>
+template <class T, std::size_t order>
 [[gnu::always_inline]] inline void sum_over_rows(const GridPoints<T>& potential, const T* change,
                                                  const ChargeWeights<T, order, weights>& weight,
                                                  std::size_t lane, T* sums) {
@@ -136,7 +136,7 @@ struct Gradient {
   Vec3<Real> value, change;
 
   // From the sums over rows, with the splines along x and the displacement v.
-  template <int order>
+  template <std::size_t order>
   [[gnu::always_inline]] void sum_over_x(const Real* column, const Real (&w)[order],
                                          const Real (&s)[order], const Real (&c)[order],
                                          const Vec3<Real>& v) {
@@ -153,7 +153,7 @@ struct Gradient {
   }
 };
 
-template <class T, int order>
+template <class T, std::size_t order>
 void gather(const GatherDerivativeJob<T>& derivative) {
   using Real = Pack<T>;
   const GatherJob<T>& job = derivative.forces;
@@ -199,11 +199,11 @@ void gather(const GatherDerivativeJob<T>& derivative) {
 
 template <class T>
 void spread_in_order(const SpreadDipolesJob<T>& job) {
-  with_order(job.charges.order, [&]<int order>() { spread<T, order>(job); });
+  with_order(job.charges.order, [&]<std::size_t order>() { spread<T, order>(job); });
 }
 template <class T>
 void gather_in_order(const GatherDerivativeJob<T>& job) {
-  with_order(job.forces.order, [&]<int order>() { gather<T, order>(job); });
+  with_order(job.forces.order, [&]<std::size_t order>() { gather<T, order>(job); });
 }
 
 }  // namespace

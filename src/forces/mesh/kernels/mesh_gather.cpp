@@ -11,7 +11,7 @@ enum Weight { y_w, y_s, z_w, z_s, weights };  // w: a spline, s: its slope
 
 // Around one charge, for each point along x: the potential summed over y and z, times w_y w_z,
 // s_y w_z and w_y s_z.
-template <class T, int order>
+template <class T, std::size_t order>
 [[gnu::always_inline]] inline void sum_over_rows(const GridPoints<T>& at,
                                                  const ChargeWeights<T, order, weights>& weight,
                                                  std::size_t lane, T* sums) {
@@ -41,7 +41,7 @@ void add_arms(const Mat3<Pack<T>>& arms, Mat3<double>& total) {
       for (const Pack<double>& part : promote(arms[d][e])) total[d][e] += sum(part);
 }
 
-template <class T, int order>
+template <class T, std::size_t order>
 void gather(const GatherJob<T>& job) {
   using Real = Pack<T>;
   constexpr std::size_t width = Real::width, length = Run<T>::length;
@@ -86,7 +86,7 @@ void gather(const GatherJob<T>& job) {
 
 template <class T>
 void gather_in_order(const GatherJob<T>& job) {
-  with_order(job.order, [&]<int order>() { gather<T, order>(job); });
+  with_order(job.order, [&]<std::size_t order>() { gather<T, order>(job); });
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
-template <class T, int order>
+template <class T, std::size_t order>
 void spread(const SpreadJob<T>& job) {
   using Real = Pack<T>;
   constexpr std::size_t width = Real::width, stride = std::max(width, Run<T>::length);
@@ -57,7 +57,7 @@ void spread(const SpreadJob<T>& job) {
 
 template <class T>
 void spread_in_order(const SpreadJob<T>& job) {
-  with_order(job.order, [&]<int order>() { spread<T, order>(job); });
+  with_order(job.order, [&]<std::size_t order>() { spread<T, order>(job); });
 }
 
 }  // namespace
