@@ -9,8 +9,10 @@
 
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
+#include "polhode/ensemble/random_streams.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/math/random.hpp"
 #include "scenes.hpp"
 #include "unit/errors.hpp"
 
@@ -149,6 +151,11 @@ TEST_CASE("hybrid Monte Carlo has other random numbers for each seed and step") 
   };
   const Drawn one = drawn(3, 0);
   CHECK(drawn(3, 0) == one);
+  std::vector<bool> by_momenta;  // what decisions with a number of a draw of momenta would be
+  for (std::uint64_t step = 0; step < 60; ++step)
+    by_momenta.push_back(Random(3, stream_of(RandomUse::hybrid_momenta, {step, 0})).uniform() <
+                         0.5);
+  CHECK(one.decisions != by_momenta);
   for (const Drawn& other : {drawn(4, 0), drawn(3, 1ull << 33)}) {
     CHECK(other.decisions != one.decisions);
     for (std::size_t n = 0; n < 60; ++n) CHECK(other.momenta[n] != one.momenta[n]);
