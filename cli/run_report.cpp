@@ -129,13 +129,6 @@ void print_guarantee(const GuaranteeCheck& k) {
         what);
 }
 
-void print_warnings(const std::vector<Warning>& warnings) {
-  if (warnings.empty()) return;
-  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
-  for (const Warning& w : warnings)
-    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
-}
-
 /// ", asked for: 1 bar"; empty without a barostat.
 std::string pressure_asked(const EnsembleSettings& settings) {
   return settings.barostat
@@ -191,6 +184,13 @@ std::string checkpoint_of(const Simulation& simulation) {
 }
 
 }  // namespace
+
+void print_warnings(const std::vector<Warning>& warnings) {
+  if (warnings.empty()) return;
+  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
+  for (const Warning& w : warnings)
+    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
+}
 
 int print_run(const RunResult& result, const Simulation& simulation, bool json) {
   note_end(result, checkpoint_of(simulation));

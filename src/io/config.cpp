@@ -36,6 +36,7 @@ Config parse_config(std::string_view text, const std::string& file) {
   auto schemes = table.table("schemes");
   auto integrator = table.table("integrator");
   auto run = table.table("run");
+  auto prepare = table.table("prepare");
   auto output = table.table("output");
   auto study = table.table("study");
   auto thermostat = table.table("thermostat");
@@ -62,6 +63,7 @@ Config parse_config(std::string_view text, const std::string& file) {
   if (schemes) config.schemes = read_schemes(*schemes);
   if (integrator) read_integrator(*integrator, config.integrator, config.schemes);
   if (run) read_run(*run, config.run);
+  if (prepare) read_preparation(*prepare, config.prepare);
   if (output) read_output(*output, config.output);
   if (study) read_study(*study, config.study, config.schemes);
   EnsembleSettings& ensemble = config.ensemble;

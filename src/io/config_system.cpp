@@ -77,10 +77,6 @@ void read_extent(TomlTable& table, SystemSettings& system) {
     table.refuse(
         system.box ? "box" : "density",
         "cannot be combined with an initial configuration, which has its own box; leave one out");
-  if (!start && !system.density && !system.box)
-    table.refuse("",
-                 "there is no density, box or initial configuration; write for example density = "
-                 "\"1 g/cm3\"");
 }
 
 void read_start(TomlTable& table, const path& folder, SystemSettings& system) {

@@ -128,6 +128,8 @@ Drift EnergyStatistics::potential_drift() const {
   return series_drift(blocks.means(), time, potential_);
 }
 
+Drift EnergyStatistics::volume_drift() const { return series_drift(blocks.means(), time, volume_); }
+
 void StretchStatistics::add(const Energies& now, const Energies& first, std::uint64_t length) {
   const double e = now.conserved() - first.conserved(), v = now.potential() - first.potential();
   const std::array<double, 4> terms{e, v, e * e, v * v};

@@ -56,6 +56,7 @@ struct IntegratorSettings {
 };
 
 struct RunSettings {
+  bool minimise = false;   ///< the energy of the initial configuration, before all else
   double equilibrate = 0;  ///< [ps], with velocity rescaling
   double length = 15;      ///< [ps]
   double sample = 0.004;   ///< interval between samples of the energies [ps]
@@ -63,6 +64,12 @@ struct RunSettings {
   /// one.
   std::optional<double> shadow_sample;
   double configurational_sample = 0;  ///< the same for configurational temperatures [ps]; 0: none
+};
+
+/// Lengths of the parts of a preparation.
+struct PreparationSettings {
+  double nvt = 20;   ///< at constant volume [ps]
+  double npt = 100;  ///< then at constant pressure, if there is one to keep [ps]
 };
 
 struct OutputSettings {
@@ -98,6 +105,7 @@ struct Config {
   ForceSettings forces;
   IntegratorSettings integrator;
   RunSettings run;
+  PreparationSettings prepare;
   OutputSettings output;
   StudySettings study;
   OwnSchemes schemes;

@@ -390,9 +390,11 @@ class Propagator::Impl {
     if (settings_.ensemble.hybrid_monte_carlo || first.kinetic() == 0 ||
         !(std::abs(now.conserved() - from) > first.kinetic()))
       return;
-    blow_up(steps_, fmt::format("the {} energy went from {:.6g} to {:.6g} kJ/mol, more than the "
-                                "initial kinetic energy",
-                                constant_energy ? "total" : "conserved", from, now.conserved()));
+    blow_up(steps_,
+            fmt::format("the {} energy went from {:.6g} to {:.6g} kJ/mol{}, more than the initial "
+                        "kinetic energy",
+                        constant_energy ? "total" : "conserved", from, now.conserved(),
+                        constant_energy ? "" : " between two samples"));
   }
 
   System& system_;
@@ -410,7 +412,7 @@ class Propagator::Impl {
   std::optional<double> conserved_;  // energy at the last sample, unless that was before a resume
   std::optional<Clocks> clocks_;
   std::optional<RunState> before_last_sample_;
-  State first_, before_;  // positions at the start, and before the last step
+  State first_, before_;                  // positions at the start, and before the last step
 };
 
 Propagator::Propagator(System& system, ForceField& forces, const TrajectorySettings& settings,
