@@ -50,7 +50,8 @@ void EnergyStatistics::add(const Energies& now) {
   const double V = now.volume - first.volume;
   blocks.add(std::array{now.time - first.time, e, v, e * e, v * v, now.pressure, now.translation,
                         now.rotation[0], now.rotation[1], now.rotation[2],
-                        now.total() - first.total(), V, V * V, first.volume / now.volume});
+                        now.total() - first.total(), V, V * V,
+                        now.volume > 0 ? first.volume / now.volume : 1});
 }
 
 double EnergyStatistics::total() const {

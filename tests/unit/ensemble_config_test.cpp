@@ -136,3 +136,24 @@ TEST_CASE("every setting of an ensemble belongs to the identity of a run") {
   CHECK(text(hybrid) != text(hybrid + "steps = 11\n"));
   CHECK(text(hybrid) != text(hybrid + "refresh = \"90 %\"\n"));
 }
+
+// Each trajectory adds its error to the conserved energy, accepted or not: no sign of a blow-up.
+TEST_CASE("hybrid Monte Carlo does not end where the conserved energy exceeds the kinetic energy") {
+  const Config config = config_of(hybrid + "steps = 5\n", "90 K", "velocity-verlet");
+  System system = build_system(config);
+  TrajectorySettings settings = trajectory_settings(config);
+  settings.step = 0.06;
+  settings.length = 120;
+  settings.sample = 0.3;
+  ForceField forces(system.topology, system.forces, system.state.box);
+  Energies first{}, last{};
+  Watch watch;
+  watch.sample = [&](std::size_t steps, const State&, const Energies& now) {
+    (steps == 0 ? first : last) = now;
+  };
+  const Trajectory t = run_trajectory(system, forces, settings, watch);
+  CHECK(t.failure.empty());
+  CHECK(t.steps == 2000);
+  CHECK(t.ensemble.hybrid.trajectories == 400);
+  CHECK(last.conserved() - first.conserved() > first.kinetic());
+}
