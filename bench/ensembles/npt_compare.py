@@ -4,6 +4,8 @@
     npt_compare.py check                       both programs compute the energy of the same configuration
     npt_compare.py run --length 500            runs each to this length [ps]; continues what was interrupted
     npt_compare.py compare                     the table of what there is, in Markdown
+    npt_compare.py rerun                       GROMACS computes the energies of frames of polhode: what differs, and by
+                                               how much this shifts density and potential energy
 
 Runs are kept in --folder and can be continued to a greater length. Two calls with other --models or --runs may run at a time.
 SIGTERM to the two programs suspends a run in good order."""
@@ -27,7 +29,6 @@ sys.path.append(str(liquids.ROOT / "bench"))
 import machine  # noqa: E402
 import waters  # noqa: E402
 
-SKIPPED = 10  # at the beginning of each run [ps]
 SCALED = (0.99, 1.01)  # edges of the box, for the check of energies
 COMPARED = ("density [kg/m³]", "potential energy [kJ/mol]", "compressibility [1e-5/bar]")
 
@@ -150,7 +151,7 @@ def run(o):
 # Results
 
 class Series(NamedTuple):
-    """Of one run, from SKIPPED on."""
+    """Of one run, without its beginning."""
     length: float  # [ps]
     volume: numpy.ndarray  # [nm³]
     potential: numpy.ndarray  # [kJ/mol]
@@ -158,9 +159,9 @@ class Series(NamedTuple):
     pressure: numpy.ndarray  # [bar]
 
 
-def series(times, *columns):
-    kept = times >= SKIPPED
-    return Series(float(times[-1] - SKIPPED), *(c[kept] for c in columns))
+def series(skipped, times, *columns):
+    kept = times >= skipped
+    return Series(float(times[-1] - skipped), *(c[kept] for c in columns))
 
 
 def series_of(liquid, name, o):
@@ -177,7 +178,7 @@ def series_of(liquid, name, o):
         rows = waters.table(path)
         times, volume, potential, temperature, pressure = (
             numpy.array([r[k] for r in rows]) for k in ("time", "volume", "potential", "temperature", "pressure"))
-    return series(times, volume, potential, temperature, pressure) if times[-1] > 3 * SKIPPED else None
+    return series(o.skip, times, volume, potential, temperature, pressure) if times[-1] > 2 * o.skip else None
 
 
 def results(liquid, s):
@@ -220,13 +221,64 @@ def compare(o):
                   + " | ".join(cell(own[n], other and n in COMPARED and other[n]) for n in names) + " |")
 
 
+# Energies of the same frames
+
+def frames(path, skipped):
+    """(time [ps], text) of each frame of a GRO file from a time on."""
+    lines, begin = path.read_text(encoding="utf-8").splitlines(), 0
+    while begin + 1 < len(lines) and len(lines) >= (end := begin + 3 + int(lines[begin + 1])):
+        time = float(lines[begin].split("t=")[1].split()[0])
+        if time >= skipped:
+            yield time, "\n".join(lines[begin:end])
+        begin = end
+
+
+def rerun_by_gromacs(liquid, o, name, found):
+    """Potential energies of frames by GROMACS, on the mesh of its own runs [kJ/mol]."""
+    gromacs_input(liquid, o, name, prepared(liquid, o).read_text(encoding="utf-8"), 0)
+    (o.folder / f"{name}-frames.gro").write_text(
+        "".join(liquids.coordinates(liquid, text, title=f"frame t= {k}.0") for k, (_, text) in enumerate(found)), encoding="utf-8")
+    called(o.folder, o.gmx, "-nobackup", "mdrun", "-s", f"{name}.tpr", "-deffnm", name, "-rerun", f"{name}-frames.gro", "-ntmpi", 1,
+           "-ntomp", 1, "-noconfout")
+    return gromacs_table(o, name, ("Potential",))[0]
+
+
+def shift(values, difference, kT):
+    """First-order change of a mean where the potential changes by `difference`: -cov/kT, with the error for independent frames."""
+    product = -(values - values.mean()) * (difference - difference.mean()) / kT
+    return statistics.Estimate(float(product.mean()), float(product.std() / len(product) ** 0.5), len(product))
+
+
+def rerun(o):
+    """Prints the potential of GROMACS less that of polhode in frames of polhode's runs, and what follows for the means."""
+    print("| run | frames | GROMACS less polhode [kJ/mol per molecule] | its scatter [kT of the box] "
+          "| shift of the density [kg/m³] | of the potential energy [kJ/mol] |\n| --- | --- | --- | --- | --- | --- |")
+    for liquid in map(LIQUIDS.get, o.models):
+        for way in (w.name for w in WAYS if w.name in o.runs):
+            path = o.folder / f"{liquid.model}-{way}-trajectory.gro"
+            found = list(frames(path, o.skip)) if path.exists() else []
+            if len(found) < 5:
+                continue
+            rows = {round(r["time"], 3): r for r in waters.table(o.folder / f"{liquid.model}-{way}-energies.csv")}
+            own = [rows[round(time, 3)] for time, _ in found]
+            potential, volume = (numpy.array([r[k] for r in own]) for k in ("potential", "volume"))
+            theirs = rerun_by_gromacs(liquid, o, f"{liquid.model}-{way}-rerun", found)
+            difference, kT = theirs - potential, liquids.BOLTZMANN * liquid.temperature
+            density = liquid.count * liquid.mass * liquids.GRAMS * 1000 / volume
+            energy = statistics.scaled(shift(potential, difference, kT), 1 / liquid.count)
+            energy = energy._replace(value=energy.value + difference.mean() / liquid.count)
+            print(f"| {liquid.model}, {way} | {len(found)} | {difference.mean() / liquid.count:.5f} | {difference.std() / kT:.3f} "
+                  f"| {cell(shift(density, difference, kT), None)} | {cell(energy, None)} |", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     words = lambda text: text.split(",")
-    parser.add_argument("job", choices=("check", "run", "compare"))
+    parser.add_argument("job", choices=("check", "run", "compare", "rerun"))
     parser.add_argument("--models", type=words, default=list(LIQUIDS), help="of spce, tip4p-2005, co2")
     parser.add_argument("--runs", type=words, default=["gromacs", *(w.name for w in WAYS)], help="gromacs, or how polhode samples")
     parser.add_argument("--length", type=float, default=500, help="of each run [ps]")
+    parser.add_argument("--skip", type=float, default=10, help="what results leave out at the beginning of each run [ps]")
     parser.add_argument("--folder", type=Path, default=Path("npt"), help="where the runs are kept")
     parser.add_argument("--polhode", default="polhode", help="path of polhode")
     parser.add_argument("--gmx", default="gmx", help="path of GROMACS")
@@ -237,7 +289,7 @@ def main():
         for model in o.models:
             check(LIQUIDS[model], o)
     else:
-        {"run": run, "compare": compare}[o.job](o)
+        {"run": run, "compare": compare, "rerun": rerun}[o.job](o)
 
 
 if __name__ == "__main__":

@@ -118,7 +118,9 @@ length = "500 ps"
 sample = "0.1 ps"
 [output]
 prefix = "{prefix}"
-trajectory_every = "0 ps"
+trajectory_every = "1 ps"
+formats = ["gro"]
+velocities = false
 plot = "none"
 checkpoint_every = "1 min"
 """
@@ -184,7 +186,7 @@ def topology(liquid):
         "[ system ]", liquid.model, "[ molecules ]", f"MOL {liquid.count}", ""])
 
 
-def coordinates(liquid, text):
+def coordinates(liquid, text, title=""):
     """A GRO file of GROMACS from one of polhode: with the mass points of linear molecules, without velocities."""
     read, size, own = gro.read(text), len(liquid.sites), atoms(liquid)
     places = []
@@ -195,7 +197,7 @@ def coordinates(liquid, text):
             axis = [(q - p) / (xs[2] - xs[1]) for p, q in zip(sites[1], sites[2])]
             places += [[c + (x - xs[0]) * e for c, e in zip(sites[0], axis)] for x in mass_points(liquid.sites)]
         places += sites
-    return gro_text(liquid.model, [("MOL", a.name) for a in own] * liquid.count, len(own), places, read.box)
+    return gro_text(title or liquid.model, [("MOL", a.name) for a in own] * liquid.count, len(own), places, read.box)
 
 
 def expanded(liquid, text, factor):

@@ -108,8 +108,8 @@ class Results(unittest.TestCase):
             rows = [f"{0.1 * k},{-47 * 512},298,1,{16 * factor(k)}" for k in range(size + 100)]
             (Path(folder) / "spce-x-energies.csv").write_text(
                 "\n".join(["time [ps],potential [kJ/mol],temperature [K],pressure [bar],volume [nm^3]", *rows]), encoding="utf-8")
-            series = npt_compare.series_of(liquid, "x", Namespace(folder=Path(folder)))
-            self.assertIsNone(npt_compare.series_of(liquid, "y", Namespace(folder=Path(folder))))
+            series = npt_compare.series_of(liquid, "x", Namespace(folder=Path(folder), skip=10))
+            self.assertIsNone(npt_compare.series_of(liquid, "y", Namespace(folder=Path(folder), skip=10)))
         self.assertEqual(len(series.volume), size)
         found = npt_compare.results(liquid, series)
         self.assertAlmostEqual(found["density [kg/m³]"].value, 512 * 18.0154 * 1.66053906717 / 16, 4)
@@ -117,6 +117,23 @@ class Results(unittest.TestCase):
         # (0.01² + 0.03²) / 2 · V / kT [1/bar]; k_B T = 1.380649e-23 · 298.15 J, 1 bar nm³ = 1e-22 J
         exact = 1e5 * 5e-4 * 16 / (1.380649e-23 * 298.15 / 1e-22)
         self.assertAlmostEqual(found["compressibility [1e-5/bar]"].value, exact, delta=exact * 2 / size)
+
+    def test_shift(self):
+        """exp(-d/kT) with d = c x turns a normal x of variance 1 into one about -c/kT; with 40 000 of them the error of the
+        covariance is sqrt(2/40 000) c/kT, and its own estimate is that to a few per cent."""
+        source = numpy.random.default_rng(1)
+        x = source.normal(size=40000)
+        found = npt_compare.shift(x, 0.5 * x + 7, 2.0)
+        self.assertAlmostEqual(found.value, -0.25, delta=4 * 0.25 * sqrt(2 / 40000))
+        self.assertAlmostEqual(found.error, 0.25 * sqrt(2 / 40000), delta=0.1 * 0.25 * sqrt(2 / 40000))
+
+    def test_frames(self):
+        """Whole frames from a time on: one that is being written is left out."""
+        frame = lambda t: f"polhode t= {t:.6f}\n1\n    1ar      Ar    1   0.0   0.0   0.0\n   1.0   1.0   1.0\n"
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "x.gro"
+            path.write_text(frame(0) + frame(5) + frame(10) + frame(15)[:-20], encoding="utf-8")
+            self.assertEqual([t for t, _ in npt_compare.frames(path, 5)], [5, 10])
 
 
 if __name__ == "__main__":
