@@ -53,7 +53,7 @@ SYSTEMS = {
     "water, reaction field": {"molecules": WATER, "density": 0.98, "pressures": (1, 1200),
                               "forces": SHORT + 'electrostatics = "reaction-field"'},
     "water, PME": {"molecules": WATER, "density": 0.98, "pressures": (1, 1200), "forces": SHORT + 'electrostatics = "pme"'},
-    "CO2": {"molecules": '{ model = "co2", count = 64 }', "density": 0.95, "pressures": (400, 800), "compressibility": 3e-4,
+    "CO2": {"molecules": '{ model = "co2", count = 64 }', "density": 0.95, "pressures": (400, 1000), "compressibility": 3e-4,
             "forces": 'cutoff = "0.7 nm"\nswitch = "0.6 nm"'},
     "salt water, PME": {"molecules": '{ model = "spce", count = 58 }, { model = "na-spce", count = 3 }, { model = "cl-spce", count = 3 }',
                         "density": 1.05, "pressures": (1, 1200), "forces": SHORT + 'electrostatics = "pme"'},
