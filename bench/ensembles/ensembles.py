@@ -53,7 +53,7 @@ SYSTEMS = {
     "water, reaction field": {"molecules": WATER, "density": 0.98, "pressures": (1, 1200),
                               "forces": SHORT + 'electrostatics = "reaction-field"'},
     "water, PME": {"molecules": WATER, "density": 0.98, "pressures": (1, 1200), "forces": SHORT + 'electrostatics = "pme"'},
-    "CO2": {"molecules": '{ model = "co2", count = 64 }', "density": 0.95, "pressures": (400, 800),
+    "CO2": {"molecules": '{ model = "co2", count = 64 }', "density": 0.95, "pressures": (400, 1000), "compressibility": 3e-4,
             "forces": 'cutoff = "0.7 nm"\nswitch = "0.6 nm"'},
     "salt water, PME": {"molecules": '{ model = "spce", count = 58 }, { model = "na-spce", count = 3 }, { model = "cl-spce", count = 3 }',
                         "density": 1.05, "pressures": (1, 1200), "forces": SHORT + 'electrostatics = "pme"'},
@@ -61,7 +61,8 @@ SYSTEMS = {
 LANGEVIN = '[thermostat]\ntype = "langevin"\nfriction = "2 1/ps"\n'
 RESCALING = '[thermostat]\ntype = "{}"\ntime_constant = "0.2 ps"\n'
 HYBRID = "[hybrid_monte_carlo]\nsteps = 20\n"
-BAROSTAT = '[barostat]\ntype = "{}"\npressure = "{{pressure}} bar"\nevery = "80 fs"\n'
+BAROSTAT = '[barostat]\ntype = "{}"\npressure = "{{pressure}} bar"\nevery = "80 fs"\n' \
+    'compressibility = "{{compressibility}} 1/bar"\n'
 RELAXATION = 'time_constant = "0.5 ps"\n'
 SLOW = 'time_constant = "1 ps"\nmetropolis = false\n'  # its bias is that of the interval
 METHODS = {  # name: scheme, tables, quantity
@@ -86,7 +87,7 @@ def run_file(system, method, at, seed, o):
     s = SYSTEMS[system]
     return RUN_FILE.format(molecules=s["molecules"], density=s["density"], forces=s["forces"], temperature=at["temperature"],
                            seed=seed, scheme=scheme, step=STEP, sample=SAMPLE, equilibrate=o.equilibrate, length=o.length,
-                           tables=tables.format(pressure=at["pressure"]))
+                           tables=tables.format(pressure=at["pressure"], compressibility=s.get("compressibility", 4.5e-5)))
 
 
 def series(system, method, at, seed, o):
