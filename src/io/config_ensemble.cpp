@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr double max_rate = 1e6;  // [1/ps]: momenta are drawn anew in every step
+constexpr double max_rate = 1e6;  // [1/ps]: new momenta in every step
 
 void take_rate(TomlTable& table, std::string_view key, double& rate) {
   take(rate, table.quantity(key, Dimension::rate));
@@ -119,7 +119,7 @@ HybridMonteCarloSettings read_hybrid_monte_carlo(TomlTable table) {
   settings.steps = static_cast<std::size_t>(steps);
   take(settings.refresh, table.quantity("refresh", Dimension::fraction, "100 %"));
   table.require(settings.refresh > 0 && settings.refresh <= 1, "refresh",
-                "must be above 0 % and at most 100 %: the part of the momenta that is drawn anew "
+                "must be above 0 % and at most 100 %: the part of the momenta that is drawn again "
                 "for each trajectory");
   table.refuse_unknown();
   return settings;

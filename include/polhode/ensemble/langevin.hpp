@@ -29,7 +29,7 @@ struct LangevinSettings {
 double ornstein_uhlenbeck(State& state, const Bodies& bodies, const LangevinSettings& settings,
                           double t, std::uint64_t stream, Workers& workers = Workers::serial());
 
-/// The same with c given in place of e^{−γt}, for both motions: 0 draws all momenta anew.
+/// The same with c given in place of e^{−γt}, for both motions: 0 draws new ones.
 double refresh_momenta(State& state, const Bodies& bodies, const LangevinSettings& settings,
                        double c, std::uint64_t stream, Workers& workers = Workers::serial());
 

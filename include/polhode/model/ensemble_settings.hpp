@@ -48,7 +48,7 @@ struct BarostatSettings {
 
 struct HybridMonteCarloSettings {
   std::size_t steps = 10;  ///< per trajectory between two decisions
-  double refresh = 1;      ///< part of the momenta that is drawn anew; 1: all
+  double refresh = 1;      ///< part of the momenta that is replaced by new ones; 1: all
   friend bool operator==(const HybridMonteCarloSettings&,
                          const HybridMonteCarloSettings&) = default;
 };

@@ -412,7 +412,7 @@ class Propagator::Impl {
   std::optional<double> conserved_;  // energy at the last sample, unless that was before a resume
   std::optional<Clocks> clocks_;
   std::optional<RunState> before_last_sample_;
-  State first_, before_;                  // positions at the start, and before the last step
+  State first_, before_;  // positions at the start, and before the last step
 };
 
 Propagator::Propagator(System& system, ForceField& forces, const TrajectorySettings& settings,
