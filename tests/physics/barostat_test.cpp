@@ -49,7 +49,7 @@ Volume volume_of(const scenes::Scene& scene, BarostatSettings settings, int move
 
 // V P/kT has a Gamma distribution of this shape: its mean and its variance. A deviation of 4
 // standard errors, themselves known to 20 %, occurs by chance in 1 of 1,000 checks; a shape that
-// off by 1 is 10 errors away or more.
+// differs by 1 is 10 errors away or more.
 void check_shape(const Volume& v, double shape) {
   CAPTURE(v.mean.value);
   CAPTURE(v.mean.error);
