@@ -5,12 +5,12 @@
 set multiplot
 across = 3
 down = ceil(real(panels)/across)
-left = 0.0; right = 0.99; bottom = 0.13; top = 0.86
+left = 0.0; right = 0.99; bottom = 0.11; top = 0.93
 # The key, across all panels.
 set lmargin at screen 0.03
 set rmargin at screen 0.99
 set tmargin at screen 0.995
-set bmargin at screen 0.89
+set bmargin at screen 0.925
 set key inside center center horizontal maxcols 5
 unset border
 unset grid
@@ -26,28 +26,36 @@ set grid
 set tics scale 0.6
 set xtics font small
 set ytics font small
-set label 1 caption at screen 0.015, screen 0.03 left noenhanced textcolor rgb ink font small
-set label 2 "cost:  force evaluations per ps" at screen 0.5, screen 0.075 center textcolor rgb ink
+set label 1 caption at screen 0.015, screen 0.025 left noenhanced textcolor rgb ink font small
+set label 2 "cost:  force evaluations per ps" at screen 0.5, screen 0.07 center textcolor rgb ink
 set logscale x
 set xtics (1)
-set for [d=-3:5] for [m in "1 2 5"] xtics add (sprintf("%g", m*10.0**d) m*10.0**d)
+do for [d=-3:5] {
+  do for [m in "1 2 5"] {
+    x = m*10.0**d
+    set xtics add (sprintf("%g", x) x)
+  }
+}
 set xrange [cost_low:cost_high]
 do for [j=1:panels] {
   place = (j - 1)%across
   row = (j - 1)/across
   set lmargin at screen left + (right - left)*(place + 0.17)/across
   set rmargin at screen left + (right - left)*(place + 0.99)/across
-  set tmargin at screen top - (top - bottom)*(row + 0.1)/down
-  set bmargin at screen top - (top - bottom)*(row + 0.9)/down
-  set label 3 panel[j] at graph 0, graph 1.07 left noenhanced textcolor rgb ink
+  set tmargin at screen top - (top - bottom)*(row + 0.12)/down
+  set bmargin at screen top - (top - bottom)*(row + 0.93)/down
+  set label 3 panel[j] at graph 0, graph 1.06 left noenhanced textcolor rgb ink
   bound = value(sprintf("bound%d", j))
   if (bound > 0) {
     unset logscale y
+    set ytics auto
     set format y "%g"
     set object 1 rectangle from graph 0, first -bound to graph 1, first bound fillstyle solid noborder fillcolor rgb "#eeeeee" behind
     set arrow 1 from graph 0, first 0 to graph 1, first 0 nohead linewidth 1 linecolor rgb ink back
   } else {
     set logscale y
+    set ytics (1)
+    do for [d=-1:7] { do for [m in "1 2 5"] { y = m*10.0**d; set ytics add (sprintf("%g", y) y) } }
     unset object 1
     unset arrow 1
   }

@@ -8,6 +8,7 @@ namespace polhode {
 namespace {
 
 constexpr std::size_t min_series = 10, min_windows = 4;
+constexpr double min_times = 10;
 
 double autocovariance(std::span<const double> series, double mean, std::size_t lag) {
   double sum = 0;
@@ -43,6 +44,7 @@ std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> 
   }
   const double w = static_cast<double>(lag);
   tau *= 1 + (2 * w + 1) / n;
+  if (n < min_times * tau) return std::nullopt;
   return AutocorrelationTime{tau, tau * std::sqrt(4 / n * std::max(w + 0.5 - tau, 0.5)), lag};
 }
 

@@ -92,8 +92,8 @@ inline constexpr std::array<std::string_view, 2> enum_names<StudyEnsemble> = {"n
 
 struct StudySettings {
   std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
-  std::vector<double> steps;          ///< [ps]; empty: a default ladder per scheme
-  bool coarse = false;                ///< a ladder with fewer steps
+  std::vector<double> steps;  ///< [ps]; empty: a default ladder per scheme
+  bool coarse = false;        ///< a ladder with fewer steps
   StudyEnsemble ensemble = StudyEnsemble::nve;
   int runs = 10;                      ///< independent initial configurations per point
   double length = 15;                 ///< of each run [ps]

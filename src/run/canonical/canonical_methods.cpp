@@ -14,16 +14,15 @@
 namespace polhode {
 namespace {
 
-// Ladders of steps [fs] for water: those of one force evaluation, and those of two or three.
+// Ladders of steps [fs] for water: of schemes with one force evaluation, and of those with two or
+// three. Schemes with more use larger steps, at equal cost.
 std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
   std::vector<double> fs;
   if (method.scheme.cost() <= 1)
-    fs = coarse ? std::vector<double>{2, 4} : std::vector<double>{1.5, 3, 4.5, 6};
-  else if (method.hybrid)
-    fs = coarse ? std::vector<double>{4, 6} : std::vector<double>{3, 4, 5, 6};
+    fs = coarse ? std::vector<double>{2, 5} : std::vector<double>{2, 4, 6};
   else
-    fs = coarse ? std::vector<double>{4, 8} : std::vector<double>{3, 5, 7, 9};
-  const double stretch = std::max(1.0, method.scheme.cost() / 3);
+    fs = coarse ? std::vector<double>{4, 7} : std::vector<double>{4, 6, 8};
+  const double stretch = std::max(1.0, method.scheme.cost() / 4);
   for (double& h : fs) h *= stretch / units::fs_per_ps;
   return fs;
 }
