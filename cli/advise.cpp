@@ -52,7 +52,8 @@ int advise_canonical(const Options& o, const Config& config) {
     fmt::print("{}\n", hybrid_advice_json(advice));
   else
     print_hybrid_advice(advice);
-  return advice.finalists.empty() ? 1 : 0;
+  if (advice.finalists.empty()) throw RunError(answer(advice));
+  return 0;
 }
 
 int advise(const Options& o) {

@@ -33,7 +33,7 @@ void print_choices(const char* title, const std::vector<HybridChoice>& choices) 
 void print_hybrid_advice(const HybridAdvice& advice) {
   print_choices("pilot runs", advice.pilots);
   print_choices("\nindependent, longer runs of the best", advice.finalists);
-  fmt::print("\n{}\n", answer(advice));
+  if (!advice.finalists.empty()) fmt::print("\n{}\n", answer(advice));
 }
 
 }  // namespace polhode::cli

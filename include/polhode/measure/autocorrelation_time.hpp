@@ -18,7 +18,7 @@ struct AutocorrelationTime {
 
 /// From the autocovariance of the series about its own mean, summed over a window that balances
 /// the error of the sum and what lies beyond, and corrected for the variance of that mean
-/// [wolff2004, Eqs. 31, 49 and 50-52 with S = 1.5].
+/// [wolff2004, Eqs. 49, 51 and 52 with S = 1.5].
 /// @return  nothing with fewer than 10 samples, for a constant series, or where the series is
 ///          shorter than four windows or 10 τ
 std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> series);

@@ -38,6 +38,13 @@ CanonicalMethod method_of(const std::string& text) {
           .hybrid = hybrid};
 }
 
+/// Whether the schemes are those that a study of energy conservation has unless it names others, by
+/// itself or in the default run file.
+bool of_energy_study(const std::vector<std::string>& schemes) {
+  return schemes == StudySettings{}.schemes ||
+         schemes == std::vector<std::string>{"velocity-verlet", "hoa2", "gier4-fd"};
+}
+
 bool same(const CanonicalMethod& one, const CanonicalMethod& other) {
   return one.name == other.name && std::abs(one.step - other.step) < 1e-12;
 }
@@ -50,9 +57,9 @@ std::vector<std::string> canonical_schemes() {
 }
 
 std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings) {
-  const bool own = settings.schemes != StudySettings{}.schemes;
   std::vector<CanonicalMethod> methods;
-  for (const std::string& text : own ? settings.schemes : canonical_schemes()) {
+  for (const std::string& text :
+       of_energy_study(settings.schemes) ? canonical_schemes() : settings.schemes) {
     CanonicalMethod method = method_of(text);
     for (const double h :
          settings.steps.empty() ? default_steps(method, settings.coarse) : settings.steps) {
