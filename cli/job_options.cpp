@@ -25,13 +25,15 @@ void JobOptions::declare_precision(Command& command) {
 void JobOptions::declare_initial_motion(Command& command) {
   command.add_option(
       "--temperature", temperature,
-      "for drawing velocities, and for equilibration: \"298 K\"; default: the run file's");
+      "of thermostats, of new velocities and of the equilibration: \"298 K\"; default: the run "
+      "file's");
   command.add_option("--seed", seed,
                      "a whole number, for lattice and velocities; default: the run file's");
 }
 
-Config JobOptions::config() const {
+Config JobOptions::config(const std::function<void(Config&)>& more) const {
   Config config = read_config_option(file, precision);
+  if (more) more(config);
   set_initial_motion(config, temperature, seed);
   return config;
 }

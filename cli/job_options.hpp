@@ -2,6 +2,7 @@
 // The options that all jobs on a run file have.
 #pragma once
 
+#include <functional>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -24,8 +25,9 @@ struct JobOptions {
   void declare_initial_motion(Command& command);
 
   /// The run file, or the default one, with this precision, temperature and seed.
+  /// @param more  applies the verb's own options, before temperature and seed
   /// @throws Error  as read_config_option() and set_initial_motion()
-  Config config() const;
+  Config config(const std::function<void(Config&)>& more = {}) const;
 
   /// The command as it could be typed: the file, and those of these options that are given. Only
   /// options that affect the results should be among them.

@@ -33,7 +33,9 @@ Action new_verb(Command& command) {
     std::string kind, file;
   };
   auto o = std::make_shared<Options>();
-  command.add_option("KIND", o->kind, "water, mixture, gromacs (topology) or lammps (data file)")
+  command
+      .add_option("KIND", o->kind,
+                  "water, nvt, npt, mixture, gromacs (topology) or lammps (data file)")
       .required();
   command.add_option("FILE", o->file, "file to write; default: KIND.toml");
   return [o] {

@@ -83,8 +83,11 @@ void set_initial_motion(Config& config, const std::string& temperature, const st
   if (!temperature.empty()) {
     config.system.temperature = quantity(temperature, Dimension::temperature, "--temperature");
     config.system.temperature_given = true;
-    if (!(config.system.temperature > 0))
+    if (!(config.system.temperature >= 0))
       throw Error(fmt::format("--temperature = \"{}\" must be above 0 K", temperature));
+    if (const std::string wrong = wrong_temperature(config); !wrong.empty())
+      throw Error(fmt::format("--temperature = \"{}\" {}", temperature, wrong));
+    config.ensemble.temperature = config.system.temperature;
   }
   if (seed.empty()) return;
   config.system.seed_given = true;

@@ -65,7 +65,8 @@ Enum named_option(const std::string& text, const std::string& option) {
 Config read_config_option(const std::string& file, const std::string& precision = {});
 
 /// Applies --temperature and --seed, each unless it is empty.
-/// @throws Error  naming the option, if the temperature is not above 0 K, or the seed is not a
+/// @throws Error  naming the option, if the temperature is wrong_temperature(), or the seed is not
+/// a
 ///                whole number from 0
 void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed);
 

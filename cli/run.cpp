@@ -4,6 +4,7 @@
 #include <string>
 
 #include "console.hpp"
+#include "ensemble_options.hpp"
 #include "job_options.hpp"
 #include "option_values.hpp"
 #include "polhode/run/simulation/simulation.hpp"
@@ -15,12 +16,15 @@ namespace polhode::cli {
 namespace {
 
 struct Options : JobOptions {
+  EnsembleOptions ensemble;
   std::string scheme, step, length, equilibrate, output;
   bool resume = false, force = false;
 };
 
 Config make_config(const Options& o) {
-  Config config = o.config();
+  Config config = o.config([&](Config& read) {
+    for (const std::string& note : o.ensemble.apply(read)) log("{}\n", note);
+  });
   if (!o.scheme.empty()) {
     config.integrator.scheme = scheme_option(o.scheme, "--scheme", config.schemes);
     config.integrator.scheme_given = true;
@@ -36,9 +40,11 @@ Config make_config(const Options& o) {
 }
 
 int run(const Options& o) {
-  const OutputOptions output{existing_files(o.resume, o.force),
-                             o.command({"--scheme", "--step", "--length", "--equilibrate",
-                                        "--temperature", "--seed", "--output", "--precision"})};
+  const OutputOptions output{
+      existing_files(o.resume, o.force),
+      o.command({"--scheme", "--step", "--length", "--equilibrate", "--temperature", "--seed",
+                 "--output", "--precision", "--thermostat", "--friction", "--time-constant",
+                 "--barostat", "--pressure", "--hybrid-steps"})};
   Workers workers = o.workers();
   Simulation simulation(make_config(o), workers);
   try {
@@ -63,6 +69,7 @@ Action run_verb(Command& command) {
       "--equilibrate", o->equilibrate,
       "time of velocity rescaling before the run: \"5 ps\"; default: the run file's");
   o->declare_initial_motion(command);
+  o->ensemble.declare(command);
   command.add_option("--output", o->output, "prefix of the output files; default: the run file's");
   command.add_flag("--continue", o->resume,
                    "resume from the last checkpoint; start if there is none");

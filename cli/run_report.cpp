@@ -4,8 +4,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "ensemble_report.hpp"
+#include "estimate_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
@@ -16,30 +17,6 @@ namespace polhode::cli {
 namespace {
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
-
-std::string not_known(std::uint64_t samples) {
-  return fmt::format("not known from {} samples", samples);
-}
-
-/// Why an error is missing; empty if it is not.
-std::string missing_error(Known known, std::uint64_t samples) {
-  switch (known) {
-    case Known::yes:
-      return "";
-    case Known::too_few_samples:
-      return fmt::format(", its error is {}", not_known(samples));
-    case Known::too_short:
-      return ", the run is too short to estimate its error";
-  }
-  return "";
-}
-
-/// A value with its error, or why it has none; both in the same unit.
-std::string estimate_text(const Estimate& e, Known known, std::uint64_t samples, int digits,
-                          const char* unit) {
-  if (known == Known::yes) return fmt::format("{} {}", with_error(e.value, e.error), unit);
-  return fmt::format("{:.{}g} {}{}", e.value, digits, unit, missing_error(known, samples));
-}
 
 std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < min_samples_reported) return not_known(samples);
@@ -56,10 +33,11 @@ void print_ratio(const RunSummary& s) {
     fmt::print("not defined: the potential energy is constant\n");
   } else {
     fmt::print(
-        "{}   (rms of the total energy, {:.4g}, divided by that of the potential energy, {:.4g} "
+        "{}   (rms of the {} energy, {:.4g}, divided by that of the potential energy, {:.4g} "
         "kJ/mol)\n",
         estimate_text({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
-        s.total_fluctuation, s.potential_fluctuation);
+        s.ensemble.settings.constant_energy() ? "total" : "conserved", s.total_fluctuation,
+        s.potential_fluctuation);
     if (s.rounding > 0)
       fmt::print(
           "R of rounding         {:.2g} %, estimated{}\n", 100 * s.rounding,
@@ -72,7 +50,9 @@ void print_ratio(const RunSummary& s) {
 double percent(double x) { return 100 * x; }
 
 void print_drift(const RunSummary& s) {
-  fmt::print("energy drift          {}{}\n", drift_text(s.drift, s.samples),
+  fmt::print("energy drift          {}{}{}\n",
+             s.ensemble.settings.constant_energy() ? "" : "of the conserved energy: ",
+             drift_text(s.drift, s.samples),
              s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision");
   if (s.shadow)
     fmt::print("shadow energy drift   {}{}; rms fluctuation {:.3g} kJ/mol\n",
@@ -149,11 +129,11 @@ void print_guarantee(const GuaranteeCheck& k) {
         what);
 }
 
-void print_warnings(const std::vector<Warning>& warnings) {
-  if (warnings.empty()) return;
-  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
-  for (const Warning& w : warnings)
-    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
+/// ", asked for: 1 bar"; empty without a barostat.
+std::string pressure_asked(const EnsembleSettings& settings) {
+  return settings.barostat
+             ? fmt::format(", asked for: {:g} bar", in_bar(settings.barostat->pressure))
+             : "";
 }
 
 void print_text(const RunReport& r) {
@@ -162,16 +142,18 @@ void print_text(const RunReport& r) {
   fmt::print("{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
              s.molecules, s.steps, r.settings.step * units::fs_per_ps,
              name_of({r.settings.scheme, r.settings.inner}), s.length, s.sample * units::fs_per_ps);
+  print_ensemble(s.ensemble);
   print_ratio(s);
   print_drift(s);
   fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
   fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
   print_temperatures(s);
-  fmt::print("pressure              {} bar{}\n",
+  fmt::print("pressure              {} bar{}{}\n",
              s.pressure.known == Known::yes
                  ? with_error(in_bar(s.pressure.value), in_bar(s.pressure.error))
                  : fmt::format("{:.0f}", in_bar(s.pressure.value)),
-             missing_error(s.pressure.known, s.samples));
+             missing_error(s.pressure.known, s.samples), pressure_asked(s.ensemble.settings));
+  print_ensemble_results(s);
   fmt::print("total momentum        {:.2g} u nm/ps\n", s.momentum);
   print_evaluations(s, nested);
   print_speed(s, nested, r.execution);
@@ -202,6 +184,13 @@ std::string checkpoint_of(const Simulation& simulation) {
 }
 
 }  // namespace
+
+void print_warnings(const std::vector<Warning>& warnings) {
+  if (warnings.empty()) return;
+  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
+  for (const Warning& w : warnings)
+    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
+}
 
 int print_run(const RunResult& result, const Simulation& simulation, bool json) {
   note_end(result, checkpoint_of(simulation));

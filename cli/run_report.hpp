@@ -13,4 +13,7 @@ int print_run(const RunResult& result, const Simulation& simulation, bool json);
 /// Prints to standard error from where a run that ended with an error can be resumed, if it can.
 void note_resumable(const Simulation& simulation);
 
+/// What is probably wrong, each with its remedy; nothing without warnings.
+void print_warnings(const std::vector<Warning>& warnings);
+
 }  // namespace polhode::cli

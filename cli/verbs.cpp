@@ -9,6 +9,8 @@ const std::vector<VerbGroup>& verb_groups() {
   static const std::vector<VerbGroup> groups = {
       {"simulate",
        {{"new", "write a commented run file to start from", new_verb},
+        {"prepare", "an equilibrated start: minimise, NVT, NPT", prepare_verb},
+        {"minimise", "minimise the energy of an initial configuration", minimise_verb},
         {"run", "simulate: a trajectory with its energies and summary", run_verb},
         {"energy", "energies of an initial configuration; forces and torques, too", energy_verb},
         {"analyze", "structure and dynamics from a trajectory: g(r), diffusion, relaxation",

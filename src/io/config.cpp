@@ -36,6 +36,7 @@ Config parse_config(std::string_view text, const std::string& file) {
   auto schemes = table.table("schemes");
   auto integrator = table.table("integrator");
   auto run = table.table("run");
+  auto prepare = table.table("prepare");
   auto output = table.table("output");
   auto study = table.table("study");
   auto thermostat = table.table("thermostat");
@@ -62,6 +63,7 @@ Config parse_config(std::string_view text, const std::string& file) {
   if (schemes) config.schemes = read_schemes(*schemes);
   if (integrator) read_integrator(*integrator, config.integrator, config.schemes);
   if (run) read_run(*run, config.run);
+  if (prepare) read_preparation(*prepare, config.prepare);
   if (output) read_output(*output, config.output);
   if (study) read_study(*study, config.study, config.schemes);
   EnsembleSettings& ensemble = config.ensemble;
@@ -69,8 +71,23 @@ Config parse_config(std::string_view text, const std::string& file) {
   if (thermostat) ensemble.thermostat = read_thermostat(*thermostat);
   if (barostat) ensemble.barostat = read_barostat(*barostat);
   if (hybrid) ensemble.hybrid_monte_carlo = read_hybrid_monte_carlo(*hybrid);
+  if (const std::string wrong = wrong_temperature(config); !wrong.empty())
+    system->refuse("temperature", wrong);
   set_precision(config, config.forces.precision);
   return config;
+}
+
+std::string wrong_temperature(const Config& config) {
+  const EnsembleSettings& ensemble = config.ensemble;
+  if (config.system.temperature > 0) return "";
+  if (ensemble.hybrid_monte_carlo || ensemble.barostat)
+    return fmt::format(
+        "must be above 0 K: at 0 K {} accepts only moves to lower energies, so it "
+        "samples nothing; to reach an energy minimum, leave it out and use a "
+        "[thermostat] at 0 K",
+        ensemble.hybrid_monte_carlo ? "hybrid Monte Carlo" : "a barostat");
+  if (ensemble.thermostat) return "";
+  return "must be above 0 K; 0 K has a meaning with a [thermostat] only, which then cools";
 }
 
 void set_precision(Config& config, Precision precision) {

@@ -15,8 +15,7 @@ constexpr double max_rate = 1e6;  // [1/ps]: momenta are drawn anew in every ste
 
 void take_rate(TomlTable& table, std::string_view key, double& rate) {
   take(rate, table.quantity(key, Dimension::rate));
-  table.require(rate >= 0 && rate <= max_rate, key,
-                "must be 0 1/ps or more, and at most 1e6 1/ps; 0.1 to 10 1/ps are usual");
+  if (const std::string wrong = wrong_friction(rate); !wrong.empty()) table.refuse(key, wrong);
 }
 
 void refuse_without(TomlTable& table, bool has_meaning, std::string_view key,
@@ -59,6 +58,12 @@ void take_edges(TomlTable& table, std::vector<CoupledEdges>& groups) {
 }
 
 }  // namespace
+
+std::string wrong_friction(double rate) {
+  return rate >= 0 && rate <= max_rate
+             ? ""
+             : "must be 0 1/ps or more, and at most 1e6 1/ps; 0.1 to 10 1/ps are usual";
+}
 
 ThermostatSettings read_thermostat(TomlTable table) {
   ThermostatSettings settings;
@@ -107,7 +112,7 @@ BarostatSettings read_barostat(TomlTable table) {
 
 HybridMonteCarloSettings read_hybrid_monte_carlo(TomlTable table) {
   HybridMonteCarloSettings settings;
-  constexpr std::int64_t max_steps = 1'000'000;
+  constexpr auto max_steps = static_cast<std::int64_t>(max_hybrid_steps);
   const auto steps = table.integer("steps").value_or(static_cast<std::int64_t>(settings.steps));
   table.require(steps >= 1 && steps <= max_steps, "steps",
                 "must be from 1 to 1000000, the steps between two decisions; 5 to 50 are usual");

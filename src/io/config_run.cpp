@@ -77,6 +77,7 @@ void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnS
 }
 
 void read_run(TomlTable table, RunSettings& run) {
+  take(run.minimise, table.boolean("minimise"));
   take_time(table, "equilibrate", run.equilibrate, "5 ps");
   table.require(run.equilibrate >= 0 && run.equilibrate <= max_equilibration, "equilibrate",
                 must_be_time);
@@ -88,6 +89,16 @@ void read_run(TomlTable table, RunSettings& run) {
   table.require(run.shadow_sample.value_or(0) >= 0, "shadow_sample",
                 "must be 0 fs or longer; 0 fs means no shadow energy");
   take_configurational_sample(table, run.configurational_sample);
+  table.refuse_unknown();
+}
+
+void read_preparation(TomlTable table, PreparationSettings& preparation) {
+  const auto take_length = [&](std::string_view key, double& length, const char* example) {
+    take_time(table, key, length, example);
+    table.require(length >= 0 && length <= max_equilibration, key, must_be_time);
+  };
+  take_length("nvt", preparation.nvt, "20 ps");
+  take_length("npt", preparation.npt, "100 ps");
   table.refuse_unknown();
 }
 

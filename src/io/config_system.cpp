@@ -77,10 +77,6 @@ void read_extent(TomlTable& table, SystemSettings& system) {
     table.refuse(
         system.box ? "box" : "density",
         "cannot be combined with an initial configuration, which has its own box; leave one out");
-  if (!start && !system.density && !system.box)
-    table.refuse("",
-                 "there is no density, box or initial configuration; write for example density = "
-                 "\"1 g/cm3\"");
 }
 
 void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
@@ -184,7 +180,7 @@ void read_system(TomlTable table, const path& folder, SystemSettings& system) {
   system.temperature_given = table.has("temperature");
   system.seed_given = table.has("seed");
   take(system.temperature, table.quantity("temperature", Dimension::temperature));
-  table.require(system.temperature > 0, "temperature", "must be above 0 K");
+  table.require(system.temperature >= 0, "temperature", "must be above 0 K");
   const auto seed = table.integer("seed");
   table.require(seed.value_or(0) >= 0, "seed", "must be 0 or more");
   read_velocities(table, system);

@@ -26,6 +26,7 @@ OwnSchemes read_schemes(TomlTable table);
 
 void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own);
 void read_run(TomlTable table, RunSettings& run);
+void read_preparation(TomlTable table, PreparationSettings& preparation);
 void read_output(TomlTable table, OutputSettings& output);
 ThermostatSettings read_thermostat(TomlTable table);
 BarostatSettings read_barostat(TomlTable table);

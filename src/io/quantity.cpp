@@ -44,6 +44,9 @@ constexpr std::array all_units = {
     Unit{"kJ/mol", Dimension::energy, 1},    Unit{"kcal/mol", Dimension::energy, 4.184},
     Unit{"K", Dimension::energy, units::boltzmann},
     Unit{"eV", Dimension::energy, electronvolt},
+    Unit{"kJ/mol/nm", Dimension::force, 1},  Unit{"kJ/mol/A", Dimension::force, 10},
+    Unit{"kcal/mol/A", Dimension::force, 41.84},
+    Unit{"eV/A", Dimension::force, 10 * electronvolt},
     Unit{"g/cm3", Dimension::density, units::gram_per_cm3},
     Unit{"g/cm^3", Dimension::density, units::gram_per_cm3},
     Unit{"g/cm³", Dimension::density, units::gram_per_cm3},
@@ -97,6 +100,8 @@ Words words(Dimension dimension) {
       return {"a", "temperature", "297 K"};
     case Dimension::energy:
       return {"an", "energy", "0.65 kJ/mol"};
+    case Dimension::force:
+      return {"a", "force", "10 kJ/mol/nm"};
     case Dimension::density:
       return {"a", "density", "1 g/cm3"};
     case Dimension::dipole:

@@ -9,7 +9,7 @@ namespace polhode {
 namespace {
 
 /// What is summed: conserved, potential and total energy and volume relative to the first sample,
-/// and squares.
+/// squares, and the first volume divided by the volume.
 enum Column : std::size_t {
   time,
   conserved_,
@@ -23,7 +23,8 @@ enum Column : std::size_t {
   rotation_3,
   energy,
   volume_,
-  volume_square
+  volume_square,
+  inverse_volume_
 };
 
 double variance(std::span<const double> mean, Column value, Column square) {
@@ -49,7 +50,8 @@ void EnergyStatistics::add(const Energies& now) {
   const double V = now.volume - first.volume;
   blocks.add(std::array{now.time - first.time, e, v, e * e, v * v, now.pressure, now.translation,
                         now.rotation[0], now.rotation[1], now.rotation[2],
-                        now.total() - first.total(), V, V * V});
+                        now.total() - first.total(), V, V * V,
+                        now.volume > 0 ? first.volume / now.volume : 1});
 }
 
 double EnergyStatistics::total() const {
@@ -106,10 +108,18 @@ SeriesEstimate EnergyStatistics::volume() const {
   return estimate;
 }
 
-SeriesEstimate EnergyStatistics::volume_variance() const {
+SeriesEstimate EnergyStatistics::inverse_volume() const {
   return series_estimate(blocks.means(),
-                         [](auto mean) { return variance(mean, volume_, volume_square); });
+                         [V = first.volume](auto mean) { return mean[inverse_volume_] / V; });
 }
+
+SeriesEstimate EnergyStatistics::relative_volume_variance() const {
+  return series_estimate(blocks.means(), [V = first.volume](auto mean) {
+    return variance(mean, volume_, volume_square) / (V + mean[volume_]);
+  });
+}
+
+Drift EnergyStatistics::volume_drift() const { return series_drift(blocks.means(), time, volume_); }
 
 Drift EnergyStatistics::drift(std::span<const WalkStrength> walks) const {
   return series_drift(blocks.means(), time, conserved_, walks);

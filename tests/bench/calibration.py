@@ -78,7 +78,8 @@ class Whole(unittest.TestCase):
             self.done(folder, FOLDER / "analyze.py", "--polhode", built_program.PROGRAM, "--systems", "argon", "--runs", 1, "--length", 6,
                       "--pieces", 3, "--window", 0.4, "--output", "result")
             rows = json.loads((Path(folder) / "result.json").read_text(encoding="utf-8"))["results"]
-        self.assertLessEqual({"T [K]", "peak of g Ar-Ar: position [nm]", "D, displacements [1e-9 m2/s]"}, {r["quantity"] for r in rows})
+        # D does not converge in pieces of 2 ps, so they have none
+        self.assertLessEqual({"T [K]", "peak of g Ar-Ar: position [nm]", "peak of g Ar-Ar: height"}, {r["quantity"] for r in rows})
         self.assertEqual({r["pieces"] for r in rows}, {2})
 
 

@@ -64,7 +64,7 @@ Atoms # full
 5 2 2 0.4238 10 5 5
 6 2 2 0.4238 8.66667 5.94281 5
 """
-KINDS = ("water", "mixture", "gromacs", "lammps")
+KINDS = ("water", "nvt", "npt", "mixture", "gromacs", "lammps")
 
 
 class FirstSteps(Sandbox):
@@ -110,7 +110,7 @@ class FirstSteps(Sandbox):
 
     def test_new_run_files_run(self):
         """A few steps; those of other programs end at the file that they name."""
-        for kind in ("water", "mixture"):
+        for kind in ("water", "nvt", "npt", "mixture"):
             self.text("new", kind)
             run = json.loads(self.text("run", f"{kind}.toml", "--equilibrate", "8 fs", "--length", "16 fs", "--json"))
             self.assertEqual(run["steps"], 4)

@@ -107,7 +107,7 @@ CASES = [
     ("a text without quotes", system(('"2 fs"\n\n', "2 fs\n\n")), RUN, ["not TOML", 'step = "2 fs"', "run.toml:11"]),
     # physics
     ("a cutoff above half the box", system(('"1.0 nm"', '"1.4 nm"')), RUN, ["1.400 nm", "1.250 nm", "forces.cutoff"]),
-    ("more molecules than the box holds", system(("count = 27", "count = 40000")), RUN, ["overlap", "lower density"]),
+    ("more molecules than the box holds", system(("count = 27", "count = 40000")), RUN, ["overlap", "minimise = true", "polhode minimise", "lower density"]),
     ("a density beside a box", system(('"2.5 nm"\n', '"2.5 nm"\ndensity = "1 g/cm3"\n')), RUN, ["leave one out", "system.density"]),
     # files
     ("a triclinic box", system(('box = "2.5 nm"', 'initial_configuration = "start.gro"'), ("count = 27", "count = 2")), RUN,
@@ -126,6 +126,55 @@ CASES = [
     ("two schemes of the same name in a study",
      system(('["velocity-verlet"]', '["mine: B(1/2) A(1) B(1/2)", "mine: A(1/2) B(1) A(1/2)"]')),
      ("study", "run.toml"), ["two schemes with the name 'mine'"]),
+]
+
+
+def ensemble(*lines):
+    """The small run file with tables of an ensemble at its end."""
+    return SMALL + "\n" + "\n".join(lines) + "\n"
+
+
+LANGEVIN = ("[thermostat]",)
+RESCALING = ("[thermostat]", 'type = "rescaling"')
+BAROSTAT = ("[barostat]", 'pressure = "1 bar"')
+HYBRID = ("[hybrid_monte_carlo]",)
+
+CASES += [
+    # temperature and pressure
+    ("a barostat without a pressure", ensemble(*LANGEVIN, "[barostat]"), RUN, ["no pressure to keep", 'pressure = "1 bar"', "barostat"]),
+    ("a barostat without a thermostat", ensemble(*BAROSTAT), RUN, ["a barostat", "needs a thermostat", "[thermostat]", "run.toml"]),
+    ("a pressure without a unit", ensemble(*LANGEVIN, "[barostat]", "pressure = 1"), RUN, ["pressure = 1", "no unit", '"1 bar"']),
+    ("a time constant below the step", ensemble(*RESCALING, 'time_constant = "1 fs"'), RUN,
+     ["time_constant of 1 fs", "step of 2 fs", "100 to 1000 fs", "run.toml"]),
+    ("a time constant of a barostat below its interval", ensemble(*LANGEVIN, *BAROSTAT, 'time_constant = "10 fs"'), RUN,
+     ["time_constant of 10 fs", "interval of its moves, 100 fs", "run.toml"]),
+    ("a time constant of a Langevin thermostat", ensemble(*LANGEVIN, 'time_constant = "1 ps"'), RUN,
+     ['type = "rescaling" only', "leave it out", "thermostat.time_constant"]),
+    ("a negative friction", ensemble(*LANGEVIN, 'friction = "-1 1/ps"'), RUN, ["-1 1/ps", "0 1/ps or more", "thermostat.friction"]),
+    ("an unphysical compressibility", ensemble(*LANGEVIN, *BAROSTAT, 'compressibility = "1e-12 1/bar"'), RUN,
+     ["1e-12 1/bar", "1e-7 1/bar", "water 4.5e-5", "barostat.compressibility"]),
+    ("a thermostat of another program", ensemble("[thermostat]", 'type = "nose-hoover"'), RUN, ['type = "nose-hoover"', "langevin", "rescaling", "thermostat.type"]),
+    ("hybrid Monte Carlo with a thermostat", ensemble(*LANGEVIN, *HYBRID), RUN,
+     ["keeps the temperature itself", "leave the thermostat out", "run.toml"]),
+    ("hybrid Monte Carlo with finite differences", ensemble(*HYBRID), (*RUN, "--scheme", "gier4-fd"),
+     ["volume in phase space", '"gier4"', "finite difference"]),
+    ("stages of a bath without a thermostat", scheme("B(1/2) A(1/2) O(1) A(1/2) B(1/2)"), RUN, ["needs a thermostat", "O(...)", "run.toml"]),
+    ("a scheme with a bath without a thermostat", SMALL, (*RUN, "--scheme", "baoab"), ["needs a thermostat", "[thermostat]", "O(...)"]),
+    ("0 K at constant energy", system(('"100 K"', '"0 K"')), RUN, ["above 0 K", "which then cools", "system.temperature"]),
+    ("hybrid Monte Carlo at 0 K", ensemble(*HYBRID).replace('"100 K"', '"0 K"'), RUN, ["above 0 K", "samples nothing", "system.temperature"]),
+    ("0 K of a barostat on the command line", ensemble(*LANGEVIN, *BAROSTAT), (*RUN, "--temperature", "0 K"), ["--temperature", "above 0 K", "barostat"]),
+    ("a shadow energy with a thermostat", ensemble(*LANGEVIN).replace("[run]", '[run]\nshadow_sample = "100 fs"'), RUN,
+     ["shadow_sample", "exchanges energy", "leave it out", "run.toml"]),
+    ("an edge in two groups", ensemble(*LANGEVIN, *BAROSTAT, 'edges = ["xy", "yz"]'), RUN, ["edge in two groups", "barostat.edges"]),
+    ("a barostat without a pressure on the command line", SMALL, (*RUN, "--barostat", "monte-carlo"),
+     ["--barostat monte-carlo", "no pressure", '--pressure "1 bar"']),
+    ("a pressure without a barostat", SMALL, (*RUN, "--barostat", "none", "--pressure", "1 bar"), ["contradicts", "give one of them"]),
+    ("a friction without a thermostat", SMALL, (*RUN, "--friction", "1 1/ps"), ["--friction", "has none", "--thermostat langevin"]),
+    ("a friction of a rescaling thermostat", SMALL, (*RUN, "--thermostat", "rescaling", "--friction", "1 1/ps"),
+     ["--friction", "rescaling", "--thermostat langevin"]),
+    ("a friction in ps", SMALL, (*RUN, "--thermostat", "langevin", "--friction", "1 ps"), ["--friction", "1 ps", "is a time"]),
+    ("a thermostat with a typing error", SMALL, (*RUN, "--thermostat", "langvin"), ["--thermostat", "did you mean 'langevin'"]),
+    ("half a step of hybrid Monte Carlo", SMALL, (*RUN, "--hybrid-steps", "2.5"), ["--hybrid-steps", "2.5", "whole number"]),
 ]
 
 

@@ -138,3 +138,24 @@ TEST_CASE("a move scales centres of mass, keeps attitudes, and returns to the bi
     CHECK(barostat.memory().accepted == 1);
   }
 }
+
+TEST_CASE("a barostat has other random numbers for each seed and step") {
+  const scenes::Scene scene = scenes::lattice({{"tip4p", 8}}, 0.4, 3, 5);
+  for (const BarostatKind kind : {BarostatKind::cell_rescaling, BarostatKind::monte_carlo}) {
+    const auto volumes = [&](std::uint64_t seed, std::uint64_t first) {
+      Barostat barostat({.kind = kind, .pressure = pressure, .compressibility = 1e-3}, kelvin,
+                        scene.bodies, seed);
+      State state = scene.state;
+      Load load(state.size());
+      std::vector<double> all;
+      for (std::uint64_t step = first; step < first + 40; ++step) {
+        barostat.move(state, load, no_forces, step);
+        all.push_back(state.box.volume());
+      }
+      return all;
+    };
+    CHECK(volumes(3, 0) == volumes(3, 0));
+    CHECK(volumes(3, 0) != volumes(4, 0));
+    CHECK(volumes(3, 0) != volumes(3, 1ull << 33));
+  }
+}

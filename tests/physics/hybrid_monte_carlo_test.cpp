@@ -5,11 +5,14 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
+#include "polhode/ensemble/random_streams.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/math/random.hpp"
 #include "scenes.hpp"
 #include "unit/errors.hpp"
 
@@ -121,6 +124,41 @@ TEST_CASE("a rejected trajectory returns to its begin, with opposite momenta") {
     CHECK(state.q[i] == begin.q[i]);
     CHECK(state.p[i] == -1.0 * begin.p[i]);
     CHECK(state.ell[i] == -1.0 * begin.ell[i]);
+  }
+}
+
+// With ΔH = kT ln 2, half of the trajectories are accepted: two seeds decide alike on 60 of them by
+// chance in 1 of 10¹⁸ tests.
+TEST_CASE("hybrid Monte Carlo has other random numbers for each seed and step") {
+  const scenes::Scene scene = scenes::lattice({{"tip4p", 4}}, 0.4, 3, 1);
+  struct Drawn {
+    std::vector<bool> decisions;
+    std::vector<double> momenta;
+    bool operator==(const Drawn&) const = default;
+  };
+  const auto drawn = [&](std::uint64_t seed, std::uint64_t first) {
+    HybridMonteCarlo hybrid({}, kelvin, scene.bodies, seed);
+    Drawn all;
+    for (std::uint64_t step = first; step < first + 60; ++step) {
+      State state = scene.state;
+      Load begin(4), end(4);
+      end.coulomb = kT * std::log(2.0);
+      hybrid.begin(state, begin, step);
+      all.momenta.push_back(state.p[1].x);
+      all.decisions.push_back(hybrid.end(state, end, step));
+    }
+    return all;
+  };
+  const Drawn one = drawn(3, 0);
+  CHECK(drawn(3, 0) == one);
+  std::vector<bool> by_momenta;  // what decisions with a number of a draw of momenta would be
+  for (std::uint64_t step = 0; step < 60; ++step)
+    by_momenta.push_back(Random(3, stream_of(RandomUse::hybrid_momenta, {step, 0})).uniform() <
+                         0.5);
+  CHECK(one.decisions != by_momenta);
+  for (const Drawn& other : {drawn(4, 0), drawn(3, 1ull << 33)}) {
+    CHECK(other.decisions != one.decisions);
+    for (std::size_t n = 0; n < 60; ++n) CHECK(other.momenta[n] != one.momenta[n]);
   }
 }
 

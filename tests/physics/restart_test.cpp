@@ -5,9 +5,12 @@
 #include <bit>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <random>
+#include <vector>
 
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/integrate/with_bath.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/run/simulation/checkpoint.hpp"
 #include "scenes.hpp"
@@ -55,7 +58,15 @@ Bits bits(const State& state, const Trajectory& t) {
                          s.stretches.sums[0], s.stretches.sums[1], s.stretches.sums[2],
                          s.stretches.sums[3], s.stretches.mean, s.stretches.squares})
     add(all, x);
-  for (const TimeBlocks* blocks : {&s.energies.blocks, &s.shadow.blocks, &s.configurational.blocks})
+  const auto& [heat, barostat, hybrid] = t.ensemble;
+  for (const double x : {state.box.edge.x, state.box.edge.y, state.box.edge.z, heat, barostat.work,
+                         barostat.volume, hybrid.work})
+    add(all, x);
+  for (const std::uint64_t n :
+       {barostat.moves, barostat.accepted, hybrid.trajectories, hybrid.accepted})
+    all.push_back(n);
+  for (const TimeBlocks* blocks :
+       {&s.energies.blocks, &s.shadow.blocks, &s.configurational.blocks, &hybrid.weights})
     add(all, *blocks);
   return all;
 }
@@ -96,6 +107,47 @@ TrajectorySettings settings_of(const char* name, Precision precision) {
           .configurational_sample = 6 * step,
           .seed = 4,
           .stretch = 9 * step};
+}
+
+struct EnsembleCase {
+  const char* scheme;
+  EnsembleSettings ensemble;
+};
+
+// Each thermostat and hybrid Monte Carlo, without a barostat and with each.
+std::vector<EnsembleCase> ensemble_cases() {
+  std::vector<EnsembleCase> cases;
+  const BarostatSettings rescaling{.compressibility = 7e-4, .every = 0.006},
+      coupled{.compressibility = 7e-4,
+              .every = 0.006,
+              .edges = {{true, true, false}, {false, false, true}}},
+      moves{.kind = BarostatKind::monte_carlo, .compressibility = 1e-5, .every = 0.01};
+  for (const std::optional<BarostatSettings>& barostat :
+       {std::optional<BarostatSettings>{}, std::optional{rescaling}, std::optional{coupled},
+        std::optional{moves}}) {
+    const auto add = [&](const char* scheme, std::optional<ThermostatSettings> thermostat,
+                         std::optional<HybridMonteCarloSettings> hybrid) {
+      cases.push_back({scheme, {300, thermostat, barostat, hybrid}});
+    };
+    add("hoa2-ends", ThermostatSettings{.friction = 5, .rotational_friction = 20}, {});
+    add("baoab", ThermostatSettings{.friction = 5, .rotational_friction = 20}, {});
+    add("gier4-middle", ThermostatSettings{.kind = ThermostatKind::rescaling}, {});
+    add("hoa2-ends", ThermostatSettings{.kind = ThermostatKind::separate_rescaling}, {});
+    add("hoa2", {}, HybridMonteCarloSettings{.steps = 4});
+    add("position-verlet", {}, HybridMonteCarloSettings{.steps = 4, .refresh = 0.3});
+  }
+  return cases;
+}
+
+// 24 steps; samples and moves of the box are not at the same steps.
+TrajectorySettings settings_of(const EnsembleCase& of) {
+  const double step = 0.002;
+  return {.scheme = scheme_of(of.scheme),
+          .step = step,
+          .length = 24 * step,
+          .sample = 4 * step,
+          .seed = 4,
+          .ensemble = of.ensemble};
 }
 
 }  // namespace
@@ -229,5 +281,64 @@ TEST_CASE("a suspended equilibration is resumed bit for bit") {
     const RunState from = stored(left);
     System second = mixture(Electrostatics::reaction_field, Precision::double_precision);
     CHECK((prepared(second, &from, {}) == expected));
+  }
+}
+
+TEST_CASE("thermostats, barostats and hybrid Monte Carlo resume bit for bit, for 1 and 3 threads") {
+  std::mt19937_64 random(7);
+  for (const EnsembleCase& of : ensemble_cases()) {
+    CAPTURE(std::string(of.scheme));
+    CAPTURE(of.ensemble.barostat.has_value());
+    const TrajectorySettings settings = settings_of(of);
+    const bool mesh = of.ensemble.barostat && of.ensemble.barostat->edges.size() == 2;
+    const auto system_of = [mesh] {
+      return mesh ? mixture(Electrostatics::pme, Precision::mixed)
+                  : mixture(Electrostatics::reaction_field, Precision::double_precision);
+    };
+    std::vector<RunState> kept;
+    System whole = system_of();
+    ForceField forces(whole.topology, whole.forces, whole.state.box);
+    Watch watch;
+    watch.due = [] { return true; };
+    watch.checkpoint = [&](RunState at) { kept.push_back(std::move(at)); };
+    const Trajectory t = run_trajectory(whole, forces, settings, watch);
+    REQUIRE(t.failure.empty());
+    CHECK(t.ensemble.exchanged() != 0);
+    CHECK((t.ensemble.barostat.accepted > 0) == of.ensemble.barostat.has_value());
+    const Bits expected = bits(whole.state, t);
+
+    // Hybrid Monte Carlo has checkpoints between trajectories only.
+    REQUIRE(kept.size() == (of.ensemble.hybrid_monte_carlo ? 7 : 25));
+    for (std::size_t k = 0; k < kept.size(); k += 1 + random() % 6) {
+      const RunState from = stored(kept[k]);
+      const int threads = k % 2 == 0 ? 3 : 1;
+      CAPTURE(from.steps);
+      CAPTURE(threads);
+      Workers workers(threads);
+      System system = system_of();
+      ForceField again(system.topology, system.forces, system.state.box, workers);
+      const Trajectory rest = run_trajectory(system, again, settings, {}, workers, &from);
+      CHECK((bits(system.state, rest) == expected));
+    }
+  }
+}
+
+// The bath at the ends leaves the stages between as they are.
+TEST_CASE("a thermostat without friction is constant energy, bit for bit") {
+  for (const char* name : {"velocity-verlet", "hoa2", "gier4"}) {
+    CAPTURE(std::string(name));
+    TrajectorySettings settings = settings_of({name, {}});
+    const auto run = [&] {
+      System system = mixture(Electrostatics::reaction_field, Precision::double_precision);
+      ForceField forces(system.topology, system.forces, system.state.box);
+      const Trajectory t = run_trajectory(system, forces, settings);
+      return bits(system.state, t);
+    };
+    const Bits constant_energy = run();
+    settings.scheme = with_bath(settings.scheme, BathPlace::ends);
+    settings.ensemble = {300, ThermostatSettings{.friction = 0, .rotational_friction = 0}, {}, {}};
+    CHECK((run() == constant_energy));
+    settings.ensemble.thermostat->rotational_friction = 1e-9;
+    CHECK((run() != constant_energy));
   }
 }

@@ -2,6 +2,7 @@
 // Exact laws of thermostats: variances, decay, and the distribution of kinetic energies.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -30,8 +31,6 @@ scenes::Scene tops(std::size_t each) {
   return scenes::lattice({{"tip4p", each}, {"benzene", each}, {"co2", each}, {"argon", each}}, 1,
                          100, 1);
 }
-
-void no_forces(const State&, Load&) {}
 
 // The standard normal deviates that a flow has added to one body, from momenta 0: three of
 // translation and one for each axis with inertia.
@@ -131,19 +130,43 @@ TEST_CASE("two flows O of half the time have the statistics of one, and noise of
   CHECK(std::abs(squares - n) < max_deviation * std::sqrt(2 * n));
 }
 
-TEST_CASE("the bath of a thermostat has other random numbers at each stage of each step") {
+TEST_CASE("the bath of a thermostat has other random numbers for each seed, step and stage") {
   const scenes::Scene scene = tops(20);
-  const auto drawn = [&](StageNumber at) {
-    State state = scene.state;
-    stop(state);
-    Thermostat(ThermostatSettings{}, kelvin, scene.topology, scene.bodies, 3)(state, 0.1, at);
-    return state.p[7].x;
-  };
-  const std::vector<double> all = {drawn({0, 0}), drawn({0, 4}), drawn({1, 0}),
-                                   drawn({1ull << 33, 0})};
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t k = 0; k < i; ++k) CHECK(all[i] != all[k]);
-  CHECK(drawn({1, 0}) == all[2]);
+  for (const ThermostatKind kind :
+       {ThermostatKind::langevin, ThermostatKind::rescaling, ThermostatKind::separate_rescaling}) {
+    CAPTURE(int(kind));
+    const auto drawn = [&](std::uint64_t seed, StageNumber at) {
+      State state = scene.state;
+      ThermostatSettings settings;
+      settings.kind = kind;
+      Thermostat(settings, kelvin, scene.topology, scene.bodies, seed)(state, 0.1, at);
+      return std::array{state.p[7].x, state.ell[7].x};  // by the rescaling apart, each its own
+    };
+    const std::vector all = {drawn(3, {0, 0}), drawn(3, {0, 4}),
+                             drawn(3, {1, 0}), drawn(3, {1ull << 33, 0}),
+                             drawn(4, {0, 0}), drawn(5ull << 33, {0, 0})};
+    for (std::size_t i = 0; i < all.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        for (std::size_t c = 0; c < 2; ++c) CHECK(all[i][c] != all[k][c]);
+    CHECK(drawn(3, {1, 0}) == all[2]);
+  }
+}
+
+// Where both have the same kinetic energy and degrees of freedom, the same random numbers would
+// give the same factor.
+TEST_CASE("rescaling apart has other random numbers for rotation than for translation") {
+  const scenes::Scene scene = scenes::lattice({{"tip4p", 20}}, 1, 100, 1);
+  State state = scene.state;
+  const Energies e = energies(state, scene.bodies, Load{});
+  const double K = e.translation + energy_of_centre(state, scene.bodies, TotalMomentum::free);
+  const double scale = std::sqrt(K / (e.kinetic() - e.translation));
+  for (std::size_t i = 0; i < state.size(); ++i) state.ell.set(i, scale * state.ell[i]);
+  const State before = state;
+  Thermostat({ThermostatKind::separate_rescaling, 0, 0, 0.1}, kelvin, scene.topology, scene.bodies,
+             3, Workers::serial(), TotalMomentum::free)(state, 0.1, {0, 0});
+  const double translation = state.p[0].x / before.p[0].x,
+               rotation = state.ell[0].x / before.ell[0].x;
+  CHECK(std::abs(translation - rotation) > 1e-6);
 }
 
 // 3 (N − 1) degrees of freedom: the mean of the sum of squares; its variance is twice that.

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <fmt/core.h>
 
+#include <array>
 #include <fstream>
 #include <map>
 #include <string>
@@ -10,11 +11,13 @@
 #include <vector>
 
 #include "polhode/io/config.hpp"
+#include "polhode/io/ensemble_text.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr auto page = POLHODE_TEST_DATA "/../../docs/manual/run-files.md";
+constexpr std::array pages = {POLHODE_TEST_DATA "/../../docs/manual/run-files.md",
+                              POLHODE_TEST_DATA "/../../docs/manual/ensembles.md"};
 
 struct Default {
   std::string table, key, value;
@@ -37,9 +40,8 @@ std::string toml_value(std::string cell) {
   return "[\"" + cell + "\"]";
 }
 
-std::vector<Default> defaults_of_manual() {
+void add_defaults(const char* page, std::vector<Default>& all) {
   std::ifstream in(page);
-  std::vector<Default> all;
   std::string line, table;
   while (std::getline(in, line)) {
     if (line.starts_with("## ")) table = line.starts_with("## [") ? line.substr(3) : "";
@@ -51,6 +53,11 @@ std::vector<Default> defaults_of_manual() {
     const std::string value = toml_value(cells[2]);
     if (!value.empty()) all.push_back({table, cells[0].substr(1, cells[0].size() - 2), value});
   }
+}
+
+std::vector<Default> defaults_of_manual() {
+  std::vector<Default> all;
+  for (const char* page : pages) add_defaults(page, all);
   return all;
 }
 
@@ -65,6 +72,9 @@ Config with(const Default& d) {
                                                    {"damping", "damped-shifted-force"},
                                                    {"dielectric", "reaction-field"}};
   text += d.table + "\n";
+  if (d.table == "[barostat]") text += "pressure = \"1 bar\"\n";
+  // Langevin has no time constant.
+  if (d.table == "[thermostat]" && d.key == "time_constant") text += "type = \"rescaling\"\n";
   if (const auto kind = user.find(d.key); kind != user.end())
     text += "electrostatics = \"" + kind->second + "\"\n";
   return parse_config(text + key, "manual");
@@ -91,6 +101,7 @@ std::string settings_text(const Config& c) {
                       o.massless_sites, o.velocities, o.plot, o.checkpoint_every);
   text += fmt::format("{} {} {} {} {}", joined(y.schemes), y.runs, y.length, y.decorrelate,
                       y.configurational_sample);
+  for (const auto& [key, value] : ensemble_texts(c.ensemble)) text += " " + key + " " + value;
   return text;
 }
 
@@ -99,7 +110,7 @@ std::string settings_text(const Config& c) {
 // A key with its default in the file leaves all settings as they are without it.
 TEST_CASE("defaults in the manual are those of the program") {
   const auto defaults = defaults_of_manual();
-  CHECK(defaults.size() == 33);
+  CHECK(defaults.size() == 44);
   for (const Default& d : defaults) {
     CAPTURE(d.table);
     CAPTURE(d.key);
@@ -107,6 +118,8 @@ TEST_CASE("defaults in the manual are those of the program") {
     const Default none{d.table, "", ""};
     const Config given = with(d);
     Config without = with(none);
+    if (d.key == "time_constant" && d.table == "[thermostat]")
+      without.ensemble.thermostat->kind = given.ensemble.thermostat->kind;
     if (d.key == "pme_accuracy" || d.key == "damping" || d.key == "dielectric") {
       without.forces.truncation = given.forces.truncation;
       without.forces.electrostatics = given.forces.electrostatics;

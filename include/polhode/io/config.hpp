@@ -58,6 +58,7 @@ struct IntegratorSettings {
 };
 
 struct RunSettings {
+  bool minimise = false;   ///< the energy of the initial configuration, before all else
   double equilibrate = 0;  ///< [ps], with velocity rescaling
   double length = 15;      ///< [ps]
   double sample = 0.004;   ///< interval between samples of the energies [ps]
@@ -65,6 +66,12 @@ struct RunSettings {
   /// one.
   std::optional<double> shadow_sample;
   double configurational_sample = 0;  ///< the same for configurational temperatures [ps]; 0: none
+};
+
+/// Lengths of the parts of a preparation.
+struct PreparationSettings {
+  double nvt = 20;   ///< at constant volume [ps]
+  double npt = 100;  ///< then at constant pressure, if there is one to keep [ps]
 };
 
 struct OutputSettings {
@@ -110,6 +117,7 @@ struct Config {
   ForceSettings forces;
   IntegratorSettings integrator;
   RunSettings run;
+  PreparationSettings prepare;
   OutputSettings output;
   StudySettings study;
   OwnSchemes schemes;
@@ -128,6 +136,10 @@ std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
 /// What is wrong with a bound of R, or of a relative difference of temperatures [1]; empty if
 /// nothing.
 std::string wrong_bound(double bound);
+
+/// What is wrong with the temperature of a run; empty if nothing. 0 K has a meaning with a
+/// thermostat only.
+std::string wrong_temperature(const Config& config);
 
 /// In mixed precision: the default of lambda, and the smallest value accepted.
 inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;

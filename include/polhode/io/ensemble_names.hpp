@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <string>
 
 #include "polhode/base/enum_names.hpp"
 #include "polhode/model/ensemble_settings.hpp"
@@ -16,6 +18,12 @@ inline constexpr std::array<std::string_view, 3> enum_names<ThermostatKind> = {
 template <>
 inline constexpr std::array<std::string_view, 2> enum_names<BarostatKind> = {"cell-rescaling",
                                                                              "monte-carlo"};
+
+/// What is wrong with a friction [1/ps]; empty if nothing.
+std::string wrong_friction(double rate);
+
+/// Of one trajectory of hybrid Monte Carlo.
+inline constexpr std::size_t max_hybrid_steps = 1'000'000;
 
 /// That of liquid water [nm³ mol/kJ], and the range that is accepted.
 double default_compressibility();

@@ -17,6 +17,7 @@ enum class Dimension {
   mass,             ///< [u]
   charge,           ///< [e]
   temperature,      ///< [K]
+  force,            ///< [kJ/mol/nm]
   energy,           ///< [kJ/mol]; "K" means energy divided by Boltzmann's constant
   density,          ///< [u/nm³]
   dipole,           ///< [e nm]

@@ -7,9 +7,10 @@
 
 namespace polhode {
 
-/// The kinds: water and a mixture need no other file, the others name files of GROMACS or LAMMPS.
-inline constexpr std::array<std::string_view, 4> run_file_kinds = {"water", "gromacs", "lammps",
-                                                                   "mixture"};
+/// The kinds: water, at constant energy, temperature or pressure, and a mixture need no other file,
+/// the others name files of GROMACS or LAMMPS.
+inline constexpr std::array<std::string_view, 6> run_file_kinds = {"water",   "nvt",    "npt",
+                                                                   "gromacs", "lammps", "mixture"};
 
 /// The text of the run file of a kind.
 /// @throws Error  if there is no such kind

@@ -12,15 +12,21 @@
 
 namespace polhode {
 
+constexpr std::uint64_t full_product(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{a} * b;
+}
+constexpr std::uint32_t upper_half(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
+constexpr std::uint32_t lower_half(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
+
 /// Ten rounds of Philox: a bijection of 128-bit counters for every 64-bit key.
-constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
-                                              std::array<std::uint32_t, 2> key) {
+/// @tparam Word  of 32 bits, or a pack of them (WordPack)
+template <class Word = std::uint32_t>
+constexpr std::array<Word, 4> philox(std::array<Word, 4> counter,
+                                     std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < 10; ++round) {
-    const std::uint64_t a = std::uint64_t{0xD2511F53} * counter[0];
-    const std::uint64_t b = std::uint64_t{0xCD9E8D57} * counter[2];
-    const auto high = [](std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); };
-    const auto low = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
-    counter = {high(b) ^ counter[1] ^ key[0], low(b), high(a) ^ counter[3] ^ key[1], low(a)};
+    const auto a = full_product(counter[0], 0xD2511F53), b = full_product(counter[2], 0xCD9E8D57);
+    counter = {upper_half(b) ^ counter[1] ^ key[0], lower_half(b),
+               upper_half(a) ^ counter[3] ^ key[1], lower_half(a)};
     key = {key[0] + 0x9E3779B9, key[1] + 0xBB67AE85};  // golden ratio, √3 − 1
   }
   return counter;

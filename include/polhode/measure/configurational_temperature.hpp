@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Configurational temperatures, from the forces and their derivative only (docs/theory.md,
-// Eq. (36)).
+// Eq. (44)).
 #pragma once
 
 #include <array>

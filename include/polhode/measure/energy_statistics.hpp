@@ -42,8 +42,10 @@ struct EnergyStatistics {
   SeriesEstimate temperature(const DegreesOfFreedom& degrees_of_freedom) const;
   /// The mean pressure [kJ/mol/nm³] with its standard error.
   SeriesEstimate pressure() const;
-  SeriesEstimate volume() const;           ///< mean [nm³]
-  SeriesEstimate volume_variance() const;  ///< [nm⁶]
+  SeriesEstimate volume() const;                    ///< mean [nm³]
+  SeriesEstimate inverse_volume() const;            ///< mean of 1/V [1/nm³]
+  SeriesEstimate relative_volume_variance() const;  ///< variance of V over its mean [nm³]
+  Drift volume_drift() const;                       ///< slope of the volume [nm³/ps]
   /// The drift of the conserved energy [kJ/mol/ps].
   /// @param walks  variance per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shadow energy: what a second-order scheme conserves much better than the energy
-// (docs/theory.md, Eqs. (7) and (34)).
+// (docs/theory.md, Eqs. (7) and (42)).
 #pragma once
 
 #include <cstdint>

@@ -8,6 +8,7 @@
 #include "polhode/base/pack.hpp"
 #include "polhode/base/pack_column.hpp"
 #include "polhode/base/pack_math.hpp"
+#include "polhode/base/word_pack.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -21,21 +22,21 @@ namespace {
 constexpr std::size_t words = 8;  // of 32 bits per body: two blocks of Philox
 
 /// Uniform deviates in (0, 1) of the bodies of a pack: (w + 1/2)/2³² for each word w.
-struct Uniforms {
-  alignas(pack_bytes) double u[words][Real::width];
-
-  Uniforms(std::uint64_t seed, std::uint64_t stream, std::size_t first) {
-    for (std::size_t k = 0; k < Real::width; ++k)
-      for (std::size_t b = 0; b < 2; ++b) {
-        const std::uint64_t n = 2 * (first + k) + b;
-        const auto block = philox({word(n), word(n >> 32), word(stream), word(stream >> 32)},
-                                  {word(seed), word(seed >> 32)});
-        for (std::size_t w = 0; w < 4; ++w) u[4 * b + w][k] = (block[w] + 0.5) * 0x1p-32;
-      }
+std::array<Real, words> uniforms(std::uint64_t seed, std::uint64_t stream, std::size_t first) {
+  const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
+  std::array<Real, words> u;
+  for (std::size_t b = 0; b < 2; ++b) {
+    alignas(pack_bytes) std::uint64_t n[Real::width];
+    for (std::size_t k = 0; k < Real::width; ++k) n[k] = 2 * (first + k) + b;
+    const WordPack counter = WordPack::load(n);
+    const auto block =
+        philox<WordPack>({counter, upper_half(counter), word(stream), word(stream >> 32)},
+                         {word(seed), word(seed >> 32)});
+    for (std::size_t w = 0; w < 4; ++w)
+      u[4 * b + w] = (block[w].numbers() + Real(0.5)) * Real(0x1p-32);
   }
-  static constexpr std::uint32_t word(std::uint64_t x) { return static_cast<std::uint32_t>(x); }
-  Real operator[](std::size_t w) const { return Real::load(u[w]); }
-};
+  return u;
+}
 
 struct TwoNormals {
   Real first, second;
@@ -62,7 +63,7 @@ LangevinSums langevin(State& state, const Bodies& bodies, const LangevinTerms& t
   for (std::size_t i = first; i < end; i += Real::width) {
     const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes padding
     const auto without_padding = [&](Real term) { return select(here, term, Real(0)); };
-    const Uniforms u(terms.seed, terms.stream, i);
+    const std::array<Real, words> u = uniforms(terms.seed, terms.stream, i);
     const TwoNormals a = normals(u[0], u[4]), b = normals(u[1], u[5]), c = normals(u[2], u[6]);
 
     const Vec3<Real> p = load_pack<Real>(state.p, i);

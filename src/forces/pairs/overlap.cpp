@@ -175,9 +175,8 @@ void check_overlap(const Topology& topology, const State& state) {
   if (!found) return;
   throw Error(fmt::format(
       "molecules {} and {} overlap: two of their sites are {:.4f} nm apart, closer than {:.3f} nm, "
-      "half of a hydrogen bond; use a lower density or another initial configuration, or a "
-      "lattice "
-      "with an equilibration, which moves molecules apart: equilibrate = \"20 ps\" in [run]",
+      "half of a hydrogen bond; minimise the energy, which moves molecules apart: minimise = true "
+      "in [run], or 'polhode minimise'; or use a lower density, or another initial configuration",
       found->earlier.body + 1, found->later.body + 1, found->distance, closest_contact));
 }
 

@@ -192,6 +192,7 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
       "polhode {}: advice for {} molecules, {}, about {:g} s, instruction set {}, threads {}",
       made.version, system.topology.size(), config.source, settings.seconds, made.instruction_set,
       workers.threads()));
+  note_constant_energy(config, "the advice", callbacks);
   note_forces(system, callbacks);
   report.advice = advise(config, settings, callbacks, workers);
   if (!report.advice.stopped) write_advice(report, made, callbacks);

@@ -22,6 +22,7 @@
 #include "polhode/run/adviser/step_search.hpp"
 #include "polhode/run/progress_pace.hpp"
 #include "polhode/run/simulation/einstein_frequency.hpp"
+#include "polhode/run/simulation/relaxation.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 
@@ -137,6 +138,9 @@ class Adviser {
   /// The initial state of the run.
   bool prepare_base() {
     report("equilibrating");
+    if (config_.run.minimise)
+      minimise(
+          base_, {}, [this](std::size_t, const Steepness&) { return stop(); }, workers_);
     if (config_.run.equilibrate > 0) {
       ForceField forces(base_.topology, base_.forces, base_.state.box, workers_);
       if (!equilibrate(base_, forces, config_.run.equilibrate, {nullptr, callbacks_.stop},

@@ -12,6 +12,7 @@
 #include "polhode/io/table_file.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
 #include "polhode/run/adviser/adviser.hpp"
+#include "polhode/run/simulation/system_notes.hpp"
 
 namespace polhode {
 namespace {
@@ -36,6 +37,7 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
   AdviserSettings settings{{Quality::ratio, integrator.accuracy.value()}, integrator.candidates};
   if (integrator.scheme_given) settings.schemes = {integrator.scheme};
   callbacks.note(fmt::format("choosing a step for {}", description(settings.criterion)));
+  note_constant_energy(config, "the choice of the step", callbacks);
   Callbacks renamed = callbacks;
   if (callbacks.progress)
     renamed.progress = [&](Progress now) {

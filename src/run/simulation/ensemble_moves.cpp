@@ -20,11 +20,10 @@ BarostatSettings barostat_settings(const TrajectorySettings& settings) {
 
 void check_ensemble(const TrajectorySettings& settings) {
   const EnsembleSettings& e = settings.ensemble;
-  if (settings.scheme.has(Flow::bath) && !e.thermostat)
+  if (settings.scheme.has(Flow::bath) && !e.thermostat && !e.hybrid_monte_carlo)
     throw Error(
         "the scheme has a bath O, and a bath needs a thermostat; add a table [thermostat], or "
-        "leave "
-        "the stages O(...) out of the scheme");
+        "leave the stages O(...) out of the scheme");
   if (e.hybrid_monte_carlo) {
     if (e.thermostat)
       throw Error("hybrid Monte Carlo keeps the temperature itself; leave the thermostat out");
@@ -35,6 +34,12 @@ void check_ensemble(const TrajectorySettings& settings) {
     throw Error(
         "a barostat exchanges work with the bodies, so it needs a thermostat; add a table "
         "[thermostat], for example with type = \"rescaling\"");
+  if ((e.barostat || e.hybrid_monte_carlo) && !(e.temperature > 0))
+    throw Error(
+        fmt::format("the temperature of {:g} K must be above 0 K for a barostat or hybrid "
+                    "Monte Carlo, which accept moves by their energy in units of kT; use a "
+                    "higher temperature, or a thermostat alone",
+                    e.temperature));
   if (e.thermostat && e.thermostat->kind != ThermostatKind::langevin &&
       e.thermostat->time_constant < settings.step)
     throw Error(fmt::format(

@@ -73,6 +73,7 @@ std::string identity(const Config& config, const System& system,
      << static_cast<int>(f.precision) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
      << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda;
   for (const double x : numbers) id << ' ' << x;
+  if (config.run.minimise) id << " minimise";
   if (f.electrostatics == Electrostatics::pme) id << " pme " << f.pme_accuracy;
   if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
   if (f.dispersion_correction) id << " dispersion";
@@ -108,6 +109,7 @@ std::string settings_text(const Config& config) {
   add("integrator.step", fs(integrator.step));
   add("integrator.lambda", integrator.lambda);
   for (const auto& [key, value] : ensemble_texts(config.ensemble)) add(key.c_str(), value);
+  add("run.minimise", run.minimise);
   add("run.equilibrate", fs(run.equilibrate));
   add("run.sample", fs(run.sample));
   add("run.shadow_sample", run.shadow_sample ? fs(*run.shadow_sample) : "default");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "polhode/io/ensemble_text.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
@@ -95,6 +96,42 @@ json shadow_json(const ShadowSummary& shadow) {
   return report;
 }
 
+/// A value with its error, in this unit; each null if it is not known.
+json estimate_json(const SeriesEstimate& e, double unit) {
+  return {{"value", number_if(true, e.value / unit)},
+          {"error", number_if(e.known == Known::yes, e.error / unit)}};
+}
+
+json barostat_json(const BarostatSummary& s) {
+  return {{"density_kg_per_m3", estimate_json(s.density, unit("kg/m3", Dimension::density))},
+          {"volume_nm3", estimate_json(s.volume, 1)},
+          {"compressibility_per_bar",
+           estimate_json(s.compressibility, unit("1/bar", Dimension::compressibility))},
+          {"volume_drift_nm3_per_ps", number_if(true, s.volume_drift.rate.value)},
+          {"moves", s.moves},
+          {"accepted", s.accepted},
+          {"work_kJ_per_mol", s.work}};
+}
+
+json hybrid_monte_carlo_json(const HybridMonteCarloSummary& s) {
+  return {{"trajectories", s.trajectories},
+          {"accepted", s.accepted},
+          {"mean_weight", estimate_json(s.weight, 1)},
+          {"work_kJ_per_mol", s.work}};
+}
+
+/// Null at constant energy.
+json ensemble_json(const EnsembleSummary& s) {
+  if (s.settings.constant_energy()) return {};
+  json report{{"description", description(s.settings)},
+              {"heat_kJ_per_mol", s.heat},
+              {"barostat", s.barostat ? barostat_json(*s.barostat) : json()},
+              {"hybrid_monte_carlo",
+               s.hybrid_monte_carlo ? hybrid_monte_carlo_json(*s.hybrid_monte_carlo) : json()}};
+  for (const auto& [key, value] : ensemble_texts(s.settings)) report["settings"][key] = value;
+  return report;
+}
+
 json warnings_json(const std::vector<Warning>& warnings) {
   json list = json::array();
   for (const Warning& w : warnings)
@@ -135,6 +172,7 @@ std::string run_json(const RunReport& r) {
   report.update(energies_json(r.summary));
   report.update(costs_json(r));
   report.update(drift_json(r.summary.drift, r.summary.samples));
+  report["ensemble"] = ensemble_json(r.summary.ensemble);
   if (r.summary.shadow) report["shadow"] = shadow_json(*r.summary.shadow);
   if (r.summary.configurational[0])
     for (const auto& known : r.summary.configurational)

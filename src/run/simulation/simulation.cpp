@@ -15,6 +15,7 @@
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/relaxation.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
 
 namespace polhode {
@@ -159,9 +160,30 @@ bool Simulation::trajectory_started() const {
 
 bool Simulation::equilibrate(const Callbacks& callbacks) { return equilibrate(callbacks, nullptr); }
 
+// Of an interrupted minimisation the checkpoint is the initial configuration: it begins again.
+bool Simulation::minimise(const Callbacks& callbacks, RunFiles* files) {
+  if (!config_.run.minimise || (at_ && *at_->equilibrated > 0)) return true;
+  const RunState start = run_state();
+  const Minimisation result = polhode::minimise(system_, {}, watch_of(callbacks), workers_);
+  if (result.end != MinimisationEnd::stopped) {
+    callbacks.note(description(result));
+    check_separated(system_, result);
+    return true;
+  }
+  system_.state = start.state;
+  at_ = start;
+  if (files) files->checkpoint(start);
+  return false;
+}
+
 bool Simulation::equilibrate(const Callbacks& callbacks, RunFiles* files) {
   if (trajectory_started()) return true;
   identity();
+  if (at_) system_.state = at_->state;
+  const RunState start = run_state();
+  if (!minimise(callbacks, files)) return false;
+  RunState from = start;
+  from.state = system_.state;
   const double length = config_.run.equilibrate;
   double now = 0;
   Watch watch{.sample =
@@ -172,12 +194,13 @@ bool Simulation::equilibrate(const Callbacks& callbacks, RunFiles* files) {
               .stop = callbacks.stop,
               .checkpoint =
                   [&](RunState at) {
+                    if (*at.equilibrated == 0) at = start;
                     at_ = at;
                     if (files) files->checkpoint(std::move(at));
                   }};
   if (files) watch.due = [files] { return files->due(); };
   if (length > 0 &&
-      !polhode::equilibrate(system_, forces_, length, watch, workers_, at_ ? &*at_ : nullptr))
+      !polhode::equilibrate(system_, forces_, length, watch, workers_, at_ ? &from : nullptr))
     return false;
   at_.reset();
   noise_ = force_noise(system_, workers_);
@@ -239,6 +262,7 @@ void Simulation::note_begin(const Callbacks& callbacks) const {
       version(), system_.topology.size(), config_.source,
       name_of({settings_->scheme, settings_->inner}), settings_->step * units::fs_per_ps,
       with.instruction_set, with.threads));
+  note_ensemble(*settings_, callbacks);
   note_molecules(system_, callbacks);
   note_velocities(system_, config_, callbacks);
   note_forces(system_, callbacks);
@@ -302,7 +326,7 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                    {},
                    trajectory.stopped};
   report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
-  if (guarantee_ && !trajectory.stopped)
+  if (guarantee_ && !trajectory.stopped && settings_->ensemble.constant_energy())
     report.guarantee = check_guarantee(*guarantee_, trajectory.statistics);
   return report;
 }

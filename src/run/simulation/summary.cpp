@@ -54,6 +54,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   if (s.potential_fluctuation > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /
                  s.potential_fluctuation;
+  s.ensemble = ensemble_summary(system, settings.ensemble, trajectory);
   s.force_evaluations = trajectory.force_evaluations;
   s.derivatives = trajectory.derivatives;
   s.near_evaluations = trajectory.near_evaluations;

@@ -57,6 +57,11 @@ void check_size(const Topology& topology) {
 State lattice_start(const Config& config, const Topology& topology) {
   const SystemSettings& s = config.system;
   Box box;
+  if (!s.density && !s.box)
+    throw Error(
+        "there is no density, box or initial configuration; write for example density = \"1 "
+        "g/cm3\"",
+        config.source + ", system");
   try {
     check_size(topology);
     box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
@@ -123,8 +128,9 @@ System build_system(const Config& config) {
   system.bodies = Bodies(system.topology);
   try {
     check_edges(system.state.box);
-    // The equilibration moves the molecules of a lattice apart.
-    if (!(config.system.initial_configuration.empty() && config.run.equilibrate > 0))
+    // Minimisation moves molecules apart, and equilibration those of a lattice.
+    if (!config.run.minimise &&
+        !(config.system.initial_configuration.empty() && config.run.equilibrate > 0))
       check_overlap(system.topology, system.state);
   } catch (const Error& e) {
     throw e.at(config.source);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "polhode/base/printable.hpp"
+#include "polhode/io/ensemble_text.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 
 namespace polhode {
@@ -40,6 +41,15 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks) {
   const SystemSettings& s = config.system;
   if (system.new_velocities || !(s.temperature_given || s.seed_given)) return;
+  if (!config.ensemble.constant_energy()) {
+    // Hybrid Monte Carlo that refreshes all momenta begins with new ones.
+    if (const auto& hybrid = config.ensemble.hybrid_monte_carlo; hybrid && hybrid->refresh == 1)
+      return;
+    return callbacks.note(
+        fmt::format("note: the run begins with the velocities of the initial configuration, {:.4g} "
+                    "K, and relaxes to {:g} K",
+                    system.file_temperature, s.temperature));
+  }
   const std::string unused = !s.temperature_given ? "the seed is"
                              : config.run.equilibrate > 0
                                  ? "the temperature is for the equilibration only, the seed is"
@@ -49,6 +59,26 @@ void note_velocities(const System& system, const Config& config, const Callbacks
       "note: the velocities are those of the initial configuration, {:.4g} K; {} not used for "
       "them; velocities = \"new\" in [system] draws new ones",
       system.file_temperature, unused));
+}
+
+void note_ensemble(const TrajectorySettings& settings, const Callbacks& callbacks) {
+  if (settings.ensemble.constant_energy()) return;
+  callbacks.note(fmt::format("ensemble: {}", description(settings.ensemble)));
+  const std::size_t whole = settings.steps_per_trajectory();
+  const auto asked = static_cast<std::size_t>(std::llround(settings.length / settings.step));
+  if (settings.steps() != asked)
+    callbacks.note(fmt::format(
+        "note: the length of {} steps is rounded up to {}, which are whole trajectories of hybrid "
+        "Monte Carlo with {} steps each",
+        asked, settings.steps(), whole));
+}
+
+void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks) {
+  if (config.ensemble.constant_energy()) return;
+  callbacks.note(
+      fmt::format("note: {} is made of runs at constant energy, which [thermostat], [barostat] and "
+                  "[hybrid_monte_carlo] of the run file do not change: R is defined there",
+                  what));
 }
 
 void note_forces(const System& system, const Callbacks& callbacks) {

@@ -10,7 +10,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/run/simulation/propagator.hpp"
-#include "polhode/run/simulation/separation.hpp"
+#include "polhode/run/simulation/relaxation.hpp"
 
 namespace polhode {
 

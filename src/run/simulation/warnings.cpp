@@ -10,6 +10,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/run/simulation/ensemble_warnings.hpp"
 #include "polhode/run/simulation/stable_step.hpp"
 
 namespace polhode {
@@ -32,6 +33,16 @@ constexpr double significance_level = 0.001;
 
 double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
 
+std::string temperature_remedy(const TargetTemperature& target) {
+  if (target.kept)
+    return "equilibrate first, or longer, or use a stronger thermostat: a larger friction, or a "
+           "shorter time_constant; if that changes nothing, use a shorter step";
+  if (target.ignored)
+    return "the velocities of the initial configuration were used: write velocities = \"new\" in "
+           "[system], and equilibrate";
+  return "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]";
+}
+
 std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemperature& target) {
   const double n = s.degrees_of_freedom.all();
   if (n == 0 || s.samples == 0) return std::nullopt;
@@ -39,8 +50,9 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   const double T = target.value;
   const double error =
       s.temperature.known == Known::yes ? s.temperature.error : T * std::sqrt(2 / n);
-  // Of velocities that were not drawn at T, only the error of the mean is due to chance.
-  const double scatter = target.ignored ? 0 : temperature_scatter(T, n);
+  // Of velocities that were not drawn at T, or that a thermostat changes, only the error of the
+  // mean is due to chance.
+  const double scatter = target.ignored || target.kept ? 0 : temperature_scatter(T, n);
   const double bound =
       std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
                far * std::hypot(scatter, error));
@@ -48,29 +60,34 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   if (!(std::abs(difference) > bound)) return std::nullopt;
   return Warning{
       "temperature", s.temperature.value, bound,
-      fmt::format("the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, {} {:.2g} K",
-                  s.temperature.value, T, std::abs(difference),
-                  difference > 0 ? "too hot" : "too cold",
-                  target.ignored ? "above the bound of"
-                                 : "and runs of a system of this size deviate by at most",
-                  bound),
-      target.ignored ? "the velocities of the initial configuration were used: write velocities = "
-                       "\"new\" in [system], and equilibrate"
-                     : "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]"};
+      fmt::format(
+          "the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, {} {:.2g} K",
+          s.temperature.value, T, std::abs(difference), difference > 0 ? "too hot" : "too cold",
+          target.ignored || target.kept ? "above the bound of"
+                                        : "and runs of a system of this size deviate by at most",
+          bound),
+      temperature_remedy(target)};
 }
 
+std::string conserved_energy(const RunSummary& s) {
+  return s.ensemble.settings.constant_energy() ? "the total energy" : "the conserved energy";
+}
+
+/// Hybrid Monte Carlo rejects what the errors of its steps would bias.
+bool is_corrected(const RunSummary& s) { return s.ensemble.hybrid_monte_carlo.has_value(); }
+
 std::optional<Warning> ratio_warning(const RunSummary& s) {
-  if (s.samples < min_samples_reported || !(s.ratio.value > max_ratio)) return std::nullopt;
+  if (s.samples < min_samples_reported || is_corrected(s) || !(s.ratio.value > max_ratio))
+    return std::nullopt;
   return Warning{
       "R", s.ratio.value, max_ratio,
-      fmt::format("R is {:.3g} %, above {:g} %: the total energy is conserved so badly that "
-                  "averages are biased",
-                  100 * s.ratio.value, 100 * max_ratio),
+      fmt::format("R is {:.3g} %, above {:g} %: {} is conserved so badly that averages are biased",
+                  100 * s.ratio.value, 100 * max_ratio, conserved_energy(s)),
       "use a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
 }
 
 std::optional<Warning> drift_warning(const RunSummary& s) {
-  if (s.drift.known != Known::yes || s.drift.p_value > significance_level ||
+  if (s.drift.known != Known::yes || is_corrected(s) || s.drift.p_value > significance_level ||
       !(s.potential_fluctuation > 0))
     return std::nullopt;
   // The rms deviation of a straight line from its mean is its rise divided by √12.
@@ -81,9 +98,8 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
   return Warning{
       "drift", drifted, bound,
       fmt::format(
-          "the total energy drifts by {:.3g} ± {:.2g} kJ/mol/ps, which alone makes R {:.2g} "
-          "% (bound: {:.2g} %)",
-          s.drift.rate.value, s.drift.rate.error, 100 * drifted, 100 * bound),
+          "{} drifts by {:.3g} ± {:.2g} kJ/mol/ps, which alone makes R {:.2g} % (bound: {:.2g} %)",
+          conserved_energy(s), s.drift.rate.value, s.drift.rate.error, 100 * drifted, 100 * bound),
       "use a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};
 }
 
@@ -107,7 +123,8 @@ std::optional<Warning> relaxation_warning(const RunSummary& s) {
 std::optional<Warning> pressure_warning(const RunSummary& s) {
   const double pressure = in_bar(s.pressure.value) / 1000, bound = max_pressure_kbar;  // [kbar]
   const double error = s.pressure.known == Known::yes ? in_bar(s.pressure.error) / 1000 : 0;
-  if (s.samples < min_samples_reported || !(std::abs(pressure) - far * error > bound))
+  if (s.samples < min_samples_reported || s.ensemble.barostat ||
+      !(std::abs(pressure) - far * error > bound))
     return std::nullopt;
   return Warning{
       "pressure", pressure, bound,
@@ -159,7 +176,7 @@ std::optional<Warning> cutoff_of_ions(const System& system) {
 std::optional<Warning> velocities_of_file(const System& system, const Config& config) {
   const double n = degrees_of_freedom(system.topology).all();
   if (system.new_velocities || !config.system.temperature_given || config.run.equilibrate > 0 ||
-      n == 0)
+      !config.ensemble.constant_energy() || n == 0)
     return std::nullopt;
   constexpr double far_from_canonical = 4;
   const double target = config.system.temperature;
@@ -176,6 +193,7 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
 
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers) {
+  if (system.temperature == 0) return std::nullopt;  // the Einstein frequency is that of a liquid
   const double max_step = max_stable_step(system, system.state, settings, workers);
   if (!(settings.step > max_step)) return std::nullopt;
   const double bound = near_stability * stability_limit(settings.scheme);
@@ -201,6 +219,7 @@ std::vector<Warning> warnings_of_results(const RunSummary& s,
   add(drift_warning(s));
   add(relaxation_warning(s));
   add(pressure_warning(s));
+  for (const Warning& warning : ensemble_warnings(s)) all.push_back(warning);
   return all;
 }
 
@@ -208,9 +227,14 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
                               const TrajectorySettings& settings, const Config& config,
                               Workers& workers) {
   // The velocities of a file may have any temperature, unless the run file gives one.
-  const bool kept = !system.new_velocities && config.run.equilibrate == 0;
+  const bool of_file = !system.new_velocities && config.run.equilibrate == 0;
   std::optional<TargetTemperature> target;
-  if (!kept || config.system.temperature_given) target = {config.system.temperature, kept};
+  if (config.system.temperature == 0)
+    target.reset();  // a thermostat that cools
+  else if (!settings.ensemble.constant_energy())
+    target = {.value = config.system.temperature, .kept = true};
+  else if (!of_file || config.system.temperature_given)
+    target = {.value = config.system.temperature, .ignored = of_file};
   std::vector<Warning> all = warnings_of_results(s, target);
   for (const auto& warning :
        {step_near_stability(system, settings, workers), cutoff_of_ions(system)})

@@ -240,6 +240,7 @@ StudyReport run_study(const Config& config, const std::string& prefix, const Out
                   "set {}, threads {}",
                   made.version, system.topology.size(), points.size(), config.study.runs,
                   config.study.length, made.instruction_set, workers.threads()));
+  note_constant_energy(config, "the study", callbacks);
   note_molecules(system, callbacks);
   note_forces(system, callbacks);
   if (!runs.empty())

@@ -23,8 +23,9 @@ struct RunReport {
   TrajectorySettings settings;
   ExecutionSettings execution;
   RunFileNames files;
-  std::vector<Warning> warnings;            ///< what is probably wrong
-  std::optional<GuaranteeCheck> guarantee;  ///< of a complete run with a bound on R
+  std::vector<Warning> warnings;  ///< what is probably wrong
+  std::optional<GuaranteeCheck>
+      guarantee;  ///< of a complete run with a bound on R, at constant energy
   bool interrupted = false;
 };
 

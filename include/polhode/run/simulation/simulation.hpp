@@ -61,7 +61,7 @@ class Simulation {
   /// @return  false if it was interrupted
   /// @throws RunError  if no scheme meets the accuracy
   bool choose_step(const Callbacks& callbacks = {});
-  /// Equilibrates as the run file asks, once. step() and run() call it.
+  /// Minimises and equilibrates as the run file asks, once. step() and run() call it.
   /// @return  false if it was interrupted; another call resumes it
   /// @throws RunError  if it blows up
   bool equilibrate(const Callbacks& callbacks = {});
@@ -100,6 +100,7 @@ class Simulation {
   void resume(Checkpoint checkpoint);
   void note_begin(const Callbacks& callbacks) const;
   void note_warnings(const Callbacks& callbacks) const;
+  bool minimise(const Callbacks& callbacks, RunFiles* files);
   bool equilibrate(const Callbacks& callbacks, RunFiles* files);
   bool trajectory_started() const;
   Propagator& propagator();

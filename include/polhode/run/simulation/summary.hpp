@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "polhode/run/simulation/ensemble_summary.hpp"
 #include "polhode/run/simulation/rounding.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
@@ -20,11 +21,11 @@ struct RunSummary {
   double sample = 0;                 ///< between energies [ps]
   std::uint64_t samples = 0;         ///< of the energies
   SeriesEstimate ratio;              ///< R; not finite if the potential energy is constant
-  double total_fluctuation = 0;      ///< [kJ/mol]
+  double total_fluctuation = 0;      ///< of the conserved energy [kJ/mol]
   double potential_fluctuation = 0;  ///< [kJ/mol]
   double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
-  Drift drift;             ///< [kJ/mol/ps]
+  Drift drift;             ///< of the conserved energy [kJ/mol/ps]
   std::optional<ShadowSummary> shadow;                      ///< if requested
   ByMotion<std::optional<SeriesEstimate>> configurational;  ///< temperatures [K], if requested
   double potential = 0;                                     ///< mean per molecule [kJ/mol]
@@ -35,6 +36,7 @@ struct RunSummary {
   SeriesEstimate temperature;                               ///< that of all motions [K]
   Drift potential_drift;                                    ///< [kJ/mol/ps]
   DegreesOfFreedom degrees_of_freedom;
+  EnsembleSummary ensemble;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
   std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if any
   std::size_t list_rebuilds = 0;

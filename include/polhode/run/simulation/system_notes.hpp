@@ -2,8 +2,11 @@
 // What a user should know of a system before it is simulated, in lines of text.
 #pragma once
 
+#include <string_view>
+
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/trajectory_settings.hpp"
 
 namespace polhode {
 
@@ -15,6 +18,15 @@ void note_molecules(const System& system, const Callbacks& callbacks);
 /// Note on the use of the velocities of the initial configuration, if it has any and the run file
 /// gives a temperature or a seed.
 void note_velocities(const System& system, const Config& config, const Callbacks& callbacks);
+
+/// Notes on thermostat, barostat and hybrid Monte Carlo, unless the run is at constant energy; and
+/// on a length that is rounded up to whole trajectories of hybrid Monte Carlo.
+void note_ensemble(const TrajectorySettings& settings, const Callbacks& callbacks);
+
+/// Note that these runs are at constant energy, if the run file has thermostat, barostat or hybrid
+/// Monte Carlo.
+/// @param what  "the study"
+void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks);
 
 /// Notes on the mixing rule and explicit pairs, unless all pairs follow the default rule; grid,
 /// order and split of a mesh; a net charge.

@@ -12,8 +12,9 @@ namespace polhode {
 
 /// One thing that is probably wrong. It does not end a run, nor change its exit code.
 struct Warning {
-  std::string kind;  ///< "temperature", "R", "drift", "relaxation", "pressure", "ions" or "step";
-                     ///< at the start also "velocities"
+  std::string kind;  ///< "temperature", "R", "drift", "relaxation", "pressure", "ions", "step",
+                     ///< "volume", "barostat", "acceptance" or "weights"; at the start also
+                     ///< "velocities"
   double value = 0;  ///< what was found, in the unit that `text` gives
   double bound = 0;  ///< what it exceeds, likewise
   std::string text;
@@ -28,7 +29,7 @@ std::string line_of(const Warning& warning);
 std::optional<Warning> cutoff_of_ions(const System& system);
 
 /// Velocities of the initial configuration that do not have the temperature that the run file
-/// gives, although nothing changes it: the deviation exceeds four standard deviations of a
+/// gives, although no thermostat changes it: the deviation exceeds four standard deviations of a
 /// canonical kinetic temperature, T √(2/n) for n degrees of freedom.
 std::optional<Warning> velocities_of_file(const System& system, const Config& config);
 
@@ -46,6 +47,7 @@ std::vector<Warning> warnings(const RunSummary& summary, const System& system,
 struct TargetTemperature {
   double value = 0;      ///< [K]
   bool ignored = false;  ///< the velocities of the initial configuration were kept
+  bool kept = false;     ///< by a thermostat or hybrid Monte Carlo
 };
 
 /// The warnings of the results alone.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Optimal parameters of schemes for one system and step: η of the hoa2 family and η and ξ of the
-// gier4 family, or the free parameters of any palindrome (docs/theory.md, Eq. (35)).
+// gier4 family, or the free parameters of any palindrome (docs/theory.md, Eq. (43)).
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/separation.hpp"
+#include "polhode/run/simulation/relaxation.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,10 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "errors.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/forces/pairs/overlap.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/simulation/contact.hpp"
+#include "polhode/run/simulation/simulation.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
 using namespace polhode;
@@ -80,18 +82,33 @@ TEST_CASE("an equilibration that is stopped while molecules are moved apart begi
   for (std::size_t i = 0; i < before.size(); ++i) CHECK(norm(left->state.q[i] - before.q[i]) == 0);
 }
 
-TEST_CASE("no move is longer than the cap, and momenta stay") {
-  System system = build_system(benzene("0.876 g/cm3", "0.8 nm", 1));
-  const State before = system.state;
-  int steps = 0;
-  separate_molecules(system, [&] { return ++steps > 1; });
-  double farthest = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    farthest = std::max(farthest, norm(system.state.q[i] - before.q[i]));
-    CHECK(norm(system.state.p[i] - before.p[i]) == 0);
-    CHECK(norm(system.state.ell[i] - before.ell[i]) == 0);
+TEST_CASE("a run that is interrupted while it minimises or equilibrates ends with the same bits") {
+  Config config = benzene("0.876 g/cm3", "0.8 nm", 2);
+  config.run.minimise = true;
+  config.run.equilibrate = 0.05;
+  Simulation whole(config);
+  CHECK(whole.equilibrate());
+  for (const int calls : {1, 5, 100, 400}) {
+    CAPTURE(calls);
+    Simulation parts(config);
+    int asked = 0;
+    const Callbacks callbacks{.stop = [&] { return ++asked == calls; }};
+    if (!parts.equilibrate(callbacks)) CHECK(parts.equilibrate(callbacks));
+    for (std::size_t i = 0; i < whole.state().size(); ++i) {
+      CHECK(whole.state().q[i] == parts.state().q[i]);
+      CHECK(whole.state().ell[i] == parts.state().ell[i]);
+    }
   }
-  CHECK(farthest == doctest::Approx(max_separation_move));  // and it was reached
+}
+
+TEST_CASE("a lattice needs a density or a box") {
+  check_error(
+      [] {
+        build_system(parse_config("[system]\nmolecules = [{ model = \"argon\", count = 27 }]\n",
+                                  "run.toml"));
+      },
+      {"there is no density, box or initial configuration", "density = \"1 g/cm3\"",
+       "run.toml, system"});
 }
 
 TEST_CASE("a liquid stays as it is") {

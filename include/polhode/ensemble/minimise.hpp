@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Minimises the energy of rigid bodies by FIRE, the fast inertial relaxation engine [bitzek2006].
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// When a minimisation ends, and how far it moves at once.
+struct MinimisationSettings {
+  double force = 10;              ///< bound of the largest force on a body [kJ/mol/nm]
+  double torque = 1;              ///< bound of the largest torque [kJ/mol]
+  std::size_t max_steps = 20000;  ///< of one force evaluation each
+  /// The largest distance that the centre of a body moves in a step, and that its outermost site
+  /// moves by rotation, to first order [nm]: a sixtieth of the diameter of an atom.
+  double max_move = 0.005;
+};
+
+/// The energy of a configuration, and how far it is from a minimum.
+struct Steepness {
+  double potential = 0;  ///< [kJ/mol]
+  double force = 0;      ///< the largest on a body [kJ/mol/nm]
+  double torque = 0;     ///< likewise, about its centre of mass [kJ/mol]
+};
+
+enum class MinimisationEnd {
+  converged,  ///< force and torque are within their bounds
+  max_steps,
+  stopped  ///< by the caller
+};
+
+struct Minimisation {
+  Steepness before, after;
+  std::size_t steps = 0;  ///< one force evaluation each, and one before the first
+  MinimisationEnd end = MinimisationEnd::converged;
+};
+
+/// Computes forces, torques and energies of a state.
+using EvaluateLoad = std::function<void(const State&, Load&)>;
+
+/// Called before every step; true ends the minimisation.
+using MinimisationWatch = std::function<bool(std::size_t steps, const Steepness& now)>;
+
+/// Moves bodies downhill, by the flows of dynamics: kicks, and drifts with the exact free rotation,
+/// so that bodies stay rigid. FIRE [bitzek2006], in the form of [guenole2020]: momenta turn towards
+/// forces, p ← (1 − α) p + α c f and ℓ ← (1 − α) ℓ + α c τ with c = √(Σ(p²/m + L·J⁻¹L) / Σ(f²/m +
+/// τ·J⁻¹τ)), the step grows as long as the power Σ(f·p/m + τ·J⁻¹L) is positive, and otherwise
+/// shrinks, with momenta 0. Moves are capped, so overlapping molecules come apart slowly.
+///
+/// Momenta are 0 afterwards. A state that is within the bounds already keeps its positions and
+/// attitudes, bit by bit. The result has the same bits for any number of threads, if `evaluate`
+/// has.
+/// @throws RunError  if a force is not finite
+Minimisation minimise(State& state, const Topology& topology, const Bodies& bodies,
+                      const EvaluateLoad& evaluate, const MinimisationSettings& settings = {},
+                      const MinimisationWatch& watch = {}, Workers& workers = Workers::serial());
+
+}  // namespace polhode

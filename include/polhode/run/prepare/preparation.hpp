@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// From a composition, a temperature and a pressure or density to an equilibrated start.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/ensemble/minimise.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/run/callbacks.hpp"
+#include "polhode/run/outputs.hpp"
+#include "polhode/run/simulation/warnings.hpp"
+
+namespace polhode {
+
+/// The part of a preparation that is measured: the second half of its last stage.
+struct PreparedProperties {
+  RunSummary summary;
+  SeriesEstimate density;           ///< [u/nm³]
+  std::optional<double> pressure;   ///< of the barostat [kJ/mol/nm³]
+  std::vector<Warning> warnings{};  ///< what is probably wrong
+};
+
+struct PreparationReport {
+  std::size_t molecules = 0;
+  double lattice_density = 0;  ///< [u/nm³]; 0 if there is an initial configuration
+  bool estimated = false;      ///< the density of the lattice, by estimated_density()
+  Minimisation minimisation;
+  std::optional<PreparedProperties> properties;  ///< nothing if it was interrupted
+  std::string final_state, run_file;             ///< names of the files written, likewise
+};
+
+/// The density of a liquid of these molecules, roughly [u/nm³]: spheres of diameter σ about their
+/// sites, without their overlap within a molecule, fill 45 % of its volume. Liquids near their
+/// triple point have 43 % (argon) to 55 % (water).
+/// @throws Error  if no site has a size
+double estimated_density(const Topology& topology);
+
+/// Prepares the system of a run file:
+/// 1. a lattice with its kinds of molecules shuffled, at the density or in the box of [system]; if
+///    it has neither, at estimated_density(), which requires a barostat. An initial configuration
+///    takes its place if there is one.
+/// 2. minimise(), to forces of 100 kJ/mol/nm and torques of 10 kJ/mol.
+/// 3. NVT: Langevin dynamics by BAOAB [leimkuhler2013] in steps of 1 fs, friction 5/ps.
+/// 4. NPT if there is a barostat: the same with its moves of the box, in steps of at most 2 fs.
+/// If the run file has neither a thermostat nor hybrid Monte Carlo, momenta are then scaled to the
+/// mean total energy of the last half stage, so that a run at constant energy has the temperature.
+/// Writes PREFIX-prepared.gro, with velocities, and PREFIX-prepared.toml, a run file that starts
+/// from it; nothing if it is interrupted.
+/// @throws Error     if a setting does not fit, or outputs exist
+/// @throws RunError  if molecules still overlap, or a stage blows up
+PreparationReport prepare(const Config& config, const OutputOptions& options = {},
+                          const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
+
+/// The report as JSON. Names contain units, as in "density_g_per_cm3".
+std::string preparation_json(const PreparationReport& report);
+
+}  // namespace polhode

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// What thermostat, barostat and hybrid Monte Carlo did in a run, for its report.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "polhode/run/simulation/trajectory.hpp"
+
+namespace polhode {
+
+struct BarostatSummary {
+  SeriesEstimate density;          ///< mean of M/V [u/nm³]
+  SeriesEstimate volume;           ///< mean [nm³]
+  SeriesEstimate compressibility;  ///< isothermal, (⟨V²⟩ − ⟨V⟩²)/(kT ⟨V⟩) [nm³ mol/kJ]
+  Drift volume_drift;              ///< [nm³/ps]
+  std::uint64_t moves = 0, accepted = 0;
+  double work = 0;  ///< received by the bodies [kJ/mol]
+  double acceptance() const;
+};
+
+struct HybridMonteCarloSummary {
+  std::uint64_t trajectories = 0, accepted = 0;
+  SeriesEstimate weight;  ///< ⟨exp(−ΔH/kT)⟩, which is 1 for a reversible scheme that keeps volume
+  double work = 0;        ///< received by the bodies from draws and rejections [kJ/mol]
+  double acceptance() const;
+};
+
+/// Empty at constant energy.
+struct EnsembleSummary {
+  EnsembleSettings settings;
+  double heat = 0;  ///< received by the bodies from the thermostat [kJ/mol]
+  std::optional<BarostatSummary> barostat;
+  std::optional<HybridMonteCarloSummary> hybrid_monte_carlo;
+};
+
+EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& settings,
+                                 const Trajectory& trajectory);
+
+}  // namespace polhode

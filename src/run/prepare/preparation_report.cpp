@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include <nlohmann/json.hpp>
+
+#include "polhode/io/quantity.hpp"
+#include "polhode/run/prepare/minimisation.hpp"
+#include "polhode/run/prepare/preparation.hpp"
+
+namespace polhode {
+namespace {
+
+using nlohmann::json;
+
+json error_of(const SeriesEstimate& e, double unit) {
+  return e.known == Known::yes ? json(e.error / unit) : json();
+}
+
+json properties_json(const PreparedProperties& p) {
+  const double bar = unit("bar", Dimension::pressure), density = unit("g/cm3", Dimension::density);
+  const RunSummary& s = p.summary;
+  json warnings = json::array();
+  for (const Warning& w : p.warnings)
+    warnings.push_back({{"kind", w.kind}, {"text", w.text}, {"remedy", w.remedy}});
+  return {{"length_ps", s.length},
+          {"density_g_per_cm3", p.density.value / density},
+          {"density_error_g_per_cm3", error_of(p.density, density)},
+          {"temperature_K", s.temperature.value},
+          {"temperature_error_K", error_of(s.temperature, 1)},
+          {"pressure_bar", s.pressure.value / bar},
+          {"pressure_error_bar", error_of(s.pressure, bar)},
+          {"pressure_of_barostat_bar", p.pressure ? json(*p.pressure / bar) : json()},
+          {"potential_kJ_per_mol", s.potential},
+          {"potential_drift_p_value", s.potential_drift.p_value},
+          {"warnings", warnings}};
+}
+
+}  // namespace
+
+std::string preparation_json(const PreparationReport& r) {
+  const bool lattice = r.lattice_density > 0;
+  return json{{"molecules", r.molecules},
+              {"lattice_density_g_per_cm3",
+               lattice ? json(r.lattice_density / unit("g/cm3", Dimension::density)) : json()},
+              {"density_estimated", r.estimated},
+              {"minimisation",
+               {{"steps", r.minimisation.steps},
+                {"end", reason(r.minimisation.end)},
+                {"force_kJ_per_mol_nm", r.minimisation.after.force},
+                {"torque_kJ_per_mol", r.minimisation.after.torque}}},
+              {"interrupted", !r.properties},
+              {"properties", r.properties ? properties_json(*r.properties) : json()},
+              {"files", r.properties ? json{r.final_state, r.run_file} : json::array()}}
+      .dump(2);
+}
+
+}  // namespace polhode

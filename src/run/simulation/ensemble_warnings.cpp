@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/ensemble_warnings.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace polhode {
+namespace {
+
+constexpr double far = 3;                     // standard errors
+constexpr double significance_level = 0.001;  // p-value of slopes, as for other warnings of a run
+constexpr double min_volume_change = 0.005;   // of the mean volume
+constexpr double min_acceptance = 0.5;        // of cell rescaling, and of hybrid Monte Carlo
+constexpr double min_move_acceptance = 0.1;   // of Monte Carlo moves of the volume
+constexpr double max_acceptance = 0.99;       // of hybrid Monte Carlo
+constexpr double min_weight_difference = 1e-3;
+
+/// Three standard deviations of the share of accepted ones among n, if the probability is that.
+double chance(double probability, std::uint64_t n) {
+  return far * std::sqrt(probability * (1 - probability) / static_cast<double>(n));
+}
+
+std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
+  const Drift& slope = s.volume_drift;
+  const double change = slope.rate.value * length, bound = min_volume_change * s.volume.value;
+  if (slope.known != Known::yes || slope.p_value > significance_level ||
+      !(std::abs(change) > bound))
+    return std::nullopt;
+  return Warning{
+      "volume", change, bound,
+      fmt::format("the volume still drifts: by {:.2g} % in this run (bound: {:g} %; p-value "
+                  "{:.2g}), so density and averages are not those of equilibrium",
+                  100 * change / s.volume.value, 100 * min_volume_change, slope.p_value),
+      "run longer, or start a new run from the final state of this one"};
+}
+
+std::optional<Warning> moves_warning(const BarostatSummary& s, const BarostatSettings& settings) {
+  const bool rescaling = settings.kind == BarostatKind::cell_rescaling;
+  const double bound = rescaling ? min_acceptance : min_move_acceptance;
+  if (s.moves == 0 || !(s.acceptance() < bound - chance(bound, s.moves))) return std::nullopt;
+  return Warning{
+      "barostat", 100 * s.acceptance(), 100 * bound,
+      fmt::format("only {:.2g} % of the moves of the box were accepted (bound: {:g} %), so the "
+                  "volume relaxes more slowly than it should",
+                  100 * s.acceptance(), 100 * bound),
+      rescaling ? "use a shorter interval (every), a longer time_constant, or a compressibility "
+                  "closer to that of the system, in [barostat]"
+                : "use a smaller compressibility in [barostat], which makes moves smaller"};
+}
+
+std::optional<Warning> acceptance_warning(const HybridMonteCarloSummary& s) {
+  if (s.trajectories == 0) return std::nullopt;
+  const double a = s.acceptance();
+  const bool low = a < min_acceptance - chance(min_acceptance, s.trajectories);
+  if (!low && !(a > max_acceptance + chance(max_acceptance, s.trajectories))) return std::nullopt;
+  const double bound = low ? min_acceptance : max_acceptance;
+  return Warning{
+      "acceptance", 100 * a, 100 * bound,
+      fmt::format("{:.3g} % of the trajectories of hybrid Monte Carlo were accepted, {} {:g} %: {}",
+                  100 * a, low ? "below" : "above", 100 * bound,
+                  low ? "most of the work is discarded" : "longer steps would cost less"),
+      low ? "use a shorter step, or a scheme with a smaller error" : "use a longer step"};
+}
+
+std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
+  const double difference = s.weight.value - 1;
+  const double bound = std::max(min_weight_difference, far * s.weight.error);
+  if (s.weight.known != Known::yes || !(std::abs(difference) > bound)) return std::nullopt;
+  return Warning{
+      "weights", difference, bound,
+      fmt::format("the mean of exp(-dH/kT) is {:.4g} ± {:.2g} instead of 1, which every canonical "
+                  "distribution has, so this run has not sampled it",
+                  s.weight.value, s.weight.error),
+      "equilibrate first, or use a shorter step: a run in which the largest energy errors are too "
+      "rare to occur has such a mean"};
+}
+
+}  // namespace
+
+std::vector<Warning> ensemble_warnings(const RunSummary& s) {
+  std::vector<Warning> all;
+  const auto add = [&](const std::optional<Warning>& warning) {
+    if (warning) all.push_back(*warning);
+  };
+  if (const auto& barostat = s.ensemble.barostat) {
+    add(volume_warning(*barostat, s.length));
+    add(moves_warning(*barostat, s.ensemble.settings.barostat.value()));
+  }
+  if (const auto& hybrid = s.ensemble.hybrid_monte_carlo) {
+    add(acceptance_warning(*hybrid));
+    add(weight_warning(*hybrid));
+  }
+  return all;
+}
+
+}  // namespace polhode

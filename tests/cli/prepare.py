@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""`polhode minimise` and `polhode prepare`: from overlapping molecules, or a composition, to a run without warnings."""
+
+import json
+import signal
+import time
+import unittest
+
+import sandbox
+from sandbox import Sandbox, edited
+
+BENZENE = """[system]
+molecules = [{ model = "benzene", count = 40 }]
+density = "0.876 g/cm3"
+temperature = "300 K"
+
+[forces]
+cutoff = "0.8 nm"
+
+[run]
+length = "20 fs"
+
+[output]
+prefix = "out"
+plot = "none"
+"""
+BOUNDS = ("--max-force", "1000 kJ/mol/nm", "--max-torque", "100 kJ/mol")
+
+ARGON = """[system]
+molecules = [{ model = "argon", count = 125 }]
+temperature = "90 K"
+
+[forces]
+cutoff = "0.75 nm"
+
+[prepare]
+nvt = "1 ps"
+npt = "2 ps"
+
+[run]
+length = "0.1 ps"
+
+[output]
+prefix = "out"
+plot = "none"
+"""
+AT_PRESSURE = ("--pressure", "10 bar")
+
+
+class Prepare(Sandbox):
+    def interrupted(self, *arguments):
+        """The process, stopped by Ctrl-C when it has reported progress or taken a moment."""
+        process = self.start(*arguments)
+        self.addCleanup(process.kill)
+        time.sleep(1)
+        self.assertIsNone(process.poll(), "it ended by itself")
+        process.send_signal(signal.SIGINT)
+        process.out, process.err = process.communicate(timeout=sandbox.LONGEST)
+        self.assertEqual(process.returncode, 130, process.err)
+        return process
+
+    def test_minimise_overlapping_molecules(self):
+        self.write("run.toml", BENZENE)
+        self.refused(("run", "run.toml"), ["overlap", "minimise = true in [run]", "'polhode minimise'"])
+        report = json.loads(self.done("minimise", BENZENE, *BOUNDS, "--json").out)
+        self.assertEqual(report["end"], "converged")
+        self.assertLessEqual(report["after"]["force_kJ_per_mol_nm"], 1000)
+        self.assertLessEqual(report["after"]["torque_kJ_per_mol"], 100)
+        self.assertGreater(report["before"]["force_kJ_per_mol_nm"], 1000)
+        self.assertLess(report["after"]["potential_kJ_per_mol"], report["before"]["potential_kJ_per_mol"])
+        self.assertEqual(report["files"], ["out-minimised.gro"])
+        # The file has these positions, and no velocities, so that a run draws them.
+        start = edited(BENZENE, ('density = "0.876 g/cm3"', 'initial_configuration = "out-minimised.gro"'))
+        energy = json.loads(self.done("energy", start, "--json").out)["potential_kJ_per_mol"]
+        self.assertAlmostEqual(energy / 40, report["after"]["potential_kJ_per_mol"], places=5)
+        self.assertNotIn("velocities are those", self.done("run", start).err)
+        self.refused(("minimise", "run.toml"), ["out-minimised.gro", "--force"])
+        text = self.done("minimise", BENZENE, "--max-steps", "3", "--force").out
+        self.assertIn("3 steps, ended: maximum number of steps", text)
+
+    def test_minimise_in_a_run(self):
+        process = self.done("run", edited(BENZENE, ("[run]", "[run]\nminimise = true")), "--json")
+        self.assertIn("minimised in", process.err)
+        self.assertLess(json.loads(process.out)["potential_kJ_per_mol"], 0)
+
+    def test_interrupted_minimisation_is_written(self):
+        self.write("run.toml", BENZENE)
+        process = self.interrupted("minimise", "run.toml", "--max-force", "1e-300 kJ/mol/nm", "--max-steps", "100000000",
+                                   "--json")
+        self.assertEqual(json.loads(process.out)["end"], "interrupted")
+        self.assertEqual((self.folder / "out-minimised.gro").read_text().count("benze"), 40 * 12)
+
+    def test_prepare_from_a_pressure(self):
+        process = self.done("prepare", ARGON, *AT_PRESSURE, "--json")
+        self.assertIn("there is no density, so the lattice has", process.err)
+        report = json.loads(process.out)
+        self.assertTrue(report["density_estimated"])
+        # Liquid argon at 90 K has 1.38 g/cm3; the volume changes little within 2 ps.
+        self.assertTrue(1.1 < report["properties"]["density_g_per_cm3"] < 1.6, report)
+        self.assertEqual(report["properties"]["pressure_of_barostat_bar"], 10)
+        self.assertEqual(report["files"], ["out-prepared.gro", "out-prepared.toml"])
+        first = self.contents()
+        self.done("prepare", ARGON, *AT_PRESSURE, "--force", "--threads", "2")
+        self.assertEqual(first["out-prepared.gro"], self.contents()["out-prepared.gro"])
+        written = (self.folder / "out-prepared.toml").read_text()
+        self.assertIn("out-prepared.gro", written)
+        self.assertNotIn("prepare]", written)
+        run = self.polhode("run", "out-prepared.toml")
+        self.assertEqual(run.returncode, 0, run.err)
+        self.assertNotIn("warning", (run.out + run.err).lower())
+
+    def test_prepare_at_a_density(self):
+        text = edited(ARGON, ('temperature', 'density = "1.3 g/cm3"\ntemperature'))
+        out = self.done("prepare", text).out
+        self.assertIn("1.3 g/cm3, constant", out)
+        self.assertIn("polhode run out-prepared.toml", out)
+        self.refused(("prepare", "run.toml"), ["out-prepared.gro", "--force"])
+
+    def test_interrupted_preparation_leaves_no_files(self):
+        self.write("run.toml", ARGON)
+        before = self.contents()
+        process = self.interrupted("prepare", "run.toml", *AT_PRESSURE, "--npt", "10 ns")
+        self.assertIn("no file was written", process.err)
+        self.assertEqual(self.contents(), before)
+
+    def test_wrong_inputs(self):
+        self.write("run.toml", ARGON)
+        dense = edited(ARGON, ('temperature', 'density = "1.3 g/cm3"\ntemperature'))
+        self.write("dense.toml", dense)
+        self.write("none.toml", edited(dense, ('"1 ps"', '"0 ps"')))
+        self.write("negative.toml", edited(ARGON, ('"1 ps"', '"-1 ps"')))
+        for arguments, words in [
+                (("prepare", "run.toml"), ["there is no density", "run.toml"]),
+                (("prepare", "run.toml", "--pressure", "1"), ["--pressure", "no unit"]),
+                (("prepare", "run.toml", "--nvt", "-1 ps"), ["--nvt", "0 or longer"]),
+                (("prepare", "none.toml"), ["no dynamics", "none.toml"]),
+                (("prepare", "negative.toml"), ["prepare.nvt", "-1 ps", "negative.toml"]),
+                (("minimise", "dense.toml", "--max-force", "10"), ["--max-force", "no unit", "kJ/mol/nm"]),
+                (("minimise", "dense.toml", "--max-force", "10 kJ/mol"), ["--max-force", "an energy", "a force"]),
+                (("minimise", "dense.toml", "--max-torque", "0 kJ/mol"), ["--max-torque", "above 0"]),
+                (("minimise", "dense.toml", "--max-steps", "0"), ["--max-steps", "from 1"])]:
+            self.refused(arguments, words)
+
+
+if __name__ == "__main__":
+    sandbox.main()

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/ensemble_warnings.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+#include <tuple>
+
+using namespace polhode;
+
+namespace {
+
+std::string kinds(const RunSummary& s, const std::optional<TargetTemperature>& target = {}) {
+  std::string all;
+  for (const Warning& w : warnings_of_results(s, target)) {
+    CHECK(!w.text.empty());
+    CHECK(!w.remedy.empty());
+    all += w.kind + " ";
+  }
+  return all;
+}
+
+/// A run at constant pressure, 10 ps, without anything to object to.
+RunSummary npt(BarostatKind kind = BarostatKind::cell_rescaling) {
+  RunSummary s;
+  s.length = 10;
+  s.samples = 1000;
+  s.ratio = {0.005, 0.0002, Known::yes};
+  s.potential_fluctuation = 20;
+  s.ensemble.settings = {300, ThermostatSettings{}, BarostatSettings{.kind = kind}, {}};
+  s.ensemble.barostat.emplace();
+  s.ensemble.barostat->volume = {15, 0.01, Known::yes};
+  s.ensemble.barostat->volume_drift = {{0.001, 0.001}, 0.3, Known::yes};
+  s.ensemble.barostat->moves = 100;
+  s.ensemble.barostat->accepted = 90;
+  return s;
+}
+
+RunSummary hybrid() {
+  RunSummary s;
+  s.samples = 1000;
+  s.ensemble.settings = {300, {}, {}, HybridMonteCarloSettings{}};
+  s.ensemble.hybrid_monte_carlo = {100, 80, {1.002, 0.01, Known::yes}, 0};
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("a volume that drifts by more than 0.5 % is a warning") {
+  CHECK(kinds(npt()).empty());
+  for (const double sign : {1.0, -1.0}) {
+    RunSummary s = npt();
+    Drift& drift = s.ensemble.barostat->volume_drift;
+    drift = {{sign * 0.0051 * 15 / 10, 0.0001}, 1e-6, Known::yes};
+    CHECK(kinds(s) == "volume ");
+    drift.p_value = 0.002;
+    CHECK(kinds(s).empty());
+    drift = {{sign * 0.0049 * 15 / 10, 0.0001}, 1e-6, Known::yes};
+    CHECK(kinds(s).empty());
+  }
+}
+
+// Of 100 moves, 50 or 10 of which are expected, chance accounts for 3 √(100 p (1 − p)) = 15 or 9.
+TEST_CASE("too few accepted moves of the box are a warning") {
+  for (const auto& [kind, last, first] :
+       {std::tuple{BarostatKind::cell_rescaling, 34u, 35u}, {BarostatKind::monte_carlo, 0u, 1u}}) {
+    RunSummary s = npt(kind);
+    s.ensemble.barostat->accepted = last;
+    CHECK(kinds(s) == "barostat ");
+    s.ensemble.barostat->accepted = first;
+    CHECK(kinds(s).empty());
+    s.ensemble.barostat->moves = s.ensemble.barostat->accepted = 0;
+    CHECK(kinds(s).empty());
+  }
+}
+
+TEST_CASE("hybrid Monte Carlo: acceptance outside 0.5 to 0.99, beyond chance, is a warning") {
+  RunSummary s = hybrid();
+  auto& h = *s.ensemble.hybrid_monte_carlo;
+  CHECK(kinds(s).empty());
+  h.accepted = 34;
+  CHECK(kinds(s) == "acceptance ");
+  h.accepted = 36;
+  CHECK(kinds(s).empty());
+  h.trajectories = h.accepted = 890;  // chance of 0.99: 3 √(0.99 · 0.01/n) = 0.01 for n = 891
+  CHECK(kinds(s).empty());
+  h.trajectories = h.accepted = 892;
+  CHECK(kinds(s) == "acceptance ");
+}
+
+TEST_CASE("hybrid Monte Carlo: a mean of exp(-dH/kT) off 1 by three errors is a warning") {
+  RunSummary s = hybrid();
+  auto& weight = s.ensemble.hybrid_monte_carlo->weight;
+  for (const double sign : {1.0, -1.0}) {
+    weight = {1 + sign * 0.029, 0.01, Known::yes};
+    CHECK(kinds(s).empty());
+    weight.value = 1 + sign * 0.031;
+    CHECK(kinds(s) == "weights ");
+    weight.known = Known::too_short;
+    CHECK(kinds(s).empty());
+  }
+}
+
+TEST_CASE("hybrid Monte Carlo has no warning about R and drift, a barostat none of the pressure") {
+  RunSummary s = hybrid();
+  s.length = 10;
+  s.potential_fluctuation = 20;
+  s.ratio = {0.2, 0.001, Known::yes};
+  s.drift = {{1, 0.001}, 1e-9, Known::yes};
+  CHECK(kinds(s).empty());
+  s.ensemble = {};
+  CHECK(kinds(s) == "R drift ");
+  RunSummary dense = npt();
+  dense.pressure = {1000, 1, Known::yes};  // 16.6 kbar
+  CHECK(kinds(dense).empty());
+  dense.ensemble = {};
+  CHECK(kinds(dense) == "pressure ");
+}
+
+// The mean of a canonical run scatters by its statistical error alone; 11 K more at constant
+// energy.
+TEST_CASE("with a thermostat, the bound on the mean temperature is 3 errors, at least 1 %") {
+  RunSummary s = npt();
+  s.degrees_of_freedom = {189, {64, 64, 64}};
+  for (const double sign : {1.0, -1.0}) {
+    s.temperature = {300 + sign * 5.9, 2, Known::yes};
+    CHECK(kinds(s, {{.value = 300, .kept = true}}).empty());
+    s.temperature.value = 300 + sign * 6.1;
+    CHECK(kinds(s, {{.value = 300, .kept = true}}) == "temperature ");
+    CHECK(kinds(s, {{.value = 300}}).empty());
+    s.temperature = {300 + sign * 2.9, 0.1, Known::yes};
+    CHECK(kinds(s, {{.value = 300, .kept = true}}).empty());
+  }
+}
