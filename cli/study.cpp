@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "canonical_report.hpp"
 #include "console.hpp"
 #include "job_options.hpp"
 #include "option_values.hpp"
@@ -13,7 +14,7 @@ namespace polhode::cli {
 namespace {
 
 struct Options : JobOptions {
-  std::string output = "study", length, decorrelate, configurational, from_record;
+  std::string ensemble, output = "study", length, decorrelate, configurational, from_record;
   std::vector<std::string> schemes, steps;
   int runs = 0;
   bool quick = false, force = false;
@@ -22,6 +23,7 @@ struct Options : JobOptions {
 Config make_config(const Options& o) {
   Config config = o.config();
   StudySettings& study = config.study;
+  if (!o.ensemble.empty()) study.ensemble = named_option<StudyEnsemble>(o.ensemble, "--ensemble");
   if (o.quick) study = quick(study);
   set_schemes(study.schemes, o.schemes, "--schemes", config.schemes);
   if (!o.steps.empty()) study.steps = sorted_times(o.steps, "--steps");
@@ -32,14 +34,22 @@ Config make_config(const Options& o) {
   return config;
 }
 
-StudyReport perform(const Options& o) {
+int perform(const Options& o) {
   const bool anew = o.force || !o.from_record.empty();
   const OutputOptions output{existing_files(!anew, o.force),
                              o.command({"--temperature", "--seed", "--from-record"})};
   Workers workers = o.workers();
   const Config config = make_config(o);
-  if (o.from_record.empty()) return run_study(config, o.output, output, console(), workers);
-  return report_study_record(config, o.from_record, o.output, output, console());
+  const std::string record = StudyFiles(o.output).runs;
+  const bool runs = o.from_record.empty();
+  if (config.study.ensemble == StudyEnsemble::nvt)
+    return print_canonical_study(
+        runs ? run_canonical_study(config, o.output, output, console(), workers)
+             : report_canonical_record(config, o.from_record, o.output, output, console()),
+        record, o.json);
+  return print_study(runs ? run_study(config, o.output, output, console(), workers)
+                          : report_study_record(config, o.from_record, o.output, output, console()),
+                     record, o.json);
 }
 
 }  // namespace
@@ -48,6 +58,9 @@ Action study_verb(Command& command) {
   auto o = std::make_shared<Options>();
   o->declare(command, "simultaneous runs");
   o->declare_precision(command);
+  command.add_option("--ensemble", o->ensemble,
+                     "nve: R and energy drift; nvt: bias of canonical averages; default: the run "
+                     "file's, else nve");
   command.add_flag("--quick", o->quick, "a small version: one to three minutes on two cores");
   command.add_option("--schemes", o->schemes, "names, or stages as text");
   command.add_option("--steps", o->steps, "steps for every scheme: \"2 fs\" \"4 fs\"");
@@ -64,7 +77,7 @@ Action study_verb(Command& command) {
       "make tables and figure from this record, written by any version, without new runs");
   command.add_option("--output", o->output, "prefix of the output files").show_default();
   command.add_flag("--force", o->force, "start over if results of another study exist");
-  return [o] { return print_study(perform(*o), StudyFiles(o->output).runs, o->json); };
+  return [o] { return perform(*o); };
 }
 
 }  // namespace polhode::cli

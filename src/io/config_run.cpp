@@ -125,6 +125,7 @@ void read_output(TomlTable table, OutputSettings& output) {
 }
 
 void read_study(TomlTable table, StudySettings& study, const OwnSchemes& own) {
+  study.ensemble = one_of(table, "ensemble", study.ensemble);
   take_schemes(table, "schemes", study.schemes, own);
   for (const std::string& text : table.texts("steps").value_or(std::vector<std::string>{})) {
     try {

@@ -126,6 +126,12 @@ bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const st
   return draw(prefix + ".gp", advice_script(figure, {image, format}), warnings);
 }
 
+bool canonical_plot(const std::string& prefix, const CanonicalFigure& figure,
+                    const std::string& format, std::ostream& warnings) {
+  const std::string image = fs::path(prefix + "." + format).filename().string();
+  return draw(prefix + ".gp", canonical_script(figure, {image, format}), warnings);
+}
+
 bool polhode_plot(const std::string& prefix, const PolhodeFigure& figure, std::ostream& warnings) {
   for (const char* format : {"svg", "png"}) {
     const std::string image = fs::path(prefix + "." + format).filename().string();

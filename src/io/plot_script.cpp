@@ -98,6 +98,35 @@ std::vector<std::vector<double>> model_of(const AdviceCurve& curve) {
 const std::vector<std::string> palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                           "#E69F00", "#56B4E9", "#000000"};
 
+/// The vertical range of a panel: all values if there is no bound, otherwise those up to several
+/// bounds, so that a large bias of one scheme does not hide what others have.
+std::pair<double, double> range_of(const CanonicalFigure& figure, std::size_t panel) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const CanonicalFigure::Curve& curve : figure.curves)
+    for (const CanonicalMark& mark : curve.marks) {
+      const auto [value, error] = mark.values[panel];
+      if (!std::isfinite(value)) continue;
+      low = std::min(low, value - error), high = std::max(high, value + error);
+    }
+  const double bound = figure.panels[panel].bound;
+  if (bound == 0)
+    return low > 0 && low < high ? std::pair{0.7 * low, 1.4 * high} : std::pair{1., 1e4};
+  constexpr double most = 8;  // bounds
+  return {1.1 * std::clamp(low, -most * bound, -bound),
+          1.1 * std::clamp(high, bound, most * bound)};
+}
+
+std::vector<std::vector<double>> rows_of(const CanonicalFigure::Curve& curve) {
+  std::vector<std::vector<double>> rows;
+  for (const CanonicalMark& mark : curve.marks) {
+    rows.push_back({mark.cost});
+    for (const auto& [value, error] : mark.values)
+      rows.back().insert(rows.back().end(), {value, error});
+  }
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
 /// More curves than can be told apart in one frame.
 constexpr std::size_t crowded = 4;
 
@@ -159,6 +188,29 @@ std::string advice_script(const AdviceFigure& figure, const Image& image) {
       .rows(answer.scheme, rows_of(answer))
       .end_block()
       .with("advice");
+}
+
+std::string canonical_script(const CanonicalFigure& figure, const Image& image) {
+  FigureScript script(image, 1200, 760);
+  script.schemes(names_of(figure.curves)).text("caption", figure.caption);
+  script.count("panels", figure.panels.size());
+  std::vector<std::string> titles;
+  double cost_low = std::numeric_limits<double>::infinity(), cost_high = 0;
+  for (std::size_t j = 0; j < figure.panels.size(); ++j) {
+    const std::string number = std::to_string(j + 1);
+    const auto [low, high] = range_of(figure, j);
+    titles.push_back(figure.panels[j].title);
+    script.number("bound" + number, figure.panels[j].bound);
+    script.number("low" + number, low).number("high" + number, high);
+  }
+  script.texts("panel", titles).block("points");
+  for (const CanonicalFigure::Curve& curve : figure.curves) {
+    for (const CanonicalMark& mark : curve.marks)
+      cost_low = std::min(cost_low, mark.cost), cost_high = std::max(cost_high, mark.cost);
+    script.rows(curve.scheme, rows_of(curve));
+  }
+  script.end_block().number("cost_low", 0.8 * cost_low).number("cost_high", 1.25 * cost_high);
+  return script.with("canonical");
 }
 
 std::string polhode_script(const PolhodeFigure& figure, const Image& image) {

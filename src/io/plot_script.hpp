@@ -23,6 +23,8 @@ std::string efficiency_script(const EfficiencyFigure& figure, const Image& image
 
 std::string advice_script(const AdviceFigure& figure, const Image& image);
 
+std::string canonical_script(const CanonicalFigure& figure, const Image& image);
+
 std::string polhode_script(const PolhodeFigure& figure, const Image& image);
 
 }  // namespace polhode

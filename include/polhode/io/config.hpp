@@ -3,6 +3,7 @@
 // internal units.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "polhode/base/enum_names.hpp"
 #include "polhode/base/vec3.hpp"
 #include "polhode/forces/laws/settings.hpp"
 #include "polhode/io/frame_file.hpp"
@@ -86,10 +88,20 @@ struct OutputSettings {
   }
 };
 
+/// The ensemble whose averages a study measures.
+enum class StudyEnsemble : std::uint8_t {
+  nve,  ///< accuracy is R, of energy conservation
+  nvt   ///< accuracy is the bias of canonical averages
+};
+
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<StudyEnsemble> = {"nve", "nvt"};
+
 struct StudySettings {
   std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
-  std::vector<double> steps;          ///< [ps]; empty: a default ladder per scheme
-  bool coarse = false;                ///< a ladder with fewer steps
+  std::vector<double> steps;  ///< [ps]; empty: a default ladder per scheme
+  bool coarse = false;        ///< a ladder with fewer steps
+  StudyEnsemble ensemble = StudyEnsemble::nve;
   int runs = 10;                      ///< independent initial configurations per point
   double length = 15;                 ///< of each run [ps]
   double decorrelate = 10;            ///< equilibration of each initial configuration after drawing

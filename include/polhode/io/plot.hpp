@@ -101,6 +101,33 @@ struct AdviceFigure {
 bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
                  std::ostream& warnings);
 
+/// A quantity of a canonical study in a panel of its own.
+struct CanonicalPanel {
+  std::string title;
+  double bound = 0;  ///< on its magnitude, shaded; 0: none, and a logarithmic axis
+};
+
+/// A scheme's values of all panels at one step; not numbers where they are unknown.
+struct CanonicalMark {
+  double cost = 0;                                ///< force evaluations per ps
+  std::vector<std::pair<double, double>> values;  ///< with standard errors, one for each panel
+};
+
+struct CanonicalFigure {
+  struct Curve {
+    std::string scheme;
+    std::vector<CanonicalMark> marks;  ///< in any order
+  };
+  std::vector<CanonicalPanel> panels;
+  std::vector<Curve> curves;
+  std::string caption{};  ///< below the axes: the conditions of the comparison
+};
+
+/// Bias of canonical averages against cost, small multiples. Writes PREFIX.gp and PREFIX.svg or
+/// PREFIX.png.
+bool canonical_plot(const std::string& prefix, const CanonicalFigure& figure,
+                    const std::string& format, std::ostream& warnings);
+
 /// A free top, and a file of curves with three columns for ω, in blocks separated by two blank
 /// lines: the inertia ellipsoid as a grid, polhodes of the same energy, the top's own, its ω.
 struct PolhodeFigure {

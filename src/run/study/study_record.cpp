@@ -6,21 +6,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <functional>
-#include <iterator>
 #include <set>
-#include <sstream>
 #include <string_view>
 #include <tuple>
 
-#include "../../io/formats/lines.hpp"
 #include "polhode/base/output_error.hpp"
 #include "polhode/run/simulation/identity.hpp"
+#include "record_lines.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr const char* record_mark = "# study ";
 constexpr const char* record_head =
     "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
     "rms potential [kJ/mol];temperature [K];R of rounding;"
@@ -61,53 +57,7 @@ std::size_t columns(std::string_view head, const Lines& lines) {
                   count, first_fields, second_fields, third_fields, fourth_fields, fields));
 }
 
-constexpr const char* remedy = "; delete the line, so that its run is repeated, or start over";
-
-/// The fields of a line, separated by semicolons.
-class Fields {
- public:
-  Fields(std::string_view line, std::size_t count, const Lines& lines) : lines_(lines) {
-    for (std::size_t begin = 0, end = 0; end != line.npos; begin = end + 1) {
-      end = line.find(';', begin);
-      field_.push_back(line.substr(begin, end - begin));
-    }
-    if (field_.size() != count)
-      refuse(fmt::format("the line has {} fields and must have {}", field_.size(), count));
-  }
-
-  std::string_view operator[](std::size_t k) const { return field_[k]; }
-
-  double number(std::size_t k, const char* what) const {
-    const auto value = parsed<double>(field_[k]);
-    if (!value || !std::isfinite(*value))
-      refuse(fmt::format("found '{}' where the {} must be a finite number", field_[k], what));
-    return *value;
-  }
-  double amount(std::size_t k, const char* what) const {
-    const double value = number(k, what);
-    if (value < 0) refuse(fmt::format("the {} is {}; it must not be negative", what, field_[k]));
-    return value;
-  }
-  int index(std::size_t k, const char* what) const {
-    const auto value = parsed<int>(field_[k]);
-    if (!value || *value < 0)
-      refuse(fmt::format("found '{}' where the {} must be a whole number from 0", field_[k], what));
-    return *value;
-  }
-  bool yes(std::size_t k, const char* what) const {
-    if (field_[k] != "0" && field_[k] != "1")
-      refuse(fmt::format("found '{}' where {} must be 1 or 0", field_[k], what));
-    return field_[k] == "1";
-  }
-
-  [[noreturn]] void refuse(const std::string& what) const { lines_.refuse(what + remedy); }
-
- private:
-  std::vector<std::string_view> field_;
-  const Lines& lines_;
-};
-
-StudyRun record_run(const Fields& line, std::size_t count) {
+StudyRun record_run(const RecordFields& line, std::size_t count) {
   StudyRun run{
       .scheme = std::string(line[0]),
       .step = line.amount(1, "step"),
@@ -135,37 +85,18 @@ StudyRun record_run(const Fields& line, std::size_t count) {
   return run;
 }
 
-std::string identity_line(const Provenance& provenance) {
-  return record_mark + text_hash(provenance.config);
-}
-
-/// All lines of a record; the first one identifies the study.
+/// All runs; the first line identifies the study.
 std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
-                                const std::function<void(std::string_view, Lines&)>& check_head) {
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  text.erase(text.rfind('\n') + 1);
-  std::istringstream whole(std::move(text));
-  Lines lines(whole, path);
-  auto line = lines.next();
-  check_head(line.value_or(""), lines);
+                                const CheckHead& check_head) {
   std::vector<StudyRun> runs;
   std::set<std::tuple<std::string, double, int>> met;  // scheme, step and initial configuration
-  std::size_t count = 0;
-  while ((line = lines.next())) {
-    if (line->starts_with('#')) continue;
-    if (line->starts_with("scheme;")) {
-      count = columns(*line, lines);
-      continue;
-    }
-    if (count == 0)
-      lines.refuse("the line with the column names is missing; restore it, or start over");
-    const Fields fields(*line, count, lines);
+  read_record(in, path, check_head, columns, [&](const RecordFields& fields, std::size_t count) {
     StudyRun run = record_run(fields, count);
     if (!met.emplace(run.scheme, run.step, run.start).second)
       fields.refuse(
           "the line has the same scheme, step and initial configuration as an earlier one");
     runs.push_back(std::move(run));
-  }
+  });
   return runs;
 }
 
@@ -179,22 +110,11 @@ std::string study_identity(const Config& config, const System& system) {
 
 std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
                                         const Provenance& provenance) {
-  return read_runs(in, path, [&](std::string_view head, Lines& lines) {
-    if (head != identity_line(provenance))
-      lines.refuse(
-          fmt::format("'{}' contains the runs of another study, or of a version of polhode with "
-                      "other initial configurations; give another output, start over, or "
-                      "only make the tables of that record",
-                      path));
-  });
+  return read_runs(in, path, of_this_study(path, provenance));
 }
 
 std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string& path) {
-  return read_runs(in, path, [&](std::string_view head, Lines& lines) {
-    if (!head.starts_with(record_mark))
-      lines.refuse(fmt::format("'{}' begins with '{}', but the record of a study begins with '{}'",
-                               path, head, record_mark));
-  });
+  return read_runs(in, path, of_any_study(path));
 }
 
 StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)

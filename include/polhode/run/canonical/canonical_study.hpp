@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// Which scheme samples the canonical ensemble best: the bias of averages against cost for schemes
+// with a bath, and for hybrid Monte Carlo, which has none.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/integrate/scheme.hpp"
+#include "polhode/io/config.hpp"
+#include "polhode/math/fit.hpp"
+#include "polhode/run/callbacks.hpp"
+#include "polhode/run/simulation/system.hpp"
+
+namespace polhode {
+
+/// A quantity whose bias is measured.
+struct CanonicalQuantity {
+  const char* name;  ///< in files
+  const char* label;
+  const char* unit;
+  double bound;  ///< on the bias, in that unit: a point is accurate enough if it is below
+};
+
+/// The quantities, in the order of all arrays below. Bounds were chosen before any data: about
+/// 0.1 % of the energy of liquid water, 1 K, and 1 % of the first peak of its g(r).
+inline constexpr std::array<CanonicalQuantity, 6> canonical_quantities = {{
+    {"potential", "<U> per molecule", "kJ/mol", 0.05},
+    {"configurational_translation", "T_conf, translation", "K", 1},
+    {"configurational_rotation", "T_conf, rotation", "K", 1},
+    {"kinetic_translation", "T_kin, translation", "K", 1},
+    {"kinetic_rotation", "T_kin, rotation", "K", 1},
+    {"g_peak", "first peak of g(r)", "1", 0.03},
+}};
+
+template <class T>
+using ByQuantity = std::array<T, canonical_quantities.size()>;
+
+/// A scheme with a step, to be measured.
+struct CanonicalMethod {
+  std::string name;     ///< in tables and figures
+  std::string text;     ///< in records: name or stages
+  Scheme scheme;        ///< has a bath, unless it makes proposals of hybrid Monte Carlo
+  bool hybrid = false;  ///< hybrid Monte Carlo
+  double step = 0;      ///< [ps]
+  double cost() const { return scheme.cost() / step; }  ///< force evaluations per ps
+};
+
+/// One run of a method.
+struct CanonicalRun {
+  std::string scheme;           ///< CanonicalMethod::text
+  double step = 0;              ///< [ps]
+  int start = 0;                ///< index of the initial configuration
+  bool stable = true;           ///< false: it blew up, and the numbers below are meaningless
+  ByQuantity<double> means{};   ///< over the run; not a number for quantities it does not have
+  double correlation_time = 0;  ///< τ of U, integrated [ps]; not a number if the run is too short
+  double acceptance = 1;        ///< of hybrid Monte Carlo
+  double weight = 1;            ///< its mean of exp(−ΔH/kT)
+};
+
+/// Whether the magnitude of a bias is below a bound: the 95 % interval of the bias lies within
+/// ± the bound, or outside, or the data do not decide.
+enum class Accuracy { below, above, undecided };
+
+/// "below the bound", "above the bound" or "undecided".
+const char* in_words(Accuracy accuracy);
+
+/// @param runs  from which the error comes: its interval is that of Student's t distribution
+Accuracy accuracy_of(const Estimate& bias, double bound, int runs);
+
+/// All runs of a method.
+struct CanonicalPoint {
+  CanonicalMethod method;
+  int runs = 0;
+  bool stable = true;                        ///< no run blew up
+  ByQuantity<std::optional<Estimate>> mean;  ///< over the runs
+  ByQuantity<std::optional<Estimate>> bias;  ///< with the error of the reference
+  Estimate correlation_time;                 ///< τ of U [ps]; not a number if unknown
+  Estimate acceptance, weight;
+  Estimate evaluations_per_sample() const;  ///< 2τ times the cost
+  /// That of a quantity; nothing if its bias is unknown.
+  std::optional<Accuracy> accuracy(std::size_t quantity) const;
+  /// Above, if it is for any quantity; below, if it is for all; otherwise undecided.
+  Accuracy accuracy() const;
+};
+
+/// The schemes of a canonical study if the run file names none of its own.
+std::vector<std::string> canonical_schemes();
+
+/// The methods that a study measures, by schemes and steps. Schemes without a bath make the
+/// proposals of hybrid Monte Carlo; such a method is named "hmc-SCHEME".
+/// @throws Error  as check_hybrid(), or if a method occurs twice
+std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings);
+
+/// Time at the begin of each run of this length that is not measured, so that averages forget the
+/// canonical start [ps].
+constexpr double relaxation(double length) { return 0.2 * length; }
+
+/// Performs the runs that are not in `known` yet, as many in parallel as there are workers, from
+/// initial configurations that hybrid Monte Carlo draws, and reports each run when it ends. Each
+/// run uses one thread.
+void perform_canonical_runs(const Config& config, const std::vector<CanonicalRun>& known,
+                            const std::function<void(const CanonicalRun&)>& finished,
+                            const Callbacks& callbacks, Workers& workers = Workers::serial());
+
+/// Points from runs. The temperature is the reference of all temperatures; for the other
+/// quantities it is hybrid Monte Carlo, which is exact with any step: the mean of all its runs with
+/// their error. A point of hybrid Monte Carlo is compared with its other steps.
+/// @param temperature  [K]
+std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>& methods,
+                                             const std::vector<CanonicalRun>& runs,
+                                             double temperature);
+
+}  // namespace polhode

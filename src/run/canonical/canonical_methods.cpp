@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/ensemble/hybrid_monte_carlo.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/run/canonical/canonical_study.hpp"
+
+namespace polhode {
+namespace {
+
+// Ladders of steps [fs] for water: of schemes with one force evaluation, and of those with two or
+// three. Schemes with more use larger steps, at equal cost.
+std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
+  std::vector<double> fs;
+  if (method.scheme.cost() <= 1)
+    fs = coarse ? std::vector<double>{2, 5} : std::vector<double>{2, 4, 6};
+  else
+    fs = coarse ? std::vector<double>{4, 7} : std::vector<double>{4, 6, 8};
+  const double stretch = std::max(1.0, method.scheme.cost() / 4);
+  for (double& h : fs) h *= stretch / units::fs_per_ps;
+  return fs;
+}
+
+CanonicalMethod method_of(const std::string& text) {
+  const Scheme scheme = single_scheme_of(text);
+  const bool hybrid = !scheme.has(Flow::bath);
+  const std::string prefix = hybrid ? "hmc-" : "";
+  if (hybrid) check_hybrid(scheme);
+  return {.name = prefix + label_of(text),
+          .text = prefix + named_text_of(NestedScheme(scheme)),
+          .scheme = scheme,
+          .hybrid = hybrid};
+}
+
+/// Whether the schemes are those that a study of energy conservation has unless it names others, by
+/// itself or in the default run file.
+bool of_energy_study(const std::vector<std::string>& schemes) {
+  return schemes == StudySettings{}.schemes ||
+         schemes == std::vector<std::string>{"velocity-verlet", "hoa2", "gier4-fd"};
+}
+
+bool same(const CanonicalMethod& one, const CanonicalMethod& other) {
+  return one.name == other.name && std::abs(one.step - other.step) < 1e-12;
+}
+
+}  // namespace
+
+std::vector<std::string> canonical_schemes() {
+  return {"obabo",      "baoab",        "aboba",         "hoa2-ends",       "hoa2-middle",
+          "bcss3-ends", "bcss3-middle", "gier4-fd-ends", "gier4-fd-middle", "hoa2"};
+}
+
+std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings) {
+  std::vector<CanonicalMethod> methods;
+  for (const std::string& text :
+       of_energy_study(settings.schemes) ? canonical_schemes() : settings.schemes) {
+    CanonicalMethod method = method_of(text);
+    for (const double h :
+         settings.steps.empty() ? default_steps(method, settings.coarse) : settings.steps) {
+      method.step = h;
+      if (std::any_of(methods.begin(), methods.end(),
+                      [&](const CanonicalMethod& other) { return same(method, other); }))
+        throw Error(fmt::format(
+            "the study has {} with a step of {:g} fs twice; give each scheme and each step once",
+            method.name, units::fs_per_ps * h));
+      methods.push_back(method);
+    }
+  }
+  return methods;
+}
+
+}  // namespace polhode

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "polhode/math/prediction.hpp"
+#include "polhode/run/canonical/canonical_study.hpp"
+
+namespace polhode {
+namespace {
+
+/// The temperatures, which are known without a measurement.
+constexpr bool is_temperature(std::size_t quantity) { return quantity >= 1 && quantity <= 4; }
+
+/// Over the finite values; nothing with fewer than two.
+std::optional<Estimate> mean_of(std::vector<double> values) {
+  std::erase_if(values, [](double x) { return !std::isfinite(x); });
+  if (values.size() < 2) return std::nullopt;
+  return mean(values);
+}
+
+template <class Value>
+std::optional<Estimate> mean_over(const std::vector<CanonicalRun>& runs, const Value& value) {
+  std::vector<double> values;
+  for (const CanonicalRun& run : runs)
+    if (run.stable) values.push_back(value(run));
+  return mean_of(std::move(values));
+}
+
+/// The runs of a method, sorted by initial configuration: sums do not depend on which run ended
+/// first.
+std::vector<CanonicalRun> runs_of(const CanonicalMethod& method,
+                                  const std::vector<CanonicalRun>& runs) {
+  std::vector<CanonicalRun> own;
+  for (const CanonicalRun& run : runs)
+    if (run.scheme == method.text && std::abs(run.step - method.step) < 1e-12) own.push_back(run);
+  std::sort(own.begin(), own.end(), [](const auto& a, const auto& b) { return a.start < b.start; });
+  return own;
+}
+
+/// The mean of a quantity by exact sampling, over all methods but one: of each initial
+/// configuration over the steps, then over the configurations, whose runs are independent.
+std::optional<Estimate> exact_mean(const std::vector<CanonicalMethod>& methods,
+                                   const std::vector<CanonicalRun>& runs,
+                                   const CanonicalMethod& without, std::size_t quantity) {
+  std::map<int, std::vector<double>> of_start;
+  for (const CanonicalMethod& method : methods) {
+    if (!method.hybrid || (method.text == without.text && method.step == without.step)) continue;
+    for (const CanonicalRun& run : runs_of(method, runs))
+      if (run.stable && std::isfinite(run.means[quantity]))
+        of_start[run.start].push_back(run.means[quantity]);
+  }
+  std::vector<double> means;
+  for (const auto& [start, values] : of_start) means.push_back(mean(values).value);
+  return mean_of(std::move(means));
+}
+
+}  // namespace
+
+Estimate CanonicalPoint::evaluations_per_sample() const {
+  const double factor = 2 * method.cost();
+  return {factor * correlation_time.value, factor * correlation_time.error};
+}
+
+std::optional<Accuracy> CanonicalPoint::accuracy(std::size_t quantity) const {
+  if (!bias[quantity]) return std::nullopt;
+  return accuracy_of(*bias[quantity], canonical_quantities[quantity].bound, runs);
+}
+
+Accuracy CanonicalPoint::accuracy() const {
+  if (!stable) return Accuracy::above;
+  bool any = false, all = true;
+  for (std::size_t k = 0; k < bias.size(); ++k)
+    if (const auto one = accuracy(k)) {
+      if (*one == Accuracy::above) return Accuracy::above;
+      any = true;
+      all = all && *one == Accuracy::below;
+    }
+  return any && all ? Accuracy::below : Accuracy::undecided;
+}
+
+Accuracy accuracy_of(const Estimate& bias, double bound, int runs) {
+  if (runs < 2) return Accuracy::undecided;
+  const double doubt = t_quantile(0.975, runs - 1) * bias.error, size = std::abs(bias.value);
+  if (size + doubt < bound) return Accuracy::below;
+  return size - doubt > bound ? Accuracy::above : Accuracy::undecided;
+}
+
+const char* in_words(Accuracy accuracy) {
+  switch (accuracy) {
+    case Accuracy::below:
+      return "below the bound";
+    case Accuracy::above:
+      return "above the bound";
+    case Accuracy::undecided:
+      break;
+  }
+  return "undecided";
+}
+
+std::vector<CanonicalPoint> canonical_points(const std::vector<CanonicalMethod>& methods,
+                                             const std::vector<CanonicalRun>& runs,
+                                             double temperature) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<CanonicalPoint> points;
+  for (const CanonicalMethod& method : methods) {
+    const std::vector<CanonicalRun> own = runs_of(method, runs);
+    if (own.empty()) continue;
+    CanonicalPoint point{.method = method};
+    point.runs = static_cast<int>(own.size());
+    point.stable = std::all_of(own.begin(), own.end(), [](const auto& run) { return run.stable; });
+    const auto over_runs = [&](const auto& value) {
+      return mean_over(own, value).value_or(Estimate{unknown, unknown});
+    };
+    point.correlation_time = over_runs([](const auto& run) { return run.correlation_time; });
+    point.acceptance = over_runs([](const auto& run) { return run.acceptance; });
+    point.weight = over_runs([](const auto& run) { return run.weight; });
+    for (std::size_t k = 0; k < canonical_quantities.size(); ++k) {
+      point.mean[k] = mean_over(own, [k](const auto& run) { return run.means[k]; });
+      const std::optional<Estimate> exact =
+          is_temperature(k) ? Estimate{temperature, 0} : exact_mean(methods, runs, method, k);
+      if (point.mean[k] && exact)
+        point.bias[k] = Estimate{point.mean[k]->value - exact->value,
+                                 std::hypot(point.mean[k]->error, exact->error)};
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
+}  // namespace polhode

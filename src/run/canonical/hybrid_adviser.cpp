@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/canonical/hybrid_adviser.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "polhode/ensemble/hybrid_monte_carlo.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/io/with_error.hpp"
+#include "polhode/math/random.hpp"
+#include "polhode/measure/autocorrelation_time.hpp"
+#include "polhode/run/simulation/einstein_frequency.hpp"
+#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/study/study.hpp"
+
+namespace polhode {
+namespace {
+
+// The grid: steps, in units of the force evaluations of a step divided by the Einstein frequency,
+// around what the adviser for constant energy begins with, up to where liquids blow up; numbers of
+// steps.
+constexpr std::array<double, 5> step_parts = {0.085, 0.12, 0.17, 0.24, 0.34};
+constexpr std::array<std::size_t, 4> step_counts = {4, 8, 16, 32};
+constexpr double discarded = 0.2;  // of each run, at its begin
+
+/// What one run shows.
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+struct HybridRun {
+  double acceptance = unknown, weight = unknown, evaluations_per_sample = unknown;
+};
+
+/// The mean over runs; not a number unless all have it.
+Estimate mean_over(const std::vector<HybridRun>& runs, double HybridRun::*value) {
+  std::vector<double> values;
+  for (const HybridRun& run : runs) values.push_back(run.*value);
+  return mean(values);
+}
+
+class HybridAdviser {
+ public:
+  HybridAdviser(const Config& config, const HybridAdviserSettings& settings,
+                const Callbacks& callbacks, Workers& workers)
+      : config_(config),
+        settings_(settings),
+        callbacks_(callbacks),
+        workers_(workers),
+        scheme_(single_scheme_of(settings.scheme)) {
+    check_hybrid(scheme_);
+  }
+
+  HybridAdvice advise() {
+    HybridAdvice advice{
+        .scheme = label_of(settings_.scheme), .pilots = {}, .finalists = {}, .equal = {}};
+    const System base = build_system(config_);
+    prepare(base);
+    if (callbacks_.stopped()) {
+      advice.stopped = true;
+      return advice;
+    }
+    const double unit = scheme_.cost() / einstein_frequency(base, starts_[0].state, workers_);
+    for (const double part : step_parts)
+      for (const std::size_t steps : step_counts)
+        advice.pilots.push_back({.step = part * unit, .steps = steps});
+    measure(advice.pilots, settings_.evaluations, 0);
+    advice.finalists = best_of(advice.pilots);
+    measure(advice.finalists, settings_.longer * settings_.evaluations, 1);
+    rank(advice);
+    advice.stopped = callbacks_.stopped();
+    return advice;
+  }
+
+ private:
+  void prepare(const System& base) {
+    starts_.assign(static_cast<std::size_t>(settings_.runs), base);
+    const double length = std::min(config_.study.decorrelate, 2.0);
+    workers_.each(starts_.size(), [&](std::size_t r) {
+      starts_[r] = prepare_start(base, config_, r, length, callbacks_.stop);
+    });
+  }
+
+  std::vector<HybridChoice> best_of(std::vector<HybridChoice> choices) const {
+    std::erase_if(choices, [](const auto& choice) { return !choice.evaluations_per_sample; });
+    std::sort(choices.begin(), choices.end(), [](const auto& a, const auto& b) {
+      return a.evaluations_per_sample->value < b.evaluations_per_sample->value;
+    });
+    choices.resize(std::min(choices.size(), settings_.finalists));
+    return choices;
+  }
+
+  /// Runs all choices from all initial configurations.
+  /// @param round  for random numbers that no other round has
+  void measure(std::vector<HybridChoice>& choices, std::size_t evaluations, std::uint64_t round) {
+    std::vector<std::vector<HybridRun>> runs(choices.size(),
+                                             std::vector<HybridRun>(starts_.size()));
+    workers_.each(choices.size() * starts_.size(), [&](std::size_t k) {
+      if (callbacks_.stopped()) return;
+      const std::size_t choice = k / starts_.size(), start = k % starts_.size();
+      const std::uint64_t seed = derived_seed(start_seed(config_, start), 2 * choice + round);
+      runs[choice][start] = run(choices[choice], starts_[start], evaluations, seed);
+      report(static_cast<double>(evaluations));
+    });
+    for (std::size_t k = 0; k < choices.size(); ++k) {
+      choices[k].acceptance = mean_over(runs[k], &HybridRun::acceptance);
+      choices[k].weight = mean_over(runs[k], &HybridRun::weight);
+      const Estimate cost = mean_over(runs[k], &HybridRun::evaluations_per_sample);
+      choices[k].evaluations_per_sample =
+          std::isfinite(cost.value) ? std::optional(cost) : std::nullopt;
+    }
+  }
+
+  HybridRun run(const HybridChoice& choice, const System& start, std::size_t evaluations,
+                std::uint64_t seed) const {
+    System system = start;
+    ForceField forces(system.topology, system.forces, system.state.box);
+    const double per_trajectory = scheme_.cost() * static_cast<double>(choice.steps);
+    const double trajectories = std::ceil(static_cast<double>(evaluations) / per_trajectory);
+    const double duration = choice.step * static_cast<double>(choice.steps);
+    TrajectorySettings settings{.scheme = scheme_,
+                                .step = choice.step,
+                                .length = trajectories * duration,
+                                .sample = duration,
+                                .lambda = config_.integrator.lambda,
+                                .seed = seed};
+    settings.ensemble = {.temperature = config_.system.temperature,
+                         .thermostat = {},
+                         .barostat = {},
+                         .hybrid_monte_carlo = HybridMonteCarloSettings{.steps = choice.steps}};
+    std::vector<double> potential;
+    const Trajectory t = run_trajectory(system, forces, settings,
+                                        {[&](std::size_t, const State&, const Energies& now) {
+                                           potential.push_back(now.potential());
+                                         },
+                                         callbacks_.stop});
+    HybridRun result;
+    const HybridMonteCarloMemory& hybrid = t.ensemble.hybrid;
+    if (!t.failure.empty() || hybrid.trajectories == 0) return result;
+    result.acceptance =
+        static_cast<double>(hybrid.accepted) / static_cast<double>(hybrid.trajectories);
+    result.weight = hybrid.weights.means().mean().at(0);
+    const auto first = static_cast<std::size_t>(discarded * static_cast<double>(potential.size()));
+    if (const auto tau = autocorrelation_time(std::span(potential).subspan(first)))
+      result.evaluations_per_sample = 2 * tau->value * per_trajectory;
+    return result;
+  }
+
+  void report(double evaluations) {
+    const std::lock_guard lock(guard_);
+    done_ += evaluations;
+    const double grid = static_cast<double>(step_parts.size() * step_counts.size());
+    const auto finals = static_cast<double>(settings_.finalists * settings_.longer);
+    callbacks_.report(
+        {"hybrid Monte Carlo",
+         done_ / (static_cast<double>(settings_.evaluations * starts_.size()) * (grid + finals))});
+  }
+
+  const Config& config_;
+  const HybridAdviserSettings& settings_;
+  const Callbacks& callbacks_;
+  Workers& workers_;
+  Scheme scheme_;
+  std::vector<System> starts_;
+  std::mutex guard_;
+  double done_ = 0;  // force evaluations
+};
+
+std::string choice_text(const HybridChoice& choice) {
+  return fmt::format("{} steps of {:.2g} fs", choice.steps, choice.step * units::fs_per_ps);
+}
+
+nlohmann::json as_json(const Estimate& e) {
+  if (!std::isfinite(e.value)) return {};
+  return {{"value", e.value}, {"error", e.error}};
+}
+
+nlohmann::json as_json(const std::vector<HybridChoice>& choices) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const HybridChoice& c : choices)
+    list.push_back(
+        {{"step_fs", c.step * units::fs_per_ps},
+         {"steps", c.steps},
+         {"acceptance", as_json(c.acceptance)},
+         {"exp_dH", as_json(c.weight)},
+         {"force_evaluations_per_sample",
+          c.evaluations_per_sample ? as_json(*c.evaluations_per_sample) : nlohmann::json()}});
+  return list;
+}
+
+}  // namespace
+
+void rank(HybridAdvice& advice) {
+  auto& list = advice.finalists;
+  std::erase_if(list, [](const auto& choice) { return !choice.evaluations_per_sample; });
+  std::sort(list.begin(), list.end(), [](const auto& a, const auto& b) {
+    return a.evaluations_per_sample->value < b.evaluations_per_sample->value;
+  });
+  advice.equal.clear();
+  for (std::size_t k = 1; k < list.size(); ++k) {
+    const Estimate &best = *list[0].evaluations_per_sample, &cost = *list[k].evaluations_per_sample;
+    if (cost.value - best.value < 2 * std::hypot(cost.error, best.error)) advice.equal.push_back(k);
+  }
+}
+
+HybridAdvice advise_hybrid(const Config& config, const HybridAdviserSettings& settings,
+                           const Callbacks& callbacks, Workers& workers) {
+  return HybridAdviser(config, settings, callbacks, workers).advise();
+}
+
+std::string answer(const HybridAdvice& advice) {
+  if (advice.finalists.empty())
+    return "no choice has runs long enough for an autocorrelation time of U; use longer runs";
+  const HybridChoice& best = advice.finalists.front();
+  const Estimate& cost = *best.evaluations_per_sample;
+  std::string text = fmt::format(
+      "hybrid Monte Carlo with {}: {}, acceptance {:.0f} %, {} force evaluations per "
+      "independent sample of U",
+      advice.scheme, choice_text(best), 100 * best.acceptance.value,
+      with_error(cost.value, cost.error));
+  for (const std::size_t k : advice.equal)
+    text +=
+        fmt::format("{}{}", k == advice.equal.front() ? "; not distinguishable from it: " : ", ",
+                    choice_text(advice.finalists[k]));
+  return text;
+}
+
+std::string hybrid_advice_json(const HybridAdvice& advice) {
+  return nlohmann::json{{"scheme", advice.scheme},
+                        {"pilots", as_json(advice.pilots)},
+                        {"finalists", as_json(advice.finalists)},
+                        {"not_distinguishable", advice.equal},
+                        {"answer", answer(advice)}}
+      .dump(2);
+}
+
+}  // namespace polhode

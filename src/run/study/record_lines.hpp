@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Records of runs as text: one line each, fields separated by semicolons, after a line that
+// identifies the study.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "../../io/formats/lines.hpp"
+#include "polhode/io/table_file.hpp"
+
+namespace polhode {
+
+/// The fields of a line.
+class RecordFields {
+ public:
+  /// @throws Error  unless there are `count`; as all errors of the members with the line
+  RecordFields(std::string_view line, std::size_t count, const Lines& lines);
+
+  std::string_view operator[](std::size_t k) const { return field_[k]; }
+  double number(std::size_t k, const char* what) const;  ///< finite
+  double amount(std::size_t k, const char* what) const;  ///< not negative
+  int index(std::size_t k, const char* what) const;      ///< a whole number from 0
+  bool yes(std::size_t k, const char* what) const;       ///< 1 or 0
+
+  [[noreturn]] void refuse(const std::string& what) const;
+
+ private:
+  std::vector<std::string_view> field_;
+  const Lines& lines_;
+};
+
+/// The first line of the record of a study.
+std::string identity_line(const Provenance& provenance);
+
+/// Refuses a first line.
+using CheckHead = std::function<void(std::string_view head, const Lines& lines)>;
+CheckHead of_this_study(const std::string& path, const Provenance& provenance);
+CheckHead of_any_study(const std::string& path);
+
+/// Visits the lines of a record. An incomplete last line, left by an interruption, is ignored.
+/// @param columns  the number of fields of a line, from the line with the names of the columns
+void read_record(
+    std::istream& in, const std::string& path, const CheckHead& check_head,
+    const std::function<std::size_t(std::string_view head, const Lines& lines)>& columns,
+    const std::function<void(const RecordFields& fields, std::size_t count)>& visit);
+
+}  // namespace polhode

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/autocorrelation_time.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "polhode/math/fit.hpp"
+#include "polhode/math/random.hpp"
+
+using namespace polhode;
+
+namespace {
+
+/// x ← a x + ξ √(1 − a²): ρ(t) = aᵗ, so τ = 1/2 + a/(1 − a).
+std::vector<double> autoregressive(double a, std::size_t length, std::uint64_t stream) {
+  Random random(7, stream);
+  std::vector<double> series;
+  double x = random.normal();
+  for (std::size_t i = 0; i < length; ++i) {
+    series.push_back(3 + 2 * x);
+    x = a * x + std::sqrt(1 - a * a) * random.normal();
+  }
+  return series;
+}
+
+}  // namespace
+
+TEST_CASE("autocorrelation times and their errors are calibrated for an AR(1) process") {
+  for (const double a : {0.0, 0.5, 0.8, 0.95}) {
+    CAPTURE(a);
+    const double exact = 0.5 + a / (1 - a);
+    std::vector<double> values, errors;
+    for (std::uint64_t stream = 0; stream < 200; ++stream) {
+      const auto tau = autocorrelation_time(autoregressive(a, 4000, stream));
+      REQUIRE(tau);
+      values.push_back(tau->value);
+      errors.push_back(tau->error);
+    }
+    const Estimate found = mean(values);
+    // The window leaves out a part of the sum: at S = 1.5 e^(-W/τ) of it, where W is a few τ, and
+    // the number of samples, 100 τ and more, makes W at least 3 τ: below 5 %.
+    CHECK(found.value == doctest::Approx(exact).epsilon(0.05 + 3 * found.error / exact));
+    // The scatter of 200 values is known to 5 %, and the error of a single one is first order in
+    // W/n.
+    const double scatter = found.error * std::sqrt(200.0);
+    CHECK(mean(errors).value / scatter > 0.75);
+    CHECK(mean(errors).value / scatter < 1.35);
+  }
+}
+
+TEST_CASE("the mean of short series is corrected: their autocorrelation time is not too short") {
+  std::vector<double> values;
+  for (std::uint64_t stream = 0; stream < 400; ++stream)
+    if (const auto tau = autocorrelation_time(autoregressive(0.8, 120, 1000 + stream)))
+      values.push_back(tau->value);
+  const Estimate found = mean(values);
+  CHECK(values.size() > 360);
+  // Exact 4.5, 27 times shorter than the series. Without the correction of (2W + 1)/n, W about 15,
+  // it would be a quarter less; series whose window does not close are left out.
+  CHECK(found.value > 0.85 * 4.5);
+  CHECK(found.value < 1.15 * 4.5);
+}
+
+TEST_CASE("there is no autocorrelation time of few or constant values, nor of a slow drift") {
+  CHECK(!autocorrelation_time(autoregressive(0.5, 9, 1)));
+  CHECK(!autocorrelation_time(std::vector<double>(100, 3.0)));
+  std::vector<double> ramp;
+  for (int i = 0; i < 100; ++i) ramp.push_back(i);
+  CHECK(!autocorrelation_time(ramp));
+}
