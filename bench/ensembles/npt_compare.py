@@ -78,7 +78,8 @@ def gromacs_input(liquid, o, name, configuration, steps):
 
 def gromacs_table(o, name, terms):
     """The columns of these terms in an energy file."""
-    called(o.folder, o.gmx, "-nobackup", "energy", "-f", f"{name}.edr", "-o", f"{name}.xvg", "-dp", given="\n".join(t for t in terms if t != "Time") + "\n\n")
+    chosen = "".join(f"{term}\n" for term in terms if term != "Time") + "\n"
+    called(o.folder, o.gmx, "-nobackup", "energy", "-f", f"{name}.edr", "-o", f"{name}.xvg", "-dp", given=chosen)
     text = (o.folder / f"{name}.xvg").read_text(encoding="utf-8")
     rows = numpy.atleast_2d(numpy.array([[float(x) for x in line.split()] for line in text.splitlines() if line[0] not in "#@"]))
     legends = ["Time", *(word.replace(" ", "-") for word in re.findall(r'^@ s\d+ legend "([^"]*)"', text, re.M))]
