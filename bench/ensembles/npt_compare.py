@@ -78,7 +78,8 @@ def gromacs_input(liquid, o, name, configuration, steps):
 
 def gromacs_table(o, name, terms):
     """The columns of these terms in an energy file."""
-    called(o.folder, o.gmx, "-nobackup", "energy", "-f", f"{name}.edr", "-o", f"{name}.xvg", "-dp", given="\n".join(t for t in terms if t != "Time") + "\n\n")
+    chosen = "".join(f"{term}\n" for term in terms if term != "Time") + "\n"
+    called(o.folder, o.gmx, "-nobackup", "energy", "-f", f"{name}.edr", "-o", f"{name}.xvg", "-dp", given=chosen)
     text = (o.folder / f"{name}.xvg").read_text(encoding="utf-8")
     rows = numpy.atleast_2d(numpy.array([[float(x) for x in line.split()] for line in text.splitlines() if line[0] not in "#@"]))
     legends = ["Time", *(word.replace(" ", "-") for word in re.findall(r'^@ s\d+ legend "([^"]*)"', text, re.M))]
@@ -175,10 +176,10 @@ def series_of(liquid, name, o):
         path = o.folder / f"{liquid.model}-{name}-energies.csv"
         if not path.exists():
             return None
-        rows = waters.table(path)
+        rows = [r for r in waters.table(path) if "volume" in r]  # without one that is being written
         times, volume, potential, temperature, pressure = (
             numpy.array([r[k] for r in rows]) for k in ("time", "volume", "potential", "temperature", "pressure"))
-    return series(o.skip, times, volume, potential, temperature, pressure) if times[-1] > 2 * o.skip else None
+    return series(o.skip, times, volume, potential, temperature, pressure) if len(times) and times[-1] > 2 * o.skip else None
 
 
 def results(liquid, s):
@@ -218,7 +219,7 @@ def compare(o):
         for name, own in values.items():
             other = None if name == "gromacs" else reference
             print(f"| {name} | {found[name].length:.0f} | {own[names[0]].samples:.0f} | "
-                  + " | ".join(cell(own[n], other and n in COMPARED and other[n]) for n in names) + " |")
+                  + " | ".join(cell(own[n], other[n] if other and n in COMPARED else None) for n in names) + " |")
 
 
 # Energies of the same frames
@@ -256,10 +257,12 @@ def rerun(o):
     for liquid in map(LIQUIDS.get, o.models):
         for way in (w.name for w in WAYS if w.name in o.runs):
             path = o.folder / f"{liquid.model}-{way}-trajectory.gro"
-            found = list(frames(path, o.skip)) if path.exists() else []
+            if not path.exists():
+                continue
+            rows = {round(r["time"], 3): r for r in waters.table(o.folder / f"{liquid.model}-{way}-energies.csv") if "volume" in r}
+            found = [frame for frame in frames(path, o.skip) if round(frame[0], 3) in rows]
             if len(found) < 5:
                 continue
-            rows = {round(r["time"], 3): r for r in waters.table(o.folder / f"{liquid.model}-{way}-energies.csv")}
             own = [rows[round(time, 3)] for time, _ in found]
             potential, volume = (numpy.array([r[k] for r in own]) for k in ("potential", "volume"))
             theirs = rerun_by_gromacs(liquid, o, f"{liquid.model}-{way}-rerun", found)
