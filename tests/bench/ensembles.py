@@ -65,7 +65,7 @@ class Runs(unittest.TestCase):
     def test_short_runs_sample_their_ensembles(self):
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run([sys.executable, "-B", ENSEMBLES, "--program", built_program.PROGRAM, "--systems", "CO2",
-                                  "--length", "250", "--equilibrate", "4", "--runs", "2", "--output", "result"],
+                                  "--length", "400", "--equilibrate", "4", "--runs", "2", "--output", "result"],
                                  cwd=folder, text=True, capture_output=True, check=False)
             self.assertEqual(run.returncode, 0, run.stderr)
             result = json.loads((Path(folder) / "result.json").read_text(encoding="utf-8"))

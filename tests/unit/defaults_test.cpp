@@ -110,7 +110,7 @@ std::string settings_text(const Config& c) {
 // A key with its default in the file leaves all settings as they are without it.
 TEST_CASE("defaults in the manual are those of the program") {
   const auto defaults = defaults_of_manual();
-  CHECK(defaults.size() == 44);
+  CHECK(defaults.size() == 48);
   for (const Default& d : defaults) {
     CAPTURE(d.table);
     CAPTURE(d.key);

@@ -16,9 +16,9 @@
 namespace polhode {
 
 struct HybridAdviserSettings {
-  std::string scheme = "hoa2";      ///< of the proposals
+  std::string scheme = "hoa2";       ///< of the proposals
   std::size_t evaluations = 20'000;  ///< of the forces, in each pilot run
-  int runs = 4;                     ///< from independent initial configurations, of each choice
+  int runs = 4;                      ///< from independent initial configurations, of each choice
   /// Pilot runs are of all choices; runs of the best ones, this many times longer and with other
   /// random numbers, give the answer.
   std::size_t finalists = 3, longer = 3;
