@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "polhode/forces/laws/pair_value.hpp"
 #include "polhode/model/short_range.hpp"
@@ -19,6 +20,12 @@ struct Buckingham {
   T c6 = 0;            ///< [kJ/mol nm⁶]
   T inner_limit2 = 0;  ///< square of the inner limit [nm²]
 
+  using Parameters = BuckinghamLaw;
+  /// Those of two sites mixed: A and C geometric, 1/B arithmetic, as in GROMACS, whatever the rule.
+  template <class Mean>
+  static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
+    return Parameters{std::sqrt(x.A * y.A), 2 / (1 / x.B + 1 / y.B), std::sqrt(x.C * y.C)};
+  }
   static Buckingham of(const BuckinghamLaw& law) {
     const double r = inner_limit(law);
     return {static_cast<T>(law.A), static_cast<T>(law.B), static_cast<T>(law.C),

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "polhode/forces/laws/pair_value.hpp"
+#include "polhode/model/short_range.hpp"
 
 namespace polhode {
 
@@ -13,6 +15,12 @@ struct LennardJones {
   T c6 = 0;   ///< [kJ/mol nm⁶]
   T c12 = 0;  ///< [kJ/mol nm¹²]
 
+  using Parameters = LennardJonesLaw;
+  /// Those of two sites mixed, besides σ and ε.
+  template <class Mean>
+  static std::optional<Parameters> mixed(const Parameters& x, const Parameters&, const Mean&) {
+    return x;
+  }
   static LennardJones of(double sigma, double epsilon) {
     const double s2 = sigma * sigma, s6 = s2 * s2 * s2;
     return {static_cast<T>(4 * epsilon * s6), static_cast<T>(4 * epsilon * s6 * s6)};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "polhode/forces/laws/pair_value.hpp"
 #include "polhode/model/short_range.hpp"
@@ -17,6 +18,13 @@ struct Mie {
   T sigma2 = 0;    ///< σ² [nm²]
   T n = 12, m = 6;
 
+  using Parameters = MieLaw;
+  /// Those of two sites mixed, besides σ and ε: exponents by the mean that the rule takes for σ.
+  template <class Mean>
+  static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y,
+                                         const Mean& mean) {
+    return Parameters{mean(x.n, y.n), mean(x.m, y.m)};
+  }
   static Mie of(double sigma, double epsilon, const MieLaw& law) {
     const double n = law.n, m = law.m;
     const double factor = n / (n - m) * std::pow(n / m, m / (n - m));

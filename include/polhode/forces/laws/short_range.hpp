@@ -47,9 +47,7 @@ class ShortRange {
 ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw& law);
 
 /// The law of two sites by mixing their own, where one of them may be zero:
-/// Lennard-Jones and Mie: σ and ε by the rule, exponents by the mean that the rule takes for σ;
-/// Buckingham: A and C geometric, 1/B arithmetic, as in GROMACS, whatever the rule;
-/// tabulated: both have the same table.
+/// σ and ε by the rule, the parameters of the law as its mixed() says.
 /// @throws Error  if the laws are of different kinds, or have different tables
 ShortRange<double> mix(const Site& a, const Site& b, MixingRule rule);
 

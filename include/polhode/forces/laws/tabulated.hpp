@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/pair_value.hpp"
@@ -20,6 +21,12 @@ struct Tabulated {
   T inverse_spacing = 0;  ///< [1/nm]
   T intervals = 0;        ///< a whole number
 
+  using Parameters = TabulatedLaw;
+  /// Those of two sites mixed: their table, if it is the same.
+  template <class Mean>
+  static std::optional<Parameters> mixed(const Parameters& x, const Parameters& y, const Mean&) {
+    return x == y ? std::optional(x) : std::nullopt;
+  }
   static Tabulated of(const TabulatedLaw& law) {
     return {law.table, static_cast<T>(law.table->first()), static_cast<T>(1 / law.table->spacing()),
             static_cast<T>(law.table->intervals())};
