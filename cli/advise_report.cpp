@@ -57,10 +57,11 @@ void print_best(const AdviceReport& r) {
              p.step * units::fs_per_ps);
   fmt::print("  R                   {}, mean of {} independent runs of {:.3g} ps\n",
              percent(p.ratio()), p.runs.size(), p.length);
+  const std::string_view name = name_of(criterion.quality);
   fmt::print("  {}{}\n",
-             criterion.quality == Quality::ratio   ? "a new run           has R below "
-             : criterion.quality == Quality::drift ? "energy drift        is smaller than "
-                                                   : "temperature bias    is smaller than ",
+             criterion.quality == Quality::ratio
+                 ? "a new run           has R below "
+                 : fmt::format("{:<18}  is smaller than ", name.substr(0, name.find(" of "))),
              fmt::format("{} with a probability of {:g} %, {:.2g} of the requested bound",
                          bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
                          p.bound / criterion.bound));

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "canonical_report.hpp"
-
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
@@ -9,7 +7,7 @@
 
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/with_error.hpp"
-#include "streams.hpp"
+#include "study_report.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -19,15 +17,19 @@ std::string estimate_text(const std::optional<Estimate>& e) {
   return with_error(e->value, e->error);
 }
 
-/// A bias, marked if it is known to be above its bound.
+/// A bias, marked if it is known to be above its bounds.
 std::string bias_text(const CanonicalPoint& point, std::size_t quantity) {
-  const bool above = point.accuracy(quantity) == Accuracy::above;
-  return estimate_text(point.bias[quantity]) + (above ? "*" : " ");
+  const auto above = [&](Criterion criterion) {
+    return point.accuracy(quantity, criterion) == Accuracy::above;
+  };
+  const char* mark = above(Criterion::loose) ? "**" : above(Criterion::strict) ? "* " : "  ";
+  return estimate_text(point.bias[quantity]) + mark;
 }
 
 std::string note_on(const CanonicalPoint& p) {
   if (!p.stable) return "blew up";
-  std::string text = in_words(p.accuracy());
+  std::string text = fmt::format("{}, loosely {}", in_words(p.accuracy(Criterion::strict)),
+                                 in_words(p.accuracy(Criterion::loose)));
   if (p.method.hybrid)
     text += fmt::format(", acceptance {:.0f} %, <exp(-dH/kT)> {}", 100 * p.acceptance.value,
                         with_error(p.weight.value, p.weight.error));
@@ -38,7 +40,7 @@ void print_points(const CanonicalReport& report) {
   fmt::print(
       "bias of: U per molecule [kJ/mol], configurational temperatures of translation and "
       "rotation [K], kinetic\ntemperatures of both [K], first peak of g(r); * above the "
-      "bound\n\n");
+      "strict bound, ** above the loose one\n\n");
   fmt::print("{:<16} {:>7} {:>8} {:>4} {:>16} {:>13} {:>13} {:>13} {:>13} {:>16} {:>15}  {}\n",
              "scheme", "step fs", "cost/ps", "runs", "U", "T_conf trans", "T_conf rot",
              "T_kin trans", "T_kin rot", "g peak", "cost/sample", "biases");
@@ -50,31 +52,24 @@ void print_points(const CanonicalReport& report) {
         estimate_text(p.evaluations_per_sample()), note_on(p));
 }
 
-void print_text(const CanonicalReport& report) {
-  if (report.points.empty()) return;
-  fmt::print("{}\n", canonical_conditions(report.config));
-  print_points(report);
-  fmt::print("\nbounds:");
+void print_findings(const CanonicalFindings& findings, const std::vector<CanonicalPoint>& points) {
+  fmt::print("\n{} bounds:", in_words(findings.criterion));
   for (const CanonicalQuantity& q : canonical_quantities)
-    fmt::print("{} {} {:g}{}{}", &q == canonical_quantities.data() ? "" : ",", q.label, q.bound,
-               std::string_view(q.unit) == "1" ? "" : " ",
+    fmt::print("{} {} {:g}{}{}", &q == canonical_quantities.data() ? "" : ",", q.label,
+               q.bound(findings.criterion), std::string_view(q.unit) == "1" ? "" : " ",
                std::string_view(q.unit) == "1" ? "" : q.unit);
   fmt::print("; with 95 % confidence\n");
-  for (const std::string& sentence : canonical_sentences(report)) fmt::print("  {}\n", sentence);
-  fmt::print("\nfiles {}\n", fmt::join(report.files, " "));
+  for (const std::string& sentence : canonical_sentences(findings, points))
+    fmt::print("  {}\n", sentence);
 }
 
 }  // namespace
 
-int print_canonical_study(const CanonicalReport& report, const std::string& record, bool json) {
-  if (json)
-    fmt::print("{}\n", canonical_json(report));
-  else
-    print_text(report);
-  if (!report.interrupted) return 0;
-  log("interrupted{}; the same command resumes from {}\n",
-      report.points.empty() ? " before the first run ended" : "", record);
-  return 130;
+void print_study(const CanonicalReport& report) {
+  fmt::print("{}\n", canonical_conditions(report.config));
+  print_points(report);
+  for (const CanonicalFindings& findings : report.findings) print_findings(findings, report.points);
+  fmt::print("\nfiles {}\n", fmt::join(report.files, " "));
 }
 
 }  // namespace polhode::cli

@@ -12,13 +12,13 @@ namespace polhode::cli {
 
 /// At most one is given.
 struct CriterionOptions {
-  std::string accuracy, drift, temperature_bias;
+  std::string accuracy, drift, temperature_bias, bias;
 
   void declare(Command& command);
 };
 
 /// What the options require, or the accuracy of the run file where none is given.
 /// @throws Error  if there is neither, or a bound is not positive, or a fraction not below 1
-Criterion criterion_option(const CriterionOptions& options, const IntegratorSettings& integrator);
+Criterion criterion_option(const CriterionOptions& options, const Config& config);
 
 }  // namespace polhode::cli

@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
-
 #include "option_values.hpp"
 #include "polhode/io/ensemble_names.hpp"
 
@@ -62,14 +60,8 @@ void set_barostat(EnsembleSettings& ensemble, const std::string& kind,
 
 void set_hybrid(EnsembleSettings& ensemble, const std::string& text) {
   if (text.empty()) return;
-  std::size_t steps = 0;
-  const char* const end = text.data() + text.size();
-  const auto [last, status] = std::from_chars(text.data(), end, steps);
-  if (status != std::errc() || last != end || steps > max_hybrid_steps)
-    throw Error(
-        fmt::format("--hybrid-steps = \"{}\" must be a whole number from 0 to {}; 5 to 50 "
-                    "are usual, and 0 means no hybrid Monte Carlo",
-                    text, max_hybrid_steps));
+  const std::size_t steps = whole_number(text, "--hybrid-steps", max_hybrid_steps,
+                                         "5 to 50 are usual, and 0 means no hybrid Monte Carlo");
   if (steps == 0) return ensemble.hybrid_monte_carlo.reset();
   if (!ensemble.hybrid_monte_carlo) ensemble.hybrid_monte_carlo.emplace();
   ensemble.hybrid_monte_carlo->steps = steps;

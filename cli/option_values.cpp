@@ -79,6 +79,17 @@ Config read_config_option(const std::string& file, const std::string& precision)
   return config;
 }
 
+std::uint64_t whole_number(const std::string& text, const std::string& option, std::uint64_t max,
+                           const std::string& remedy) {
+  std::uint64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [last, status] = std::from_chars(text.data(), end, value);
+  if (status != std::errc() || last != end || value > max)
+    throw Error(fmt::format("{} = \"{}\" must be a whole number from 0 to {}; {}", option, text,
+                            max, remedy));
+  return value;
+}
+
 void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed) {
   if (!temperature.empty()) {
     config.system.temperature = quantity(temperature, Dimension::temperature, "--temperature");
@@ -91,12 +102,8 @@ void set_initial_motion(Config& config, const std::string& temperature, const st
   }
   if (seed.empty()) return;
   config.system.seed_given = true;
-  const char* const end = seed.data() + seed.size();
-  const auto [last, status] = std::from_chars(seed.data(), end, config.system.seed);
-  if (status != std::errc() || last != end)
-    throw Error(
-        fmt::format("--seed = \"{}\" must be a whole number from 0 to {}; write for example 2",
-                    seed, std::numeric_limits<std::uint64_t>::max()));
+  config.system.seed = whole_number(seed, "--seed", std::numeric_limits<std::uint64_t>::max(),
+                                    "write for example 2");
 }
 
 ExistingFiles existing_files(bool resume, bool force) {

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,10 +65,15 @@ Enum named_option(const std::string& text, const std::string& option) {
 /// @throws Error  as read_config(); naming --precision
 Config read_config_option(const std::string& file, const std::string& precision = {});
 
+/// The number, from 0 to max.
+/// @param remedy  what to do, for the error
+/// @throws Error  naming the option, unless the text is such a number
+std::uint64_t whole_number(const std::string& text, const std::string& option, std::uint64_t max,
+                           const std::string& remedy);
+
 /// Applies --temperature and --seed, each unless it is empty.
 /// @throws Error  naming the option, if the temperature is wrong_temperature(), or the seed is not
-/// a
-///                whole number from 0
+///                a whole number from 0
 void set_initial_motion(Config& config, const std::string& temperature, const std::string& seed);
 
 /// What --continue and --force do with files that exist.

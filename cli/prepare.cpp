@@ -20,7 +20,7 @@ namespace {
 
 struct Options : JobOptions {
   std::string pressure, nvt, npt, output;
-  bool force = false;
+  bool resume = false, force = false;
 };
 
 Config make_config(const Options& o) {
@@ -36,13 +36,23 @@ Config make_config(const Options& o) {
   return config;
 }
 
+void note_interrupted(const PreparationReport& report) {
+  if (report.checkpoint.empty())
+    log("interrupted; no file was written, and the same command starts over\n");
+  else
+    log("interrupted; '{}' is the checkpoint, and --continue resumes\n", report.checkpoint);
+}
+
 int prepare(const Options& o) {
   const Config config = make_config(o);
   Workers workers = o.workers();
   const PreparationReport report =
-      polhode::prepare(config, {existing_files(false, o.force)}, console(), workers);
-  if (!report.properties)
-    log("interrupted; no file was written, and the same command starts over\n");
+      polhode::prepare(config,
+                       {existing_files(o.resume, o.force),
+                        o.command({"--pressure", "--nvt", "--npt", "--temperature", "--seed",
+                                   "--output", "--precision"})},
+                       console(), workers);
+  if (!report.properties) note_interrupted(report);
   if (o.json)
     fmt::print("{}\n", preparation_json(report));
   else
@@ -63,6 +73,8 @@ Action prepare_verb(Command& command) {
   command.add_option("--nvt", o->nvt, "length of NVT: \"20 ps\"; default: the run file's");
   command.add_option("--npt", o->npt, "length of NPT: \"100 ps\"; default: the run file's");
   command.add_option("--output", o->output, "prefix of the output files; default: the run file's");
+  command.add_flag("--continue", o->resume,
+                   "resume from the last checkpoint; start if there is none");
   command.add_flag("--force", o->force, "overwrite output files that exist");
   return [o] { return prepare(*o); };
 }

@@ -39,7 +39,10 @@ void print_preparation(const PreparationReport& r) {
              p.pressure ? fmt::format(" (barostat: {:g})", *p.pressure / bar) : "");
   fmt::print("potential energy      {:.4f} kJ/mol per molecule, {}\n", p.summary.potential,
              change_of(p.summary.potential_drift));
-  print_files({r.final_state, r.run_file});
+  if (r.compressibility > 0)
+    fmt::print("compressibility       {:.2g} 1/bar, estimated, for the moves of the barostat\n",
+               r.compressibility / unit("1/bar", Dimension::compressibility));
+  print_files(r.files);
   fmt::print("next                  polhode run {}\n", r.run_file);
   print_warnings(p.warnings);
 }

@@ -11,6 +11,7 @@
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/with_error.hpp"
+#include "step_bias_report.hpp"
 #include "streams.hpp"
 
 namespace polhode::cli {
@@ -63,17 +64,20 @@ void print_drift(const RunSummary& s) {
                s.shadow->fluctuation);
 }
 
-void print_temperatures(const RunSummary& s) {
-  const auto kelvin = [](double degrees_of_freedom, double T) {
-    return degrees_of_freedom > 0 ? fmt::format("{:.2f}", T) : "-";
+void print_kinetic(const char* name, const Temperatures& T, const DegreesOfFreedom& n) {
+  const auto kelvin = [](double degrees_of_freedom, double value) {
+    return degrees_of_freedom > 0 ? fmt::format("{:.2f}", value) : "-";
   };
-  const DegreesOfFreedom& n = s.degrees_of_freedom;
-  fmt::print("temperature           {} K: translation {}, rotation",
-             kelvin(n.all(), s.temperatures.all),
-             kelvin(n.translation, s.temperatures.translation));
-  for (std::size_t k = 0; k < 3; ++k)
-    fmt::print(" {}", kelvin(n.rotation[k], s.temperatures.rotation[k]));
+  fmt::print("{:<22}{} K: translation {}, rotation", name, kelvin(n.all(), T.all),
+             kelvin(n.translation, T.translation));
+  for (std::size_t k = 0; k < 3; ++k) fmt::print(" {}", kelvin(n.rotation[k], T.rotation[k]));
   fmt::print(" K\n");
+}
+
+void print_temperatures(const RunSummary& s) {
+  const DegreesOfFreedom& n = s.degrees_of_freedom;
+  print_kinetic("temperature", s.temperatures, n);
+  if (s.temperatures_at_bath) print_kinetic("  of half steps", *s.temperatures_at_bath, n);
   if (std::any_of(s.configurational.begin(), s.configurational.end(),
                   [](const auto& known) { return known.has_value(); })) {
     const auto text = [&](std::size_t k) {
@@ -99,6 +103,10 @@ void print_evaluations(const RunSummary& s, bool nested) {
     if (s.near_derivatives > 0) fmt::print(", and {} of their derivative", s.near_derivatives);
   }
   if (s.measurements > 1) fmt::print(", and {} for energies only", s.measurements);
+  if (s.ensemble.barostat)
+    fmt::print(", {} for moves of the box", s.ensemble.barostat->evaluations);
+  if (s.minimisation_evaluations > 0)
+    fmt::print(", {} for the minimisation", s.minimisation_evaluations);
   fmt::print("\nneighbour list        {} rebuilds\n", s.list_rebuilds);
 }
 
@@ -117,11 +125,30 @@ void print_speed(const RunSummary& s, bool nested, const ExecutionSettings& exec
              execution.instruction_set);
 }
 
+/// "R = 0.31 ± 0.02 % over 15 ps", or the bias.
+std::string guaranteed_text(const GuaranteeCheck& k) {
+  const auto text = [&](const char* name, double unit, const char* unit_text) {
+    return fmt::format("{} {} {}", name, with_error(k.value.value / unit, k.value.error / unit),
+                       unit_text);
+  };
+  switch (k.guarantee.accuracy.of) {
+    case RequiredOf::ratio:
+      return fmt::format("{} over {:.3g} ps", text("R =", 0.01, "%"), k.guarantee.length);
+    case RequiredOf::temperature_difference:
+      return text("bias of T_rot - T_trans", 1, "K");
+    case RequiredOf::energy:
+      return text("bias of the potential energy", 1, "kJ/mol per molecule");
+    case RequiredOf::pressure:
+      return text("bias of the pressure", 1 / in_bar(1), "bar");
+    case RequiredOf::density:
+      return text("bias of the density", 0.01, "%");
+  }
+  return "";
+}
+
 void print_guarantee(const GuaranteeCheck& k) {
-  const std::string what =
-      fmt::format("R = {} % over {:.3g} ps; the accuracy guarantee is {:.3g} %",
-                  with_error(100 * k.ratio.value, 100 * k.ratio.error), k.guarantee.length,
-                  100 * k.guarantee.accuracy);
+  const std::string what = fmt::format("{}; the accuracy guarantee is {}", guaranteed_text(k),
+                                       text_of(k.guarantee.accuracy));
   fmt::print("accuracy guarantee    {}: {}\n", k.met() ? "met" : "NOT MET", what);
   if (!k.met())
     log("warning: the accuracy guarantee of [integrator] accuracy was not met: {}; give a smaller "
@@ -154,6 +181,7 @@ void print_text(const RunReport& r) {
                  : fmt::format("{:.0f}", in_bar(s.pressure.value)),
              missing_error(s.pressure.known, s.samples), pressure_asked(s.ensemble.settings));
   print_ensemble_results(s);
+  print_step_bias(s);
   fmt::print("total momentum        {:.2g} u nm/ps\n", s.momentum);
   print_evaluations(s, nested);
   print_speed(s, nested, r.execution);

@@ -3,7 +3,6 @@
 #include <memory>
 #include <string>
 
-#include "canonical_report.hpp"
 #include "console.hpp"
 #include "job_options.hpp"
 #include "option_values.hpp"
@@ -43,13 +42,14 @@ int perform(const Options& o) {
   const std::string record = StudyFiles(o.output).runs;
   const bool runs = o.from_record.empty();
   if (config.study.ensemble == StudyEnsemble::nvt)
-    return print_canonical_study(
+    return finish_study(
         runs ? run_canonical_study(config, o.output, output, console(), workers)
              : report_canonical_record(config, o.from_record, o.output, output, console()),
         record, o.json);
-  return print_study(runs ? run_study(config, o.output, output, console(), workers)
+  return finish_study(runs
+                          ? run_study(config, o.output, output, console(), workers)
                           : report_study_record(config, o.from_record, o.output, output, console()),
-                     record, o.json);
+                      record, o.json);
 }
 
 }  // namespace

@@ -10,7 +10,6 @@
 
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/with_error.hpp"
-#include "streams.hpp"
 #include "temperature_tables.hpp"
 
 namespace polhode::cli {
@@ -93,27 +92,15 @@ void print_claims(const StudyReport& report) {
                in_words(claim.verdict));
 }
 
-void print_text(const StudyReport& report) {
-  if (report.points.empty()) return;
+}  // namespace
+
+void print_study(const StudyReport& report) {
   fmt::print("{}\n\n", conditions(report.config));
   print_points(report);
   print_costs(report);
   print_temperatures(report.curves, report.equipartition);
   print_claims(report);
   fmt::print("\n{}\nfiles {}\n", advice(report, 0.005), fmt::join(report.files, " "));
-}
-
-}  // namespace
-
-int print_study(const StudyReport& report, const std::string& record, bool json) {
-  if (json)
-    fmt::print("{}\n", study_json(report));
-  else
-    print_text(report);
-  if (!report.interrupted) return 0;
-  log("interrupted{}; the same command resumes from {}\n",
-      report.points.empty() ? " before the first run ended" : "", record);
-  return 130;
 }
 
 }  // namespace polhode::cli

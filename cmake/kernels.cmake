@@ -7,31 +7,45 @@
 set(POLHODE_INSTRUCTION_SETS all CACHE STRING
     "instruction sets of the kernels: all, native (that of this processor), or a list; scalar is always there")
 
+# Flags of each set, and what the compiler defines where the processor has it. The order is that of InstructionSet.
+set(all_sets scalar sse4 avx2 avx512 neon)
 set(POLHODE_FLAGS_scalar -DHWY_COMPILE_ONLY_SCALAR)
+set(POLHODE_FLAGS_sse4 -march=x86-64-v2)
+set(POLHODE_MACROS_sse4 __SSE4_2__)
+set(POLHODE_FLAGS_avx2 -march=x86-64-v3)
+set(POLHODE_MACROS_avx2 __AVX2__ __FMA__)
+set(POLHODE_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+set(POLHODE_MACROS_avx512 __AVX512F__ __AVX512BW__ __AVX512CD__ __AVX512DQ__ __AVX512VL__)
+set(POLHODE_FLAGS_neon -march=armv8-a+crypto)  # Highway compiles NEON only with these instructions, which are not used
+set(POLHODE_MACROS_neon __ARM_NEON)
+
+# The sets of the processor to compile for, slowest first. Where the best of them is on all such processors, any copy of
+# an inline function will do, and the sets need not be kept apart.
 set(known_sets scalar)
+set(keep_sets_apart FALSE)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(PREPEND POLHODE_FLAGS_scalar -march=x86-64)
   list(APPEND known_sets sse4 avx2 avx512)
-  set(POLHODE_FLAGS_sse4 -march=x86-64-v2)
-  set(POLHODE_FLAGS_avx2 -march=x86-64-v3)
-  set(POLHODE_FLAGS_avx512 -march=x86-64-v4 -mprefer-vector-width=512)
+  set(keep_sets_apart TRUE)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64|ARM64")
+  list(APPEND known_sets neon)
 endif()
 
 # The best known instruction set of the processor that compiles.
 function(polhode_native_set result)
   execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
                   OUTPUT_VARIABLE macros ERROR_QUIET)
-  set(best scalar)
-  if(macros MATCHES "__SSE4_2__ 1")
-    set(best sse4)
-  endif()
-  if(macros MATCHES "__AVX2__ 1" AND macros MATCHES "__FMA__ 1")
-    set(best avx2)
-  endif()
-  if(macros MATCHES "__AVX512F__ 1" AND macros MATCHES "__AVX512BW__ 1" AND macros MATCHES "__AVX512CD__ 1" AND
-     macros MATCHES "__AVX512DQ__ 1" AND macros MATCHES "__AVX512VL__ 1")
-    set(best avx512)
-  endif()
+  foreach(name IN LISTS known_sets)
+    set(there TRUE)
+    foreach(macro IN LISTS POLHODE_MACROS_${name})
+      if(NOT macros MATCHES "${macro} 1")
+        set(there FALSE)
+      endif()
+    endforeach()
+    if(there)
+      set(best ${name})
+    endif()
+  endforeach()
   set(${result} ${best} PARENT_SCOPE)
 endfunction()
 
@@ -55,26 +69,37 @@ if(number_of_sets GREATER 1)  # the scalar one then serves only processors witho
 endif()
 
 set(missing_sets)  # definitions that tell the code what is not there
-foreach(name IN LISTS known_sets)
+foreach(name IN LISTS all_sets)
   if(NOT name IN_LIST compiled_sets)
     string(TOUPPER POLHODE_WITHOUT_${name} definition)
     list(APPEND missing_sets ${definition})
   endif()
 endforeach()
 
-# Those of GNU for any compiler: lld 14 cannot resolve the groups of an object.
-find_program(POLHODE_LD NAMES ld.bfd ld REQUIRED)
-find_program(POLHODE_OBJCOPY NAMES objcopy REQUIRED)
+if(POLHODE_SANITIZE)  # runs only on the build machine
+  set(keep_sets_apart FALSE)
+endif()
+if(keep_sets_apart)  # by GNU's programs for any compiler: lld 14 cannot resolve the groups of an object
+  find_program(POLHODE_LD NAMES ld.bfd ld REQUIRED)
+  find_program(POLHODE_OBJCOPY NAMES objcopy REQUIRED)
+endif()
 
 function(polhode_compile_kernels library)
+  # The loops over pairs unroll into several hundred operations, more than a processor looks ahead; by itself g++ orders
+  # them only after it has assigned registers.
+  foreach(source IN LISTS ARGN)
+    if(source MATCHES "/pair_loops_" AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+      set_property(SOURCE ${source} PROPERTY COMPILE_OPTIONS -fschedule-insns -fsched-pressure)
+    endif()
+  endforeach()
   foreach(name IN LISTS compiled_sets)
     set(objects ${library}_${name})
     add_library(${objects} OBJECT ${ARGN})
-    target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags ${fft_library} hwy::hwy)
+    target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags polhode_pocketfft hwy::hwy)
     target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast
                            -fno-tree-vectorize)  # vectorization is explicit in packs
     target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES ${missing_sets})
-    if(POLHODE_SANITIZE)  # runs only on the build machine, so sharing is harmless
+    if(NOT keep_sets_apart)
       target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)
     else()
       set(merged ${CMAKE_CURRENT_BINARY_DIR}/${objects}.o)

@@ -12,12 +12,12 @@ include(cmake/hdf5.cmake)
 if(NOT TARGET polhode::hdf5)
   message(FATAL_ERROR "hdf5.h and its library are not there; install them (Debian: libhdf5-dev)")
 endif()
-include(cmake/fft.cmake)
+add_library(polhode_pocketfft INTERFACE)
+target_include_directories(polhode_pocketfft SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/third_party/pocketfft)
 include(cmake/kernels.cmake)
 include(cmake/embed.cmake)
 
 file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
-polhode_choose_fft(sources)
 set(kernel_sources ${sources})
 list(FILTER sources EXCLUDE REGEX "/kernels/")
 list(FILTER kernel_sources INCLUDE REGEX "/kernels/")
@@ -37,7 +37,7 @@ foreach(target IN ITEMS polhode_sources polhode)
   # What is only headers has served when the library is built.
   target_link_libraries(${target} PUBLIC polhode_headers
                         PRIVATE Threads::Threads fmt::fmt hwy::hwy tomlplusplus::tomlplusplus
-                                polhode::hdf5 ${fft_library}
+                                polhode::hdf5 $<BUILD_INTERFACE:polhode_pocketfft>
                                 $<BUILD_INTERFACE:polhode_flags> $<BUILD_INTERFACE:Eigen3::Eigen>
                                 $<BUILD_INTERFACE:Boost::headers>
                                 $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)

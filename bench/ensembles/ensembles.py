@@ -7,6 +7,7 @@ Monte Carlo and constant energy."""
 
 import argparse
 import csv
+import shlex
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -53,7 +54,7 @@ SYSTEMS = {
     "water, reaction field": {"molecules": WATER, "density": 0.98, "pressures": (1, 1200),
                               "forces": SHORT + 'electrostatics = "reaction-field"'},
     "water, PME": {"molecules": WATER, "density": 0.98, "pressures": (1, 1200), "forces": SHORT + 'electrostatics = "pme"'},
-    "CO2": {"molecules": '{ model = "co2", count = 64 }', "density": 0.95, "pressures": (400, 1000), "compressibility": 3e-4,
+    "CO2": {"molecules": '{ model = "co2", count = 64 }', "density": 0.95, "pressures": (600, 1000), "compressibility": 3e-4,
             "forces": 'cutoff = "0.7 nm"\nswitch = "0.6 nm"'},
     "salt water, PME": {"molecules": '{ model = "spce", count = 58 }, { model = "na-spce", count = 3 }, { model = "cl-spce", count = 3 }',
                         "density": 1.05, "pressures": (1, 1200), "forces": SHORT + 'electrostatics = "pme"'},
@@ -180,6 +181,13 @@ def tables(result):
     return "\n".join(rows) + "\n"
 
 
+def command(o):
+    """What repeats the runs: all options that results depend on."""
+    chosen = lambda option, names, of: [option, *map(shlex.quote, names)] if set(names) != set(of) else []
+    return " ".join(["bench/ensembles/ensembles.py", *chosen("--systems", o.systems, SYSTEMS), *chosen("--methods", o.methods, METHODS),
+                     *([] if o.constant_energy else ["--no-constant-energy"]), f"--equilibrate {o.equilibrate:g} --length {o.length:g} --seed {o.seed}"])
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", default="polhode", help="path of polhode")
@@ -198,11 +206,11 @@ def main():
     if o.series:
         np.savez_compressed(o.series, **{" | ".join(map(str, [*key, name])): x for key, columns in runs.items()
                                          for name, x in columns.items() if name in ("potential", "volume", "pressure", "kinetic_translation")})
-    result = {"machine": machine.processor(), "date": str(date.today()), "length_ps": o.length, "seed": o.seed,
+    result = {"machine": machine.processor(), "date": str(date.today()), "command": command(o), "length_ps": o.length, "seed": o.seed,
               "user_cpu_s": round(getrusage(RUSAGE_CHILDREN).ru_utime), "slopes": slopes(runs, o), "agreement": agreement(runs, o)}
     records.write(Path(f"{o.output}.json"), result)
     Path(f"{o.output}.md").write_text(
-        f"# {date.today()}, {machine.processor()}: ensembles\n\n`bench/ensembles/ensembles.py --length {o.length:g} --seed {o.seed}`, "
+        f"# {date.today()}, {machine.processor()}: ensembles\n\n`{command(o)}`, "
         f"{result['user_cpu_s']} s of user CPU time\n\n{tables(result)}", encoding="utf-8")
     print(tables(result))
 

@@ -12,31 +12,14 @@
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/forces/mesh/mesh_choice.hpp"
 #include "polhode/forces/mesh/particle_mesh.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "waters.hpp"
 
 namespace {
 
 using namespace polhode;
+using bench::waters;
 
 constexpr double cutoff = 0.9;
-
-/// `copies` of the box of water along each edge.
-System waters(std::size_t copies) {
-  const System one = build_system(default_config());
-  System all = one;
-  const std::size_t n = one.state.size(), boxes = copies * copies * copies;
-  all.topology.parts[0].count = n * boxes;
-  all.state = State(n * boxes, Box{static_cast<double>(copies) * one.state.box.edge});
-  for (std::size_t box = 0; box < boxes; ++box)
-    for (std::size_t i = 0; i < n; ++i) {
-      const Vec3<double> cell{static_cast<double>(box % copies),
-                              static_cast<double>(box / copies % copies),
-                              static_cast<double>(box / (copies * copies))};
-      all.state.q.set(box * n + i, one.state.q[i] + scaled(cell, one.state.box.edge));
-      all.state.attitude.set(box * n + i, one.state.attitude[i]);
-    }
-  return all;
-}
 
 /// A state in the data structures of the mesh.
 template <class T>
@@ -120,6 +103,13 @@ void add_all(const std::string& precision) {
   for (const double error : {1e-3, 1e-4, 1e-5, 1e-6})
     add<T>("chosen/error=" + std::to_string(error).substr(0, 8) + precision, best, What::forces, 1,
            mesh_for(error, cutoff, water.state.box, water.topology));
+  // What the choice of a mesh assumes: the times by order and by points (mesh_choice.cpp).
+  for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order)
+    add<T>("order=" + std::to_string(order) + precision, best, What::forces, 1,
+           {{20, 20, 20}, order, 5, cutoff});
+  for (std::size_t n = 16; n <= 64; n += n < 32 ? 4 : 8)
+    add<T>("points=" + std::to_string(n) + precision, best, What::convolve, 1,
+           {{n, n, n}, 5, 5, cutoff});
   for (const std::size_t copies : {2u, 4u, 6u}) {
     const std::size_t n = 20 * copies;
     add<T>("waters=" + std::to_string(512 * copies * copies * copies) + precision, best,

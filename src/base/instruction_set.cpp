@@ -3,14 +3,35 @@
 
 #include <hwy/targets.h>
 
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <type_traits>
 
 #include "polhode/base/error.hpp"
 
 namespace polhode {
+
+POLHODE_DECLARE_LOOPS(struct Loops;)  // the same type as the scalar one if a set is an alias
+
 namespace {
+
+struct Target {
+  const char* name;
+  std::int64_t highway;  // its bit there
+  bool compiled;
+};
+template <class Loops>
+constexpr bool compiled = !std::is_same_v<Loops, loops_scalar::Loops>;
+
+constexpr std::array targets{
+    // in the order of InstructionSet
+    Target{"scalar", 0, true}, Target{"sse4", HWY_SSE4, compiled<loops_sse4::Loops>},
+    Target{"avx2", HWY_AVX2, compiled<loops_avx2::Loops>},
+    Target{"avx512", HWY_AVX3, compiled<loops_avx512::Loops>},
+    Target{"neon", HWY_NEON, compiled<loops_neon::Loops>}};
 
 InstructionSet initial_instruction_set() {
   const std::vector<InstructionSet> instruction_sets = available_instruction_sets();
@@ -39,33 +60,15 @@ std::atomic<InstructionSet>& current() {
 }  // namespace
 
 const char* name(InstructionSet instruction_set) {
-  switch (instruction_set) {
-    case InstructionSet::scalar:
-      return "scalar";
-    case InstructionSet::sse4:
-      return "sse4";
-    case InstructionSet::avx2:
-      return "avx2";
-    case InstructionSet::avx512:
-      return "avx512";
-  }
-  return "";
+  return targets[static_cast<std::size_t>(instruction_set)].name;
 }
 
 std::vector<InstructionSet> available_instruction_sets() {
   std::vector<InstructionSet> instruction_sets{InstructionSet::scalar};
-#if defined(__x86_64__)
-  [[maybe_unused]] const auto supported = hwy::SupportedTargets();
-#if !defined(POLHODE_WITHOUT_SSE4)
-  if (supported & HWY_SSE4) instruction_sets.push_back(InstructionSet::sse4);
-#endif
-#if !defined(POLHODE_WITHOUT_AVX2)
-  if (supported & HWY_AVX2) instruction_sets.push_back(InstructionSet::avx2);
-#endif
-#if !defined(POLHODE_WITHOUT_AVX512)
-  if (supported & HWY_AVX3) instruction_sets.push_back(InstructionSet::avx512);
-#endif
-#endif
+  const std::int64_t supported = hwy::SupportedTargets();
+  for (std::size_t k = 1; k < targets.size(); ++k)
+    if (targets[k].compiled && (supported & targets[k].highway) != 0)
+      instruction_sets.push_back(static_cast<InstructionSet>(k));
   return instruction_sets;
 }
 

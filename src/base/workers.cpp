@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/base/workers.hpp"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -22,10 +24,10 @@ namespace polhode {
 namespace {
 
 void pause() {
-#if defined(__x86_64__)
-  __builtin_ia32_pause();
-#elif defined(__aarch64__)
+#if defined(__aarch64__)
   asm volatile("yield");
+#else
+  hwy::Pause();
 #endif
 }
 

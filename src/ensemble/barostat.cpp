@@ -84,7 +84,7 @@ bool Barostat::rescale_cell(State& state, Load& load, const Evaluate& evaluate,
   if (!(moved > 0)) return false;
   const double before = energies(state, bodies_, load).total();
   scale_box(state, edges, factor_of(edges, moved * moved / V), true);
-  evaluate(state, load_);
+  evaluate_moved(state, evaluate);
   const double work = energies(state, bodies_, load_).total() - before;
   const double back = lambda - moved - drift(state, load_, edges) * t;
   const double violation = work + settings_.pressure * (moved * moved - V) -
@@ -102,11 +102,16 @@ bool Barostat::move_volume(State& state, Load& load, const Evaluate& evaluate,
   const double change = max_change * (2 * random.uniform() - 1);
   if (!(V + change > 0)) return false;
   scale_box(state, edges, factor_of(edges, 1 + change / V), false);
-  evaluate(state, load_);
+  evaluate_moved(state, evaluate);
   const double work = load_.potential() - load.potential();
   const double violation = work + settings_.pressure * change -
                            static_cast<double>(state.size()) * kT_ * std::log1p(change / V);
   return decide(state, load, violation, work, random.uniform(), false);
+}
+
+void Barostat::evaluate_moved(const State& state, const Evaluate& evaluate) {
+  evaluate(state, load_);
+  ++memory_.evaluations;
 }
 
 /// Takes the new state and its Load, or returns to those before the move.

@@ -25,12 +25,12 @@ double apply(State& state, const Bodies& bodies, const LangevinTerms& terms,
   each_block(state.size(), block, workers, [&](std::size_t first, std::size_t end) {
     sums[first / block] = loop(state, bodies, terms, first, end);
   });
-  double heat = 0;
+  double heat = 0, mass = 0;
   Vec3<double> momentum{};
-  for (const LangevinSums& sum : sums) heat += sum.heat, momentum += sum.momentum;
+  for (const LangevinSums& sum : sums) heat += sum.heat, momentum += sum.momentum, mass += sum.mass;
   if (total_momentum == TotalMomentum::free || terms.noise == 0) return heat;
-  remove_total_momentum(state, bodies);
-  return heat - norm2(momentum) / (2 * total_mass(bodies));
+  subtract_velocity(state, bodies, momentum / mass, workers);
+  return heat - norm2(momentum) / (2 * mass);
 }
 
 }  // namespace

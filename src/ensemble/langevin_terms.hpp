@@ -19,6 +19,7 @@ struct LangevinTerms {
 struct LangevinSums {
   double heat;            ///< change of kinetic energy [kJ/mol]
   Vec3<double> momentum;  ///< Σ p afterwards [u nm/ps]
+  double mass;            ///< Σ m [u]
 };
 
 }  // namespace polhode

@@ -18,7 +18,7 @@ ForceSettings with_mesh(ForceSettings s, const Topology& topology, const Box& bo
   const bool has_mesh = s.mesh && (!s.mesh_chosen_for || *s.mesh_chosen_for == box);
   if (s.electrostatics != Electrostatics::pme || has_mesh) return s;
   check_edges(box);
-  if (!choice) choice.emplace(topology, s.pme_accuracy, s.cutoff);
+  if (!choice) choice.emplace(topology, s);
   s.mesh = (*choice)(box);
   s.mesh_chosen_for = box;
   return s;
@@ -31,7 +31,7 @@ ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s
   terms.dispersion = tail / box.volume();
   for (std::size_t d = 0; d < 3; ++d) terms.virial[d][d] = terms.dispersion;
   if (s.electrostatics == Electrostatics::pme) {
-    const MeshConstant mesh(topology, {s.cutoff, s.mesh->exponent}, box);
+    const MeshConstant mesh(topology, {s.mesh->cutoff, s.mesh->exponent}, box);
     terms.self = mesh.self;
     terms.intramolecular = mesh.intramolecular;
     terms.background = mesh.background;

@@ -18,7 +18,7 @@ namespace polhode {
 namespace {
 
 constexpr std::string_view magic = "polhode restart\n";
-constexpr std::uint64_t format_version = 6;
+constexpr std::uint64_t format_version = 8;
 constexpr std::size_t length_at = magic.size() + sizeof(std::uint64_t);
 constexpr std::size_t number = sizeof(std::uint64_t);
 
@@ -110,7 +110,8 @@ CheckpointReader::CheckpointReader(std::string bytes, const std::string& path,
         fmt::format("the checkpoint '{}' was written by polhode {} and this is {}: the run would "
                     "not be resumed bit for bit; use that program, or start over",
                     path_, program.version, reader.version));
-  if (program.instruction_set != reader.instruction_set)
+  if (reader.instruction_set != any_instruction_set &&
+      program.instruction_set != reader.instruction_set)
     throw Error(
         fmt::format("the checkpoint '{0}' was written with the instruction set {1}, and "
                     "this run uses {2}: its sums differ in the last digits; set the "

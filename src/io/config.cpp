@@ -69,7 +69,10 @@ Config parse_config(std::string_view text, const std::string& file) {
   EnsembleSettings& ensemble = config.ensemble;
   ensemble.temperature = config.system.temperature;
   if (thermostat) ensemble.thermostat = read_thermostat(*thermostat);
-  if (barostat) ensemble.barostat = read_barostat(*barostat);
+  if (barostat) {
+    config.compressibility_given = barostat->has("compressibility");
+    ensemble.barostat = read_barostat(*barostat);
+  }
   if (hybrid) ensemble.hybrid_monte_carlo = read_hybrid_monte_carlo(*hybrid);
   if (const std::string wrong = wrong_temperature(config); !wrong.empty())
     system->refuse("temperature", wrong);

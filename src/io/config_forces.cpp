@@ -64,6 +64,8 @@ void read_dielectric(TomlTable& table, double& dielectric) {
 void read_electrostatics(TomlTable& table, ForceSettings& forces) {
   if (has_key_of(table, "pme_accuracy", forces, Electrostatics::pme))
     take(forces.pme_accuracy, table.number("pme_accuracy"));
+  if (has_key_of(table, "coulomb_cutoff", forces, Electrostatics::pme))
+    forces.coulomb_cutoff = table.quantity("coulomb_cutoff", Dimension::length, "0.8 nm");
   if (has_key_of(table, "damping", forces, Electrostatics::damped_shifted_force))
     take(forces.damping, table.quantity("damping", Dimension::inverse_length, "2 1/nm"));
   if (has_key_of(table, "dielectric", forces, Electrostatics::reaction_field))

@@ -32,11 +32,21 @@ void take_schemes(TomlTable& table, std::string_view key, std::vector<std::strin
   }
 }
 
-void check_accuracy(double bound, const TomlTable& table) {
-  if (const std::string wrong = wrong_bound(bound); !wrong.empty())
+/// "0.5 %" of R, or the bias of an average.
+std::optional<Requirement> read_accuracy(TomlTable& table) {
+  if (!table.has("accuracy")) return std::nullopt;
+  if (table.holds_text("accuracy"))
+    if (const std::string text = *table.text("accuracy"); is_of_bias(text)) try {
+        return required_bias(text, "accuracy");
+      } catch (const Error& e) {
+        throw Error(e.what(), table.where("accuracy"));
+      }
+  const double ratio = table.quantity("accuracy", Dimension::fraction, "0.5 %").value();
+  if (const std::string wrong = wrong_bound(ratio); !wrong.empty())
     table.refuse("accuracy", wrong +
                                  ": it bounds R, the fluctuation of the total energy divided "
                                  "by that of the potential energy");
+  return Requirement{RequiredOf::ratio, ratio};
 }
 
 void take_configurational_sample(TomlTable& table, double& interval) {
@@ -50,10 +60,6 @@ constexpr auto must_be_time = "must be 0 ps or longer, and at most 1e6 us (one s
 
 }  // namespace
 
-std::string wrong_bound(double bound) {
-  return bound > 0 && bound < 1 ? "" : "must be above 0 % and below 100 %";
-}
-
 void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own) {
   integrator.scheme_given = table.has("scheme");
   take(integrator.scheme, table.text("scheme"));
@@ -62,8 +68,7 @@ void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnS
   check_scheme(integrator.scheme, "scheme", table);
   take_time(table, "step", integrator.step, "2 fs");
   table.require(integrator.step > 0, "step", "must be longer than 0 fs");
-  integrator.accuracy = table.quantity("accuracy", Dimension::fraction, "0.5 %");
-  if (integrator.accuracy) check_accuracy(*integrator.accuracy, table);
+  integrator.accuracy = read_accuracy(table);
   table.require(!integrator.accuracy || !table.has("step"), "accuracy",
                 "cannot be combined with a step, which it chooses itself; leave one out");
   take_schemes(table, "candidates", integrator.candidates, own);

@@ -97,6 +97,17 @@ void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
   system.initial_configuration = std::move(file);
 }
 
+void read_checkpoint_key(TomlTable& table, const path& folder, SystemSettings& system) {
+  const auto file = table.text("checkpoint");
+  if (!file) return;
+  table.require(!system.initial_configuration.empty(), "checkpoint",
+                "has the state of an initial configuration at full precision, and there is none; "
+                "write for example initial_configuration = \"water-prepared.gro\"");
+  system.checkpoint = resolve(folder, *file);
+  table.require(std::filesystem::is_regular_file(system.checkpoint), "checkpoint",
+                fmt::format("is not a file: '{}' does not exist", system.checkpoint));
+}
+
 void read_velocities(TomlTable& table, SystemSettings& system) {
   const auto velocities = table.text("velocities");
   if (!velocities) return;
@@ -183,6 +194,7 @@ void read_system(TomlTable table, const path& folder, SystemSettings& system) {
   table.require(system.temperature >= 0, "temperature", "must be above 0 K");
   const auto seed = table.integer("seed");
   table.require(seed.value_or(0) >= 0, "seed", "must be 0 or more");
+  read_checkpoint_key(table, folder, system);
   read_velocities(table, system);
   if (seed) system.seed = static_cast<std::uint64_t>(*seed);
   table.refuse_unknown();

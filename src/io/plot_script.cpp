@@ -98,8 +98,8 @@ std::vector<std::vector<double>> model_of(const AdviceCurve& curve) {
 const std::vector<std::string> palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                           "#E69F00", "#56B4E9", "#000000"};
 
-/// The vertical range of a panel: all values if there is no bound, otherwise those up to several
-/// bounds, so that a large bias of one scheme does not hide what others have.
+/// The vertical range of a panel: all values if there is no bound, otherwise those up to a few
+/// loose bounds, so that a large bias of one scheme does not hide what others have.
 std::pair<double, double> range_of(const CanonicalFigure& figure, std::size_t panel) {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   for (const CanonicalFigure::Curve& curve : figure.curves)
@@ -108,10 +108,10 @@ std::pair<double, double> range_of(const CanonicalFigure& figure, std::size_t pa
       if (!std::isfinite(value)) continue;
       low = std::min(low, value - error), high = std::max(high, value + error);
     }
-  const double bound = figure.panels[panel].bound;
+  const double bound = figure.panels[panel].loose;
   if (bound == 0)
     return low > 0 && low < high ? std::pair{0.7 * low, 1.4 * high} : std::pair{1., 1e4};
-  constexpr double most = 8;  // bounds
+  constexpr double most = 2.5;  // bounds
   return {1.1 * std::clamp(low, -most * bound, -bound),
           1.1 * std::clamp(high, bound, most * bound)};
 }
@@ -200,7 +200,8 @@ std::string canonical_script(const CanonicalFigure& figure, const Image& image) 
     const std::string number = std::to_string(j + 1);
     const auto [low, high] = range_of(figure, j);
     titles.push_back(figure.panels[j].title);
-    script.number("bound" + number, figure.panels[j].bound);
+    script.number("strict" + number, figure.panels[j].strict);
+    script.number("loose" + number, figure.panels[j].loose);
     script.number("low" + number, low).number("high" + number, high);
   }
   script.texts("panel", titles).block("points");

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "polhode/io/ensemble_names.hpp"
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/quantity.hpp"
 #include "toml_table.hpp"
@@ -47,7 +48,7 @@ void each_table(toml::table& table, std::string_view key, const Visit& visit) {
 }
 
 void rewrite_system(toml::table& system, const Config& config, const std::string& coordinates,
-                    const Rebase& rebase) {
+                    const std::string& checkpoint, const Rebase& rebase) {
   each_table(system, "molecules", [&](toml::table& molecule) {
     if (is_molecule_path(molecule["model"].value_or(std::string()))) rebase(molecule, "model");
   });
@@ -58,26 +59,35 @@ void rewrite_system(toml::table& system, const Config& config, const std::string
   rebase.list(system, "include");
   for (const char* key : {"density", "box", "velocities"}) system.erase(key);
   system.insert_or_assign("initial_configuration", path(coordinates).filename().string());
+  system.insert_or_assign("checkpoint", path(checkpoint).filename().string());
   system.insert_or_assign("temperature", fmt::format("{:.12g} K", config.system.temperature));
   system.insert_or_assign("seed", static_cast<std::int64_t>(config.system.seed));
+}
+
+void rewrite_barostat(toml::table& barostat, const Config& config) {
+  const BarostatSettings& settings = config.ensemble.barostat.value();
+  barostat.insert_or_assign(
+      "pressure", fmt::format("{:.12g} bar", settings.pressure / unit("bar", Dimension::pressure)));
+  if (!config.compressibility_given && settings.compressibility != default_compressibility())
+    barostat.insert_or_assign(
+        "compressibility",
+        fmt::format("{:.2g} 1/bar",
+                    settings.compressibility / unit("1/bar", Dimension::compressibility)));
 }
 
 }  // namespace
 
 std::string prepared_run_file(const Config& config, const std::string& coordinates,
-                              const std::string& run_file) {
+                              const std::string& checkpoint, const std::string& run_file) {
   toml::table document = parse_toml(config.text, config.source);
   const Rebase rebase(path(config.source).parent_path(), path(run_file).parent_path());
   if (auto* system = document["system"].as_table())
-    rewrite_system(*system, config, coordinates, rebase);
+    rewrite_system(*system, config, coordinates, checkpoint, rebase);
   each_table(document, "pair", [&](toml::table& pair) { rebase(pair, "table"); });
   document.erase("prepare");
   if (auto* run = document["run"].as_table())
     for (const char* key : {"minimise", "equilibrate"}) run->erase(key);
-  if (auto* barostat = document["barostat"].as_table())
-    barostat->insert_or_assign("pressure",
-                               fmt::format("{:.12g} bar", config.ensemble.barostat->pressure /
-                                                              unit("bar", Dimension::pressure)));
+  if (auto* barostat = document["barostat"].as_table()) rewrite_barostat(*barostat, config);
   std::ostringstream text;
   text << document << '\n';
   return text.str();

@@ -1,20 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/autocorrelation_time.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace polhode {
 namespace {
 
-constexpr std::size_t min_series = 10, min_windows = 4;
+using Runs = std::span<const std::span<const double>>;
+
+constexpr std::size_t min_series = 10, min_windows = 4, min_windows_of_one = 2;
 constexpr double min_times = 10;
 
-double autocovariance(std::span<const double> series, double mean, std::size_t lag) {
+std::size_t all_samples(Runs runs) {
+  std::size_t n = 0;
+  for (const auto run : runs) n += run.size();
+  return n;
+}
+
+std::size_t shortest(Runs runs) {
+  std::size_t n = std::numeric_limits<std::size_t>::max();
+  for (const auto run : runs) n = std::min(n, run.size());
+  return runs.empty() ? 0 : n;
+}
+
+double mean_of(Runs runs) {
   double sum = 0;
-  for (std::size_t i = 0; i + lag < series.size(); ++i)
-    sum += (series[i] - mean) * (series[i + lag] - mean);
-  return sum / static_cast<double>(series.size() - lag);
+  for (const auto run : runs)
+    for (const double x : run) sum += x;
+  return sum / static_cast<double>(all_samples(runs));
+}
+
+double autocovariance(Runs runs, double mean, std::size_t lag) {
+  double sum = 0;
+  for (const auto run : runs)
+    for (std::size_t i = 0; i + lag < run.size(); ++i)
+      sum += (run[i] - mean) * (run[i + lag] - mean);
+  return sum / static_cast<double>(all_samples(runs) - runs.size() * lag);
 }
 
 /// Whether a longer window adds more noise than signal, if ρ(t) falls exponentially with the time
@@ -30,16 +54,22 @@ bool window_ends(double tau, std::size_t lag, double samples) {
 }  // namespace
 
 std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> series) {
-  if (series.size() < min_series) return std::nullopt;
-  const double n = static_cast<double>(series.size());
-  const double mean = std::accumulate(series.begin(), series.end(), 0.0) / n;
-  const double variance = autocovariance(series, mean, 0);
+  const std::array one{series};
+  return autocorrelation_time(Runs(one));
+}
+
+std::optional<AutocorrelationTime> autocorrelation_time(Runs runs) {
+  if (shortest(runs) < min_series) return std::nullopt;
+  const double n = static_cast<double>(all_samples(runs));
+  const double mean = mean_of(runs);
+  const double variance = autocovariance(runs, mean, 0);
   if (!(variance > 0)) return std::nullopt;
   double tau = 0.5;
   std::size_t lag = 1;
   for (;; ++lag) {
-    if (min_windows * lag >= series.size()) return std::nullopt;
-    tau += autocovariance(series, mean, lag) / variance;
+    if (min_windows * lag >= all_samples(runs) || min_windows_of_one * lag >= shortest(runs))
+      return std::nullopt;
+    tau += autocovariance(runs, mean, lag) / variance;
     if (window_ends(tau, lag, n)) break;
   }
   const double w = static_cast<double>(lag);

@@ -60,6 +60,21 @@ Vec3<double> remove_total_momentum(State& state, const Bodies& bodies) {
   return momentum / total_mass(bodies);
 }
 
+void subtract_velocity(State& state, const Bodies& bodies, const Vec3<double>& u,
+                       Workers& workers) {
+  const auto subtract = [&](Column<double>& p, double v, std::size_t first, std::size_t end) {
+    double* const to = p.data();
+    const double* const m = bodies.m.data();
+    for (std::size_t i = first; i < end; ++i) to[i] -= m[i] * v;
+  };
+  each_block(state.size(), block_of(state.size()), workers,
+             [&](std::size_t first, std::size_t end) {
+               subtract(state.p.x, u.x, first, end);
+               subtract(state.p.y, u.y, first, end);
+               subtract(state.p.z, u.z, first, end);
+             });
+}
+
 void remove_net_force(Load& load, const Bodies& bodies, Workers& workers) {
   subtract_by_mass(load.f, bodies, total(load.f, workers), workers);
 }

@@ -18,6 +18,7 @@ import built_program
 ENSEMBLES = Path(__file__).resolve().parents[2] / "bench/ensembles/ensembles.py"
 sys.path.insert(0, str(ENSEMBLES.parent))
 
+import agreement
 import slopes
 
 
@@ -59,6 +60,24 @@ class Estimator(unittest.TestCase):
         self.assertAlmostEqual(slopes.expected("potential", *at), (1 / 300 - 1 / 330) / 0.00831446261815324)
 
 
+class Agreement(unittest.TestCase):
+    def test_deviations_from_all_others(self):
+        # The mean of the others is 0 with an error of sqrt(3² + 0²)/2 = 1.5; sqrt(2² + 1.5²) = 2.5.
+        self.assertAlmostEqual(agreement.deviations([(5, 2), (-1, 3), (1, 0)])[0], 2)
+        self.assertEqual(agreement.deviations([(1, 1)] * 3), [0, 0, 0])
+
+    def test_mean_of_blocks(self):
+        # Blocks of 100 with the means 1, 3 and 5: variance 4. The 101st value of the last block is left out.
+        found = agreement.mean(np.repeat([1.0, 3.0, 5.0], [100, 100, 101]), 3)
+        self.assertAlmostEqual(found[0], 3)
+        self.assertAlmostEqual(found[1], np.sqrt(4 / 3))
+
+    def test_scaled_velocities(self):
+        numbers = lambda r, v: "".join(f"{x:15.10f}" for x in r) + "".join(f"{x:15.11f}" for x in v)
+        gro = lambda v: "\n".join(["polhode", "1", "    1spce    OW    1" + numbers((1, 2, 3), v), numbers((3, 3, 3), ()), ""])
+        self.assertEqual(agreement.with_scaled_velocities(gro((0.5, -1, 2)), 1.5), gro((0.75, -1.5, 3)))
+
+
 class Runs(unittest.TestCase):
     # Every thermostat and barostat. A deviation of 4 standard errors, themselves known to 10 %, occurs by chance in 1 of 3,000
     # checks.
@@ -77,6 +96,14 @@ class Runs(unittest.TestCase):
         for found in result["slopes"]:  # not by errors that are too large
             self.assertLess(found["error"], 0.5 * abs(found["expected"]), found["method"])
         self.assertIn("| CO2 | constant energy |", table)
+
+    def test_costs_of_ensembles(self):
+        done = subprocess.run([sys.executable, "-B", ENSEMBLES.parent / "costs.py", "--program", built_program.PROGRAM, "--steps", "200",
+                               "--rounds", "2", "--electrostatics", "reaction-field"], check=True, text=True, stdout=subprocess.PIPE)
+        rows = [line.split("|") for line in done.stdout.splitlines()[2:]]
+        self.assertEqual(len(rows), 10)
+        for row in rows:
+            self.assertGreater(float(row[4]), 0)
 
 
 if __name__ == "__main__":

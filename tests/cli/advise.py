@@ -123,6 +123,23 @@ class Advise(Sandbox):
             self.assertLessEqual(found["best"]["confirmation"]["bound"], found["requested"] * 1e-3
                                  if option == "--drift" else found["requested"])
 
+    def test_bias_of_the_step(self):
+        """Biases grow as the square of the step: of two bounds, the smaller one has the shorter step."""
+        steps = {}
+        for bound in ("energy 0.02 kJ/mol", "energy 0.002 kJ/mol"):
+            found = self.advice(GAS, "--bias", bound, "--force", "--schemes", "velocity-verlet")
+            self.assertEqual((found["quality"], found["unit"]), ("energy bias", "kJ/mol per molecule"))
+            self.assertLessEqual(found["best"]["confirmation"]["bound"], found["requested"])
+            steps[bound] = found["best"]["step_fs"]
+        self.assertLess(steps["energy 0.002 kJ/mol"], steps["energy 0.02 kJ/mol"])
+        found = self.advice(GAS, "--bias", "pressure 20 bar", "--force", "--schemes", "velocity-verlet")
+        self.assertAlmostEqual(found["requested"], 20 * 0.0602214076)
+        process = self.done("advise", GAS, "--bias", "pressure 20 bar", "--force", "--schemes", "velocity-verlet")
+        self.assertIn("for a pressure bias of at most 20 bar use velocity-verlet", process.out)
+        barostat = '[barostat]\npressure = "100 bar"\ncompressibility = "1e-4 1/bar"\n[thermostat]\ntype = "rescaling"\n'
+        found = self.advice(GAS + barostat, "--bias", "density 0.2 %", "--force", "--schemes", "velocity-verlet")
+        self.assertAlmostEqual(found["requested"], 20 * 0.0602214076)
+
     def test_the_runs_that_confirm_decide(self):
         """For a bound close to the detectable drift, the proposed step is sometimes too long and is rejected by new runs."""
         refused = 0
@@ -165,6 +182,16 @@ class Advise(Sandbox):
         self.assertIn("for an R of at most 2 %: velocity-verlet at", process.err)
         self.assertIn("accuracy guarantee", process.out)
 
+    def test_run_with_a_bound_on_a_bias(self):
+        text = edited(GAS, ('accuracy = "2 %"', 'accuracy = "energy 0.02 kJ/mol"\nscheme = "velocity-verlet"'))
+        process = self.done("run", text)
+        self.assertIn("for an energy bias of at most 0.02 kJ/mol: velocity-verlet at", process.err)
+        self.assertRegex(process.out, r"accuracy guarantee    met: bias of the potential energy \S+ .* kJ/mol per molecule; the accuracy guarantee is energy 0.02 kJ/mol")
+        promise = json.loads(self.done("run", text, "--json", "--force").out)["guarantee"]
+        self.assertEqual((promise["accuracy"], promise["requested"]), (0.02, "energy 0.02 kJ/mol"))
+        self.assertEqual(promise["met"], abs(promise["bias"]) <= 0.02)
+        self.refused(edited(GAS, ('"2 %"', '"energy 0 kJ/mol"')), words=["above 0", "energy 0.01 kJ/mol", "run.toml:10", "integrator.accuracy"])
+
     def test_wrong_input(self):
         for wrong, words in (("0 %", ["0 %", "above 0 %"]), ("150 %", ["150 %", "below 100 %"]),
                              ("-1 %", ["above 0 %"]), ("0.5", ["no unit", '"0.5 %"']), ("nan %", ["finite"])):
@@ -177,6 +204,10 @@ class Advise(Sandbox):
         self.refused(edited(GAS, ('accuracy = "2 %"', "")), words=["--accuracy", "--drift"])
         self.refused(edited(GAS, ('accuracy = "2 %"', 'accuracy = "2 %"\nstep = "2 fs"')),
                      words=["cannot be combined with a step", "integrator.accuracy"])
+        for wrong, words in (("0 K", ["above 0", "0.1 K"]), ("0.1", ["no unit"]), ("energy", ["no bound", "energy 0.01 kJ/mol"]), ("energy 0.1 K/ns", ["energy"]),
+                             ("pressure -1 bar", ["above 0"]), ("density 0.1 %", ["density", "compressibility", "[barostat]", "pressure 4 bar"]),
+                             ("volume 1 %", ["volume"])):
+            self.refused(GAS, "--bias", wrong, words=words)
         self.refused(GAS, "--schemes", "hoa3", words=["'hoa3'", "'hoa2'", "--schemes"])
         nested = "hoa2 / hoa2 x 1 within 0.4 nm"
         self.refused(GAS, "--schemes", nested, words=[nested, "single schemes"])

@@ -24,8 +24,13 @@ class Canonical(Sandbox):
             self.assertIsNone(p["quantities"]["kinetic_rotation"]["mean"])  # atoms
             for name in ("potential", "configurational_translation", "kinetic_translation"):
                 self.assertGreaterEqual(p["quantities"][name]["bias"]["error"], 0)
-                self.assertIn(p["quantities"][name]["accuracy"], ("below the bound", "above the bound", "undecided"))
+                for accuracy in ("accuracy", "loose_accuracy"):
+                    self.assertIn(p["quantities"][name][accuracy], ("below the bound", "above the bound", "undecided"))
             self.assertEqual("acceptance" in p, p["hybrid_monte_carlo"])
+        for quantity in report["bounds"].values():
+            self.assertGreater(quantity["loose"], quantity["value"])
+        for claims in ("claims", "loose_claims"):
+            self.assertEqual([c.split(":")[0] for c in report[claims][:2]], ["baoab", "hmc-hoa2"])
         for name in ("study.csv", "study.json", "study.gp", "study-runs.csv"):
             self.assertTrue((self.folder / name).exists(), name)
         self.assertEqual(len(self.rows("study.csv")), 5)
@@ -56,7 +61,7 @@ class Canonical(Sandbox):
     def test_advice(self):
         advice = json.loads(self.done("advise", DENSE, "--ensemble", "nvt", "--evaluations", "1000", "--json").out)
         self.assertEqual(advice["scheme"], "hoa2")
-        self.assertEqual(len(advice["pilots"]), 20)
+        self.assertEqual(len(advice["pilots"]), 24)
         self.assertGreaterEqual(len(advice["finalists"]), 1)
         costs = [c["force_evaluations_per_sample"]["value"] for c in advice["finalists"]]
         self.assertEqual(costs, sorted(costs))

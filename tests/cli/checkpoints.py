@@ -17,6 +17,14 @@ WATER = edited(SMALL, ('"argon", count = 27', '"tip4p", count = 64'), ('"100 K"'
                ('"hoa2"', '"gier4"'),
                ('prefix = "out"', 'prefix = "out"\ntrajectory_every = "20 fs"\ncheckpoint_every = "0.01 s"'))
 GROWING = ("energies.csv", "trajectory.xyz", "trajectory.gro")
+# At constant temperature and pressure: moves of the box every 10 steps, which are neither samples nor frames.
+BAROSTAT = '[barostat]\ntype = "{}"\npressure = "200 bar"\ncompressibility = "2e-5 1/bar"\nevery = "20 fs"\n'
+ENSEMBLES = {
+    "Langevin, cell rescaling": "[thermostat]\n" + BAROSTAT.format("cell-rescaling"),
+    "rescaling, Monte Carlo moves": '[thermostat]\ntype = "rescaling"\n' + BAROSTAT.format("monte-carlo"),
+    "hybrid Monte Carlo, cell rescaling": "[hybrid_monte_carlo]\nsteps = 3\n" + BAROSTAT.format("cell-rescaling"),
+    "hybrid Monte Carlo, Monte Carlo moves": "[hybrid_monte_carlo]\nsteps = 3\n" + BAROSTAT.format("monte-carlo"),
+}
 TIMES = ("seconds", "ns_per_day", "threads")  # of the summary: differ between runs
 
 
@@ -78,6 +86,24 @@ class Checkpoints(Sandbox):
         # A finished run reports its results again.
         self.assertEqual(self.summary("--continue"), summary)
         self.assertEqual(self.outputs(), files)
+
+    def test_constant_pressure(self):
+        """Interrupted by a signal and killed while it resumes, a run at constant pressure has the bits of an uninterrupted one."""
+        for name, tables in ENSEMBLES.items():
+            with self.subTest(ensemble=name):
+                self.write("run.toml", WATER + tables)
+                start = time.monotonic()
+                summary, files = self.whole()
+                took = time.monotonic() - start
+                moves = summary["ensemble"]["barostat"]
+                self.assertEqual(moves["moves"], 30)
+                self.assertTrue(0 < moves["accepted"] <= 30)
+                for threads in ("1", "2"):
+                    self.interrupt()
+                    self.kill_at_random_moments(1, took / 3, "run", "run.toml", "--continue", "--threads", threads)
+                    self.assertEqual(self.summary("--continue"), summary)
+                    self.assertEqual(self.outputs(), files)
+                    self.clear()
 
     def test_signals(self):
         summary, files = self.whole()

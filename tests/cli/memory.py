@@ -64,15 +64,17 @@ class Memory(Sandbox):
         process = self.within(500 * MB, "analyze", frames[0], "--run", "dilute.toml")
         self.assertEqual(process.returncode, 0, process.stderr)
 
-    def test_two_ions_in_a_large_box_need_a_longer_cutoff(self):
+    def test_two_ions_in_a_large_box_have_a_long_cutoff(self):
         ions = edited(SMALL, ('{ model = "argon", count = 27 }',
                               '{ model = "na-spce", count = 1 }, { model = "cl-spce", count = 1 }'),
                       ('box = "2.5 nm"', 'box = "60 nm"'), ('cutoff = "1.0 nm"', 'cutoff = "1.0 nm"\nelectrostatics = "pme"'))
-        self.write("ions.toml", ions)
-        self.refused(["energy", "ions.toml"], ["points in this box, for 2 charges", "use a cutoff of"])
-        cutoff = self.polhode("energy", "ions.toml").err.split("use a cutoff of ")[1].split(" nm")[0]
-        process = self.done("energy", edited(ions, ("1.0 nm", f"{cutoff} nm")), "--json")
-        self.assertIn("PME: grid", process.err)
+        self.assertIn("PME: pairs of charges up to", self.done("energy", ions, "--json").err)
+        short = edited(ions, ('"pme"', '"pme"\ncoulomb_cutoff = "1.0 nm"'))
+        self.write("ions.toml", short)
+        self.refused(["energy", "ions.toml"], ["points in this box, for 2 charges", "use a coulomb_cutoff of"])
+        cutoff = self.polhode("energy", "ions.toml").err.split("use a coulomb_cutoff of ")[1].split(" nm")[0]
+        process = self.done("energy", edited(short, ('coulomb_cutoff = "1.0 nm"', f'coulomb_cutoff = "{cutoff} nm"')), "--json")
+        self.assertIn("PME: pairs of charges up to", process.err)
 
 
 if __name__ == "__main__":

@@ -74,7 +74,7 @@ class Pme(Sandbox):
 
     def test_the_log_names_the_mesh_and_a_run_keeps_its_energy(self):
         done = self.done("run", water(more=RUN), "--json", "--force")
-        self.assertRegex(done.err, r"PME: grid \d+ x \d+ x \d+, order \d, split exponent \d+, .* 0.0001")
+        self.assertRegex(done.err, r"PME: pairs of charges up to [.0-9]+ nm, grid \d+ x \d+ x \d+, order \d, split exponent \d+, .* 0.0001")
         summary = json.loads(done.out)
         self.assertLess(summary["R"], 0.002)
         self.assertIn("pressure_bar", summary)

@@ -2,9 +2,11 @@
 """`polhode minimise` and `polhode prepare`: from overlapping molecules, or a composition, to a run without warnings."""
 
 import json
+import re
 import signal
 import time
 import unittest
+from pathlib import Path
 
 import sandbox
 from sandbox import Sandbox, edited
@@ -47,12 +49,24 @@ plot = "none"
 AT_PRESSURE = ("--pressure", "10 bar")
 
 
+def handles(process, number):
+    """Whether a process has its own handler of a signal; an assertion fails once it has ended."""
+    status = Path(f"/proc/{process.pid}/status").read_text(encoding="utf-8")
+    caught = re.search(r"^SigCgt:\s*(\w+)", status, re.M)
+    if process.poll() is not None:
+        raise AssertionError("it ended by itself")
+    return caught is not None and int(caught[1], 16) >> (number - 1) & 1 == 1
+
+
 class Prepare(Sandbox):
-    def interrupted(self, *arguments):
-        """The process, stopped by Ctrl-C when it has reported progress or taken a moment."""
+    def interrupted(self, *arguments, after=None):
+        """The process, stopped by Ctrl-C when it has reported this, or as soon as it handles it."""
         process = self.start(*arguments)
         self.addCleanup(process.kill)
-        time.sleep(1)
+        if after:
+            self.assertTrue(any(after in line for line in process.stderr), "it ended by itself")
+        while not handles(process, signal.SIGINT):
+            time.sleep(0.01)
         self.assertIsNone(process.poll(), "it ended by itself")
         process.send_signal(signal.SIGINT)
         process.out, process.err = process.communicate(timeout=sandbox.LONGEST)
@@ -98,7 +112,7 @@ class Prepare(Sandbox):
         # Liquid argon at 90 K has 1.38 g/cm3; the volume changes little within 2 ps.
         self.assertTrue(1.1 < report["properties"]["density_g_per_cm3"] < 1.6, report)
         self.assertEqual(report["properties"]["pressure_of_barostat_bar"], 10)
-        self.assertEqual(report["files"], ["out-prepared.gro", "out-prepared.toml"])
+        self.assertEqual(report["files"], ["out-prepared.gro", "out-prepared.bin", "out-prepared.toml"])
         first = self.contents()
         self.done("prepare", ARGON, *AT_PRESSURE, "--force", "--threads", "2")
         self.assertEqual(first["out-prepared.gro"], self.contents()["out-prepared.gro"])
@@ -114,14 +128,57 @@ class Prepare(Sandbox):
         out = self.done("prepare", text).out
         self.assertIn("1.3 g/cm3, constant", out)
         self.assertIn("polhode run out-prepared.toml", out)
-        self.refused(("prepare", "run.toml"), ["out-prepared.gro", "--force"])
+        self.refused(("prepare", "run.toml"), ["out-prepared.bin", "--continue", "--force"])
 
-    def test_interrupted_preparation_leaves_no_files(self):
-        self.write("run.toml", ARGON)
+    def test_interrupted_minimisation_leaves_no_files(self):
+        self.write("run.toml", edited(BENZENE, ("count = 40", "count = 4000")))
         before = self.contents()
-        process = self.interrupted("prepare", "run.toml", *AT_PRESSURE, "--npt", "10 ns")
-        self.assertIn("no file was written", process.err)
-        self.assertEqual(self.contents(), before)
+        process = self.interrupted("prepare", "run.toml")
+        if "no file was written" in process.err:  # otherwise it was minimised within the second
+            self.assertEqual(self.contents(), before)
+
+    def test_interrupted_preparation_resumes(self):
+        """With the same files as the uninterrupted one; an ended one prints its summary again."""
+        arguments = ("prepare", "run.toml", *AT_PRESSURE, "--npt", "200 ps")
+        self.write("run.toml", ARGON)
+        whole = self.polhode(*arguments, "--json")
+        self.assertEqual(whole.returncode, 0, whole.err)
+        results = self.contents()
+        for path in self.folder.glob("out-*"):
+            path.unlink()
+        process = self.interrupted(*arguments, after="NPT for")
+        self.assertIn("'out-prepared.bin' is the checkpoint, and --continue resumes", process.err)
+        self.assertFalse((self.folder / "out-prepared.gro").exists())
+        rest = self.polhode(*arguments, "--continue", "--json")
+        self.assertEqual(rest.returncode, 0, rest.err)
+        self.assertIn("resuming after", rest.err)
+        self.assertEqual(json.loads(rest.out), json.loads(whole.out))
+        for name in ("out-prepared.gro", "out-prepared.toml"):
+            self.assertEqual(self.contents()[name], results[name])
+        again = self.polhode(*arguments, "--continue", "--json")
+        self.assertEqual(json.loads(again.out), json.loads(whole.out))
+        self.refused(("prepare", "run.toml", *AT_PRESSURE, "--npt", "50 ps", "--continue"), ["prepare.npt was 200 ps and is now 50 ps"])
+        # The run starts from the checkpoint, which another box does not fit.
+        self.assertIn('checkpoint = "out-prepared.bin"', (self.folder / "out-prepared.toml").read_text().replace("'", '"'))
+        lines = (self.folder / "out-prepared.gro").read_text().splitlines()
+        self.write("out-prepared.gro", "\n".join(lines[:-1]) + "\n 3.0 3.0 3.0\n")
+        self.refused(("run", "out-prepared.toml"), ["box of the checkpoint", "leave the checkpoint out", "system.checkpoint"])
+
+    def test_solutes_in_water(self):
+        """One benzene, and four pairs of ions, in 100 waters, at the density of water and with PME."""
+        for water, solute in (("tip4p", '{ model = "benzene", count = 1 }'),
+                              ("spce", '{ model = "na-spce", count = 4 }, { model = "cl-spce", count = 4 }')):
+            with self.subTest(solute=solute):
+                text = edited(BENZENE, ('{ model = "benzene", count = 40 }', f'{{ model = "{water}", count = 100 }}, {solute}'),
+                              ('"0.876 g/cm3"', '"0.95 g/cm3"'), ('cutoff = "0.8 nm"', 'cutoff = "0.7 nm"\nelectrostatics = "pme"'))
+                report = json.loads(self.done("prepare", text, "--pressure", "1 bar", "--nvt", "0.4 ps", "--npt", "0.8 ps",
+                                              "--force", "--json").out)
+                self.assertEqual(report["minimisation"]["end"], "converged")
+                # Away from overlaps and gas: the volume relaxes in 2 ps.
+                self.assertTrue(0.8 < report["properties"]["density_g_per_cm3"] < 1.25, report)
+                self.assertTrue(200 < report["properties"]["temperature_K"] < 400, report)
+                run = self.polhode("run", "out-prepared.toml", "--force")
+                self.assertEqual(run.returncode, 0, run.err)
 
     def test_wrong_inputs(self):
         self.write("run.toml", ARGON)

@@ -32,7 +32,7 @@ class Repeatable(Sandbox):
     def test_instruction_sets(self):
         self.write("run.toml", WATER)
         energies, totals = {}, {}  # of 512 waters, and along a run of a few
-        for target in ("scalar", "sse4", "avx2", "avx512"):
+        for target in ("scalar", "sse4", "avx2", "avx512", "neon"):
             process = self.polhode("energy", "--json", POLHODE_INSTRUCTION_SET=target)
             if process.returncode == 2 and target != "scalar":
                 self.assertIn("on this processor", process.err)
@@ -56,7 +56,7 @@ class Repeatable(Sandbox):
             self.assertEqual(process.returncode, 0, process.err)
             report = json.loads(process.out)
             self.assertIn(report["threads"], [1] if threads == "one" else range(1, os.cpu_count() + 1))
-            self.assertIn(report["instruction_set"], ("scalar", "sse4", "avx2", "avx512"))
+            self.assertIn(report["instruction_set"], ("scalar", "sse4", "avx2", "avx512", "neon"))
         for kind in ("energies.csv", "trajectory.gro", "final.gro"):
             self.assertEqual(self.body(f"one-{kind}"), self.body(f"all-{kind}"), kind)
 

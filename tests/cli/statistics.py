@@ -43,6 +43,7 @@ class Statistics(Sandbox):
     def test_without_forces_nothing_is_significant(self):
         text, report = self.both(FREE)
         self.assertIn("not defined: the potential energy is constant", text)
+        self.assertNotIn("bias of the step", text)
         self.assertIsNone(report["R"])
         self.assertFalse(report["drift_significant"])
         self.assertIsNone(NO_NUMBER.search(text), text)

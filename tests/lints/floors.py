@@ -7,7 +7,7 @@ from tree import Finding, files, lines, main
 
 FLOOR = {"base": 0, "math": 1, "model": 2, "rotor": 3, "forces": 3, "integrate": 4,
          "measure": 5, "io": 5, "ensemble": 6, "run": 7, "cli": 8, "python": 8, "lammps": 8}
-PRIVATE = re.compile(r"(fmt|toml\+\+|CLI|nlohmann|Eigen|benchmark|doctest)/|fftw3|pocketfft|hdf5")
+PRIVATE = re.compile(r"(fmt|toml\+\+|CLI|nlohmann|Eigen|benchmark|doctest)/|pocketfft|hdf5")
 LONG = re.compile(r"CLI/|nlohmann/json\.hpp")  # seconds of compile time for each file
 INCLUDE = re.compile(r'\s*#\s*include\s*(["<])([^">]+)[">]')
 

@@ -38,7 +38,6 @@ FAULTS = [
     ("floors", "include/polhode/rotor/a.hpp", SPDX + '#include "polhode/forces/laws/laws.hpp"\n', 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <hwy/highway.h>\n", 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fmt/core.h>\n", 2),
-    ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fftw3.h>\n", 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <pocketfft_hdronly.h>\n", 2),
     ("floors", "include/polhode/io/a.hpp", SPDX + "#include <hdf5.h>\n", 2),
     ("floors", "cli/verbs.hpp", SPDX + "#include <CLI/CLI.hpp>\n", 2),

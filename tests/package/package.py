@@ -53,9 +53,7 @@ class Package(unittest.TestCase):
 
     def test_licences_are_installed(self):
         self.assertTrue((self.prefix / "share/doc/polhode/LICENSE").exists())
-        with_pocketfft = "POLHODE_FFT:STRING=pocketfft" in (BUILD / "CMakeCache.txt").read_text()
-        pocketfft = self.prefix / "share/doc/polhode/LICENSE-pocketfft.md"
-        self.assertEqual(pocketfft.exists(), with_pocketfft)
+        self.assertTrue((self.prefix / "share/doc/polhode/LICENSE-pocketfft.md").exists())
 
     def test_cmake_finds_the_headers_without_any_dependency(self):
         none = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in DEPENDENCIES]

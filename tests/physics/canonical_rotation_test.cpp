@@ -7,6 +7,7 @@
 #include <limits>
 #include <string>
 
+#include "hybrid_sampling.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/ensemble/thermostat.hpp"
@@ -93,14 +94,10 @@ TEST_CASE("hybrid Monte Carlo samples attitudes exactly, with steps that are oft
       State state = scene.state;
       TimeBlocks blocks;
       constexpr std::uint64_t trajectories = 20000;
-      for (std::uint64_t n = 0; n < trajectories; ++n) {
-        Load load = integrator.load(state);
-        hybrid.begin(state, load, 3 * n);
-        integrator.advance(state, h, 3);
-        load = integrator.load(state);
-        if (!hybrid.end(state, load, 3 * n + 3)) integrator.replace_load(load);
-        blocks.add(std::array{-load.potential() / (depth * double(state.size()))});
-      }
+      sample_hybrid(hybrid, integrator, state, {h, 3, trajectories},
+                    [&](const State& now, const Load& load) {
+                      blocks.add(std::array{-load.potential() / (depth * double(now.size()))});
+                    });
       const SeriesEstimate u = series_estimate(blocks.means(), [](auto mean) { return mean[0]; });
       const double accepted = double(hybrid.memory().accepted) / trajectories;
       CAPTURE(u.value);

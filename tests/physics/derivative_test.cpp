@@ -82,9 +82,15 @@ ForceSettings with_mesh(const MeshSettings& mesh) {
 // All laws and kinds of bodies: charges on a mesh, atoms and ions.
 std::vector<NamedLaw> mesh_laws() {
   std::vector<NamedLaw> laws;
+  // Charges with the same cutoff as the short-range law, a shorter and a longer one.
   for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order)
-    laws.push_back({"mesh of order " + std::to_string(order),
-                    with_mesh({.points = {18, 20, 16}, .order = order, .exponent = 6})});
+    laws.push_back(
+        {"mesh of order " + std::to_string(order), with_mesh({.points = {16, 20, 16},
+                                                              .order = order,
+                                                              .exponent = 6,
+                                                              .cutoff = order == 5   ? 0.55
+                                                                        : order == 6 ? 0.79
+                                                                                     : 0.75})});
   return laws;
 }
 

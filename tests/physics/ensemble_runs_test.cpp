@@ -11,22 +11,19 @@
 
 using namespace polhode;
 
-// Every move adds its violation of detailed balance, here a small part of kT, to the conserved
-// energy, so that it exceeds the kinetic energy of 8 atoms, about 12 kT, in 16,000 moves.
+// With a step that is long for it the scheme adds heat in all samples alike: in four runs of this
+// liquid 0.06 kJ/mol per ps, 3.5 times the kinetic energy of 109 kJ/mol here, and at most 16 from
+// one sample to the next.
 TEST_CASE("a drift of the conserved energy that builds up over many samples ends no run") {
-  const scenes::Scene scene = scenes::lattice({{"argon", 8}}, 1.5, 4, 1);
+  const scenes::Scene scene = scenes::lattice({{"argon", 27}}, 0.5, 4, 1);
   System system{
-      scene.topology, scene.bodies, scene.state, {.cutoff = 0.8, .switch_from = 0.7}, 300};
-  const double pressure = 8 * units::boltzmann * 300 / scene.state.box.volume();
+      scene.topology, scene.bodies, scene.state, {.cutoff = 0.5, .switch_from = 0.45}, 300};
   TrajectorySettings settings{
-      .scheme = scheme_of("obabo"), .step = 0.02, .length = 1600, .sample = 0.1};
+      .scheme = scheme_of("obabo"), .step = 0.035, .length = 6300, .sample = 0.1};
   settings.ensemble = {.temperature = 300,
-                       .thermostat = ThermostatSettings{},
-                       .barostat = BarostatSettings{.pressure = pressure,
-                                                    .time_constant = 1,
-                                                    .compressibility = 1 / pressure,
-                                                    .every = 0.1,
-                                                    .metropolis = false}};
+                       .thermostat = ThermostatSettings{.friction = 10},
+                       .barostat = {},
+                       .hybrid_monte_carlo = {}};
   ForceField forces(system.topology, system.forces, system.state.box);
   Propagator propagator(system, forces, settings);
   double last = 0;
@@ -36,6 +33,6 @@ TEST_CASE("a drift of the conserved energy that builds up over many samples ends
   const Energies& first = result.statistics.energies.first;
   CAPTURE(last);
   CHECK(result.failure == "");
-  CHECK(result.steps == 80000);
+  CHECK(result.steps == 180000);
   CHECK(std::abs(last - first.conserved()) > first.kinetic());
 }

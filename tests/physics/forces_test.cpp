@@ -91,7 +91,8 @@ TEST_CASE("the neighbour list misses no pair in a long run at high temperature")
   for (const Truncation truncation : {Truncation::molecule_switch, Truncation::site_switch}) {
     scenes::Scene scene = scenes::lattice({{"tip4p", 60}, {"argon", 20}}, 0.36, 1.61, 5);
     for (std::size_t i = 0; i < scene.state.size(); ++i)
-      scene.state.p.set(i, 3.0 * scene.state.p[i]);  // 2700 K
+      scene.state.p.set(
+          i, 2.0 * scene.state.p[i]);  // 1200 K: hotter, hydrogen meets a charge of another water
     const ForceSettings settings{truncation, 0.8, 0.65, 2, Electrostatics::reaction_field,
                                  78.5,       0.06};
     ForceField forces(scene.topology, settings, scene.state.box);

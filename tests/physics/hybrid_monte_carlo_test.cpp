@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "hybrid_sampling.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/ensemble/random_streams.hpp"
-#include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/math/random.hpp"
 #include "scenes.hpp"
@@ -62,16 +62,12 @@ Sampled sampled(const char* scheme, double omega_h, double refresh) {
   State state = scene.state;
   TimeBlocks blocks;
   constexpr std::uint64_t trajectories = 40000;
-  for (std::uint64_t n = 0; n < trajectories; ++n) {
-    Load load = integrator.load(state);
-    hybrid.begin(state, load, 3 * n);
-    integrator.advance(state, h, 3);
-    load = integrator.load(state);
-    if (!hybrid.end(state, load, 3 * n + 3)) integrator.replace_load(load);
-    double square = 0;
-    for (std::size_t i = 0; i < state.size(); ++i) square += norm2(state.q[i]) / 12;
-    blocks.add(std::array{square});
-  }
+  sample_hybrid(hybrid, integrator, state, {h, 3, trajectories},
+                [&](const State& now, const Load&) {
+                  double square = 0;
+                  for (std::size_t i = 0; i < now.size(); ++i) square += norm2(now.q[i]) / 12;
+                  blocks.add(std::array{square});
+                });
   const auto first = [](auto mean) { return mean[0]; };
   return {series_estimate(blocks.means(), first),
           series_estimate(hybrid.memory().weights.means(), first),

@@ -88,31 +88,83 @@ TEST_CASE("a bias is below its bound, above it, or undecided, at 95 %") {
   CHECK(accuracy_of({0, 0}, 0.05, 1) == Accuracy::undecided);
 }
 
-TEST_CASE("claims and the table follow one rule") {
-  const auto methods = canonical_methods(settings_of({"baoab", "hoa2"}, {0.002, 0.004}));
-  std::vector<CanonicalPoint> points;
-  for (const CanonicalMethod& method : methods) {
-    CanonicalPoint point{.method = method};
-    point.runs = 100;
-    const bool biased = !method.hybrid && method.step > 0.003;
-    point.bias[0] = Estimate{biased ? 0.2 : 0.0, 0.01};
-    point.correlation_time = {method.hybrid ? 1.0 : 0.5, 0.01};
-    points.push_back(point);
-  }
-  const CanonicalReport report(Config{}, points);
-  REQUIRE(report.claims.size() == 2);
-  CHECK(report.claims[0].accurate == 0);
-  CHECK(report.claims[0].beyond == 1);
-  CHECK(report.claims[1].accurate == 3);
-  CHECK(!report.claims[1].beyond);
-  // 2τ/h: 500 for baoab at 2 fs; at 4 fs it would be cheaper, but is biased; hoa2 2000 and 1000.
-  CHECK(report.cheapest == 0);
-  CHECK(report.as_cheap.empty());
-  const auto sentences = canonical_sentences(report);
+namespace {
+
+/// A point whose bias of U is known to 0.01 kJ/mol, and whose sample takes 2τ/h force evaluations.
+CanonicalPoint point_of(const char* scheme, double step, double bias, double tau) {
+  CanonicalPoint point{.method = canonical_methods(settings_of({scheme}, {step}))[0]};
+  point.runs = 100;
+  point.bias[0] = Estimate{bias, 0.01};
+  point.correlation_time = {tau, 0.01};
+  return point;
+}
+
+}  // namespace
+
+TEST_CASE("claims and the table follow one rule, for the strict and the loose bounds") {
+  // 500, 250, 167 evaluations per sample by velocity Verlet, 2000 and 1000 by hoa2.
+  const CanonicalReport report(
+      Config{}, {point_of("baoab", 0.002, 0, 0.5), point_of("baoab", 0.004, 0.1, 0.5),
+                 point_of("baoab", 0.006, -0.3, 0.5), point_of("hoa2", 0.002, 0, 1),
+                 point_of("hoa2", 0.004, 0, 1)});
+  const CanonicalFindings &strict = report.findings[0], &loose = report.findings[1];
+  REQUIRE(strict.claims.size() == 2);
+  CHECK(strict.claims[0].accurate == 0);
+  CHECK(strict.claims[0].beyond == 1);
+  CHECK(loose.claims[0].accurate == 1);
+  CHECK(loose.claims[0].beyond == 2);
+  CHECK(strict.claims[1].accurate == 4);
+  CHECK(!strict.claims[1].beyond);
+  CHECK(strict.cheapest == 0);
+  CHECK(loose.cheapest == 1);
+  CHECK(strict.as_cheap.empty());
+  CHECK(strict.undecided.empty());
+  const auto sentences = canonical_sentences(strict, report.points);
   REQUIRE(sentences.size() == 3);
   CHECK(sentences[0].find("up to 2 fs") != std::string::npos);
   CHECK(sentences[0].find("at 4 fs above: <U> per molecule") != std::string::npos);
   CHECK(sentences[2].find("baoab at 2 fs, 500 ± 10") != std::string::npos);
+  CHECK(canonical_sentences(loose, report.points)[0].find("at 6 fs above: <U> per molecule") !=
+        std::string::npos);
+}
+
+TEST_CASE("a scheme is accurate only up to its first step that is not shown to be") {
+  const std::vector<CanonicalPoint> points = {point_of("baoab", 0.006, 0, 0.5),
+                                              point_of("baoab", 0.004, 0.05, 0.5),
+                                              point_of("baoab", 0.002, 0, 0.5)};
+  const CanonicalFindings found(Criterion::strict, points);
+  REQUIRE(found.claims.size() == 1);
+  CHECK(found.claims[0].accurate == 2);  // by step: 4 fs is undecided, 6 fs does not count
+  CHECK(!found.claims[0].beyond);
+}
+
+// 95 % confidence: 1.96·√2·5 = 13.9 evaluations at 2 fs and 6.9 at 4 fs.
+TEST_CASE("points that cost as much as the cheapest, or may be cheaper, are named") {
+  const std::vector<CanonicalPoint> points = {
+      point_of("baoab", 0.004, 0, 0.4), point_of("obabo", 0.004, 0, 0.42),
+      point_of("aboba", 0.004, 0, 0.5), point_of("hoa2", 0.008, 0.05, 0.4),
+      point_of("hoa2", 0.004, 0.05, 0.4)};
+  const CanonicalFindings found(Criterion::strict, points);
+  CHECK(found.cheapest == 0);
+  CHECK(found.as_cheap == std::vector<std::size_t>{1});
+  CHECK(found.undecided == std::vector<std::size_t>{3});  // the last one costs twice as much
+  const std::string text = canonical_sentences(found, points).back();
+  CHECK(text.find("not distinguishable from it: obabo at 4 fs;") != std::string::npos);
+  CHECK(text.find("undecided and not more expensive: hmc-hoa2 at 8 fs") != std::string::npos);
+}
+
+TEST_CASE("one bias above its bound decides about a point, and a run that blew up does") {
+  CanonicalPoint point = point_of("baoab", 0.002, 0, 0.5);
+  CHECK(point.accuracy(Criterion::strict) == Accuracy::below);
+  point.bias[2] = Estimate{-2, 0.1};  // between 1 K and 3 K
+  CHECK(point.accuracy(2, Criterion::strict) == Accuracy::above);
+  CHECK(point.accuracy(Criterion::strict) == Accuracy::above);
+  CHECK(point.accuracy(Criterion::loose) == Accuracy::below);
+  point.bias[2] = Estimate{2, 1};
+  CHECK(point.accuracy(Criterion::strict) == Accuracy::undecided);
+  CHECK(point.accuracy(Criterion::loose) == Accuracy::undecided);
+  point.stable = false;
+  CHECK(point.accuracy(Criterion::loose) == Accuracy::above);
 }
 
 TEST_CASE("the record of a canonical study is read back, and refused for another study") {

@@ -5,13 +5,17 @@
 #include <cmath>
 #include <fstream>
 #include <initializer_list>
+#include <limits>
 #include <string>
 
 #include "errors.hpp"
 #include "folder.hpp"
+#include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/config.hpp"
+#include "polhode/io/ensemble_names.hpp"
 #include "polhode/io/ensemble_text.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/run/simulation/ensemble_moves.hpp"
 #include "polhode/run/simulation/simulation.hpp"
 
 using namespace polhode;
@@ -74,6 +78,35 @@ TEST_CASE("settings of an ensemble that contradict each other or the scheme are 
   refused(hybrid, {"above 0 K", "hybrid Monte Carlo", "[thermostat] at 0 K"}, "0 K");
   refused(thermostat + barostat, {"above 0 K", "a barostat"}, "0 K");
   refused(thermostat + "[run]\nshadow_sample = \"100 fs\"\n", {"exchanges energy", "leave it out"});
+}
+
+// Settings that a program sets itself, without a run file that would refuse them.
+TEST_CASE("settings of an ensemble are checked in the library as well") {
+  const auto refused = [](const EnsembleSettings& ensemble,
+                          std::initializer_list<const char*> words) {
+    TrajectorySettings settings{.scheme = scheme_of("hoa2-ends"), .step = 0.002, .length = 1};
+    settings.ensemble = ensemble;
+    check_error([&] { check_ensemble(settings); }, words);
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const BarostatSettings good{.compressibility = default_compressibility()};
+  BarostatSettings none = good, thin = good, at_once = good, unknown = good;
+  none.compressibility = 0, thin.compressibility = 2 * max_compressibility();
+  at_once.every = 0, unknown.time_constant = nan;
+  refused({300, ThermostatSettings{}, none, {}},
+          {"compressibility of 0", "default_compressibility()"});
+  refused({300, ThermostatSettings{}, thin, {}}, {"10 1/bar"});
+  refused({300, ThermostatSettings{}, at_once, {}}, {"longer than 0 fs", "100 fs"});
+  refused({300, ThermostatSettings{}, unknown, {}}, {"time_constant", "1 to 10 ps"});
+  refused({300, ThermostatSettings{.friction = -1}, {}, {}},
+          {"friction of -1 1/ps", "0 1/ps or more"});
+  refused({300, ThermostatSettings{.rotational_friction = nan}, {}, {}},
+          {"friction", "0 1/ps or more"});
+  refused({300, ThermostatSettings{.kind = ThermostatKind::rescaling, .time_constant = 0}, {}, {}},
+          {"time_constant of 0 fs", "100 to 1000 fs"});
+  TrajectorySettings settings{.scheme = scheme_of("hoa2-ends"), .step = 0.002, .length = 1};
+  settings.ensemble = {300, ThermostatSettings{}, good, {}};
+  check_ensemble(settings);
 }
 
 TEST_CASE("a negative pressure, friction zero and a scheme with its own bath are legal") {

@@ -28,12 +28,13 @@ RunSummary npt(BarostatKind kind = BarostatKind::cell_rescaling) {
   s.samples = 1000;
   s.ratio = {0.005, 0.0002, Known::yes};
   s.potential_fluctuation = 20;
-  s.ensemble.settings = {300, ThermostatSettings{}, BarostatSettings{.kind = kind}, {}};
+  s.ensemble.settings = {
+      300, ThermostatSettings{}, BarostatSettings{.kind = kind, .time_constant = 0.5}, {}};
   s.ensemble.barostat.emplace();
   s.ensemble.barostat->volume = {15, 0.01, Known::yes};
   s.ensemble.barostat->volume_drift = {{0.001, 0.001}, 0.3, Known::yes};
-  s.ensemble.barostat->moves = 100;
-  s.ensemble.barostat->accepted = 90;
+  s.ensemble.barostat->moves = 2000;
+  s.ensemble.barostat->accepted = 1800;
   return s;
 }
 
@@ -61,10 +62,11 @@ TEST_CASE("a volume that drifts by more than 0.5 % is a warning") {
   }
 }
 
-// Of 100 moves, 50 or 10 of which are expected, chance accounts for 3 √(100 p (1 − p)) = 15 or 9.
+// Of 2000 moves, 1000 or 200 of which are expected, chance accounts for 3 √(2000 p (1 − p)) = 67.1
+// or 40.2.
 TEST_CASE("too few accepted moves of the box are a warning") {
-  for (const auto& [kind, last, first] :
-       {std::tuple{BarostatKind::cell_rescaling, 34u, 35u}, {BarostatKind::monte_carlo, 0u, 1u}}) {
+  for (const auto& [kind, last, first] : {std::tuple{BarostatKind::cell_rescaling, 932u, 933u},
+                                          {BarostatKind::monte_carlo, 159u, 160u}}) {
     RunSummary s = npt(kind);
     s.ensemble.barostat->accepted = last;
     CHECK(kinds(s) == "barostat ");
@@ -73,6 +75,17 @@ TEST_CASE("too few accepted moves of the box are a warning") {
     s.ensemble.barostat->moves = s.ensemble.barostat->accepted = 0;
     CHECK(kinds(s).empty());
   }
+}
+
+TEST_CASE("runs too short for fluctuations of the volume have a warning") {
+  RunSummary s = npt();
+  s.length = 9.9;  // 20 time constants of 0.5 ps are 10 ps
+  CHECK(kinds(s) == "volume_samples ");
+  s = npt(BarostatKind::monte_carlo);
+  s.ensemble.barostat->moves = s.ensemble.barostat->accepted = 99;
+  CHECK(kinds(s) == "volume_samples ");
+  s.ensemble.barostat->moves = s.ensemble.barostat->accepted = 100;
+  CHECK(kinds(s).empty());
 }
 
 TEST_CASE("hybrid Monte Carlo: acceptance outside 0.5 to 0.99, beyond chance, is a warning") {

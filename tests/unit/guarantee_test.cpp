@@ -13,7 +13,7 @@ namespace {
 
 IntegratorSettings with_accuracy(double accuracy, const std::string& scheme = "") {
   IntegratorSettings integrator;
-  integrator.accuracy = accuracy;
+  integrator.accuracy = Requirement{RequiredOf::ratio, accuracy};
   integrator.scheme_given = !scheme.empty();
   if (integrator.scheme_given) integrator.scheme = scheme;
   return integrator;
@@ -26,7 +26,7 @@ TEST_CASE("a run is resumed with the scheme and step that were chosen for its ac
   const std::string file = folder / "guarantee.json";
   IntegratorSettings chosen = with_accuracy(0.01, "hoa2");
   chosen.step = 0.0035;
-  write_guarantee(file, {0.01, 20, {0.005, 0.0001}}, chosen);
+  write_guarantee(file, {{RequiredOf::ratio, 0.01}, 20, {0.005, 0.0001}}, chosen);
 
   // Whether the scheme is not given, or given by its name or its stages.
   for (const char* scheme : {"", "hoa2", "B(eta) A(1/2) B(1 - 2*eta) A(1/2) B(eta)"}) {
@@ -43,7 +43,8 @@ TEST_CASE("a run is resumed with the scheme and step that were chosen for its ac
 TEST_CASE("a run is not resumed with another accuracy or scheme than its step was chosen for") {
   const Folder folder;
   const std::string file = folder / "guarantee.json";
-  write_guarantee(file, {0.01, 20, {0.005, 0.0001}}, with_accuracy(0.01, "hoa2"));
+  write_guarantee(file, {{RequiredOf::ratio, 0.01}, 20, {0.005, 0.0001}},
+                  with_accuracy(0.01, "hoa2"));
 
   IntegratorSettings stricter = with_accuracy(0.001);
   check_error([&] { read_guarantee(file, stricter); },

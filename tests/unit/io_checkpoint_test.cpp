@@ -83,7 +83,13 @@ Checkpoint example(std::size_t bodies = 2) {
   s.energies.blocks.samples_per_block = 4;
   c.at.timings = {1, 2, 3, 4, 5};
   c.noise = {0.5, 0.25};
+  c.minimisation_evaluations = 13;
+  c.at.ensemble.heat = 0.9;
+  c.at.ensemble.barostat = {
+      .work = 0.1, .volume = 2, .moves = 14, .accepted = 15, .evaluations = 16};
   c.outputs = OutputMarks{{9, 900, 90}, {{1, 100, 10}, {2, 200, 20}}, 12};
+  c.preparation =
+      PreparationProgress{2, 0.001, 0.5, {{1, 2, 3}, {4, 5, 6}, 7, MinimisationEnd::max_steps}};
   return c;
 }
 
@@ -122,13 +128,34 @@ void same(const TrajectoryStatistics& a, const TrajectoryStatistics& b) {
   CHECK(a.stretches.squares == b.stretches.squares);
 }
 
+void same_preparation(const Checkpoint& back, const Checkpoint& c) {
+  CHECK(back.minimisation_evaluations == 13);
+  CHECK(back.at.ensemble.heat == 0.9);
+  CHECK(back.at.ensemble.barostat.work == 0.1);
+  CHECK(back.at.ensemble.barostat.volume == 2);
+  CHECK(back.at.ensemble.barostat.moves == 14);
+  CHECK(back.at.ensemble.barostat.accepted == 15);
+  CHECK(back.at.ensemble.barostat.evaluations == 16);
+  REQUIRE(back.preparation.has_value() == c.preparation.has_value());
+  if (back.preparation) {
+    CHECK(back.preparation->stage == 2);
+    CHECK(back.preparation->step == 0.001);
+    CHECK(back.preparation->compressibility == 0.5);
+    CHECK(back.preparation->minimisation.before.torque == 3);
+    CHECK(back.preparation->minimisation.after.force == 5);
+    CHECK(back.preparation->minimisation.steps == 7);
+    CHECK(back.preparation->minimisation.end == MinimisationEnd::max_steps);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("a checkpoint restores every number written to it") {
   const Folder folder;
   for (const std::size_t bodies : {0u, 1u, 2u, 17u}) {
     Checkpoint c = example(bodies);
-    if (bodies == 17) c.at.equilibrated.reset(), c.at.statistics = {}, c.outputs.reset();
+    if (bodies == 17)
+      c.at.equilibrated.reset(), c.at.statistics = {}, c.outputs.reset(), c.preparation.reset();
     write_checkpoint(folder.files(), c, program);
     const Checkpoint back = read_checkpoint(folder.files().newest, program);
     same(back.at.state.q, c.at.state.q);
@@ -168,6 +195,8 @@ TEST_CASE("a checkpoint restores every number written to it") {
     CHECK(back.noise.energy == 0.25);
     CHECK(back.identity == c.identity);
     CHECK(back.command == c.command);
+    same_preparation(back, c);
+    CHECK(state_of_checkpoint(folder.files().newest, program.version).size() == bodies);
     REQUIRE(back.outputs.has_value() == c.outputs.has_value());
     if (!back.outputs) continue;
     CHECK(back.outputs->energies.frames == 9);

@@ -266,6 +266,13 @@ TEST_CASE("PME has an accuracy, and a site switch for Lennard-Jones") {
   const std::string with_pme = "[forces]\nelectrostatics = \"pme\"\n";
   check_text(with_pme + "pme_accuracy = 1e-8", {"pme_accuracy = 1e-08 must be from 1e-07 to 0.1"});
   check_text(with_pme + "pme_accuracy = \"high\"", {"forces.pme_accuracy", "number"});
+  CHECK(!pme.coulomb_cutoff);
+  CHECK(parse_config(system_table + with_pme + "coulomb_cutoff = \"0.7 nm\"", "x")
+            .forces.coulomb_cutoff == 0.7);
+  check_text(with_pme + "coulomb_cutoff = \"-1 nm\"",
+             {"coulomb_cutoff = \"-1 nm\" must be longer"});
+  check_text("[forces]\ncoulomb_cutoff = \"0.7 nm\"",
+             {"no meaning without electrostatics = \"pme\""});
   check_text("[forces]\npme_accuracy = 1e-5", {"no meaning without electrostatics = \"pme\""});
   check_text(with_pme + "dielectric = 80", {"no meaning without electrostatics"});
   check_text(with_pme + "truncation = \"molecule-switch\"",

@@ -34,6 +34,21 @@ TEST_CASE("the switching function has its stated class at both ends") {
   }
 }
 
+// The central second difference of w differs from its second derivative by δ²/12 times the fourth,
+// which is at most 840 for the unit width (n = 3), and by the rounding of w, a few 1e-16, over δ².
+TEST_CASE("the slope of the switching function has a slope itself") {
+  const double delta = 1e-4;
+  for (const int n : {1, 2, 3})
+    for (double r = 0.8013; r < 0.9995 - delta; r += 0.0071) {
+      CAPTURE(n);
+      CAPTURE(r);
+      const Switch<> w(0.8, 1.0, n);
+      const double curvature = (w(r + delta).w - 2 * w(r).w + w(r - delta).w) / (delta * delta);
+      const double bound = 840 / std::pow(0.2, 4) * delta * delta / 12 + 1e-15 / (delta * delta);
+      CHECK(std::abs(w(Dual<double>(r, 1.0)).slope.slope - curvature) < bound);
+    }
+}
+
 TEST_CASE("slopes and forces of the laws are the derivatives of their energies") {
   for (double r = 0.25; r < 1.1; r += 0.0371) {
     CAPTURE(r);
@@ -41,6 +56,7 @@ TEST_CASE("slopes and forces of the laws are the derivatives of their energies")
     for (const int n : {1, 2, 3}) {
       const auto w = Switch<>(0.8, 1.0, n)(x);
       CHECK(w.slope.value == doctest::Approx(w.w.slope).epsilon(1e-12));
+      if (r < 0.8 || r > 1.0) CHECK(w.slope.slope == 0.0);
     }
     const auto lj = LennardJones<>{1.1e-3, 0.9e-6}(InversePowers<Dual<double>>(x * x), x * x);
     CHECK(lj.s.value == doctest::Approx(-lj.u.slope / r).epsilon(1e-13));

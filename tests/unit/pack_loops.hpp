@@ -29,8 +29,14 @@ POLHODE_DECLARE_LOOPS(
     void elementary(const float* x, float* exponential, float* logarithm);
     /// table[index] of each index.
     void table_entries(const float* table, const float* index, float* found);
-    /// The number of lanes of `x` below 0; stores `first` + lane for each, starting at `to`.
-    std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t* to);
+    /// Each x, or the bound beyond which it is.
+    void within_bounds(const double* x, double low, double high, double* to);
+    void within_bounds(const float* x, float low, float high, float* to);
+    /// The number of lanes of `x` below 0; stores for each its value and `first` + lane × step.
+    std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t step,
+                               float* values, std::uint32_t* numbers);
+    /// The number of each lane.
+    void lanes_in_order(float* to);
     /// p − from, both ways; p + q as bits.
     void fixed_differences(const std::int32_t* p, std::int32_t from, float* read, float* in_pack);
     void fixed_sums(const std::int32_t* p, const std::int32_t* q, std::int32_t* sum);

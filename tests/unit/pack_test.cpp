@@ -183,23 +183,41 @@ TEST_CASE("numbers are gathered by their indices") {
   });
 }
 
-TEST_CASE("the lanes of a mask are counted and listed in their order") {
+TEST_CASE_TEMPLATE("packs keep numbers within bounds", T, float, double) {
+  for_each_instruction_set([] {
+    Column<T> x(width<T>()), to(width<T>());
+    for (std::size_t i = 0; i < x.size(); ++i) x[i] = T(i) / 2 - 1;
+    POLHODE_CURRENT_OVERLOAD(within_bounds, void (*)(const T*, T, T, T*))
+    (x.data(), T(-0.25), T(0.25), to.data());
+    for (std::size_t i = 0; i < x.size(); ++i) CHECK(to[i] == std::clamp(x[i], T(-0.25), T(0.25)));
+  });
+}
+
+TEST_CASE("the lanes of a mask are counted and stored in their order") {
   for_each_instruction_set([] {
     const std::size_t n = width<float>();
     Column<float> x(n);
+    POLHODE_CURRENT_LOOPS(lanes_in_order)(x.data());
+    for (std::size_t i = 0; i < n; ++i) CHECK(x[i] == float(i));
     std::mt19937_64 random(2);
-    for (int k = 0; k < 200; ++k) {
-      const std::uint64_t mask = k == 0 ? 0 : k == 1 ? ~std::uint64_t{0} : random();
-      for (std::size_t i = 0; i < n; ++i) x[i] = mask >> i & 1 ? -1.0F : 1.0F;
-      std::array<std::uint32_t, 2 * max_width> to;
-      to.fill(99);
-      const std::size_t count =
-          POLHODE_CURRENT_LOOPS(negative_lanes)(x.data(), 4000000000, to.data());
+    for (std::uint32_t k = 0; k < 600; ++k) {  // includes each mask of eight lanes
+      const std::uint64_t mask = k < 256 ? k : k == 256 ? ~std::uint64_t{0} : random();
+      for (std::size_t i = 0; i < n; ++i) x[i] = float(i + 1) * (mask >> i & 1 ? -1.0F : 1.0F);
+      std::array<std::uint32_t, 2 * max_width> numbers;
+      std::array<float, 2 * max_width> values;
+      numbers.fill(99);
+      values.fill(99);
+      const std::size_t count = POLHODE_CURRENT_LOOPS(negative_lanes)(
+          x.data(), 4000000000, 1 + k % 3, values.data(), numbers.data());
       std::size_t expected = 0;
-      for (std::size_t i = 0; i < n; ++i)
-        if (mask >> i & 1) CHECK(to[expected++] == 4000000000 + i);
+      for (std::uint32_t i = 0; i < n; ++i)
+        if (mask >> i & 1) {
+          CHECK(values[expected] == -float(i + 1));
+          CHECK(numbers[expected++] == 4000000000 + i * (1 + k % 3));
+        }
       CHECK(count == expected);
-      CHECK(to[n] == 99);  // a pack is written at most
+      CHECK(numbers[n] == 99);  // a pack is written at most
+      CHECK(values[n] == 99);
     }
   });
 }

@@ -272,3 +272,47 @@ TEST_CASE("a run that blows up says so and keeps its energies") {
   CHECK(messages.back() == "the energies up to that step are in " + (folder / "out-energies.csv"));
   CHECK_FALSE(simulation.resumable_step());
 }
+
+TEST_CASE("energies of a simulation contain the heat and work received so far") {
+  const Folder folder;
+  const std::string npt =
+      std::string(argon) + "[thermostat]\n[barostat]\npressure = \"100 bar\"\nevery = \"20 fs\"\n";
+  std::vector<Energies> sampled;
+  Simulation whole(config_in(folder, npt));
+  whole.run({}, {.sample = [&](std::size_t, const State&, const Energies& now) {
+              sampled.push_back(now);
+            }});
+  CHECK(whole.energies().exchanged == sampled.back().exchanged);
+  CHECK(whole.energies().exchanged != 0);
+
+  Simulation steps(config_in(folder, npt));
+  CHECK(steps.energies().exchanged == 0);
+  steps.step(20);
+  CHECK(steps.energies().exchanged == sampled[10].exchanged);
+  // Potentials of a separate evaluation have another order of sums.
+  CHECK(steps.energies().conserved() == doctest::Approx(sampled[10].conserved()).epsilon(1e-9));
+  steps.save(folder / "after-20.bin");
+  Simulation resumed(config_in(folder, npt));
+  resumed.resume(folder / "after-20.bin");
+  CHECK(resumed.energies().exchanged == sampled[10].exchanged);
+}
+
+TEST_CASE("a summary counts the force evaluations of moves of the box and of the minimisation") {
+  const std::string npt = replaced(argon, "[run]\n", "[run]\nminimise = true\n") +
+                          "[thermostat]\n[barostat]\npressure = \"100 bar\"\nevery = \"20 fs\"\n";
+  const Folder folder;
+  Simulation simulation(config_in(folder, npt));
+  simulation.step(20);
+  const RunSummary half = simulation.summary();
+  CHECK(half.ensemble.barostat->moves == 5);
+  CHECK(half.ensemble.barostat->evaluations == 5);
+  CHECK(half.minimisation_evaluations >= 1);
+  simulation.save(folder / "half.bin");
+  Simulation resumed(config_in(folder, npt));
+  resumed.resume(folder / "half.bin");
+  resumed.step(20);
+  const RunSummary all = resumed.summary();
+  CHECK(all.ensemble.barostat->evaluations == 10);
+  CHECK(all.minimisation_evaluations == half.minimisation_evaluations);
+  CHECK(all.force_evaluations == 80);  // of the scheme alone
+}

@@ -51,7 +51,7 @@ TEST_CASE("a step does not allocate, with inner steps or a bath or without") {
   CHECK(allocations_of([&] { bathed.advance(scene.state, 0.001, 3); }) == 0);
 }
 
-TEST_CASE("a step with forces from a mesh does not allocate, for any library of transforms") {
+TEST_CASE("a step with forces from a mesh does not allocate") {
   const auto by_malloc = [] {
     void* volatile memory = std::malloc(3);
     std::free(memory);
@@ -64,7 +64,7 @@ TEST_CASE("a step with forces from a mesh does not allocate, for any library of 
     settings.truncation = Truncation::site_switch;
     settings.electrostatics = Electrostatics::pme;
     settings.precision = precision;
-    settings.mesh = MeshSettings{{12, 14, 15}, 5, 5, settings.cutoff};  // all usual factors
+    settings.mesh = MeshSettings{{12, 28, 20}, 5, 5, settings.cutoff};  // all usual factors
     ForceField forces(scene.topology, settings, scene.state.box);
     Integrator integrator(scheme_of("gier4"), scene.bodies, forces);
     integrator.advance(scene.state, 1e-5);

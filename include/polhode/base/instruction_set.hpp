@@ -2,12 +2,14 @@
 // Instruction sets: loops over packs are compiled once for each, and one is chosen at start-up.
 #pragma once
 
+#include <cstddef>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
 namespace polhode {
 
-enum class InstructionSet { scalar, sse4, avx2, avx512 };
+enum class InstructionSet { scalar, sse4, avx2, avx512, neon };
 
 const char* name(InstructionSet instruction_set);
 
@@ -27,8 +29,8 @@ void force_instruction_set(InstructionSet instruction_set);
 // build defines as loops_scalar, loops_sse4 and so on. POLHODE_DECLARE_LOOPS declares them for all
 // instruction sets, POLHODE_CURRENT_LOOPS selects the current one, and POLHODE_CURRENT_OVERLOAD
 // does so for overloaded functions, given the type of a function pointer.
-// A set that was not compiled in is an alias of the scalar one, and never available.
-#if defined(__x86_64__)
+// A set that was not compiled in, because of its processor or by choice, is an alias of the scalar
+// one, and never available.
 #if defined(POLHODE_WITHOUT_SSE4)
 #define POLHODE_DECLARE_SSE4(...) namespace loops_sse4 = loops_scalar;
 #else
@@ -53,44 +55,37 @@ void force_instruction_set(InstructionSet instruction_set);
   __VA_ARGS__                       \
   }
 #endif
-#define POLHODE_DECLARE_LOOPS(...)  \
-  namespace loops_scalar {          \
-  __VA_ARGS__                       \
-  }                                 \
-  POLHODE_DECLARE_SSE4(__VA_ARGS__) \
-  POLHODE_DECLARE_AVX2(__VA_ARGS__) \
-  POLHODE_DECLARE_AVX512(__VA_ARGS__)
-#define POLHODE_CURRENT_LOOPS(function)                                           \
-  (::polhode::pick(::polhode::current_instruction_set(), &loops_scalar::function, \
-                   &loops_sse4::function, &loops_avx2::function, &loops_avx512::function))
-#define POLHODE_CURRENT_OVERLOAD(function, ...)                                                \
-  (::polhode::pick<__VA_ARGS__>(::polhode::current_instruction_set(), &loops_scalar::function, \
-                                &loops_sse4::function, &loops_avx2::function,                  \
-                                &loops_avx512::function))
+#if defined(POLHODE_WITHOUT_NEON)
+#define POLHODE_DECLARE_NEON(...) namespace loops_neon = loops_scalar;
 #else
-#define POLHODE_DECLARE_LOOPS(...) \
-  namespace loops_scalar {         \
-  __VA_ARGS__                      \
+#define POLHODE_DECLARE_NEON(...) \
+  namespace loops_neon {          \
+  __VA_ARGS__                     \
   }
-#define POLHODE_CURRENT_LOOPS(function) (&loops_scalar::function)
-#define POLHODE_CURRENT_OVERLOAD(function, ...) (static_cast<__VA_ARGS__>(&loops_scalar::function))
 #endif
-
-/// One of four functions, by instruction set.
-template <class Function>
-constexpr Function pick(InstructionSet instruction_set, Function scalar, Function sse4,
-                        Function avx2, Function avx512) {
-  switch (instruction_set) {
-    case InstructionSet::sse4:
-      return sse4;
-    case InstructionSet::avx2:
-      return avx2;
-    case InstructionSet::avx512:
-      return avx512;
-    case InstructionSet::scalar:
-      break;
+#define POLHODE_DECLARE_LOOPS(...)    \
+  namespace loops_scalar {            \
+  __VA_ARGS__                         \
+  }                                   \
+  POLHODE_DECLARE_SSE4(__VA_ARGS__)   \
+  POLHODE_DECLARE_AVX2(__VA_ARGS__)   \
+  POLHODE_DECLARE_AVX512(__VA_ARGS__) \
+  POLHODE_DECLARE_NEON(__VA_ARGS__)
+#define POLHODE_LOOPS_OF_SETS(function)                                    \
+  {                                                                        \
+    &loops_scalar::function, &loops_sse4::function, &loops_avx2::function, \
+        &loops_avx512::function, &loops_neon::function                     \
   }
-  return scalar;
+#define POLHODE_CURRENT_LOOPS(function) \
+  (::polhode::pick(::polhode::current_instruction_set(), POLHODE_LOOPS_OF_SETS(function)))
+#define POLHODE_CURRENT_OVERLOAD(function, ...)                       \
+  (::polhode::pick<__VA_ARGS__>(::polhode::current_instruction_set(), \
+                                POLHODE_LOOPS_OF_SETS(function)))
+
+/// One of the functions, which are in the order of InstructionSet.
+template <class Function>
+constexpr Function pick(InstructionSet instruction_set, std::initializer_list<Function> functions) {
+  return functions.begin()[static_cast<std::size_t>(instruction_set)];
 }
 
 }  // namespace polhode

@@ -98,6 +98,15 @@ template <class T>
 Pack<T> abs(Pack<T> a) {
   return Pack<T>(hn::Abs(a.v));
 }
+/// The smaller and the larger number of each lane.
+template <class T>
+Pack<T> min(Pack<T> a, Pack<T> b) {
+  return Pack<T>(hn::Min(a.v, b.v));
+}
+template <class T>
+Pack<T> max(Pack<T> a, Pack<T> b) {
+  return Pack<T>(hn::Max(a.v, b.v));
+}
 /// a b + c, with a single rounding where the hardware supports it.
 template <class T>
 Pack<T> fma(Pack<T> a, Pack<T> b, Pack<T> c) {
@@ -118,9 +127,9 @@ struct MaskOf<Pack<T>> {
 
 /// Negative powers of a distance r from a = r². With the hardware's estimate y of 1/√a and
 /// e = 1 − a y², 1/rⁿ = yⁿ (1 − e)^{−n/2} is a short series in e, truncated where the next term is
-/// below half a unit in the last place: |e| < 2⁻¹³ for the estimate of AVX-512 (14 bits) and
-/// |e| < 2⁻¹⁰ for those of 12 bits, which a second-order step reduces to below 2⁻²⁰ in double
-/// precision.
+/// below half a unit in the last place: |e| < 2⁻¹³ for the estimate of AVX-512 (14 bits),
+/// |e| < 2⁻¹⁰ for those of 12 bits and |e| < 2⁻⁷ for that of NEON (8 bits). Where that is too much,
+/// in double precision and for 8 bits, a second-order step reduces it to ¾ e².
 /// Lane types: float, double. Largest errors of 1/r, 1/r² and 1/r³: 1.25, 2.75 and 3.5 ULP; in
 /// scalar packs 1, 2.5 and 4 ULP (tests/unit/pack_test.cpp). Valid range: a that is a normal float.
 template <class T>
@@ -129,7 +138,7 @@ class InversePowers<Pack<T>> {
   using Real = Pack<T>;
   InversePowers() = default;
   explicit InversePowers(Real a) : y_(estimate(a)), y2_(y_ * y_), e_(Real(1) - a * y2_) {
-    if constexpr (!fine_estimate && sizeof(T) == 8) {
+    if constexpr (needs_step) {
       y_ += y_ * (e_ * Real(0.5));
       y2_ = y_ * y_;
       e_ = Real(1) - a * y2_;
@@ -143,11 +152,16 @@ class InversePowers<Pack<T>> {
   Real third() const { return y2_ * (y_ + correction(3. / 2, 15. / 8, 35. / 16)); }
 
  private:
-#if HWY_TARGET <= HWY_AVX3
-  static constexpr bool fine_estimate = true;
+#if HWY_TARGET == HWY_SCALAR
+  static constexpr int estimate_bits = 53;
+#elif HWY_TARGET <= HWY_AVX3
+  static constexpr int estimate_bits = 14;
+#elif HWY_TARGET == HWY_NEON
+  static constexpr int estimate_bits = 8;
 #else
-  static constexpr bool fine_estimate = false;
+  static constexpr int estimate_bits = 12;
 #endif
+  static constexpr bool needs_step = estimate_bits < (sizeof(T) == 8 ? 14 : 12);
 
   // y (c1 e + c2 e² + c3 e³); what the powers have in common is computed once.
   Real correction(double c1, double c2, double c3) const {
@@ -157,7 +171,7 @@ class InversePowers<Pack<T>> {
       return Real();
     else if constexpr (sizeof(T) == 8)
       return ye * fma(e_, fma(e_, c(c3), c(c2)), c(c1));
-    else if constexpr (fine_estimate)
+    else if constexpr (estimate_bits == 14 || needs_step)
       return ye * c(c1);
     else
       return ye * fma(e_, c(c2), c(c1));

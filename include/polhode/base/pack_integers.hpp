@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Packs and integers: coordinates in fixed point, whose differences are exact, and lists of the
-// lanes that a mask selects.
+// Packs and integers: coordinates in fixed point, whose differences are exact, and indices.
 #pragma once
 
 #include <cstdint>
@@ -101,17 +100,6 @@ inline Pack<double> gather_lanes(const double* from, const std::uint32_t* index)
   const auto words = hn::LoadU(narrow, reinterpret_cast<const std::int32_t*>(index));
   return Pack<double>(hn::GatherIndex(tag, from, hn::PromoteTo(wide, words)));
 #endif
-}
-
-/// Stores `first` + k for each lane k that the mask selects, consecutively, and returns their
-/// number. The rest of the pack after them is overwritten.
-template <class T>
-std::size_t store_counted(std::uint32_t first, PackMask<T> mask, std::uint32_t* to) {
-  const hn::RebindToUnsigned<typename Pack<T>::Tag> words;
-  const auto numbers = hn::Iota(words, 0) + hn::Set(words, first);
-  const auto selected = hn::RebindMask(words, mask.m);
-  hn::StoreU(hn::Compress(numbers, selected), words, to);
-  return hn::CountTrue(words, selected);
 }
 
 }  // namespace HWY_NAMESPACE

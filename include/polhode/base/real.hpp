@@ -3,6 +3,7 @@
 // dual numbers overload the same names, so that a law is written once for all of them.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -71,6 +72,8 @@ using std::abs;
 using std::exp;
 using std::floor;
 using std::log;
+using std::max;
+using std::min;
 using std::sqrt;
 
 /// The entry of a table at an index that is a Real: lane by lane for packs.

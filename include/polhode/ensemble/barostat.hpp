@@ -18,6 +18,7 @@ struct BarostatMemory {
   double work = 0;    ///< given to the bodies: changes of H by accepted moves [kJ/mol]
   double volume = 0;  ///< at the first move [nm³]
   std::uint64_t moves = 0, accepted = 0;
+  std::uint64_t evaluations = 0;  ///< of forces, by moves
 };
 
 /// Scales edges of the box, and the centres of mass along them.
@@ -62,6 +63,7 @@ class Barostat {
                     std::uint64_t step);
   bool move_volume(State& state, Load& load, const Evaluate& evaluate, const CoupledEdges& edges,
                    std::uint64_t step);
+  void evaluate_moved(const State& state, const Evaluate& evaluate);
   bool decide(State& state, Load& load, double violation, double work, double uniform, bool always);
   double drift(const State& state, const Load& load, const CoupledEdges& edges) const;
 

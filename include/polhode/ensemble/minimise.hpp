@@ -37,7 +37,9 @@ enum class MinimisationEnd {
 
 struct Minimisation {
   Steepness before, after;
-  std::size_t steps = 0;  ///< one force evaluation each, and one before the first
+  std::size_t steps = 0;
+  /// One for each step, and one before the first.
+  std::size_t evaluations() const { return steps + 1; }
   MinimisationEnd end = MinimisationEnd::converged;
 };
 

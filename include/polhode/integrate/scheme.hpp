@@ -162,6 +162,24 @@ class Scheme {
     return false;
   }
 
+  /// Whether a bath acts between drifts and kicks.
+  constexpr bool bath_within() const {
+    for (std::size_t i = 1; i + 1 < count_; ++i)
+      if (stages_[i].flow == Flow::bath) return true;
+    return false;
+  }
+  /// The fraction of the plain kick that ends a step, if a bath comes before it with nothing but
+  /// drifts between them: without this kick, the momenta are those of the bath. Otherwise 0.
+  constexpr double kick_after_bath() const {
+    if (count_ == 0 || stages_[count_ - 1].flow != Flow::kick || stages_[count_ - 1].xi != 0)
+      return 0;
+    for (std::size_t i = count_ - 1; i-- > 0;) {
+      if (stages_[i].flow == Flow::bath) return stages_[count_ - 1].fraction;
+      if (stages_[i].flow == Flow::kick) return 0;
+    }
+    return 0;
+  }
+
   constexpr bool palindromic() const {
     for (std::size_t i = 0; i < count_; ++i)
       if (stages_[i] != stages_[count_ - 1 - i]) return false;

@@ -20,8 +20,11 @@ namespace polhode {
 /// The program that wrote a file. Only the same program continues bitwise identically.
 struct ProgramVersion {
   std::string version;
-  std::string instruction_set;  ///< instruction set
+  std::string instruction_set;
 };
+
+/// In place of an instruction set: a reader that does not resume bit for bit accepts each.
+inline constexpr auto any_instruction_set = "any";
 
 /// A checkpoint that is missing, truncated or altered; an earlier one may be usable.
 class DamagedCheckpoint : public Error {

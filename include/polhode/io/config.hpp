@@ -16,6 +16,7 @@
 #include "polhode/base/vec3.hpp"
 #include "polhode/forces/laws/settings.hpp"
 #include "polhode/io/frame_file.hpp"
+#include "polhode/io/requirement.hpp"
 #include "polhode/io/topology_file.hpp"
 #include "polhode/model/ensemble_settings.hpp"
 
@@ -39,13 +40,16 @@ struct SystemSettings {
   std::uint64_t seed = 1;
   /// Path of a coordinate file; "w512" is the built-in one; empty: lattice.
   std::string initial_configuration;
+  /// Path of a checkpoint with the state of the initial configuration at full precision; empty:
+  /// none.
+  std::string checkpoint{};
 };
 
 struct IntegratorSettings {
   std::string scheme = "hoa2";  ///< name, or stages as text
   bool scheme_given = false;
-  /// Bound on R [1]; if set, the adviser chooses the step, and the scheme unless one is given.
-  std::optional<double> accuracy;
+  /// If set, the adviser chooses the step, and the scheme unless one is given.
+  std::optional<Requirement> accuracy;
   /// Schemes that the adviser chooses from, as names or texts.
   std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
   double step = 0.002;  ///< [ps]
@@ -121,21 +125,18 @@ struct Config {
   OutputSettings output;
   StudySettings study;
   OwnSchemes schemes;
-  EnsembleSettings ensemble;  ///< thermostat, barostat, hybrid Monte Carlo
-  std::string source;         ///< path of the file, or "default"
-  std::string text;           ///< as read; its hash identifies outputs
-  bool mixing_given = false;  ///< whether the file contains a mixing rule
-  std::string cutoff_place;   ///< "water.toml:9, forces.cutoff", for an error once the box is
-                              ///< known
+  EnsembleSettings ensemble;           ///< thermostat, barostat, hybrid Monte Carlo
+  std::string source;                  ///< path of the file, or "default"
+  std::string text;                    ///< as read; its hash identifies outputs
+  bool mixing_given = false;           ///< whether the file contains a mixing rule
+  bool compressibility_given = false;  ///< whether its [barostat] has a compressibility
+  std::string cutoff_place;  ///< "water.toml:9, forces.cutoff", for an error once the box is
+                             ///< known
 };
 
 /// A text with the names of such schemes, alone or on either side of a slash, replaced by their
 /// texts.
 std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
-
-/// What is wrong with a bound of R, or of a relative difference of temperatures [1]; empty if
-/// nothing.
-std::string wrong_bound(double bound);
 
 /// What is wrong with the temperature of a run; empty if nothing. 0 K has a meaning with a
 /// thermostat only.

@@ -104,7 +104,7 @@ bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const st
 /// A quantity of a canonical study in a panel of its own.
 struct CanonicalPanel {
   std::string title;
-  double bound = 0;  ///< on its magnitude, shaded; 0: none, and a logarithmic axis
+  double strict = 0, loose = 0;  ///< bounds on its magnitude, shaded; 0: none, a logarithmic axis
 };
 
 /// A scheme's values of all panels at one step; not numbers where they are unknown.

@@ -83,6 +83,16 @@ requires(!std::is_same_v<Mask<Real>, bool>)  // for plain numbers the general ov
   return {select(mask, if_true.value, if_false.value), select(mask, if_true.slope, if_false.slope)};
 }
 
+// A constant bound: where it holds the number back, the slope is 0.
+template <class Real>
+constexpr Dual<Real> min(const Dual<Real>& a, const Real& bound) {
+  return {min(a.value, bound), select(a.value < bound, a.slope, Real(0))};
+}
+template <class Real>
+constexpr Dual<Real> max(const Dual<Real>& a, const Real& bound) {
+  return {max(a.value, bound), select(a.value > bound, a.slope, Real(0))};
+}
+
 // As sums of single products, each a multiply-add.
 template <class Real>
 constexpr void add_product(Dual<Real>& sum, const Dual<Real>& a, const Dual<Real>& b) {

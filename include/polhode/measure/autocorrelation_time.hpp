@@ -12,7 +12,7 @@ namespace polhode {
 /// t ≥ 1, so that n samples are as good as n/(2τ) independent ones; 1/2 for independent samples.
 struct AutocorrelationTime {
   double value = 0;
-  double error = 0;        ///< standard error of a single series [wolff2004, Eq. 42]
+  double error = 0;        ///< standard error, from the series itself [wolff2004, Eq. 42]
   std::size_t window = 0;  ///< lags that were summed
 };
 
@@ -22,5 +22,12 @@ struct AutocorrelationTime {
 /// @return  nothing with fewer than 10 samples, for a constant series, or where the series is
 ///          shorter than four windows or 10 τ
 std::optional<AutocorrelationTime> autocorrelation_time(std::span<const double> series);
+
+/// The same from independent runs of one process, about their common mean [wolff2004, Eq. 31].
+/// Short runs need it: about the mean of each, what is slower than a run does not appear.
+/// @return  nothing with fewer than 10 samples or two windows in the shortest run, for constant
+///          series, or where all runs together are shorter than four windows or 10 τ
+std::optional<AutocorrelationTime> autocorrelation_time(
+    std::span<const std::span<const double>> runs);
 
 }  // namespace polhode

@@ -11,6 +11,7 @@
 #include "polhode/measure/correlated_series.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/shadow.hpp"
+#include "polhode/measure/step_bias.hpp"
 
 namespace polhode {
 
@@ -71,6 +72,9 @@ struct StretchStatistics {
 struct TrajectoryStatistics {
   EnergyStatistics energies;
   ShadowStatistics shadow;
+  /// With the momenta on which a bath within the steps acts; empty without.
+  EnergyStatistics at_bath;
+  StepBiasStatistics step_bias;  ///< empty where fixed_means() has nothing
   ConfigurationalStatistics configurational;
   StretchStatistics stretches;
 };

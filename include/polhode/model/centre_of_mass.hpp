@@ -24,6 +24,10 @@ Vec3<double> centre_of_mass(const Vec3Column& q, const Bodies& bodies);
 /// @return  P/M, the velocity that is subtracted [nm/ps]
 Vec3<double> remove_total_momentum(State& state, const Bodies& bodies);
 
+/// p ← p − m u: the bodies seen from a frame that moves at velocity u [nm/ps].
+void subtract_velocity(State& state, const Bodies& bodies, const Vec3<double>& u,
+                       Workers& workers = Workers::serial());
+
 /// Subtracts the net force F from the bodies in proportion to their masses: f ← f − m F/M. The
 /// result is minus the gradient of the energy at a fixed centre of mass; torques are unchanged.
 /// Bitwise identical for any number of threads.

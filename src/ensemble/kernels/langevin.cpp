@@ -58,7 +58,7 @@ Vec3<Real> roots(const Vec3<Real>& v) { return {sqrt(v.x), sqrt(v.y), sqrt(v.z)}
 
 LangevinSums langevin(State& state, const Bodies& bodies, const LangevinTerms& terms,
                       std::size_t first, std::size_t end) {
-  Real heat(0);
+  Real heat(0), mass(0);
   Vec3<Real> momentum{Real(0), Real(0), Real(0)};
   for (std::size_t i = first; i < end; i += Real::width) {
     const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes padding
@@ -85,8 +85,9 @@ LangevinSums langevin(State& state, const Bodies& bodies, const LangevinTerms& t
                             dot(new_L, scaled(inverse_J, new_L)) - dot(L, scaled(inverse_J, L)));
     momentum +=
         Vec3<Real>{without_padding(new_p.x), without_padding(new_p.y), without_padding(new_p.z)};
+    mass += without_padding(Real::load(&bodies.m[i]));
   }
-  return {sum(heat) / 2, {sum(momentum.x), sum(momentum.y), sum(momentum.z)}};
+  return {sum(heat) / 2, {sum(momentum.x), sum(momentum.y), sum(momentum.z)}, sum(mass)};
 }
 
 }  // namespace polhode::POLHODE_LOOPS

@@ -71,6 +71,14 @@ Fault fault_of_electrostatics(const ForceSettings& s) {
         fmt::format("must be 0 or more, and at most {:g} divided by the cutoff, {:.4g} 1/nm, where "
                     "the charges are already screened completely; {:g} 1/nm is usual",
                     max_damping, max_damping / s.cutoff, ForceSettings{}.damping)};
+  if (s.coulomb_cutoff && s.electrostatics != Electrostatics::pme)
+    return SettingFault{"coulomb_cutoff", in_nm(*s.coulomb_cutoff),
+                        fmt::format("has no meaning without electrostatics = \"{}\"; leave it out",
+                                    name_of(Electrostatics::pme))};
+  if (s.coulomb_cutoff && !is_positive(*s.coulomb_cutoff))
+    return SettingFault{"coulomb_cutoff", in_nm(*s.coulomb_cutoff),
+                        "must be longer than 0 nm and finite; leave it out to have the fastest one "
+                        "chosen"};
   if (s.electrostatics != Electrostatics::pme) return std::nullopt;
   if (!(s.pme_accuracy >= min_pme_accuracy && s.pme_accuracy <= max_pme_accuracy))
     return SettingFault{

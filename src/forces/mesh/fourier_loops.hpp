@@ -1,44 +1,81 @@
 // SPDX-License-Identifier: MIT
-// Fourier transforms of many series at once, one in each lane of a pack, by pocketfft.
+// Fourier transforms of a grid in tiles, by pocketfft with packs as numbers: a pack holds many
+// series, one in each lane, and only tiles are transposed on the way from one edge to the next.
 #pragma once
 
 #include <cstddef>
 
 #include "../../math/pocketfft.hpp"
+#include "../pairs/cache_lines.hpp"
 #include "polhode/base/instruction_set.hpp"
+#include "polhode/forces/mesh/mesh_grid.hpp"
 
 namespace polhode {
 
-/// Rows of real numbers, transformed in place to Fourier coefficients
-/// and back. A coefficient is a real and an imaginary part; a row has room for length/2 + 1 of them
-/// and then for a whole number of packs.
+/// Fourier coefficients of a grid, transformed along x and z. A column of them is a series along y
+/// of packs, real and imaginary parts alternating: `tile.rows` consecutive k_x and `tile.columns`
+/// consecutive k_z ≥ 0, before the transform along y turned by tiles (Tile::transpose_rows).
 template <class T>
-struct RowsJob {
-  const pocketfft::detail::rfftp<T>& plan;
-  T* rows;
-  std::size_t length, count, stride;  ///< numbers of a row, rows, and numbers from row to row
+struct MeshModes {
+  std::array<std::size_t, 3> points{};
+  MeshTile tile;
+  std::size_t column = 0;  ///< from column to column, in numbers
+  Column<T> values;
+
+  MeshModes() = default;
+  explicit MeshModes(const MeshGrid<T>& grid)
+      : points(grid.points),
+        tile(grid.tile),
+        column(odd_lines<T>(2 * points[1] * tile.size())),
+        values(columns() * column) {}
+  std::size_t columns_x() const { return points[0] / tile.rows; }
+  std::size_t columns_z() const { return (points[2] / 2 + tile.columns) / tile.columns; }
+  std::size_t columns() const { return columns_x() * columns_z(); }
+  /// Column of the x-th group of k_x and the z-th one of k_z.
+  std::size_t index(std::size_t x, std::size_t z) const { return z * columns_x() + x; }
+  /// Indices of k_x and k_z of a lane of a column; the latter may be beyond half of the points.
+  std::array<std::size_t, 2> wave(std::size_t column, std::size_t lane) const {
+    return {column % columns_x() * tile.rows + lane / tile.columns,
+            column / columns_x() * tile.columns + lane % tile.columns};
+  }
 };
 
-/// Columns of Fourier coefficients: the n-th of each of `length` rows, for all n. Padding up to
-/// whole packs is transformed as well.
+/// A row of stacks, to be transformed along z and x.
 template <class T>
-struct ColumnsJob {
-  const pocketfft::detail::cfftp<T>& plan;
-  std::size_t length;
-  std::size_t numbers;  ///< of a row: whole packs
-  const T* from;
-  std::size_t from_stride;  ///< numbers from row to row
-  T* to;
-  std::size_t to_stride;
+struct FourierRowJob {
+  const pocketfft::detail::rfftp<T>& along_z;
+  const pocketfft::detail::cfftp<T>& along_x;
+  MeshGrid<T>& grid;
+  std::size_t row;
+  MeshModes<T>& modes;
+};
+
+/// A column of coefficients, to be transformed along y, multiplied, and transformed back.
+template <class T>
+struct ConvolveJob {
+  const pocketfft::detail::cfftp<T>& along_y;
+  T* modes;
+  std::size_t length;         ///< points along y
+  const T* influence;         ///< a pack of factors for each k_y ≥ 0
+  const T* slope;             ///< H in virial = ½ Σ |S|² (G + H k ⊗ k)
+  const double *ky, *odd_ky;  ///< of each k_y
+};
+
+/// Sums over the k_y of a column, lane by lane, of G |S|², and of H |S|² times 1, odd k_y and k_y².
+struct ModeSums {
+  static constexpr std::size_t lanes = pack_bytes / sizeof(float);
+  alignas(pack_bytes) double energy[lanes], slope[lanes], slope_y[lanes], slope_yy[lanes];
 };
 
 POLHODE_DECLARE_LOOPS(
-    /// Σ_x row[x] exp(−2πi kx/length), followed by zeros up to whole packs.
-    void rows_to_modes(const RowsJob<double>& job); void rows_to_modes(const RowsJob<float>& job);
-    /// The inverse times the length.
-    void modes_to_rows(const RowsJob<double>& job); void modes_to_rows(const RowsJob<float>& job);
-    /// Transforms columns, with the sign −1 or +1 in the exponent; not normalized.
-    void transform_columns(const ColumnsJob<double>& job, int sign);
-    void transform_columns(const ColumnsJob<float>& job, int sign);)
+    /// Σ exp(−2πi (k_x x/n_x + k_z z/n_z)) along the rows of stacks; the overhang is added first.
+    void rows_to_modes(const FourierRowJob<double>& job);
+    void rows_to_modes(const FourierRowJob<float>& job);
+    /// The inverse times n_x n_z, with the overhang.
+    void modes_to_rows(const FourierRowJob<double>& job);
+    void modes_to_rows(const FourierRowJob<float>& job);
+    /// Multiplies by the influence function; with `sums`, also sums the energies.
+    void convolve(const ConvolveJob<double>& job, ModeSums* sums);
+    void convolve(const ConvolveJob<float>& job, ModeSums* sums);)
 
 }  // namespace polhode

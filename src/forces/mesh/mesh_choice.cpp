@@ -6,10 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <vector>
+
+#include "force_times.hpp"
 
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/ewald_split.hpp"
+#include "polhode/forces/mesh/mesh_grid.hpp"
 #include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode {
@@ -53,6 +57,36 @@ class ChargeDistribution {
   std::vector<Pair> pairs_;
 };
 
+/// The desired energy 4 π ρ(k)/k² and the form factor, by k². Where all k² are multiples of a
+/// square, each is computed once.
+class WaveTable {
+ public:
+  struct Value {
+    double required, form;
+  };
+  /// @param unit  k² are multiples of unit²; 0 if they are not
+  WaveTable(const ChargeDistribution& distribution, const CompactSplit& split, double unit)
+      : distribution_(distribution), split_(split), per_unit2_(unit == 0 ? 0 : 1 / (unit * unit)) {}
+
+  Value operator()(double k2) {
+    if (per_unit2_ == 0) return value(k2);
+    const auto n = static_cast<std::size_t>(std::lround(k2 * per_unit2_));
+    if (values_.size() <= n) values_.resize(n + 1);
+    if (!values_[n]) values_[n] = value(k2);
+    return *values_[n];
+  }
+
+ private:
+  Value value(double k2) const {
+    const double k = std::sqrt(k2);
+    return {4 * units::pi / k2 * split_.transform(k).value, distribution_.form(k)};
+  }
+  const ChargeDistribution& distribution_;
+  const CompactSplit& split_;
+  double per_unit2_;
+  std::vector<std::optional<Value>> values_;
+};
+
 /// The mean square error for given grid spacings in a box of 1 nm³; it falls as 1/V, and depends on
 /// the box in no other way: the sum over wave vectors approximates an integral, so a small grid
 /// suffices.
@@ -72,6 +106,7 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
                          turn == 0 ? 1 : std::pow(std::sin(turn) / turn, 2 * order)};
       }
   const bool cubic = spacing.x == spacing.y && spacing.y == spacing.z;
+  WaveTable waves(distribution, split, cubic ? 2 * pi / (points * spacing.x) : 0);
   double total = 0;
   for (std::size_t x = 0; x <= half; ++x)
     for (std::size_t y = 0; y <= half; ++y)
@@ -85,9 +120,9 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
         for (const Alias& a : axis[0][x])
           for (const Alias& b : axis[1][y])
             for (const Alias& c : axis[2][z]) {
-              const double k2 = a.k * a.k + b.k * b.k + c.k * c.k, k = std::sqrt(k2);
-              const double share = a.share * b.share * c.share, form = distribution.form(k);
-              const double required = 4 * pi / k2 * split.transform(k).value;
+              const double k2 = a.k * a.k + b.k * b.k + c.k * c.k;
+              const double share = a.share * b.share * c.share;
+              const auto [required, form] = waves(k2);
               u += share, uk += share * k2, ukg += share * k2 * required;
               u_form += share * form, ukg_form += share * k2 * required * form;
               kgg_form += k2 * required * required * form;
@@ -102,26 +137,12 @@ double mean_square_error(const ChargeDistribution& distribution, const Vec3<doub
          volume;
 }
 
-/// Sizes suited to the transform: even, with small prime factors.
+/// Sizes suited to the transform: whole tiles, with small prime factors.
 bool is_fft_size(std::size_t n) {
-  if (n % 2 != 0) return false;
+  if (n % mesh_multiple != 0) return false;
   for (const std::size_t factor : {2u, 3u, 5u, 7u})
     while (n % factor == 0) n /= factor;
   return n == 1;
-}
-
-/// Time per evaluation [s] from timings of bench_mesh on one core: a cost per charge and one per
-/// grid point, both directions. The latter is that of FFTW, which has dedicated code for some
-/// sizes; pocketfft takes 2.7 to 3.8 ns for nearly all sizes. With its costs, meshes would differ
-/// in a third of the cases and be cheaper by 2 %; they are not used, so that results do not depend
-/// on the library.
-double expected_seconds(double charges, const MeshSettings& settings) {
-  double points = 1, each = 0;
-  for (const std::size_t n : settings.points) {
-    points *= static_cast<double>(n);
-    each += (n <= 16 || n == 20 || n == 32 || n == 64 || n == 128 ? 3.2e-9 : 6.2e-9) / 3;
-  }
-  return charges * (4e-9 + 1.25e-9 * settings.order * settings.order) + points * each;
 }
 
 }  // namespace
@@ -166,65 +187,117 @@ double max_points_for(double charges) { return std::max(0x1p21, 4096 * charges);
 
 }  // namespace
 
-MeshChoice::MeshChoice(const Topology& topology, double relative_error, double cutoff)
-    : topology_(topology), relative_error_(relative_error), cutoff_(cutoff) {
-  if (!(relative_error >= 1e-7 && relative_error <= 0.1))
+namespace {
+
+/// Grid spacings that are tried: a geometric series, so that errors of other boxes can be reused.
+double spacing_of(int n) { return 0.25 * std::pow(1.03, -n); }
+int index_of(double spacing) {
+  return static_cast<int>(std::floor(std::log(0.25 / spacing) / std::log(1.03)));
+}
+
+/// Cutoffs of charges that are tried: about 3 % apart, whole hundredths of a nm.
+double cutoff_of(int n) { return std::round(40 * std::pow(1.03, n)) / 100; }
+
+/// The longest cutoff that the neighbour list allows in a box.
+double max_cutoff(const Topology& topology, const Box& box) {
+  double extent = 0;
+  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
+  return std::min(box.shortest_edge() / 2, 0.99 * (box.shortest_edge() - 2 * extent));
+}
+
+}  // namespace
+
+MeshChoice::MeshChoice(const Topology& topology, const ForceSettings& settings)
+    : topology_(topology), settings_(settings) {
+  if (!(settings.pme_accuracy >= 1e-7 && settings.pme_accuracy <= 0.1))
     throw Error(
         fmt::format("a relative force error of {} is requested of the mesh; it must be from 1e-7 "
                     "to 0.1",
-                    relative_error));
+                    settings.pme_accuracy));
   if (ChargeDistribution(topology).charges() == 0)
     throw Error(
         "no molecule has a charge, so PME has nothing to compute; use electrostatics = "
         "\"coulomb\"");
 }
 
-double MeshChoice::error(double spacing, int order, int exponent) {
-  const auto [found, is_new] = errors_.try_emplace({spacing, order, exponent});
+double MeshChoice::error(double cutoff, int spacing, int order, int exponent) {
+  const auto [found, is_new] = errors_.try_emplace({cutoff, spacing, order, exponent});
+  const double h = spacing_of(spacing);
   if (is_new)
-    found->second =
-        std::sqrt(mean_square_error(ChargeDistribution(topology_), {spacing, spacing, spacing},
-                                    order, CompactSplit(cutoff_, exponent)));
+    found->second = std::sqrt(mean_square_error(ChargeDistribution(topology_), {h, h, h}, order,
+                                                CompactSplit(cutoff, exponent)));
   return found->second;
 }
 
-MeshSettings MeshChoice::cheapest(const Box& box) {
+/// Index of the coarsest spacing that is fine enough, from half to a fortieth of the cutoff.
+int MeshChoice::coarsest(double cutoff, int order, int exponent, double required_in_unit_box) {
+  int coarse = index_of(cutoff / 2), fine = index_of(cutoff / 40);
+  while (fine - coarse > 1) {
+    const int middle = (coarse + fine) / 2;
+    (error(cutoff, middle, order, exponent) < required_in_unit_box ? fine : coarse) = middle;
+  }
+  return fine;
+}
+
+void MeshChoice::try_cutoff(double cutoff, Orders orders, const Box& box, Best& best) {
   // In water the actual error is 0.3 to 1.5 times the expected one: smaller where molecules screen
   // each other, larger because of the coarse sum over wave vectors. The margin covers the larger
   // values.
   constexpr double margin = 1.5;
-  const double required = relative_error_ * typical_force(topology_, box) / margin;
+  const double required = settings_.pme_accuracy * typical_force(topology_, box) / margin;
   const double required_in_unit_box = required * std::sqrt(box.volume());
-  const double charges = ChargeDistribution(topology_).charges();
-  MeshSettings best{{}, 0, 0, cutoff_};
-  double min_seconds = std::numeric_limits<double>::infinity();
-  for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order) {
+  const double pairs = expected_pair_seconds(topology_, settings_, cutoff, box);
+  for (int order = orders.first; order <= orders.last; ++order) {
+    MeshSettings mesh{{}, order, 0, cutoff};
+    if (pairs + expected_mesh_seconds(topology_, mesh) > best.seconds) continue;
     // For each exponent the coarsest sufficient spacing, which has a single maximum over exponents.
-    double coarsest = 0;
-    int exponent = 0;
+    int coarse = std::numeric_limits<int>::max();
     for (int m = 3; m <= CompactSplit::max_exponent; ++m) {
-      double low = cutoff_ / 40, high = cutoff_ / 2;
-      while (high / low > 1.03) {
-        const double h = std::sqrt(low * high);
-        (error(h, order, m) < required_in_unit_box ? low : high) = h;
-      }
-      if (low < coarsest) break;
-      coarsest = low, exponent = m;
+      const int spacing = coarsest(cutoff, order, m, required_in_unit_box);
+      if (spacing > coarse) break;
+      if (spacing < coarse) mesh.exponent = m;
+      coarse = spacing;
     }
-    const MeshSettings found{grid_of(box, coarsest), order, exponent, cutoff_};
-    const double seconds = expected_seconds(charges, found);
-    if (seconds < min_seconds) min_seconds = seconds, best = found;
+    mesh.points = grid_of(box, spacing_of(coarse));
+    const double seconds = pairs + expected_mesh_seconds(topology_, mesh);
+    if (seconds < best.seconds) best = {mesh, seconds};
   }
-  return best;
+}
+
+/// Every fourth cutoff is tried first with the usual order, then those around the best one with all
+/// orders.
+MeshSettings MeshChoice::cheapest(const Box& box) {
+  constexpr int stride = 4;
+  constexpr Orders all{MeshSettings::min_order, MeshSettings::max_order}, usual{5, 5};
+  const double max = max_cutoff(topology_, box);
+  Best best{{}, std::numeric_limits<double>::infinity()};
+  if (settings_.coulomb_cutoff || max < cutoff_of(0)) {
+    try_cutoff(settings_.coulomb_cutoff.value_or(settings_.cutoff), all, box, best);
+    return best.mesh;
+  }
+  int around = 0;
+  for (int n = 0; cutoff_of(n) <= max; n += stride) {
+    const double before = best.seconds;
+    try_cutoff(cutoff_of(n), usual, box, best);
+    if (best.seconds < before) around = n;
+  }
+  for (int n = std::max(0, around - stride + 1); n < around + stride; ++n)
+    if (cutoff_of(n) <= max) try_cutoff(cutoff_of(n), all, box, best);
+  return best.mesh;
 }
 
 /// What to do about a mesh that is too fine: use the cutoff, increased in steps of a quarter, at
 /// which it no longer is.
-std::string MeshChoice::remedy(const Box& box, double max_points) const {
-  for (double longer = 1.25 * cutoff_; longer < 0.45 * box.shortest_edge(); longer *= 1.25)
-    if (points_of(MeshChoice(topology_, relative_error_, longer).cheapest(box)) <= max_points)
-      return fmt::format("use a cutoff of {:.2g} nm, within which there are still few pairs",
-                         1.05 * longer);
+std::string MeshChoice::remedy(const Box& box, const MeshSettings& best) const {
+  const double max_points = max_points_for(ChargeDistribution(topology_).charges());
+  ForceSettings longer = settings_;
+  for (double cutoff = 1.25 * best.cutoff; cutoff < 0.45 * box.shortest_edge(); cutoff *= 1.25) {
+    longer.coulomb_cutoff = cutoff;
+    if (points_of(MeshChoice(topology_, longer).cheapest(box)) <= max_points)
+      return fmt::format(
+          "use a coulomb_cutoff of {:.2g} nm, within which there are still few pairs",
+          1.05 * cutoff);
+  }
   return "use a smaller box, or a larger pme_accuracy";
 }
 
@@ -234,16 +307,23 @@ MeshSettings MeshChoice::operator()(const Box& box) {
   const double max_points = max_points_for(charges);
   if (points_of(best) > max_points)
     throw Error(fmt::format(
-        "a cutoff of {:g} nm and an accuracy of {:g} need a mesh of {} x {} x {} points in this "
-        "box, for {:.0f} charges; the limit for so few bodies is {:.2g}: {}",
-        cutoff_, relative_error_, best.points[0], best.points[1], best.points[2], charges,
-        max_points, remedy(box, max_points)));
+        "pairs of charges up to {:g} nm and an accuracy of {:g} need a mesh of {} x {} x {} points "
+        "in this box, for {:.0f} charges; the limit for so few bodies is {:.2g}: {}",
+        best.cutoff, settings_.pme_accuracy, best.points[0], best.points[1], best.points[2],
+        charges, max_points, remedy(box, best)));
   return best;
+}
+
+MeshSettings mesh_for(const ForceSettings& settings, const Box& box, const Topology& topology) {
+  return MeshChoice(topology, settings)(box);
 }
 
 MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
                       const Topology& topology) {
-  return MeshChoice(topology, relative_error, cutoff)(box);
+  ForceSettings settings;
+  settings.pme_accuracy = relative_error;
+  settings.coulomb_cutoff = cutoff;
+  return mesh_for(settings, box, topology);
 }
 
 }  // namespace polhode

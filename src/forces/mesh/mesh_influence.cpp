@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "mesh_influence.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace polhode {
@@ -50,6 +51,25 @@ InfluenceValue Influence::operator()(const std::array<std::size_t, 3>& n) const 
       }
   const double strength = units::coulomb * 4 * units::pi / (volume_ * all * all_k2);
   return {strength * density.value, strength * (density.slope - 2 * density.value) / k2};
+}
+
+InfluenceTable::InfluenceTable(const Influence& influence, const std::array<std::size_t, 3>& points,
+                               const Box& box, Workers& workers)
+    : points_(points),
+      cubic_(box.edge.x == box.edge.y && box.edge.y == box.edge.z && points[0] == points[1] &&
+             points[1] == points[2]),
+      values_(half(0) * half(1) * half(2)) {
+  workers.each(half(0), [&](std::size_t x) {
+    for (std::size_t y = cubic_ ? x : 0; y < half(1); ++y)
+      for (std::size_t z = cubic_ ? y : 0; z < half(2); ++z)
+        values_[place({x, y, z})] = influence({x, y, z});
+  });
+}
+
+InfluenceValue InfluenceTable::operator()(std::array<std::size_t, 3> n) const {
+  for (std::size_t d = 0; d < 3; ++d) n[d] = std::min(n[d], points_[d] - n[d]);
+  if (cubic_) std::sort(n.begin(), n.end());
+  return values_[place(n)];
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "polhode/base/workers.hpp"
 #include "polhode/forces/laws/ewald_split.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
 #include "polhode/model/box.hpp"
@@ -44,6 +45,26 @@ class Influence {
   CompactSplit split_;
   double volume_;
   std::array<std::vector<Wave>, 3> axes_;
+};
+
+/// The influence of all waves of a mesh. It depends neither on the signs of a wave's numbers nor,
+/// in a cube, on their order: computed once for each set of sizes, because a barostat needs it
+/// again for every box.
+class InfluenceTable {
+ public:
+  InfluenceTable(const Influence& influence, const std::array<std::size_t, 3>& points,
+                 const Box& box, Workers& workers);
+  InfluenceValue operator()(std::array<std::size_t, 3> n) const;
+
+ private:
+  std::size_t half(std::size_t d) const { return points_[d] / 2 + 1; }
+  std::size_t place(const std::array<std::size_t, 3>& n) const {
+    return (n[0] * half(1) + n[1]) * half(2) + n[2];
+  }
+
+  std::array<std::size_t, 3> points_;
+  bool cubic_;
+  std::vector<InfluenceValue> values_;
 };
 
 }  // namespace polhode

@@ -13,12 +13,13 @@
 
 namespace polhode {
 
-CellGrid::CellGrid(const Box& box, double range) : edge(box.edge) {
-  const auto count = [](double edge, double width) {
-    return std::clamp<std::size_t>(static_cast<std::size_t>(edge / width), 1, 1024);
+CellGrid::CellGrid(const Box& box, std::size_t bodies) : edge(box.edge) {
+  const double width =
+      std::cbrt(block * box.volume() / static_cast<double>(std::max<std::size_t>(1, bodies)));
+  const auto count = [](double pieces) {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(std::round(pieces)));
   };
-  cells = {count(box.edge.x, range / 2), count(box.edge.y, range / 2),
-           count(box.edge.z, range / 2)};
+  cells = {count(edge.x / width), count(slices * edge.y / width), count(edge.z / width)};
 }
 
 Slots::Slots(const Topology& topology) {
@@ -35,27 +36,27 @@ Slots::Slots(const Topology& topology) {
   built_at = place = Vec3Column(slot);
 }
 
-void Slots::sort(const State& state, const CellGrid& grid, Workers& workers) {
+void Slots::sort(const State& state, Workers& workers) {
   constexpr std::size_t at_once = 1024;
-  const Box box{grid.edge};
-  each_block(state.size(), at_once, workers, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3<double> q = state.q[i];
-      if (!std::isfinite(norm2(q)))
-        throw RunError(fmt::format("the position of molecule {} is not finite", i + 1));
-      const Vec3<double> r = wrapped(q, box);
-      cell_of_[i] = static_cast<std::uint32_t>(
-          grid.index(grid.coordinate(r.x, 0), grid.coordinate(r.y, 1), grid.coordinate(r.z, 2)));
-    }
-  });
-
-  cell_end.resize(parts.size() * grid.size());
+  const Box& box = state.box;
   for (std::size_t p = 0; p < parts.size(); ++p) {
+    const CellGrid grid(box, parts[p].count);
     const std::uint32_t first = first_body_[p], end = first + parts[p].count;
+    each_block(parts[p].count, at_once, workers, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = first + from; i < first + to; ++i) {
+        const Vec3<double> q = state.q[i];
+        if (!std::isfinite(norm2(q)))
+          throw RunError(fmt::format("the position of molecule {} is not finite", i + 1));
+        const Vec3<double> r = wrapped(q, box);
+        cell_of_[i] = static_cast<std::uint32_t>(
+            grid.index(grid.coordinate(r.x, 0), grid.coordinate(r.y, 1), grid.coordinate(r.z, 2)));
+      }
+    });
+    cell_end_.resize(grid.size());
     const auto each = [&](const auto& visit) {
       for (std::uint32_t i = first; i < end; ++i) visit(cell_of_[i], i);
     };
-    counting_sort({&cell_end[p * grid.size()], grid.size()}, parts[p].first, each,
+    counting_sort(cell_end_, parts[p].first, each,
                   [&](std::uint32_t slot, std::uint32_t i) { body[slot] = i; });
     const std::size_t whole = blocks(parts[p].count, slot_block) * slot_block;
     for (std::size_t s = parts[p].end(); s < parts[p].first + whole; ++s) body[s] = first;

@@ -8,11 +8,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/stopwatch.hpp"
+#include "polhode/forces/pairs/centre_ranges.hpp"
 #include "polhode/forces/system_size.hpp"
-#include "polhode/model/cell_width.hpp"
 
 namespace polhode {
 namespace {
@@ -20,31 +19,23 @@ namespace {
 void check_box(const Topology& topology, const ForceSettings& settings, const Box& box) {
   const double shortest = box.shortest_edge();
   const auto round_down = [](double x) { return std::floor(x * 1000) / 1000; };
-  if (settings.cutoff > shortest / 2)
+  const double cutoff = std::max(settings.cutoff, cutoff_of_charges(settings));
+  if (cutoff > shortest / 2)
     throw Error(
-        fmt::format("cutoff {:.3f} nm is longer than half of the shortest box edge ({:.3f} nm): a "
+        fmt::format("{} {:.3f} nm is longer than half of the shortest box edge ({:.3f} nm): a "
                     "molecule would interact with two images of the same partner; the maximum "
                     "cutoff for this box is {:.3f} nm",
-                    settings.cutoff, shortest, round_down(shortest / 2)));
+                    cutoff > settings.cutoff ? "coulomb_cutoff" : "cutoff", cutoff, shortest,
+                    round_down(shortest / 2)));
   double extent = 0;
   for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
-  if (settings.truncation != Truncation::molecule_switch && settings.cutoff + 2 * extent > shortest)
+  if (settings.truncation != Truncation::molecule_switch && cutoff + 2 * extent > shortest)
     throw Error(fmt::format(
         "cutoff {:.3f} nm and the largest molecule ({:.3f} nm from its centre to a site) do not "
         "fit into the shortest box edge ({:.3f} nm): a molecule would interact with its own image; "
         "use a larger box or a cutoff of at most {:.3f} nm",
-        settings.cutoff, extent, shortest, round_down(shortest - 2 * extent)));
+        cutoff, extent, shortest, round_down(shortest - 2 * extent)));
 }
-
-// A dense liquid has about five bodies per cell; the table of cells for each part of the topology
-// must not outgrow the bodies, however large the box is.
-double max_cells(const Topology& topology) {
-  const auto parts = std::max<std::size_t>(1, topology.parts.size());
-  const std::size_t molecules = topology.size() / parts;  // of a kind
-  return std::max(64.0, 8 * static_cast<double>(molecules));
-}
-
-constexpr std::size_t slots_at_once = 1024;  // per task that converts to fixed point
 
 // The work is divided by the number of bodies alone, so that sums do not depend on the number of
 // threads. Chunks are large enough that their own rows outnumber those of neighbouring chunks they
@@ -97,7 +88,7 @@ void check_edges(const Box& box) {
 
 NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& settings,
                              const Box& box)
-    : slots_((check_count(topology), topology)), chunks_(chunks_of(slots_)) {
+    : slots_((check_count(topology), topology)), tree_(slots_), chunks_(chunks_of(slots_)) {
   set_box(topology, settings, box);
 }
 
@@ -105,35 +96,26 @@ void NeighbourList::set_box(const Topology& topology, const ForceSettings& setti
                             const Box& box) {
   check_edges(box);
   check_box(topology, settings, box);
-  // Two sites within the cutoff have centres at most cutoff + reach_a + reach_b apart; if
-  // they are closer than switch_from − reach_a − reach_b, all sites are inside the switching
-  // distance.
-  const bool by_site = settings.truncation != Truncation::molecule_switch;
-  const double from = settings.truncation == Truncation::site_shift ? 0.0 : settings.switch_from;
   double max_range = 0;
-  const auto extent = [&](const auto& a, const auto& b) {
-    return by_site ? a.molecule.extent() + b.molecule.extent() : 0.0;
-  };
   for (const auto& a : topology.parts)
     for (const auto& b : topology.parts)
-      max_range = std::max(max_range, settings.cutoff + extent(a, b));
+      max_range = std::max(max_range, centre_ranges(settings, a.molecule, b.molecule).largest());
   // One image in each direction is enough as long as the range does not exceed the shortest edge.
   const double skin = std::min(settings.skin, box.shortest_edge() - max_range);
   if (skin <= 0)
     throw Error(
         fmt::format("the cutoff of {:.3f} nm and the size of the molecules fill the shortest box "
                     "edge ({:.3f} nm); use a larger box or a shorter cutoff",
-                    settings.cutoff, box.shortest_edge()));
+                    std::max(settings.cutoff, cutoff_of_charges(settings)), box.shortest_edge()));
   ranges_.clear();
   for (const auto& a : topology.parts)
     for (const auto& b : topology.parts) {
-      const double listed = settings.cutoff + extent(a, b) + skin;
-      const double inside = std::max(0.0, from - extent(a, b) - skin);
+      const CentreRanges ranges = centre_ranges(settings, a.molecule, b.molecule);
+      const double listed = ranges.largest() + skin;
+      const double inside = std::max(0.0, ranges.inside - skin);
       ranges_.push_back({listed * listed, inside * inside});
     }
-  range_ = max_range + skin;
   allowed2_ = skin * skin / 4;
-  grid_ = CellGrid(box, 2 * cell_width(box, range_ / 2, max_cells(topology)));
   box_ = box;
   width_ = 0;
   reserve_rows();
@@ -160,18 +142,9 @@ std::size_t NeighbourList::lanes() const {
 
 void NeighbourList::build(const State& state, std::size_t width, Workers& workers) {
   const Stopwatch watch;
-  slots_.sort(state, grid_, workers);
-  std::array<std::vector<std::int32_t>, 3> fixed;
-  for (auto& f : fixed) f.resize(slots_.size() + slot_block);  // packs read past the last slot
-  const auto fix = [&](const Column<double>& place, std::size_t d, std::size_t s) {
-    fixed[d][s] = static_cast<std::int32_t>(place[s] *
-                                            (static_cast<double>(fixed_point_edge) / box_.edge[d]));
-  };
-  each_block(slots_.size(), slots_at_once, workers, [&](std::size_t first, std::size_t end) {
-    for (std::size_t s = first; s < end; ++s)
-      fix(slots_.place.x, 0, s), fix(slots_.place.y, 1, s), fix(slots_.place.z, 2, s);
-  });
-  const ListJob job{grid_, slots_, ranges_, fixed.data(), width};
+  slots_.sort(state, workers);
+  tree_.update(slots_, box_, workers);
+  const ListJob job{box_, slots_, tree_, ranges_, width};
   const auto find = POLHODE_CURRENT_LOOPS(find_partners);
   workers.each(chunks_.size(), [&](std::size_t c) { find(job, chunks_[c]); });
   width_ = width;

@@ -119,6 +119,9 @@ nlohmann::json as_json(const AdviceReport& report) {
                       {"runner_up", nullptr}};
   if (criterion.quality == Quality::drift)
     json["requested"] = in_kJ_per_ns(criterion.bound), json["unit"] = "kJ/mol/ns per molecule";
+  if (criterion.quality == Quality::temperature_difference) json["unit"] = "K";
+  if (criterion.quality == Quality::energy_bias) json["unit"] = "kJ/mol per molecule";
+  if (criterion.quality == Quality::pressure_bias) json["unit"] = "kJ/mol/nm3";
   for (const Candidate& candidate : advice.candidates)
     json["candidates"].push_back(as_json(candidate));
   for (const auto& [key, sets] :

@@ -15,15 +15,27 @@ std::string percent(const Estimate& x) {
 }  // namespace
 
 std::string bound_text(Quality quality, double bound) {
-  return quality == Quality::drift
-             ? fmt::format("{:.3g} kJ/mol/ns", bound / unit("kJ/mol/ns", Dimension::power))
-             : fmt::format("{:.3g} %", 100 * bound);
+  switch (quality) {
+    case Quality::drift:
+      return fmt::format("{:.3g} kJ/mol/ns", bound / unit("kJ/mol/ns", Dimension::power));
+    case Quality::temperature_difference:
+      return fmt::format("{:.3g} K", bound);
+    case Quality::energy_bias:
+      return fmt::format("{:.3g} kJ/mol", bound);
+    case Quality::pressure_bias:
+      return fmt::format("{:.3g} bar", bound / unit("bar", Dimension::pressure));
+    case Quality::ratio:
+    case Quality::temperature_bias:
+      break;
+  }
+  return fmt::format("{:.3g} %", 100 * bound);
 }
 
 std::string description(const Criterion& criterion) {
-  return fmt::format("{} {} of at most {}",
-                     criterion.quality == Quality::temperature_bias ? "a" : "an",
-                     name_of(criterion.quality), bound_text(criterion.quality, criterion.bound));
+  const std::string_view name = name_of(criterion.quality);
+  const bool vowel = name[0] == 'e' || name[0] == 'R';
+  return fmt::format("{} {} of at most {}", vowel ? "an" : "a", name,
+                     bound_text(criterion.quality, criterion.bound));
 }
 
 std::string unreachable(const Advice& advice, const Criterion& criterion) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "polhode/base/error.hpp"
 #include "polhode/math/prediction.hpp"
 
 namespace polhode {
@@ -21,8 +22,34 @@ Outcome outcome(const System& system, const Trajectory& trajectory) {
   const ByMotion<double> kinds{T.translation, T.rotation[0], T.rotation[1], T.rotation[2]};
   for (std::size_t k = 0; k < kinds.size(); ++k)
     if (kinds[k] > 0) run.bias[k] = kinds[k] / T.all - 1;
+  const StepBias bias =
+      trajectory.statistics.step_bias.bias(degrees_of_freedom(system.topology), FixedMeans::energy);
+  run.temperature_difference = bias.difference.value;
+  run.energy_bias = bias.potential.value / static_cast<double>(system.topology.size());
+  run.pressure_bias = bias.pressure.value;
   run.configurational = trajectory.statistics.configurational.values();
   return run;
+}
+
+Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble) {
+  switch (requirement.of) {
+    case RequiredOf::ratio:
+      return {Quality::ratio, requirement.bound};
+    case RequiredOf::temperature_difference:
+      return {Quality::temperature_difference, requirement.bound};
+    case RequiredOf::energy:
+      return {Quality::energy_bias, requirement.bound};
+    case RequiredOf::pressure:
+      return {Quality::pressure_bias, requirement.bound};
+    case RequiredOf::density:
+      break;
+  }
+  if (!ensemble.barostat)
+    throw Error(
+        "a bound on the bias of the density (\"density 0.02 %\") needs the compressibility of "
+        "[barostat] in the run file, by which "
+        "a bias of the pressure changes it; give it, or bound the pressure: \"pressure 4 bar\"");
+  return {Quality::pressure_bias, requirement.bound / ensemble.barostat->compressibility};
 }
 
 bool blew_up(const std::vector<Outcome>& runs) {
@@ -49,12 +76,21 @@ bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, doub
 
 double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
   if (blew_up(runs)) return std::numeric_limits<double>::infinity();
+  const auto size = [&](double Outcome::*member) {
+    return size_bound(each(runs, [member](const Outcome& run) { return run.*member; }),
+                      guarantee_probability);
+  };
   switch (quality) {
     case Quality::ratio:
       return optimistic_bound(runs, 1);
     case Quality::drift:
-      return size_bound(each(runs, [](const Outcome& run) { return run.drift; }),
-                        guarantee_probability);
+      return size(&Outcome::drift);
+    case Quality::temperature_difference:
+      return size(&Outcome::temperature_difference);
+    case Quality::energy_bias:
+      return size(&Outcome::energy_bias);
+    case Quality::pressure_bias:
+      return size(&Outcome::pressure_bias);
     case Quality::temperature_bias: {
       const auto biases = [&](std::size_t k) {
         return each(runs, [k](const Outcome& run) { return run.bias[k]; });

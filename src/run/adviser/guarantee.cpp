@@ -17,8 +17,6 @@
 namespace polhode {
 namespace {
 
-std::string in_percent(double ratio) { return fmt::format("\"{:.12g} %\"", 100 * ratio); }
-
 /// Refuses to resume a run with another guarantee than that with which its step was chosen.
 void check_same(const std::string& file, const char* key, const std::string& then,
                 const std::string& now) {
@@ -34,7 +32,8 @@ void check_same(const std::string& file, const char* key, const std::string& the
 std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks& callbacks,
                                                 Workers& workers) {
   IntegratorSettings& integrator = config.integrator;
-  AdviserSettings settings{{Quality::ratio, integrator.accuracy.value()}, integrator.candidates};
+  AdviserSettings settings{criterion_of(integrator.accuracy.value(), config.ensemble),
+                           integrator.candidates};
   if (integrator.scheme_given) settings.schemes = {integrator.scheme};
   callbacks.note(fmt::format("choosing a step for {}", description(settings.criterion)));
   note_constant_energy(config, "the choice of the step", callbacks);
@@ -56,7 +55,7 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
 
 void write_guarantee(const std::string& file, const Guarantee& guarantee,
                      const IntegratorSettings& integrator) {
-  const nlohmann::json json{{"accuracy", guarantee.accuracy},
+  const nlohmann::json json{{"accuracy", text_of(guarantee.accuracy)},
                             {"length_ps", guarantee.length},
                             {"R_expected", guarantee.expected.value},
                             {"R_expected_error", guarantee.expected.error},
@@ -67,14 +66,15 @@ void write_guarantee(const std::string& file, const Guarantee& guarantee,
 
 Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator) try {
   const auto json = nlohmann::json::parse(std::ifstream(file));
-  check_same(file, "accuracy", in_percent(json.at("accuracy")),
-             in_percent(integrator.accuracy.value()));
+  const auto quoted = [](const std::string& text) { return '"' + text + '"'; };
+  check_same(file, "accuracy", quoted(json.at("accuracy").get<std::string>()),
+             quoted(text_of(integrator.accuracy.value())));
   if (integrator.scheme_given)
     check_same(file, "scheme", text_of(nested_scheme_of(json.at("scheme").get<std::string>())),
                text_of(nested_scheme_of(integrator.scheme)));
   integrator.scheme = json.at("scheme");
   integrator.step = json.at("step_ps");
-  return {json.at("accuracy"),
+  return {*integrator.accuracy,
           json.at("length_ps"),
           {json.at("R_expected"), json.at("R_expected_error")}};
 } catch (const nlohmann::json::exception& e) {
@@ -84,10 +84,31 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
                   file, e.what()));
 }
 
-GuaranteeCheck check_guarantee(const Guarantee& guarantee, const TrajectoryStatistics& statistics) {
-  const SeriesEstimate whole = statistics.energies.ratio_with_error();
-  const Estimate ratio = statistics.stretches.ratio().value_or(Estimate{whole.value, whole.error});
-  return {guarantee, ratio};
+std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
+                                              const TrajectoryStatistics& statistics,
+                                              const RunSummary& summary) {
+  const auto check = [&](const SeriesEstimate& bias, double unit) {
+    return GuaranteeCheck{guarantee, {bias.value / unit, bias.error / std::abs(unit)}};
+  };
+  const bool constant_energy = summary.ensemble.settings.constant_energy();
+  if (guarantee.accuracy.of != RequiredOf::ratio && !summary.step_bias) return std::nullopt;
+  switch (guarantee.accuracy.of) {
+    case RequiredOf::ratio: {
+      if (!constant_energy) return std::nullopt;
+      const std::optional<Estimate> parts = statistics.stretches.ratio();
+      return parts ? GuaranteeCheck{guarantee, *parts} : check(summary.ratio, 1);
+    }
+    case RequiredOf::temperature_difference:
+      return check(summary.step_bias->difference, 1);
+    case RequiredOf::energy:
+      return check(summary.step_bias->potential, static_cast<double>(summary.molecules));
+    case RequiredOf::pressure:
+      return check(summary.step_bias->pressure, 1);
+    case RequiredOf::density:
+      if (summary.ensemble.barostat)
+        return check(summary.step_bias->volume, -summary.ensemble.barostat->volume.value);
+  }
+  return std::nullopt;
 }
 
 }  // namespace polhode

@@ -17,7 +17,8 @@ bool distinguishable(const Estimate& a, const Estimate& b) {
 }
 
 /// The points of a scheme, in the order of their steps.
-CanonicalClaim claim_of(const std::string& scheme, const std::vector<CanonicalPoint>& points) {
+CanonicalClaim claim_of(const std::string& scheme, Criterion criterion,
+                        const std::vector<CanonicalPoint>& points) {
   std::vector<std::size_t> own;
   for (std::size_t k = 0; k < points.size(); ++k)
     if (points[k].method.name == scheme) own.push_back(k);
@@ -26,7 +27,7 @@ CanonicalClaim claim_of(const std::string& scheme, const std::vector<CanonicalPo
   CanonicalClaim claim{.scheme = scheme, .accurate = {}, .beyond = {}};
   bool accurate = true;
   for (const std::size_t k : own) {
-    const Accuracy accuracy = points[k].accuracy();
+    const Accuracy accuracy = points[k].accuracy(criterion);
     accurate = accurate && accuracy == Accuracy::below;
     if (accurate) claim.accurate = k;
     if (accuracy == Accuracy::above && !claim.beyond) claim.beyond = k;
@@ -38,7 +39,8 @@ std::string step_text(const CanonicalPoint& point) {
   return fmt::format("{:g} fs", point.method.step * units::fs_per_ps);
 }
 
-std::string sentence(const CanonicalClaim& claim, const std::vector<CanonicalPoint>& points) {
+std::string sentence(const CanonicalClaim& claim, Criterion criterion,
+                     const std::vector<CanonicalPoint>& points) {
   std::string text = claim.scheme;
   if (claim.accurate)
     text += fmt::format(
@@ -53,7 +55,7 @@ std::string sentence(const CanonicalClaim& claim, const std::vector<CanonicalPoi
     if (!point.stable) return text + "a run blew up";
     std::string which;
     for (std::size_t k = 0; k < canonical_quantities.size(); ++k)
-      if (point.accuracy(k) == Accuracy::above)
+      if (point.accuracy(k, criterion) == Accuracy::above)
         which += fmt::format(
             "{}{} ({} {})", which.empty() ? "" : ", ", canonical_quantities[k].label,
             with_error(point.bias[k]->value, point.bias[k]->error), canonical_quantities[k].unit);
@@ -62,46 +64,68 @@ std::string sentence(const CanonicalClaim& claim, const std::vector<CanonicalPoi
   return text;
 }
 
+/// "baoab at 4 fs, hoa2-ends at 8 fs"
+std::string names_of(const std::vector<std::size_t>& which,
+                     const std::vector<CanonicalPoint>& points) {
+  std::string names;
+  for (const std::size_t k : which)
+    names += fmt::format("{}{} at {}", names.empty() ? "" : ", ", points[k].method.name,
+                         step_text(points[k]));
+  return names;
+}
+
 }  // namespace
+
+CanonicalFindings::CanonicalFindings(Criterion chosen, const std::vector<CanonicalPoint>& points)
+    : criterion(chosen) {
+  for (const CanonicalPoint& point : points)
+    if (claims.empty() || claims.back().scheme != point.method.name)
+      claims.push_back(claim_of(point.method.name, criterion, points));
+  std::vector<std::size_t> known;  // points with a cost
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (std::isfinite(points[k].evaluations_per_sample().value)) known.push_back(k);
+  const auto sample = [&](std::size_t k) { return points[k].evaluations_per_sample(); };
+  for (const std::size_t k : known)
+    if (points[k].accuracy(criterion) == Accuracy::below &&
+        (!cheapest || sample(k).value < sample(*cheapest).value))
+      cheapest = k;
+  if (!cheapest) return;
+  for (const std::size_t k : known) {
+    const bool distinct = distinguishable(sample(k), sample(*cheapest));
+    const Accuracy accuracy = points[k].accuracy(criterion);
+    if (k != *cheapest && accuracy == Accuracy::below && !distinct) as_cheap.push_back(k);
+    if (accuracy == Accuracy::undecided && (!distinct || sample(k).value < sample(*cheapest).value))
+      undecided.push_back(k);
+  }
+}
 
 CanonicalReport::CanonicalReport(const Config& config_used,
                                  const std::vector<CanonicalPoint>& points_found)
-    : config(config_used), points(points_found) {
-  for (const CanonicalPoint& point : points)
-    if (claims.empty() || claims.back().scheme != point.method.name)
-      claims.push_back(claim_of(point.method.name, points));
-  const auto sample = [&](std::size_t k) { return points[k].evaluations_per_sample(); };
-  for (std::size_t k = 0; k < points.size(); ++k)
-    if (points[k].accuracy() == Accuracy::below && std::isfinite(sample(k).value) &&
-        (!cheapest || sample(k).value < sample(*cheapest).value))
-      cheapest = k;
-  for (std::size_t k = 0; cheapest && k < points.size(); ++k)
-    if (k != *cheapest && points[k].accuracy() == Accuracy::below &&
-        std::isfinite(sample(k).value) && !distinguishable(sample(k), sample(*cheapest)))
-      as_cheap.push_back(k);
-}
+    : config(config_used),
+      points(points_found),
+      findings{CanonicalFindings(Criterion::strict, points),
+               CanonicalFindings(Criterion::loose, points)} {}
 
-std::vector<std::string> canonical_sentences(const CanonicalReport& report) {
+std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
+                                             const std::vector<CanonicalPoint>& points) {
   std::vector<std::string> sentences;
-  for (const CanonicalClaim& claim : report.claims)
-    sentences.push_back(sentence(claim, report.points));
-  if (!report.cheapest) {
+  for (const CanonicalClaim& claim : findings.claims)
+    sentences.push_back(sentence(claim, findings.criterion, points));
+  if (!findings.cheapest) {
     sentences.push_back(
         "the cheapest unbiased sample is not known: no point has all biases below "
         "their bounds and a correlation time");
     return sentences;
   }
-  const CanonicalPoint& best = report.points[*report.cheapest];
-  const Estimate cost = best.evaluations_per_sample();
+  const Estimate cost = points[*findings.cheapest].evaluations_per_sample();
   std::string text = fmt::format(
-      "the cheapest independent sample with all biases below their bounds: {} at {}, {} force "
+      "the cheapest independent sample with all biases below their bounds: {}, {} force "
       "evaluations",
-      best.method.name, step_text(best), with_error(cost.value, cost.error));
-  std::string others;
-  for (const std::size_t k : report.as_cheap)
-    others += fmt::format("{}{} at {}", others.empty() ? "" : ", ", report.points[k].method.name,
-                          step_text(report.points[k]));
-  if (!others.empty()) text += "; not distinguishable from it: " + others;
+      names_of({*findings.cheapest}, points), with_error(cost.value, cost.error));
+  if (!findings.as_cheap.empty())
+    text += "; not distinguishable from it: " + names_of(findings.as_cheap, points);
+  if (!findings.undecided.empty())
+    text += "; undecided and not more expensive: " + names_of(findings.undecided, points);
   sentences.push_back(text);
   return sentences;
 }

@@ -63,16 +63,16 @@ Estimate CanonicalPoint::evaluations_per_sample() const {
   return {factor * correlation_time.value, factor * correlation_time.error};
 }
 
-std::optional<Accuracy> CanonicalPoint::accuracy(std::size_t quantity) const {
+std::optional<Accuracy> CanonicalPoint::accuracy(std::size_t quantity, Criterion criterion) const {
   if (!bias[quantity]) return std::nullopt;
-  return accuracy_of(*bias[quantity], canonical_quantities[quantity].bound, runs);
+  return accuracy_of(*bias[quantity], canonical_quantities[quantity].bound(criterion), runs);
 }
 
-Accuracy CanonicalPoint::accuracy() const {
+Accuracy CanonicalPoint::accuracy(Criterion criterion) const {
   if (!stable) return Accuracy::above;
   bool any = false, all = true;
   for (std::size_t k = 0; k < bias.size(); ++k)
-    if (const auto one = accuracy(k)) {
+    if (const auto one = accuracy(k, criterion)) {
       if (*one == Accuracy::above) return Accuracy::above;
       any = true;
       all = all && *one == Accuracy::below;
@@ -85,6 +85,10 @@ Accuracy accuracy_of(const Estimate& bias, double bound, int runs) {
   const double doubt = t_quantile(0.975, runs - 1) * bias.error, size = std::abs(bias.value);
   if (size + doubt < bound) return Accuracy::below;
   return size - doubt > bound ? Accuracy::above : Accuracy::undecided;
+}
+
+const char* in_words(Criterion criterion) {
+  return criterion == Criterion::strict ? "strict" : "loose";
 }
 
 const char* in_words(Accuracy accuracy) {

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <utility>
 
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
@@ -25,16 +26,17 @@ namespace polhode {
 namespace {
 
 // The grid: steps, in units of the force evaluations of a step divided by the Einstein frequency,
-// around what the adviser for constant energy begins with, up to where liquids blow up; numbers of
+// from what the adviser for constant energy begins with to beyond where liquids blow up; numbers of
 // steps.
-constexpr std::array<double, 5> step_parts = {0.085, 0.12, 0.17, 0.24, 0.34};
+constexpr std::array<double, 6> step_parts = {0.12, 0.17, 0.24, 0.34, 0.48, 0.68};
 constexpr std::array<std::size_t, 4> step_counts = {4, 8, 16, 32};
 constexpr double discarded = 0.2;  // of each run, at its begin
 
 /// What one run shows.
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 struct HybridRun {
-  double acceptance = unknown, weight = unknown, evaluations_per_sample = unknown;
+  double acceptance = unknown, weight = unknown;
+  std::vector<double> potential{};  // at the ends of trajectories; none of a run that blew up
 };
 
 /// The mean over runs; not a number unless all have it.
@@ -42,6 +44,16 @@ Estimate mean_over(const std::vector<HybridRun>& runs, double HybridRun::*value)
   std::vector<double> values;
   for (const HybridRun& run : runs) values.push_back(run.*value);
   return mean(values);
+}
+
+/// Of U at the ends of trajectories, over all runs together; nothing if they are too short.
+std::optional<AutocorrelationTime> autocorrelation_time(const std::vector<HybridRun>& runs) {
+  std::vector<std::span<const double>> counted;
+  for (const HybridRun& run : runs) {
+    const auto n = static_cast<double>(run.potential.size());
+    counted.push_back(std::span(run.potential).subspan(static_cast<std::size_t>(discarded * n)));
+  }
+  return polhode::autocorrelation_time(counted);
 }
 
 class HybridAdviser {
@@ -110,18 +122,24 @@ class HybridAdviser {
     for (std::size_t k = 0; k < choices.size(); ++k) {
       choices[k].acceptance = mean_over(runs[k], &HybridRun::acceptance);
       choices[k].weight = mean_over(runs[k], &HybridRun::weight);
-      const Estimate cost = mean_over(runs[k], &HybridRun::evaluations_per_sample);
+      const double cost = 2 * evaluations_of(choices[k]);
+      const auto tau = autocorrelation_time(runs[k]);
       choices[k].evaluations_per_sample =
-          std::isfinite(cost.value) ? std::optional(cost) : std::nullopt;
+          tau ? std::optional(Estimate{cost * tau->value, cost * tau->error}) : std::nullopt;
     }
+  }
+
+  /// Of a trajectory.
+  double evaluations_of(const HybridChoice& choice) const {
+    return scheme_.cost() * static_cast<double>(choice.steps);
   }
 
   HybridRun run(const HybridChoice& choice, const System& start, std::size_t evaluations,
                 std::uint64_t seed) const {
     System system = start;
     ForceField forces(system.topology, system.forces, system.state.box);
-    const double per_trajectory = scheme_.cost() * static_cast<double>(choice.steps);
-    const double trajectories = std::ceil(static_cast<double>(evaluations) / per_trajectory);
+    const double trajectories =
+        std::ceil(static_cast<double>(evaluations) / evaluations_of(choice));
     const double duration = choice.step * static_cast<double>(choice.steps);
     TrajectorySettings settings{.scheme = scheme_,
                                 .step = choice.step,
@@ -145,9 +163,7 @@ class HybridAdviser {
     result.acceptance =
         static_cast<double>(hybrid.accepted) / static_cast<double>(hybrid.trajectories);
     result.weight = hybrid.weights.means().mean().at(0);
-    const auto first = static_cast<std::size_t>(discarded * static_cast<double>(potential.size()));
-    if (const auto tau = autocorrelation_time(std::span(potential).subspan(first)))
-      result.evaluations_per_sample = 2 * tau->value * per_trajectory;
+    result.potential = std::move(potential);
     return result;
   }
 
@@ -227,6 +243,10 @@ std::string answer(const HybridAdvice& advice) {
     text +=
         fmt::format("{}{}", k == advice.equal.front() ? "; not distinguishable from it: " : ", ",
                     choice_text(advice.finalists[k]));
+  const bool longer_steps = std::any_of(advice.pilots.begin(), advice.pilots.end(),
+                                        [&](const auto& c) { return c.step > best.step; });
+  if (!longer_steps && !advice.pilots.empty())
+    text += "; no longer step was tried, and one may be cheaper";
   return text;
 }
 

@@ -5,14 +5,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <utility>
 
-#include "polhode/base/error.hpp"
+#include "equilibrium_warnings.hpp"
+#include "polhode/base/instruction_set.hpp"
+#include "polhode/base/output_error.hpp"
+#include "polhode/base/stopwatch.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/base/version.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/checksum.hpp"
+#include "polhode/io/ensemble_names.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/prepared_run_file.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/math/random.hpp"
+#include "polhode/run/simulation/checkpoint.hpp"
+#include "polhode/run/simulation/propagator.hpp"
 #include "polhode/run/simulation/relaxation.hpp"
 #include "polhode/run/simulation/stable_step.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
@@ -49,129 +60,36 @@ std::vector<Stage> stages_of(const Config& config) {
   return stages;
 }
 
-class Preparation {
- public:
-  Preparation(const Config& config, const Callbacks& callbacks, Workers& workers)
-      : config_(config), callbacks_(callbacks), workers_(workers), stages_(stages_of(config)) {}
+ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
 
-  PreparationReport perform(const std::string& final_state, const std::string& run_file);
-
- private:
-  TrajectorySettings settings_of(std::size_t stage) const;
-  Trajectory run(System& system, std::size_t stage, const TrajectorySettings& settings) const;
-  PreparedProperties properties(const System& system, const TrajectorySettings& settings,
-                                const Trajectory& trajectory) const;
-  void choose_density(PreparationReport& report);
-
-  Config config_;
-  const Callbacks& callbacks_;
-  Workers& workers_;
-  std::vector<Stage> stages_;
-  double step_ = first_step;
+struct PreparationFiles {
+  std::string state, checkpoint, run_file;
+  explicit PreparationFiles(const std::string& prefix)
+      : state(prefix + "-prepared.gro"),
+        checkpoint(prefix + "-prepared.bin"),
+        run_file(prefix + "-prepared.toml") {}
+  std::vector<std::string> all() const { return {state, checkpoint, run_file}; }
 };
 
-void Preparation::choose_density(PreparationReport& report) {
-  SystemSettings& s = config_.system;
-  if (!s.initial_configuration.empty()) return;
-  const Topology topology = build_topology(s);
-  report.estimated = !s.density && !s.box && config_.ensemble.barostat;
-  if (report.estimated) s.density = estimated_density(topology);
-  if (s.box) report.lattice_density = topology.mass() / Box{*s.box}.volume();
-  if (s.density) report.lattice_density = *s.density;
-  if (report.estimated)
-    callbacks_.note(fmt::format(
-        "note: there is no density, so the lattice has {:.3g} g/cm3, estimated from the diameters "
-        "of the sites; the barostat changes it",
-        g_per_cm3(*s.density)));
+/// What must be the same for a preparation to resume: the run of its system, and its stages.
+std::string identity_of(const Config& config, const System& system) {
+  const std::string run = run_identity(config, system);
+  const std::string stages = fmt::format("prepare.nvt = {:.12g} ps\nprepare.npt = {:.12g} ps\n",
+                                         config.prepare.nvt, config.prepare.npt);
+  return text_hash(run + stages) + run.substr(run.find('\n')) + stages;
 }
 
-TrajectorySettings Preparation::settings_of(std::size_t stage) const {
-  TrajectorySettings settings{.scheme = scheme_of("baoab"),
-                              .step = step_,
-                              .length = stages_[stage].length,
-                              .sample = 0.02,
-                              .seed = derived_seed(config_.system.seed, streams + stage)};
-  settings.ensemble.temperature = config_.system.temperature;
-  settings.ensemble.thermostat =
-      ThermostatSettings{.friction = friction, .rotational_friction = friction};
-  if (stages_[stage].constant_pressure) settings.ensemble.barostat = config_.ensemble.barostat;
-  return settings;
-}
-
-Trajectory Preparation::run(System& system, std::size_t stage,
-                            const TrajectorySettings& settings) const {
-  double all = 0, before = 0;
-  for (std::size_t k = 0; k < stages_.size(); ++k) {
-    if (k < stage) before += stages_[k].length;
-    all += stages_[k].length;
-  }
-  const std::string name = stages_[stage].name;
-  const Watch watch{.sample =
-                        [&](std::size_t steps, const State& state, const Energies&) {
-                          const double now = static_cast<double>(steps) * settings.step;
-                          callbacks_.report({"preparing", (before + now) / all,
-                                             fmt::format("{}, {:.3g} g/cm3", name,
-                                                         g_per_cm3(system.topology.mass() /
-                                                                   state.box.volume()))});
-                        },
-                    .stop = callbacks_.stop};
-  ForceField forces(system.topology, system.forces, system.state.box, workers_);
-  Trajectory trajectory = run_trajectory(system, forces, settings, watch, workers_);
-  if (!trajectory.failure.empty())
-    throw RunError(fmt::format(
-        "the preparation blew up in its {} stage, after {:g} ps of {:g} ps: {}; use a lower "
-        "density, or another initial configuration",
-        name, before + static_cast<double>(trajectory.steps) * settings.step, all,
-        trajectory.cause));
-  return trajectory;
-}
-
-/// A volume that still changes by more than half a percent.
-std::optional<Warning> density_warning(const Drift& slope, double length, double volume) {
-  constexpr double min_change = 0.005, significance_level = 0.001;
-  const double change = slope.rate.value * length / volume;
-  if (slope.known != Known::yes || slope.p_value > significance_level ||
-      std::abs(change) < min_change)
-    return std::nullopt;
-  return Warning{"density", change, min_change,
-                 fmt::format("the volume is still {}: by {:.2g} % in the last {:g} ps",
-                             change > 0 ? "growing" : "shrinking", 100 * std::abs(change), length),
-                 "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
-}
-
-/// A mean pressure from which the density will still change by more than half a percent.
-std::optional<Warning> pressure_warning(const SeriesEstimate& pressure, const BarostatSettings& b) {
-  constexpr double min_change = 0.005, far = 3;
-  const double bar = unit("bar", Dimension::pressure);
-  const double bound = std::max(far * pressure.error, min_change / b.compressibility);
-  if (pressure.known != Known::yes || std::abs(pressure.value - b.pressure) <= bound)
-    return std::nullopt;
-  return Warning{"barostat", pressure.value / bar, bound / bar,
-                 fmt::format("the mean pressure is {:.3g} bar instead of {:g} bar: the volume has "
-                             "not reached equilibrium",
-                             pressure.value / bar, b.pressure / bar),
-                 "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
-}
-
-PreparedProperties Preparation::properties(const System& system, const TrajectorySettings& settings,
-                                           const Trajectory& trajectory) const {
-  const EnergyStatistics& energies = trajectory.statistics.energies;
-  PreparedProperties p{summary(system, settings, trajectory), energies.volume(), {}};
-  const double mass = system.topology.mass(), V = p.density.value;
-  if (settings.ensemble.barostat) p.pressure = settings.ensemble.barostat->pressure;
-  p.density.value = mass / V;
-  p.density.error *= mass / (V * V);
-  p.warnings =
-      warnings_of_results(p.summary, TargetTemperature{settings.ensemble.temperature, false});
-  for (const auto& warning :
-       {settings.ensemble.barostat ? density_warning(energies.volume_drift(), p.summary.length, V)
-                                   : std::nullopt,
-        settings.ensemble.barostat
-            ? pressure_warning(p.summary.pressure, *settings.ensemble.barostat)
-            : std::nullopt,
-        cutoff_of_ions(system)})
-    if (warning) p.warnings.push_back(*warning);
-  return p;
+/// The compressibility that the fluctuations of the volume show, without their linear trend
+/// [nm³ mol/kJ]. A volume that has not had the time to fluctuate shows too small a one, and one
+/// that relaxes too large a one, so it is at least the default and at most ten times as much. That
+/// is enough, since moves sample the same distribution with any.
+double estimated_compressibility(const EnergyStatistics& energies, double length, double kT) {
+  const double min = default_compressibility(), max = 10 * min;
+  const double variance = energies.relative_volume_variance().value;
+  const double trend = energies.volume_drift().rate.value * length;
+  const double of_trend = trend * trend / (12 * energies.volume().value);
+  const double estimate = (variance - of_trend) / kT;
+  return estimate > min ? std::min(estimate, max) : min;  // also if it is not a number
 }
 
 /// A run at constant energy keeps the energy of its start, and with the mean of the canonical
@@ -191,8 +109,246 @@ void set_energy(System& system, double mean_total, Workers& workers) {
   }
 }
 
-PreparationReport Preparation::perform(const std::string& final_state,
-                                       const std::string& run_file) {
+class Preparation {
+ public:
+  Preparation(const Config& config, const OutputOptions& options, const Callbacks& callbacks,
+              Workers& workers)
+      : config_(config),
+        options_(options),
+        callbacks_(callbacks),
+        workers_(workers),
+        stages_(stages_of(config)),
+        files_(config.output.prefix) {}
+
+  PreparationReport perform();
+
+ private:
+  TrajectorySettings settings_of(std::size_t stage) const;
+  bool find_checkpoint();
+  void save(RunState at);
+  bool begin(System& system);
+  bool run_stage(System& system);
+  Trajectory run(System& system, const TrajectorySettings& settings);
+  void set_up_next(const System& system, const TrajectorySettings& settings,
+                   const Trajectory& trajectory);
+  void finish(System& system, const Trajectory& trajectory);
+  void write_files(const System& system, PreparationReport& report);
+  PreparedProperties properties(System& system) const;
+  void choose_density(PreparationReport& report);
+
+  Config config_;
+  OutputOptions options_;
+  const Callbacks& callbacks_;
+  Workers& workers_;
+  std::vector<Stage> stages_;
+  PreparationFiles files_;
+  std::string identity_;
+  PreparationProgress progress_{.step = first_step};
+  RunState at_;  // of the last checkpoint
+  bool resumes_ = false;
+};
+
+void Preparation::choose_density(PreparationReport& report) {
+  SystemSettings& s = config_.system;
+  if (!s.initial_configuration.empty()) return;
+  const Topology topology = build_topology(s);
+  report.estimated = !s.density && !s.box && config_.ensemble.barostat;
+  if (report.estimated) s.density = estimated_density(topology);
+  if (s.box) report.lattice_density = topology.mass() / Box{*s.box}.volume();
+  if (s.density) report.lattice_density = *s.density;
+  if (report.estimated)
+    callbacks_.note(fmt::format(
+        "note: there is no density, so the lattice has {:.3g} g/cm3, estimated from the diameters "
+        "of the sites; the barostat changes it",
+        g_per_cm3(*s.density)));
+}
+
+TrajectorySettings Preparation::settings_of(std::size_t stage) const {
+  TrajectorySettings settings{.scheme = scheme_of("baoab"),
+                              .step = progress_.step,
+                              .length = stages_[stage].length,
+                              .sample = 0.02,
+                              .seed = derived_seed(config_.system.seed, streams + stage)};
+  settings.ensemble.temperature = config_.system.temperature;
+  settings.ensemble.thermostat =
+      ThermostatSettings{.friction = friction, .rotational_friction = friction};
+  if (!stages_[stage].constant_pressure) return settings;
+  settings.ensemble.barostat = config_.ensemble.barostat;
+  if (progress_.compressibility > 0)
+    settings.ensemble.barostat->compressibility = progress_.compressibility;
+  return settings;
+}
+
+// The checkpoint to resume from, if requested and if there is one.
+bool Preparation::find_checkpoint() {
+  const bool resumes = options_.existing == ExistingFiles::resume;
+  const bool exists = std::filesystem::exists(files_.checkpoint);
+  if (exists && options_.existing == ExistingFiles::refuse)
+    throw OutputError(fmt::format("'{}' exists: the preparation was started before; resume it, "
+                                  "give another output, or start over",
+                                  files_.checkpoint),
+                      true);
+  if (!resumes || !exists) {
+    check_outputs(files_.all(), options_.existing);
+    if (resumes)
+      callbacks_.note("note: there is no checkpoint; the preparation starts from the beginning");
+    return false;
+  }
+  Checkpoint found = read_checkpoint_of(files_.checkpoint, identity_, this_program());
+  progress_ = found.preparation.value();
+  at_ = std::move(found.at);
+  return true;
+}
+
+void Preparation::save(RunState at) {
+  at_ = std::move(at);
+  write_checkpoint(
+      {files_.checkpoint, ""},
+      {.identity = identity_, .command = options_.command, .at = at_, .preparation = progress_},
+      this_program());
+}
+
+/// @return  false if it was interrupted
+bool Preparation::begin(System& system) {
+  progress_.minimisation = minimise(system, bounds, watch_of(callbacks_), workers_);
+  callbacks_.note(description(progress_.minimisation));
+  if (progress_.minimisation.end == MinimisationEnd::stopped) return false;
+  check_separated(system, progress_.minimisation);
+  draw_momenta(system, config_.system.seed);
+  for (const std::string& file : files_.all()) std::filesystem::remove(file);
+  return true;
+}
+
+Trajectory Preparation::run(System& system, const TrajectorySettings& settings) {
+  const std::size_t stage = progress_.stage;
+  double all = 0, before = 0;
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    if (k < stage) before += stages_[k].length;
+    all += stages_[k].length;
+  }
+  const std::string name = stages_[stage].name;
+  const auto show = [&](std::size_t steps, const State& state, const Energies&) {
+    const double now = static_cast<double>(steps) * settings.step;
+    callbacks_.report({"preparing", (before + now) / all,
+                       fmt::format("{}, {:.3g} g/cm3", name,
+                                   g_per_cm3(system.topology.mass() / state.box.volume()))});
+  };
+  Stopwatch since_checkpoint;
+  const Watch watch{
+      .sample = show,
+      .stop = callbacks_.stop,
+      .due = [&] { return since_checkpoint.seconds() >= config_.output.checkpoint_every; },
+      .checkpoint =
+          [&](RunState at) {
+            save(std::move(at));
+            since_checkpoint = Stopwatch();
+          }};
+  ForceField forces(system.topology, system.forces, system.state.box, workers_);
+  const std::optional<RunState> from =
+      std::exchange(resumes_, false) ? std::optional(at_) : std::nullopt;
+  Trajectory trajectory =
+      run_trajectory(system, forces, settings, watch, workers_, from ? &*from : nullptr);
+  if (!trajectory.failure.empty())
+    throw RunError(fmt::format(
+        "the preparation blew up in its {} stage, after {:g} ps of {:g} ps: {}; use a lower "
+        "density, or another initial configuration",
+        name, before + static_cast<double>(trajectory.steps) * settings.step, all,
+        trajectory.cause));
+  return trajectory;
+}
+
+/// Forces are those of a liquid now, and at constant pressure the volume has fluctuated.
+void Preparation::set_up_next(const System& system, const TrajectorySettings& settings,
+                              const Trajectory& trajectory) {
+  constexpr double tenth_of_fs = 1e-4;
+  if (settings.ensemble.barostat && !config_.compressibility_given) {
+    progress_.compressibility =
+        estimated_compressibility(trajectory.statistics.energies, settings.length,
+                                  units::boltzmann * settings.ensemble.temperature);
+    callbacks_.note(fmt::format(
+        "compressibility {:.2g} 1/bar, from the fluctuations of the volume: it sets the size of "
+        "the moves of the barostat",
+        progress_.compressibility / unit("1/bar", Dimension::compressibility)));
+  }
+  const double stable = max_stable_step(system, system.state, settings, workers_);
+  progress_.step =
+      std::clamp(std::floor(stable / tenth_of_fs) * tenth_of_fs, tenth_of_fs, max_step);
+}
+
+/// @return  false if it was interrupted
+bool Preparation::run_stage(System& system) {
+  const TrajectorySettings settings = settings_of(progress_.stage);
+  callbacks_.note(fmt::format("{} for {:g} ps in steps of {:g} fs{}", stages_[progress_.stage].name,
+                              settings.length, settings.step * units::fs_per_ps,
+                              resumes_ ? fmt::format(", resuming after {:g} ps",
+                                                     static_cast<double>(at_.steps) * settings.step)
+                                       : ""));
+  const Trajectory trajectory = run(system, settings);
+  if (trajectory.stopped) return false;
+  if (progress_.stage + 1 == stages_.size()) {
+    finish(system, trajectory);
+  } else {
+    set_up_next(system, settings, trajectory);
+    ++progress_.stage;
+  }
+  return true;
+}
+
+/// The last checkpoint has the final state, and all samples of the last stage.
+void Preparation::finish(System& system, const Trajectory& trajectory) {
+  if (!config_.ensemble.thermostat && !config_.ensemble.hybrid_monte_carlo)
+    set_energy(system, trajectory.statistics.energies.total(), workers_);
+  system.state.time = 0;
+  RunState last = at_;
+  last.state = system.state;
+  last.statistics = trajectory.statistics;
+  ++progress_.stage;
+  save(std::move(last));
+}
+
+/// From the last checkpoint.
+PreparedProperties Preparation::properties(System& system) const {
+  const TrajectorySettings settings = settings_of(stages_.size() - 1);
+  ForceField forces(system.topology, system.forces, system.state.box, workers_);
+  Propagator last(system, forces, settings, workers_);
+  last.resume_from(at_);
+  const Trajectory trajectory = last.trajectory();
+  const EnergyStatistics& energies = trajectory.statistics.energies;
+  PreparedProperties p{summary(system, settings, trajectory), energies.volume(), {}};
+  const double mass = system.topology.mass(), V = p.density.value;
+  if (settings.ensemble.barostat) p.pressure = settings.ensemble.barostat->pressure;
+  p.density.value = mass / V;
+  p.density.error *= mass / (V * V);
+  p.warnings =
+      warnings_of_results(p.summary, TargetTemperature{settings.ensemble.temperature, false});
+  for (const auto& warning :
+       {settings.ensemble.barostat ? density_warning(energies.volume_drift(), p.summary.length, V)
+                                   : std::nullopt,
+        settings.ensemble.barostat
+            ? pressure_warning(p.summary.pressure, *settings.ensemble.barostat)
+            : std::nullopt,
+        cutoff_of_ions(system)})
+    if (warning) p.warnings.push_back(*warning);
+  return p;
+}
+
+void Preparation::write_files(const System& system, PreparationReport& report) {
+  if (report.compressibility > 0)
+    config_.ensemble.barostat->compressibility = report.compressibility;
+  const auto write = [&](const std::string& file, const auto& text) {
+    // Those of a preparation that had ended: the user may have edited the run file.
+    if (options_.existing == ExistingFiles::resume && std::filesystem::exists(file)) return;
+    write_file(file, text);
+  };
+  write(files_.state, [&](std::ostream& out) { write_gro(out, system.state, system.topology); });
+  write(files_.run_file, [&](std::ostream& out) {
+    out << prepared_run_file(config_, files_.state, files_.checkpoint, files_.run_file);
+  });
+  report.run_file = files_.run_file;
+  report.files = files_.all();
+}
+
+PreparationReport Preparation::perform() {
   PreparationReport report;
   choose_density(report);
   config_.run.minimise = true;
@@ -200,34 +356,21 @@ PreparationReport Preparation::perform(const std::string& final_state,
   report.molecules = system.topology.size();
   note_molecules(system, callbacks_);
   note_forces(system, callbacks_);
-  report.minimisation = minimise(system, bounds, watch_of(callbacks_), workers_);
-  callbacks_.note(description(report.minimisation));
-  if (report.minimisation.end == MinimisationEnd::stopped) return report;
-  check_separated(system, report.minimisation);
-  draw_momenta(system, config_.system.seed);
-  for (std::size_t k = 0; k < stages_.size(); ++k) {
-    const TrajectorySettings settings = settings_of(k);
-    callbacks_.note(fmt::format("{} for {:g} ps in steps of {:g} fs", stages_[k].name,
-                                stages_[k].length, step_ * units::fs_per_ps));
-    const Trajectory trajectory = run(system, k, settings);
-    if (trajectory.stopped) return report;
-    if (k + 1 == stages_.size()) {
-      report.properties = properties(system, settings, trajectory);
-      if (!config_.ensemble.thermostat && !config_.ensemble.hybrid_monte_carlo)
-        set_energy(system, trajectory.statistics.energies.total(), workers_);
-    }
-    // Forces are those of a liquid now.
-    constexpr double tenth_of_fs = 1e-4;
-    const double stable = max_stable_step(system, system.state, settings, workers_);
-    step_ = std::clamp(std::floor(stable / tenth_of_fs) * tenth_of_fs, tenth_of_fs, max_step);
+  identity_ = identity_of(config_, system);
+  resumes_ = find_checkpoint();
+  if (resumes_) system.state = at_.state;
+  bool continues = resumes_ || begin(system);
+  while (continues && progress_.stage < stages_.size()) continues = run_stage(system);
+  report.minimisation = progress_.minimisation;
+  report.compressibility = progress_.compressibility;
+  if (progress_.minimisation.end != MinimisationEnd::stopped) {
+    report.checkpoint = files_.checkpoint;
+    report.files = {files_.checkpoint};
   }
-  system.state.time = 0;
-  write_file(final_state,
-             [&](std::ostream& out) { write_gro(out, system.state, system.topology); });
-  write_file(run_file,
-             [&](std::ostream& out) { out << prepared_run_file(config_, final_state, run_file); });
-  report.final_state = final_state;
-  report.run_file = run_file;
+  if (!continues) return report;
+  system.state = at_.state;
+  report.properties = properties(system);
+  write_files(system, report);
   return report;
 }
 
@@ -238,9 +381,7 @@ PreparationReport prepare(const Config& config, const OutputOptions& options,
   const std::string& prefix = config.output.prefix;
   check_prefix(prefix);
   const OutputLock lock(prefix + "-prepare.lock", callbacks);
-  const std::string final_state = prefix + "-prepared.gro", run_file = prefix + "-prepared.toml";
-  check_outputs({final_state, run_file}, options.existing);
-  return Preparation(config, callbacks, workers).perform(final_state, run_file);
+  return Preparation(config, options, callbacks, workers).perform();
 }
 
 }  // namespace polhode

@@ -37,18 +37,22 @@ json properties_json(const PreparedProperties& p) {
 
 std::string preparation_json(const PreparationReport& r) {
   const bool lattice = r.lattice_density > 0;
-  return json{{"molecules", r.molecules},
-              {"lattice_density_g_per_cm3",
-               lattice ? json(r.lattice_density / unit("g/cm3", Dimension::density)) : json()},
-              {"density_estimated", r.estimated},
-              {"minimisation",
-               {{"steps", r.minimisation.steps},
-                {"end", reason(r.minimisation.end)},
-                {"force_kJ_per_mol_nm", r.minimisation.after.force},
-                {"torque_kJ_per_mol", r.minimisation.after.torque}}},
-              {"interrupted", !r.properties},
-              {"properties", r.properties ? properties_json(*r.properties) : json()},
-              {"files", r.properties ? json{r.final_state, r.run_file} : json::array()}}
+  return json{
+      {"molecules", r.molecules},
+      {"lattice_density_g_per_cm3",
+       lattice ? json(r.lattice_density / unit("g/cm3", Dimension::density)) : json()},
+      {"density_estimated", r.estimated},
+      {"minimisation",
+       {{"steps", r.minimisation.steps},
+        {"end", reason(r.minimisation.end)},
+        {"force_kJ_per_mol_nm", r.minimisation.after.force},
+        {"torque_kJ_per_mol", r.minimisation.after.torque}}},
+      {"compressibility_per_bar",
+       r.compressibility > 0 ? json(r.compressibility / unit("1/bar", Dimension::compressibility))
+                             : json()},
+      {"interrupted", !r.properties},
+      {"properties", r.properties ? properties_json(*r.properties) : json()},
+      {"files", r.files}}
       .dump(2);
 }
 

@@ -25,7 +25,7 @@ void vectors(Archive& archive, Columns& v) {
 
 template <class Archive, class Counter>
 void counter(Archive& archive, Counter& n) {
-  std::uint64_t value = n;
+  auto value = static_cast<std::uint64_t>(n);
   archive(value);
   if constexpr (!std::is_const_v<Counter>) n = static_cast<Counter>(value);
 }
@@ -86,17 +86,26 @@ void blocks(Archive& archive, Of& of) {
 }
 
 template <class Archive, class Of>
-void statistics(Archive& archive, Of& s) {
-  auto& first = s.energies.first;
-  counter(archive, s.energies.samples);
-  for (auto* x :
-       {&first.time, &first.van_der_waals, &first.coulomb, &first.translation, &first.rotation[0],
-        &first.rotation[1], &first.rotation[2], &first.pressure, &first.volume, &first.exchanged})
+void energies(Archive& archive, Of& e) {
+  for (auto* x : {&e.time, &e.van_der_waals, &e.coulomb, &e.translation, &e.rotation[0],
+                  &e.rotation[1], &e.rotation[2], &e.pressure, &e.volume, &e.exchanged})
     archive(*x);
-  blocks(archive, s.energies.blocks);
+}
+
+template <class Archive, class Of>
+void statistics(Archive& archive, Of& s) {
+  for (auto* sums : {&s.energies, &s.at_bath}) {
+    counter(archive, sums->samples);
+    energies(archive, sums->first);
+    blocks(archive, sums->blocks);
+  }
   counter(archive, s.shadow.samples);
   archive(s.shadow.first), archive(s.shadow.start);
   blocks(archive, s.shadow.blocks);
+  counter(archive, s.step_bias.samples);
+  energies(archive, s.step_bias.first);
+  archive(s.step_bias.first_error);
+  blocks(archive, s.step_bias.blocks);
   blocks(archive, s.configurational.blocks);
   counter(archive, s.stretches.samples), counter(archive, s.stretches.stretches);
   for (auto& x : s.stretches.sums) archive(x);
@@ -107,7 +116,7 @@ template <class Archive, class Of>
 void ensemble(Archive& archive, Of& e) {
   archive(e.heat);
   archive(e.barostat.work), archive(e.barostat.volume), counter(archive, e.barostat.moves);
-  counter(archive, e.barostat.accepted);
+  counter(archive, e.barostat.accepted), counter(archive, e.barostat.evaluations);
   archive(e.hybrid.work), counter(archive, e.hybrid.trajectories);
   counter(archive, e.hybrid.accepted);
   blocks(archive, e.hybrid.weights);
@@ -145,12 +154,27 @@ void output_marks(Archive& archive, Of& marks) {
 }
 
 template <class Archive, class Of>
+void steepness(Archive& archive, Of& s) {
+  archive(s.potential), archive(s.force), archive(s.torque);
+}
+
+template <class Archive, class Of>
+void preparation(Archive& archive, Of& p) {
+  counter(archive, p.stage);
+  archive(p.step), archive(p.compressibility);
+  steepness(archive, p.minimisation.before), steepness(archive, p.minimisation.after);
+  counter(archive, p.minimisation.steps), counter(archive, p.minimisation.end);
+}
+
+template <class Archive, class Of>
 void fields(Archive& archive, Of& c) {
   archive(c.identity);
   archive(c.command);
   run_state(archive, c.at);
   archive(c.noise.power), archive(c.noise.energy);
+  counter(archive, c.minimisation_evaluations);
   optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
+  optional(archive, c.preparation, [&](auto& progress) { preparation(archive, progress); });
 }
 
 /// The contents of an initial configuration besides positions: attitudes, and velocities if there
@@ -197,9 +221,12 @@ bool fit(const TrajectoryStatistics& read) {
   TrajectoryStatistics fresh;
   fresh.energies.add({});
   fresh.shadow.add(0, 0);
+  fresh.step_bias.add({}, 0);
   fresh.configurational.add({});
   return fit(read.energies.blocks, fresh.energies.blocks) &&
+         fit(read.at_bath.blocks, fresh.energies.blocks) &&
          fit(read.shadow.blocks, fresh.shadow.blocks) &&
+         fit(read.step_bias.blocks, fresh.step_bias.blocks) &&
          fit(read.configurational.blocks, fresh.configurational.blocks);
 }
 
@@ -240,6 +267,10 @@ void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint
 
 Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader) {
   return read_checkpoint_from(CheckpointReader(path, reader), path);
+}
+
+State state_of_checkpoint(const std::string& path, const std::string& version) {
+  return read_checkpoint(path, {version, any_instruction_set}).at.state;
 }
 
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path,

@@ -4,7 +4,10 @@
 #include <fmt/core.h>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
+#include "polhode/io/ensemble_names.hpp"
 #include "polhode/io/output_units.hpp"
+#include "polhode/io/quantity.hpp"
 
 namespace polhode {
 namespace {
@@ -14,6 +17,38 @@ BarostatSettings barostat_settings(const TrajectorySettings& settings) {
   BarostatSettings barostat = *settings.ensemble.barostat;
   barostat.every = static_cast<double>(settings.steps_per_move()) * settings.step;
   return barostat;
+}
+
+void check_thermostat(const ThermostatSettings& s, double step) {
+  if (s.kind == ThermostatKind::langevin) {
+    for (const double rate : {s.friction, s.rotational_friction})
+      if (const std::string wrong = wrong_friction(rate); !wrong.empty())
+        throw Error(fmt::format("the thermostat's friction of {:g} 1/ps {}", rate, wrong));
+  } else if (!(s.time_constant >= step)) {
+    throw Error(fmt::format(
+        "the thermostat's time_constant of {:g} fs is shorter than the step of {:g} fs; it must be "
+        "at least a step, and 100 to 1000 fs are usual",
+        s.time_constant * units::fs_per_ps, step * units::fs_per_ps));
+  }
+}
+
+void check_barostat(const BarostatSettings& s) {
+  if (!(s.every > 0))
+    throw Error(fmt::format(
+        "the interval of the moves of the barostat, {:g} fs, must be longer than 0 fs; 100 fs are "
+        "usual",
+        s.every * units::fs_per_ps));
+  if (s.kind == BarostatKind::cell_rescaling && !(s.time_constant >= s.every))
+    throw Error(fmt::format(
+        "the barostat's time_constant of {:g} fs is shorter than the interval of its moves, {:g} "
+        "fs; use a time_constant of 1 to 10 ps, or a shorter interval",
+        s.time_constant * units::fs_per_ps, s.every * units::fs_per_ps));
+  if (!(s.compressibility >= min_compressibility() && s.compressibility <= max_compressibility()))
+    throw Error(fmt::format(
+        "the barostat's compressibility of {:g} 1/bar must be from 1e-7 1/bar, which solids have, "
+        "to 10 1/bar, which a thin gas has; use default_compressibility() if it is not known, or "
+        "that of the system",
+        s.compressibility / unit("1/bar", Dimension::compressibility)));
 }
 
 }  // namespace
@@ -40,18 +75,8 @@ void check_ensemble(const TrajectorySettings& settings) {
                     "Monte Carlo, which accept moves by their energy in units of kT; use a "
                     "higher temperature, or a thermostat alone",
                     e.temperature));
-  if (e.thermostat && e.thermostat->kind != ThermostatKind::langevin &&
-      e.thermostat->time_constant < settings.step)
-    throw Error(fmt::format(
-        "the thermostat's time_constant of {:g} fs is shorter than the step of {:g} fs; it must be "
-        "at least a step, and 100 to 1000 fs are usual",
-        e.thermostat->time_constant * units::fs_per_ps, settings.step * units::fs_per_ps));
-  if (e.barostat && e.barostat->kind == BarostatKind::cell_rescaling &&
-      e.barostat->time_constant < e.barostat->every)
-    throw Error(fmt::format(
-        "the barostat's time_constant of {:g} fs is shorter than the interval of its moves, {:g} "
-        "fs; use a time_constant of 1 to 10 ps, or a shorter interval",
-        e.barostat->time_constant * units::fs_per_ps, e.barostat->every * units::fs_per_ps));
+  if (e.thermostat) check_thermostat(*e.thermostat, settings.step);
+  if (e.barostat) check_barostat(*e.barostat);
 }
 
 EnsembleMoves::EnsembleMoves(const System& system, const TrajectorySettings& settings,

@@ -36,6 +36,7 @@ EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& s
         energies.volume_drift(),
         memory.barostat.moves,
         memory.barostat.accepted,
+        memory.barostat.evaluations,
         memory.barostat.work};
   if (settings.hybrid_monte_carlo)
     s.hybrid_monte_carlo = {

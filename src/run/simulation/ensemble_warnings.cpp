@@ -12,9 +12,12 @@ namespace {
 constexpr double far = 3;                     // standard errors
 constexpr double significance_level = 0.001;  // p-value of slopes, as for other warnings of a run
 constexpr double min_volume_change = 0.005;   // of the mean volume
-constexpr double min_acceptance = 0.5;        // of cell rescaling, and of hybrid Monte Carlo
-constexpr double min_move_acceptance = 0.1;   // of Monte Carlo moves of the volume
-constexpr double max_acceptance = 0.99;       // of hybrid Monte Carlo
+// Of the volume: its variance then has a relative error of a third, √(2τ/T).
+constexpr double min_relaxation_times = 20;
+constexpr std::uint64_t min_accepted_moves = 100;  // Monte Carlo
+constexpr double min_acceptance = 0.5;             // of cell rescaling, and of hybrid Monte Carlo
+constexpr double min_move_acceptance = 0.1;        // of Monte Carlo moves of the volume
+constexpr double max_acceptance = 0.99;            // of hybrid Monte Carlo
 constexpr double min_weight_difference = 1e-3;
 
 /// Three standard deviations of the share of accepted ones among n, if the probability is that.
@@ -34,6 +37,27 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
                   "{:.2g}), so density and averages are not those of equilibrium",
                   100 * change / s.volume.value, 100 * min_volume_change, slope.p_value),
       "run longer, or start a new run from the final state of this one"};
+}
+
+/// Errors of density and compressibility come from the same few fluctuations, so they do not show
+/// that a run is too short for them.
+std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSettings& settings,
+                                      double length) {
+  const bool rescaling = settings.kind == BarostatKind::cell_rescaling;
+  const double value =
+      rescaling ? length / settings.time_constant : static_cast<double>(s.accepted);
+  const auto bound = rescaling ? min_relaxation_times : static_cast<double>(min_accepted_moves);
+  if (s.moves == 0 || !(value < bound)) return std::nullopt;
+  const std::string what = rescaling
+                               ? fmt::format("{:.3g} time constants of the barostat ({:g} ps each)",
+                                             value, settings.time_constant)
+                               : fmt::format("{} accepted moves of the volume", s.accepted);
+  return Warning{"volume_samples", value, bound,
+                 fmt::format("the run has {} (bound: {:g}), too few for density and "
+                             "compressibility: their errors are larger than stated",
+                             what, bound),
+                 rescaling ? "run longer, or use a shorter time_constant in [barostat]"
+                           : "run longer, or move the volume more often (every, in [barostat])"};
 }
 
 std::optional<Warning> moves_warning(const BarostatSummary& s, const BarostatSettings& settings) {
@@ -86,6 +110,7 @@ std::vector<Warning> ensemble_warnings(const RunSummary& s) {
   };
   if (const auto& barostat = s.ensemble.barostat) {
     add(volume_warning(*barostat, s.length));
+    add(length_warning(*barostat, s.ensemble.settings.barostat.value(), s.length));
     add(moves_warning(*barostat, s.ensemble.settings.barostat.value()));
   }
   if (const auto& hybrid = s.ensemble.hybrid_monte_carlo) {

@@ -75,6 +75,7 @@ std::string identity(const Config& config, const System& system,
   for (const double x : numbers) id << ' ' << x;
   if (config.run.minimise) id << " minimise";
   if (f.electrostatics == Electrostatics::pme) id << " pme " << f.pme_accuracy;
+  if (f.coulomb_cutoff) id << " coulomb_cutoff " << *f.coulomb_cutoff;
   if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
   if (f.dispersion_correction) id << " dispersion";
   if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
@@ -103,6 +104,8 @@ std::string settings_text(const Config& config) {
   add("forces.dielectric", forces.dielectric);
   add("forces.damping", fmt::format("{:.12g} 1/nm", forces.damping));
   add("forces.pme_accuracy", forces.pme_accuracy);
+  add("forces.coulomb_cutoff",
+      forces.coulomb_cutoff ? fmt::format("{:.12g} nm", *forces.coulomb_cutoff) : "chosen");
   add("forces.dispersion_correction", forces.dispersion_correction);
   add("forces.skin", fmt::format("{:.12g} nm", forces.skin));
   add("integrator.scheme", integrator.scheme);

@@ -21,6 +21,7 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
   near.truncation = Truncation::molecule_switch;
   near.electrostatics = Electrostatics::coulomb;
   near.mesh.reset();
+  near.coulomb_cutoff.reset();
   near.dispersion_correction = false;
   near.switch_from = inner.switch_from;
   near.cutoff = inner.cutoff;

@@ -11,6 +11,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/law_range.hpp"
 #include "polhode/forces/timed_forces.hpp"
+#include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
@@ -153,6 +154,7 @@ class Propagator::Impl {
         settings_(settings),
         workers_(workers),
         terms_(error_terms(settings.scheme)),
+        fixed_(settings.fixed_means()),
         interval_(settings.steps_per_sample()),
         moves_(system, settings, workers),
         integrator_(system, forces, settings, moves_.bath(), workers),
@@ -162,6 +164,7 @@ class Propagator::Impl {
   }
 
   std::size_t steps() const { return steps_; }
+  double exchanged() const { return moves_.exchanged(); }
 
   void resume_from(const RunState& from) {
     system_.state = from.state;
@@ -336,6 +339,9 @@ class Propagator::Impl {
     sample_configurational();
     sample_shadow(now, watch);
     statistics_.energies.add(now);
+    sample_at_bath();
+    if (fixed_ == FixedMeans::energy)  // H̃ is constant: so its error is what the energy lacks
+      statistics_.step_bias.add(now, -now.total());
     if (settings_.stretch > 0)
       statistics_.stretches.add(now, statistics_.energies.first,
                                 settings_.samples_per(settings_.stretch));
@@ -363,6 +369,16 @@ class Propagator::Impl {
     return every > 0 && statistics_.energies.samples % settings_.samples_per(every) == 0;
   }
 
+  /// The kinetic energies of the momenta on which a bath within the steps acts: those of full steps
+  /// lack a kick.
+  void sample_at_bath() {
+    const double kick_after = settings_.scheme.kick_after_bath();
+    if (kick_after == 0 || settings_.inner) return;
+    State half = system_.state;
+    kick(half, system_.bodies, last_load(), -kick_after * settings_.step, workers_);
+    statistics_.at_bath.add(energies(half, system_.bodies, last_load(), workers_));
+  }
+
   void sample_configurational() {
     if (!due(settings_.configurational_sample)) return;
     constexpr std::uint64_t streams = std::uint64_t{1}
@@ -376,7 +392,9 @@ class Propagator::Impl {
     if (!due(settings_.shadow_sample)) return;
     const BracketSample both{
         now, error_brackets(system_.state, system_.bodies, last_load(), integrator_.whole.forces)};
-    statistics_.shadow.add(now.time, shadow_energy(both, terms_, settings_.step));
+    const double shadow = shadow_energy(both, terms_, settings_.step);
+    if (fixed_ != FixedMeans::energy) return statistics_.step_bias.add(now, shadow - now.total());
+    statistics_.shadow.add(now.time, shadow);
     if (watch.brackets) watch.brackets(both);
   }
 
@@ -401,6 +419,7 @@ class Propagator::Impl {
   TrajectorySettings settings_;
   Workers& workers_;
   ErrorTerms terms_;
+  std::optional<FixedMeans> fixed_;
   std::size_t interval_;  // steps between samples
   EnsembleMoves moves_;
   TimedIntegrator integrator_;
@@ -428,6 +447,8 @@ RunState Propagator::run_state() { return impl_->run_state(); }
 void Propagator::advance(std::size_t steps) { impl_->advance(steps); }
 
 Trajectory Propagator::run(const Watch& watch) { return impl_->run(watch); }
+
+double Propagator::exchanged() const { return impl_->exchanged(); }
 
 std::size_t Propagator::steps() const { return impl_->steps(); }
 

@@ -59,6 +59,7 @@ RunFiles::RunFiles(const RunFileNames& names, const Topology& topology, const Co
 void RunFiles::resume(const FoundCheckpoint& from) {
   const Checkpoint& then = from.checkpoint;
   checkpoint_.noise = then.noise;
+  checkpoint_.minimisation_evaluations = then.minimisation_evaluations;
   checkpoint_.command = provenance_.command = then.command;
   last_checkpoint_step_ = then.at.steps;
   if (then.outputs) {

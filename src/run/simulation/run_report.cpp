@@ -32,6 +32,27 @@ json drift_json(const Drift& drift, std::uint64_t samples) {
           {"drift_verdict", verdict(drift)}};
 }
 
+/// A value with its error, in this unit; each null if it is not known.
+json estimate_json(const SeriesEstimate& e, double unit) {
+  return {{"value", number_if(true, e.value / unit)},
+          {"error", number_if(e.known == Known::yes, e.error / unit)}};
+}
+
+/// Null where it is not known.
+json step_bias_json(const RunSummary& s) {
+  if (!s.step_bias) return {};
+  const StepBias& bias = *s.step_bias;
+  json axes = json::array();
+  for (const SeriesEstimate& axis : bias.axes) axes.push_back(estimate_json(axis, 1));
+  return {{"temperature_translation_K", estimate_json(bias.translation, 1)},
+          {"temperature_rotation_all_K", estimate_json(bias.rotation, 1)},
+          {"temperature_rotation_K", axes},
+          {"rotation_minus_translation_K", estimate_json(bias.difference, 1)},
+          {"potential_kJ_per_mol", estimate_json(bias.potential, static_cast<double>(s.molecules))},
+          {"pressure_bar", estimate_json(bias.pressure, unit("bar", Dimension::pressure))},
+          {"volume_nm3", estimate_json(bias.volume, 1)}};
+}
+
 json run_settings(const RunReport& r) {
   const RunSummary& s = r.summary;
   return {{"molecules", s.molecules},
@@ -70,22 +91,25 @@ json energies_json(const RunSummary& s) {
 
 json costs_json(const RunReport& r) {
   const RunSummary& s = r.summary;
-  return {{"force_evaluations", s.force_evaluations},
-          {"derivative_evaluations", s.derivatives},
-          {"near_evaluations", s.near_evaluations},
-          {"near_derivative_evaluations", s.near_derivatives},
-          {"force_evaluations_for_energies", s.measurements},
-          {"list_rebuilds", s.list_rebuilds},
-          {"seconds",
-           {{"all", s.timings.all()},
-            {"forces", s.timings.forces},
-            {"near", s.timings.near},
-            {"list", s.timings.list},
-            {"motion", s.timings.motion},
-            {"energies_and_output", s.timings.measurement}}},
-          {"ns_per_day", s.ns_per_day},
-          {"threads", r.execution.threads},
-          {"instruction_set", r.execution.instruction_set}};
+  return {
+      {"force_evaluations", s.force_evaluations},
+      {"derivative_evaluations", s.derivatives},
+      {"near_evaluations", s.near_evaluations},
+      {"near_derivative_evaluations", s.near_derivatives},
+      {"force_evaluations_for_energies", s.measurements},
+      {"force_evaluations_of_moves", s.ensemble.barostat ? s.ensemble.barostat->evaluations : 0},
+      {"force_evaluations_of_minimisation", s.minimisation_evaluations},
+      {"list_rebuilds", s.list_rebuilds},
+      {"seconds",
+       {{"all", s.timings.all()},
+        {"forces", s.timings.forces},
+        {"near", s.timings.near},
+        {"list", s.timings.list},
+        {"motion", s.timings.motion},
+        {"energies_and_output", s.timings.measurement}}},
+      {"ns_per_day", s.ns_per_day},
+      {"threads", r.execution.threads},
+      {"instruction_set", r.execution.instruction_set}};
 }
 
 json shadow_json(const ShadowSummary& shadow) {
@@ -94,12 +118,6 @@ json shadow_json(const ShadowSummary& shadow) {
   report["rms_kJ_per_mol"] = shadow.fluctuation;
   report["time_gain"] = shadow.time_gain ? json(*shadow.time_gain) : json();
   return report;
-}
-
-/// A value with its error, in this unit; each null if it is not known.
-json estimate_json(const SeriesEstimate& e, double unit) {
-  return {{"value", number_if(true, e.value / unit)},
-          {"error", number_if(e.known == Known::yes, e.error / unit)}};
 }
 
 json barostat_json(const BarostatSummary& s) {
@@ -145,12 +163,15 @@ json warnings_json(const std::vector<Warning>& warnings) {
 
 json guarantee_json(const std::optional<GuaranteeCheck>& k) {
   if (!k) return {};
-  return {{"accuracy", k->guarantee.accuracy},
-          {"length_ps", k->guarantee.length},
-          {"R_expected", k->guarantee.expected.value},
-          {"R", k->ratio.value},
-          {"R_error", k->ratio.error},
-          {"met", k->met()}};
+  json report{{"accuracy", k->guarantee.accuracy.bound},
+              {"requested", text_of(k->guarantee.accuracy)},
+              {"length_ps", k->guarantee.length},
+              {"R_expected", k->guarantee.expected.value},
+              {"met", k->met()}};
+  const bool ratio = k->guarantee.accuracy.of == RequiredOf::ratio;
+  report[ratio ? "R" : "bias"] = k->value.value;
+  report[ratio ? "R_error" : "bias_error"] = k->value.error;
+  return report;
 }
 
 }  // namespace
@@ -172,8 +193,13 @@ std::string run_json(const RunReport& r) {
   report.update(energies_json(r.summary));
   report.update(costs_json(r));
   report.update(drift_json(r.summary.drift, r.summary.samples));
+  report["step_bias"] = step_bias_json(r.summary);
   report["ensemble"] = ensemble_json(r.summary.ensemble);
   if (r.summary.shadow) report["shadow"] = shadow_json(*r.summary.shadow);
+  if (const auto& T = r.summary.temperatures_at_bath)
+    report["half_steps"] = {{"temperature_K", T->all},
+                            {"temperature_translation_K", T->translation},
+                            {"temperature_rotation_K", T->rotation}};
   if (r.summary.configurational[0])
     for (const auto& known : r.summary.configurational)
       report["temperature_configurational_K"].push_back(

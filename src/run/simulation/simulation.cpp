@@ -47,13 +47,20 @@ Energies Simulation::energies() const {
   ForceField forces(system_.topology, system_.forces, system_.state.box, workers_);
   Load load;
   forces(system_.state, load);
-  return polhode::energies(system_.state, system_.bodies, load, workers_);
+  Energies now = polhode::energies(system_.state, system_.bodies, load, workers_);
+  now.exchanged = propagator_ ? propagator_->exchanged() : at_ ? at_->ensemble.exchanged() : 0;
+  return now;
+}
+
+RunSummary Simulation::summary_of(const Trajectory& trajectory) const {
+  RunSummary summary = polhode::summary(system_, *settings_, trajectory, noise_);
+  summary.minimisation_evaluations = minimisation_evaluations_;
+  return summary;
 }
 
 RunSummary Simulation::summary() {
   if (!trajectory_started()) throw Error("there is no trajectory yet; advance by a step first");
-  const Trajectory trajectory = propagator().trajectory();
-  return polhode::summary(system_, *settings_, trajectory, noise_);
+  return summary_of(propagator().trajectory());
 }
 
 // Accuracy.
@@ -99,8 +106,11 @@ RunState Simulation::run_state() {
 }
 
 void Simulation::save(const std::string& path) {
-  const Checkpoint checkpoint{
-      .identity = identity(), .command = "Simulation::save", .at = run_state(), .noise = noise_};
+  const Checkpoint checkpoint{.identity = identity(),
+                              .command = "Simulation::save",
+                              .at = run_state(),
+                              .noise = noise_,
+                              .minimisation_evaluations = minimisation_evaluations_};
   write_checkpoint({path, ""}, checkpoint, this_program());
 }
 
@@ -110,6 +120,7 @@ void Simulation::resume(const std::string& path) {
 
 void Simulation::resume(Checkpoint checkpoint) {
   noise_ = checkpoint.noise;
+  minimisation_evaluations_ = checkpoint.minimisation_evaluations;
   at_ = std::move(checkpoint.at);
   system_.state = at_->state;
   propagator_.reset();
@@ -168,6 +179,8 @@ bool Simulation::minimise(const Callbacks& callbacks, RunFiles* files) {
   if (result.end != MinimisationEnd::stopped) {
     callbacks.note(description(result));
     check_separated(system_, result);
+    minimisation_evaluations_ = result.evaluations();
+    if (files) files->keep(minimisation_evaluations_);
     return true;
   }
   system_.state = start.state;
@@ -211,9 +224,9 @@ bool Simulation::equilibrate(const Callbacks& callbacks, RunFiles* files) {
 Propagator& Simulation::propagator() {
   if (!settings_)
     throw Error(
-        fmt::format("the run asks for R of at most {:g} %, and its step is not chosen yet; choose "
+        fmt::format("the run asks for accuracy = \"{}\", and its step is not chosen yet; choose "
                     "it first, or give a step instead of an accuracy",
-                    100 * *config_.integrator.accuracy),
+                    text_of(*config_.integrator.accuracy)),
         config_.source);
   identity();
   if (!propagator_) {
@@ -318,16 +331,11 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                               settings_->step * units::fs_per_ps),
                   config_.output.plot, warnings);
     });
-  RunReport report{polhode::summary(system_, *settings_, trajectory, noise_),
-                   *settings_,
-                   execution(),
-                   names,
-                   {},
-                   {},
+  RunReport report{summary_of(trajectory), *settings_, execution(), names, {}, {},
                    trajectory.stopped};
   report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
-  if (guarantee_ && !trajectory.stopped && settings_->ensemble.constant_energy())
-    report.guarantee = check_guarantee(*guarantee_, trajectory.statistics);
+  if (guarantee_ && !trajectory.stopped)
+    report.guarantee = check_guarantee(*guarantee_, trajectory.statistics, report.summary);
   return report;
 }
 

@@ -38,6 +38,10 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.potential_fluctuation = energies.potential_fluctuation();
   s.temperatures = energies.temperatures(s.degrees_of_freedom);
   s.temperature = energies.temperature(s.degrees_of_freedom);
+  if (const EnergyStatistics& at_bath = trajectory.statistics.at_bath; at_bath.samples > 0) {
+    s.temperatures_at_bath = at_bath.temperatures(s.degrees_of_freedom);
+    s.temperature_at_bath = at_bath.temperature(s.degrees_of_freedom);
+  }
   s.potential_drift = energies.potential_drift();
   s.pressure = energies.pressure();
   s.ratio = energies.ratio_with_error();
@@ -51,6 +55,10 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   if (std::abs(s.drift.rate.value) <= double_drift(energies.first, settings.step))
     s.drift.p_value = 1;  // no larger than rounding
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
+  const std::optional<FixedMeans> fixed = settings.fixed_means();
+  if (fixed && s.potential_fluctuation > 0 &&
+      trajectory.statistics.step_bias.samples >= min_samples_reported)
+    s.step_bias = trajectory.statistics.step_bias.bias(s.degrees_of_freedom, *fixed);
   if (s.potential_fluctuation > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /
                  s.potential_fluctuation;

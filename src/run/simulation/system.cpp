@@ -14,6 +14,7 @@
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 #include "polhode/model/initial_state.hpp"
+#include "polhode/run/simulation/precise_start.hpp"
 
 namespace polhode {
 namespace {
@@ -72,14 +73,28 @@ State lattice_start(const Config& config, const Topology& topology) {
   return lattice(topology, box, s.seed);
 }
 
+double kinetic_temperature(const System& system) {
+  return temperature(energies(system.state, system.bodies, Load{}).kinetic(),
+                     degrees_of_freedom(system.topology).all());
+}
+
 // The centre of mass is brought to rest.
 void bring_to_rest(System& system) {
   const Vec3<double> velocity = remove_total_momentum(system.state, system.bodies);
   system.removed_velocity = norm(velocity);
   system.removed_temperature = temperature(total_mass(system.bodies) * norm2(velocity) / 2,
                                            degrees_of_freedom(system.topology).all());
-  system.file_temperature = temperature(energies(system.state, system.bodies, Load{}).kinetic(),
-                                        degrees_of_freedom(system.topology).all());
+  system.file_temperature = kinetic_temperature(system);
+}
+
+// The momenta of a checkpoint are kept bit by bit: its centre of mass is at rest.
+void take_velocities(System& system, const SystemSettings& settings) {
+  if (system.new_velocities)
+    draw_momenta(system, settings.seed);
+  else if (settings.checkpoint.empty())
+    bring_to_rest(system);
+  else
+    system.file_temperature = kinetic_temperature(system);
 }
 
 void scale(Vec3Column& v, double factor) {
@@ -118,14 +133,20 @@ System build_system(const Config& config) {
     system.state = std::move(fitted.state);
     system.fit_deviation = fitted.deviation;
     system.massless_deviation = fitted.massless_deviation;
-    if (!fitted.has_velocities && config.system.new_velocities == false)
+    const bool has_velocities = fitted.has_velocities || !config.system.checkpoint.empty();
+    if (!has_velocities && config.system.new_velocities == false)
       throw Error(fmt::format("'{}' has no velocities, but velocities = \"from file\"; give a file "
                               "that has some, or write \"new\"",
                               config.system.initial_configuration),
                   config.source + ", system.velocities");
-    system.new_velocities = config.system.new_velocities.value_or(!fitted.has_velocities);
+    system.new_velocities = config.system.new_velocities.value_or(!has_velocities);
   }
   system.bodies = Bodies(system.topology);
+  try {
+    if (!config.system.checkpoint.empty()) take_checkpoint(system, config.system.checkpoint);
+  } catch (const Error& e) {
+    throw e.at(config.source + ", system.checkpoint");
+  }
   try {
     check_edges(system.state.box);
     // Minimisation moves molecules apart, and equilibration those of a lattice.
@@ -140,10 +161,7 @@ System build_system(const Config& config) {
   } catch (const Error& e) {
     throw e.at(config.cutoff_place);
   }
-  if (system.new_velocities)
-    draw_momenta(system, config.system.seed);
-  else
-    bring_to_rest(system);
+  take_velocities(system, config.system);
   return system;
 }
 

@@ -87,10 +87,11 @@ void note_forces(const System& system, const Callbacks& callbacks) {
     callbacks.note(fmt::format("Lennard-Jones: {}", mixing));
   if (forces.mesh)
     callbacks.note(fmt::format(
-        "PME: grid {} x {} x {}, order {}, split exponent {}, for a relative force error of "
-        "{:g}",
-        forces.mesh->points[0], forces.mesh->points[1], forces.mesh->points[2], forces.mesh->order,
-        forces.mesh->exponent, forces.pme_accuracy));
+        "PME: pairs of charges up to {:g} nm, grid {} x {} x {}, order {}, split exponent {}, for "
+        "a "
+        "relative force error of {:g}",
+        forces.mesh->cutoff, forces.mesh->points[0], forces.mesh->points[1], forces.mesh->points[2],
+        forces.mesh->order, forces.mesh->exponent, forces.pme_accuracy));
   double net = 0;
   for (const auto& part : system.topology.parts)
     net += static_cast<double>(part.count) * part.molecule.charge();

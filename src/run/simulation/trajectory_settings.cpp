@@ -63,8 +63,13 @@ std::size_t TrajectorySettings::samples_per(double interval) const {
 bool TrajectorySettings::has_shadow() const {
   constexpr double rounding = 1e-12;  // of coefficients with 15 digits
   const ErrorTerms terms = error_terms(scheme);
-  return !inner && ensemble.constant_energy() && !scheme.has(Flow::bath) && scheme.palindromic() &&
+  return !inner && polhode::fixed_means(ensemble, scheme) && scheme.palindromic() &&
          std::hypot(terms.alpha, terms.beta) > rounding;
+}
+
+std::optional<FixedMeans> TrajectorySettings::fixed_means() const {
+  const auto fixed = polhode::fixed_means(ensemble, scheme);
+  return fixed == FixedMeans::energy || has_shadow() ? fixed : std::nullopt;
 }
 
 void TrajectorySettings::check_shadow() const {
@@ -74,11 +79,16 @@ void TrajectorySettings::check_shadow() const {
         "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
         "forces, which are not measured; leave it out, or use a single scheme, such as hoa2",
         shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
+  if (!polhode::fixed_means(ensemble, scheme))
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but a run that exchanges energy within its steps, with a "
+        "Langevin thermostat, two thermostats or hybrid Monte Carlo samples no shadow energy; "
+        "leave "
+        "it out, or use type = \"rescaling\" in [thermostat] with the bath at the ends of the "
+        "steps",
+        shadow_sample * units::fs_per_ps));
   const char* const reason =
-      !ensemble.constant_energy()
-          ? "a run that exchanges energy with a thermostat, a barostat or hybrid Monte Carlo"
-      : scheme.has(Flow::bath) ? "a bath, which changes the energy"
-      : scheme.palindromic()
+      scheme.palindromic()
           ? "no error of order h², so its shadow energy is the energy itself to that order"
           : "an error of order h, since its stages are not a palindrome";
   throw Error(fmt::format(

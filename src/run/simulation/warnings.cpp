@@ -48,24 +48,25 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   if (n == 0 || s.samples == 0) return std::nullopt;
   // If the error is not known, the current temperature is used for the mean.
   const double T = target.value;
-  const double error =
-      s.temperature.known == Known::yes ? s.temperature.error : T * std::sqrt(2 / n);
+  const SeriesEstimate mean = s.temperature_at_bath.value_or(s.temperature);
+  const double error = mean.known == Known::yes ? mean.error : T * std::sqrt(2 / n);
   // Of velocities that were not drawn at T, or that a thermostat changes, only the error of the
   // mean is due to chance.
   const double scatter = target.ignored || target.kept ? 0 : temperature_scatter(T, n);
   const double bound =
       std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
                far * std::hypot(scatter, error));
-  const double difference = s.temperature.value - T;
+  const double difference = mean.value - T;
   if (!(std::abs(difference) > bound)) return std::nullopt;
   return Warning{
-      "temperature", s.temperature.value, bound,
-      fmt::format(
-          "the mean temperature is {:.4g} K instead of {:g} K: {:.3g} K {}, {} {:.2g} K",
-          s.temperature.value, T, std::abs(difference), difference > 0 ? "too hot" : "too cold",
-          target.ignored || target.kept ? "above the bound of"
-                                        : "and runs of a system of this size deviate by at most",
-          bound),
+      "temperature", mean.value, bound,
+      fmt::format("the mean temperature {}is {:.4g} K instead of {:g} K: {:.3g} K {}, {} {:.2g} K",
+                  s.temperature_at_bath ? "of half steps " : "", mean.value, T,
+                  std::abs(difference), difference > 0 ? "too hot" : "too cold",
+                  target.ignored || target.kept
+                      ? "above the bound of"
+                      : "and runs of a system of this size deviate by at most",
+                  bound),
       temperature_remedy(target)};
 }
 
@@ -73,8 +74,12 @@ std::string conserved_energy(const RunSummary& s) {
   return s.ensemble.settings.constant_energy() ? "the total energy" : "the conserved energy";
 }
 
-/// Hybrid Monte Carlo rejects what the errors of its steps would bias.
-bool is_corrected(const RunSummary& s) { return s.ensemble.hybrid_monte_carlo.has_value(); }
+/// Whether the conserved energy says nothing about averages: hybrid Monte Carlo rejects what the
+/// errors of its steps would bias, and with a bath within the steps positions are much more
+/// accurate than momenta [leimkuhler2013].
+bool is_corrected(const RunSummary& s) {
+  return s.ensemble.hybrid_monte_carlo || s.temperature_at_bath;
+}
 
 std::optional<Warning> ratio_warning(const RunSummary& s) {
   if (s.samples < min_samples_reported || is_corrected(s) || !(s.ratio.value > max_ratio))

@@ -256,13 +256,6 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
   StudyJobs(config, known, finished, callbacks, workers).perform();
 }
 
-std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts) {
-  std::vector<StudyRun> counted;
-  std::copy_if(runs.begin(), runs.end(), std::back_inserter(counted),
-               [&](const StudyRun& run) { return run.start < starts; });
-  return counted;
-}
-
 namespace {
 
 /// A difference of temperatures over the runs that have it; nothing if fewer than two do.

@@ -5,16 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
-#include "polhode/run/simulation/system_notes.hpp"
 #include "polhode/run/study/study_record.hpp"
+#include "study_job.hpp"
 #include "temperature_differences.hpp"
 
 namespace polhode {
@@ -123,43 +121,48 @@ EfficiencyFigure figure(const StudyReport& report) {
   return figure;
 }
 
-void write_study(const StudyFiles& files, const StudyReport& report, const Provenance& provenance,
-                 const Callbacks& callbacks) {
-  write_file(files.points,
-             [&](std::ostream& out) { write_csv(out, point_table(report), provenance); });
-  write_file(files.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
-  pass_messages(callbacks, [&](std::ostream& warnings) {
-    for (const char* format : {"svg", "png"})
-      efficiency_plot(files.prefix, figure(report), format, warnings);
-  });
-}
+/// The study of energy conservation.
+struct EnergyStudy {
+  using Run = StudyRun;
+  using Record = StudyRecord;
+  using Report = StudyReport;
 
-void check_lengths(const Config& config, const std::vector<StudyPoint>& points) {
-  for (const StudyPoint& point : points)
-    if (config.study.length < 10 * point.step)
-      throw Error(
-          fmt::format("the study's length of {:g} fs is less than ten steps of {:g} fs, too few "
-                      "for R; use longer runs, or leave out long steps",
-                      config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
-          config.source);
-}
+  static constexpr const char* title = "study";
+  static constexpr auto identity = study_identity;
+  static constexpr auto read = read_any_study_record;
+  static constexpr auto perform = perform_study_runs;
+  static constexpr auto table_of = point_table;
+  static constexpr auto figure_of = figure;
+  static constexpr auto plot = efficiency_plot;
 
-/// The report of the runs that count, in its files.
-StudyReport report_of(Config config, const System& system, const std::vector<StudyRun>& runs,
-                      const StudyFiles& files, const Provenance& provenance,
-                      const Callbacks& callbacks) {
-  const std::vector<StudyRun> counted = runs_of_starts(runs, config.study.runs);
-  if (counted.size() < runs.size())
-    callbacks.note(fmt::format(
-        "the tables use the first {} initial configurations; {} runs from later ones are left out",
-        config.study.runs, runs.size() - counted.size()));
-  config.forces.mixing = system.forces.mixing;  // known after the topology file is read
-  StudyReport report(config,
-                     efficiency_points(study_points(config.study), counted, config.study.length));
-  // A study without a complete run has nothing to tabulate; what an earlier one wrote stays.
-  if (!report.points.empty()) write_study(files, report, provenance, callbacks);
-  return report;
-}
+  const Config& config;
+  std::vector<StudyPoint> all = study_points(config.study);
+
+  std::size_t points() const { return all.size(); }
+
+  void check(const System& system) const {
+    for (const StudyPoint& point : all) {
+      if (config.study.length < 10 * point.step)
+        throw Error(
+            fmt::format(
+                "the study's length of {:g} fs is less than ten steps of {:g} fs, too few for R; "
+                "use longer runs, or leave out long steps",
+                config.study.length * units::fs_per_ps, point.step * units::fs_per_ps),
+            config.source);
+      check_near(system.forces, point.scheme, config.source);
+    }
+  }
+
+  void note(const Callbacks& callbacks) const {
+    note_constant_energy(config, "the study", callbacks);
+  }
+
+  StudyReport report(const System& system, const std::vector<StudyRun>& runs) const {
+    Config used = config;
+    used.forces.mixing = system.forces.mixing;  // known after the topology file is read
+    return {used, efficiency_points(all, runs, config.study.length)};
+  }
+};
 
 }  // namespace
 
@@ -221,57 +224,15 @@ std::string study_json(const StudyReport& report) {
 
 StudyReport run_study(const Config& config, const std::string& prefix, const OutputOptions& options,
                       const Callbacks& callbacks, Workers& workers) {
-  check_prefix(prefix);
-  const std::vector<StudyPoint> points = study_points(config.study);
-  check_lengths(config, points);
-  const System system = build_system(config);
-  for (const StudyPoint& point : points) check_near(system.forces, point.scheme, config.source);
-
-  const StudyFiles files(prefix);
-  const OutputLock lock(files.prefix + "-study.lock", callbacks);
-  // Results of a resumed study are overwritten; those of another one are not.
-  if (!std::filesystem::exists(files.runs)) check_outputs(files.all(), options.existing);
-  const Provenance made =
-      provenance(options.command, study_identity(config, system), config.system.seed);
-  StudyRecord record(files.runs, made, options.existing == ExistingFiles::replace);
-  std::vector<StudyRun> runs = record.known();
-  callbacks.note(
-      fmt::format("polhode {}: study of {} molecules, {} points of {} runs of {:g} ps, instruction "
-                  "set {}, threads {}",
-                  made.version, system.topology.size(), points.size(), config.study.runs,
-                  config.study.length, made.instruction_set, workers.threads()));
-  note_constant_energy(config, "the study", callbacks);
-  note_molecules(system, callbacks);
-  note_forces(system, callbacks);
-  if (!runs.empty())
-    callbacks.note(fmt::format("{} runs are read from {}", runs.size(), files.runs));
-
-  const auto keep = [&](const StudyRun& run) {
-    record.add(run);
-    runs.push_back(run);
-  };
-  perform_study_runs(config, record.known(), keep, callbacks, workers);
-  StudyReport report = report_of(config, system, runs, files, made, callbacks);
-  report.files = report.points.empty() ? std::vector{files.runs} : files.all();
-  report.interrupted = callbacks.stopped();
-  return report;
+  const EnergyStudy study{config};
+  return StudyJob(study, prefix, options, callbacks).run(workers);
 }
 
 StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix, const OutputOptions& options,
                                 const Callbacks& callbacks) {
-  check_prefix(prefix);
-  std::ifstream in(record, std::ios::binary);
-  if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
-  const std::vector<StudyRun> runs = read_any_study_record(in, record);
-  const StudyFiles files(prefix);
-  check_outputs(files.tables(), options.existing);
-  const System system = build_system(config);
-  const Provenance made =
-      provenance(options.command, study_identity(config, system), config.system.seed);
-  StudyReport report = report_of(config, system, runs, files, made, callbacks);
-  if (!report.points.empty()) report.files = files.tables();
-  return report;
+  const EnergyStudy study{config};
+  return StudyJob(study, prefix, options, callbacks).from(record);
 }
 
 }  // namespace polhode

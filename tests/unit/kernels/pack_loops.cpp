@@ -2,8 +2,8 @@
 #include "../pack_loops.hpp"
 
 #include "polhode/base/column.hpp"
+#include "polhode/base/pack_compress.hpp"
 #include "polhode/base/pack_functions.hpp"
-#include "polhode/base/pack_integers.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
@@ -82,9 +82,22 @@ void table_entries(const float* table, const float* index, float* found) {
   table_entry(table, Pack<float>::load(index)).store(found);
 }
 
-std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t* to) {
-  return store_counted<float>(first, Pack<float>::load(x) < Pack<float>(0.0F), to);
+void within_bounds(const double* x, double low, double high, double* to) {
+  max(min(Pack<double>::load(x), Pack<double>(high)), Pack<double>(low)).store(to);
 }
+void within_bounds(const float* x, float low, float high, float* to) {
+  max(min(Pack<float>::load(x), Pack<float>(high)), Pack<float>(low)).store(to);
+}
+
+std::size_t negative_lanes(const float* x, std::uint32_t first, std::uint32_t step, float* values,
+                           std::uint32_t* numbers) {
+  const Pack<float> from = Pack<float>::load(x);
+  const Selection negative(from < Pack<float>(0.0F));
+  negative.store(from, values);
+  negative.store(consecutive(first, step), numbers);
+  return negative.count();
+}
+void lanes_in_order(float* to) { lane_numbers().store(to); }
 
 void fixed_differences(const std::int32_t* p, std::int32_t from, float* read, float* in_pack) {
   fixed_point_difference(p, from).store(read);

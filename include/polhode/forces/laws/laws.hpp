@@ -38,6 +38,9 @@ struct ReactionField {
 
 /// The smooth step w: 1 up to `from`, 0 beyond `to`; in between, with x = (r − from)/(to − from),
 /// the polynomial of lowest degree whose first `smoothness` derivatives vanish at both ends.
+/// With y = x − ½ and b = ¼ − y² = x (1 − x), w = ½ − y Σ B_k bᵏ for k from 0 to n and
+/// dw/dx = −(2n + 1) B_n bⁿ, where B_k = (2k)!/k!² is 1, 2, 6, 20: the same operations for all n,
+/// without branches, and exact at both ends, where b = 0.
 template <class T = double>
 class Switch {
  public:
@@ -47,45 +50,30 @@ class Switch {
     Real slope;  ///< w'(r) [1/nm]
   };
 
+  /// @param smoothness  n, from 1 to 3
   Switch(double from, double to, int smoothness)
-      : from_(static_cast<T>(from)),
-        inverse_width_(static_cast<T>(1 / (to - from))),
-        smoothness_(smoothness) {}
+      : inverse_width_(static_cast<T>(1 / (to - from))), middle_(static_cast<T>((from + to) / 2)) {
+    const auto n = static_cast<std::size_t>(smoothness);
+    for (std::size_t k = 0; k <= n; ++k) p_[k] = static_cast<T>(B[k]);
+    slope_[n] = static_cast<T>((2 * smoothness + 1) * B[n] / (from - to));
+  }
 
   template <class Real>
-  Value<Real> operator()(Real r) const {
-    Real x = (r - constant<Real>(from_)) * constant<Real>(inverse_width_);
-    x = select(x < Real(0), Real(0), x);
-    x = select(x > Real(1), Real(1), x);
-    const Value<Real> step = smoothness_ == 1 ? C1(x) : smoothness_ == 2 ? C2(x) : C3(x);
-    return {with_derivative(step.w, step.slope, x), step.slope * constant<Real>(inverse_width_)};
+  [[gnu::always_inline]] Value<Real> operator()(const Real& r) const {
+    using C = Constant<Real>;
+    const C half(T(0.5));
+    const Real y = max(min((r - C(middle_)) * C(inverse_width_), half), -half);
+    const Real b = C(T(0.25)) - y * y;
+    const Real p = C(p_[0]) + b * (C(p_[1]) + b * (C(p_[2]) + b * C(p_[3])));
+    const Real slope = b * (C(slope_[1]) + b * (C(slope_[2]) + b * C(slope_[3])));
+    return {with_derivative(half - y * p, slope, r), slope};
   }
 
  private:
-  // w = 1 − xⁿ⁺¹ p(x), with integer coefficients and p(1) = 1, so that w(1) = 0 exactly; dw/dx = −c
-  // xⁿ (1 − x)ⁿ.
-  template <class Real>
-  static Value<Real> C1(Real x) {
-    using C = Constant<Real>;
-    const Real p = C(3) - C(2) * x;
-    return {C(1) - x * x * p, C(-6) * (x * (C(1) - x))};
-  }
-  template <class Real>
-  static Value<Real> C2(Real x) {
-    using C = Constant<Real>;
-    const Real p = C(10) + x * (C(-15) + x * C(6)), bump = x * (C(1) - x);
-    return {C(1) - x * x * x * p, C(-30) * (bump * bump)};
-  }
-  template <class Real>
-  static Value<Real> C3(Real x) {
-    using C = Constant<Real>;
-    const Real p = C(35) + x * (C(-84) + x * (C(70) + x * C(-20)));
-    const Real x2 = x * x, bump = x * (C(1) - x);
-    return {C(1) - x2 * x2 * p, C(-140) * (bump * bump * bump)};
-  }
+  static constexpr std::array<double, 4> B{1, 2, 6, 20};
 
-  T from_, inverse_width_;
-  int smoothness_;
+  T inverse_width_, middle_;        // y = (r − middle) inverse_width
+  std::array<T, 4> p_{}, slope_{};  // coefficients of the powers of b in w and w'
 };
 
 /// The polynomial subtracted from 1/r inside the cutoff a, in the form the kernels use: powers of
@@ -114,7 +102,8 @@ struct SmoothPart {
 inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& settings) {
   if (settings.electrostatics == Electrostatics::damped_shifted_force)
     return damped_shifted_force(settings.cutoff, settings.damping, settings.smoothness);
-  if (settings.mesh) return CompactSplit(settings.cutoff, settings.mesh->exponent).polynomial();
+  if (settings.mesh)
+    return CompactSplit(settings.mesh->cutoff, settings.mesh->exponent).polynomial();
   return std::nullopt;
 }
 
@@ -124,7 +113,8 @@ struct PairLaws {
   ReactionField<T> reaction_field;
   SmoothPart<T> smooth;
   Switch<T> switching;
-  T cutoff;  ///< [nm]
+  T cutoff;             ///< [nm]
+  T cutoff_of_charges;  ///< [nm]
 
   explicit PairLaws(const ForceSettings& settings)
       : reaction_field(settings.electrostatics == Electrostatics::reaction_field
@@ -132,7 +122,8 @@ struct PairLaws {
                            : ReactionField<T>{}),
         smooth(smooth_part(settings)),
         switching(settings.switch_from, settings.cutoff, settings.smoothness),
-        cutoff(static_cast<T>(settings.cutoff)) {}
+        cutoff(static_cast<T>(settings.cutoff)),
+        cutoff_of_charges(static_cast<T>(polhode::cutoff_of_charges(settings))) {}
 
  private:
   static SmoothPart<T> smooth_part(const ForceSettings& settings) {

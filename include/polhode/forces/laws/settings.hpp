@@ -49,6 +49,9 @@ struct ForceSettings {
   Mixing mixing{};  ///< Lennard-Jones parameters of unlike sites
   /// For PME: rms error of the electrostatic forces relative to their rms.
   double pme_accuracy = 1e-4;
+  /// For PME: up to which distance pairs of charges are summed [nm]; if not set, the mesh and this
+  /// cutoff are chosen together. `cutoff` is that of the short-range laws.
+  std::optional<double> coulomb_cutoff{};
   double damping = 2;  ///< of the damped shifted force: α [1/nm]
   /// For PME: the mesh; if not set, the cheapest one of that accuracy is chosen for each box.
   std::optional<MeshSettings> mesh{};
@@ -59,5 +62,10 @@ struct ForceSettings {
   /// density of sites.
   bool dispersion_correction = false;
 };
+
+/// Two charges farther apart do not interact as a pair [nm].
+inline double cutoff_of_charges(const ForceSettings& settings) {
+  return settings.mesh ? settings.mesh->cutoff : settings.coulomb_cutoff.value_or(settings.cutoff);
+}
 
 }  // namespace polhode

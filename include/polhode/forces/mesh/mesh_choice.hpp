@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The cheapest particle mesh for a given accuracy: the error expected from theory, and a search.
+// The cheapest particle mesh for a given accuracy, with the cutoff of the charges: the error
+// expected from theory, the time expected from measurements, and a search.
 #pragma once
 
 #include <map>
 #include <string>
 #include <tuple>
 
+#include "polhode/forces/laws/settings.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
 #include "polhode/model/box.hpp"
 #include "polhode/model/topology.hpp"
@@ -23,31 +25,45 @@ double expected_mesh_error(const Topology& topology, const Box& box, const MeshS
 double typical_force(const Topology& topology, const Box& box);
 
 /// Chooses the fastest mesh whose rms force error is at most a given fraction of the rms
-/// electrostatic force on a charge. The mesh is a function of the current box alone, and so is the
-/// energy, as sampling at constant pressure requires.
+/// electrostatic force on a charge: grid, order and exponent, and the cutoff of the charges unless
+/// the settings fix it. The shorter this cutoff, the fewer pairs and the finer the mesh. The choice
+/// is a function of the settings and the current box alone, and so is the energy, as sampling at
+/// constant pressure requires.
 class MeshChoice {
  public:
-  /// @param cutoff  a of the split: pairs are summed up to it [nm]
-  /// @throws Error  if the error is not from 1e-7 to 0.1, or there are no charges
-  MeshChoice(const Topology& topology, double relative_error, double cutoff);
+  /// @param settings  with the accuracy and the cutoffs
+  /// @throws Error  if the accuracy is not from 1e-7 to 0.1, or there are no charges
+  MeshChoice(const Topology& topology, const ForceSettings& settings);
 
   /// The mesh for a box. Fast after the first call, because computed errors are stored.
   /// @throws Error  if the box holds so few charges that the mesh would have too many points
   MeshSettings operator()(const Box& box);
 
  private:
+  struct Best {
+    MeshSettings mesh;
+    double seconds;
+  };
+  struct Orders {
+    int first, last;
+  };
   MeshSettings cheapest(const Box& box);
-  std::string remedy(const Box& box, double max_points) const;
-  double error(double spacing, int order, int exponent);
+  void try_cutoff(double cutoff, Orders orders, const Box& box, Best& best);
+  int coarsest(double cutoff, int order, int exponent, double required_in_unit_box);
+  std::string remedy(const Box& box, const MeshSettings& best) const;
+  double error(double cutoff, int spacing, int order, int exponent);
 
   Topology topology_;
-  double relative_error_, cutoff_;
-  // The error in a box of 1 nm³, by spacing, order and exponent. It falls as V^(-1/2).
-  std::map<std::tuple<double, int, int>, double> errors_;
+  ForceSettings settings_;
+  // The error in a box of 1 nm³, by cutoff, spacing, order and exponent. It falls as V^(-1/2).
+  std::map<std::tuple<double, int, int, int>, double> errors_;
 };
 
 /// The mesh for one box.
 /// @throws Error  as MeshChoice
+MeshSettings mesh_for(const ForceSettings& settings, const Box& box, const Topology& topology);
+
+/// The mesh for one box and a given cutoff of the charges.
 MeshSettings mesh_for(double relative_error, double cutoff, const Box& box,
                       const Topology& topology);
 

@@ -5,13 +5,12 @@
 // force does.
 #pragma once
 
-#include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
 #include "polhode/forces/laws/ewald_split.hpp"
-#include "polhode/forces/mesh/mesh_loops.hpp"
+#include "polhode/forces/mesh/mesh_charges.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -39,8 +38,8 @@ struct MeshConstant {
 template <class T>
 class ParticleMesh {
  public:
-  /// @throws Error  if an edge has fewer grid points than a spline needs, or an order or an
-  ///                exponent is out of its domain
+  /// @throws Error  if an edge has fewer grid points than a spline needs or not a multiple of
+  ///                mesh_multiple, or an order or an exponent is out of its domain
   ParticleMesh(const Topology& topology, const MeshSettings& settings, const Box& box,
                Workers& workers = Workers::serial());
   ~ParticleMesh();
@@ -71,60 +70,34 @@ class ParticleMesh {
   const MeshSettings& settings() const { return settings_; }
 
  private:
-  struct Field;  // grid with the charges, later with their potential; and its transform
-  struct Part {
-    std::vector<double> charges;
-    double extent;                       // largest distance of a charge from its centre [nm]
-    std::vector<std::uint64_t> touched;  // for each plane of the centre: groups of planes its
-                                         // charges can touch
-  };
-  // Planes are tracked in groups, each of them a bit of a word.
-  std::size_t groups() const { return std::min<std::size_t>(settings_.points[2], 64); }
+  struct Plans;  // of the Fourier transforms
+  struct Field;  // grid with the charges, later with their potential; and its coefficients
   struct Axis {
     std::vector<double> k, odd;  // wave number; odd: the same, but 0 where k and −k are the same
                                  // wave
   };
-  void make_slabs();
+  void use_tiles();
   void make_influence();
-  void find_touched_planes();
-  void find_extents(const Slots& slots, const SiteRecords<T>& records);
   // With displacements, spreads the derivative of the charges.
   void spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
                  const SiteRecords<T>* displacements);
-  void spread_to(Field& field, std::size_t slab, const Slots& slots, const SiteRecords<T>& records,
-                 const SiteRecords<T>* displacements);
   MeshLoad convolve_on(Field& field, bool energies);
-  void convolve_row(Field& field, std::size_t y, T* modes, const T** rows, ModeSums* sums);
+  void convolve_column(Field& field, std::size_t column, bool energies);
   template <class Gather>
   void each_charged_block(const Slots& slots, const Gather& gather);
 
   Workers& workers_;
   MeshSettings settings_;
   Box box_{};
-  std::vector<Part> parts_;
+  MeshCharges<T> charges_;
+  std::unique_ptr<Plans> plans_;
   std::unique_ptr<Field> field_;
   std::unique_ptr<Field> derivative_;  // of the field; allocated when it is first requested
   bool has_potential_ = false;
   std::array<Axis, 3> axes_;
-  // Along a row of Fourier coefficients, as in ConvolveJob.
-  Column<T> weight_, kx_, kx_squared_;
-  // One row for each |k_y| and |k_z|.
+  // For each column of coefficients, a pack for each k_y ≥ 0.
   Column<T> influence_, slope_;
-  // Planes touched by the slots of a block, one bit per group of planes.
-  std::vector<std::uint64_t> extents_;
-  struct Slab {
-    std::uint64_t groups;
-    std::vector<std::ptrdiff_t> plane_at;
-    std::size_t first, end;  // planes
-  };
-  std::vector<Slab> slabs_;
-  struct Space {  // scratch space of a task
-    Column<T> modes;
-    std::vector<const T*> rows;
-    std::vector<ModeSums> sums;
-  };
-  std::vector<Space> spaces_;
-  std::vector<MeshLoad> loads_;     // of each y
+  std::vector<MeshLoad> loads_;     // of each column
   std::vector<Mat3<double>> arms_;  // of each task
 };
 

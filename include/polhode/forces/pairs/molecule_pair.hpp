@@ -53,53 +53,79 @@ class MoleculeSwitch {
   typename Switch<T>::template Value<Real> at_R_;  // w(R) and w'(R)
 };
 
-/// The pairs of all sites a of the first molecule with a group of sites b of the second. A step of
-/// the computation is done for all pairs before the next begins, so that no operation waits for the
-/// result of the one before; the result of each step is a separate variable (the compiler keeps
-/// fewer members of one class in registers).
+/// The pairs of a group of sites a of the first molecule with a group of sites b of the second. A
+/// step of the computation is done for all pairs before the next begins, so that no operation waits
+/// for the result of the one before; the result of each step is a separate variable (the compiler
+/// keeps fewer members of one class in registers).
 template <class Shape, class Real>
 class SitePairs {
  public:
-  static constexpr std::size_t at_once = Shape::template at_once<Real>;
+  static constexpr std::size_t a_at_once = Shape::a_at_once;
+  static constexpr std::size_t b_at_once = Shape::template b_at_once<Real>;
+  /// A pair by its sites, and by their places i and k in their groups.
+  struct Pair {
+    std::size_t i, k, a, b;
+  };
   template <class Number>
-  using PerSite = std::array<Number, at_once>;  // [k], for the k-th site b of the group
+  using PerSite = std::array<Number, b_at_once>;  // [k]
+  /// A number of each pair.
   template <class Number>
-  using PerPair = std::array<std::array<Number, Shape::max_a>, at_once>;  // [k][a]
+  struct PerPair {
+    std::array<std::array<Number, a_at_once>, b_at_once> values;
+    [[gnu::always_inline]] Number& operator[](Pair pair) { return values[pair.k][pair.i]; }
+    [[gnu::always_inline]] const Number& operator[](Pair pair) const {
+      return values[pair.k][pair.i];
+    }
+  };
 
-  [[gnu::always_inline]] SitePairs(const Shape& shape, std::size_t first_b)
-      : shape_(shape), first_b_(first_b) {}
+  [[gnu::always_inline]] SitePairs(const Shape& shape, std::size_t group_a, std::size_t group_b)
+      : shape_(shape), first_a_(group_a * a_at_once), first_b_(group_b * b_at_once) {}
 
+  /// Calls body(pairs) for all groups.
+  template <class Body>
+  [[gnu::always_inline]] static void each_group(const Shape& shape, const Body& body) {
+    polhode::each(
+        shape.template groups_b<Real>(), [&](auto group_b) __attribute__((always_inline)) {
+          polhode::each(
+              shape.groups_a(), [&](auto group_a) __attribute__((always_inline)) {
+                body(SitePairs(shape, group_a, group_b));
+              });
+        });
+  }
   template <class Body>
   [[gnu::always_inline]] void each_b(const Body& body) const {  // body(k, b)
-    for (std::size_t k = 0; k < at_once; ++k)
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < b_at_once; ++k)
       if (first_b_ + k < shape_.sites_b) body(k, first_b_ + k);
   }
   template <class Body>
-  [[gnu::always_inline]] void each(const Body& body) const {  // body(k, a, b)
-    for (std::size_t k = 0; k < at_once; ++k)
-      for (std::size_t a = 0; a < shape_.sites_a; ++a)
-        if (const std::size_t b = first_b_ + k;
-            b < shape_.sites_b && (shape_.coulomb(a, b) || shape_.short_range(a, b)))
-          body(k, a, b);
+  [[gnu::always_inline]] void each(const Body& body) const {  // body(pair)
+#pragma GCC unroll 8
+    for (std::size_t k = 0; k < b_at_once; ++k)
+#pragma GCC unroll 8
+      for (std::size_t i = 0; i < a_at_once; ++i)
+        if (const std::size_t a = first_a_ + i, b = first_b_ + k;
+            a < shape_.sites_a && b < shape_.sites_b &&
+            (shape_.coulomb(a, b) || shape_.short_range(a, b)))
+          body(Pair{i, k, a, b});
   }
   template <class Body>
-  [[gnu::always_inline]] void each_charged(const Body& body) const {  // body(k, a)
-    each([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
-      if (shape_.coulomb(a, b)) body(k, a);
+  [[gnu::always_inline]] void each_charged(const Body& body) const {
+    each([&](Pair pair) __attribute__((always_inline)) {
+      if (shape_.coulomb(pair.a, pair.b)) body(pair);
     });
   }
 
   template <class Value>
-  [[gnu::always_inline]] auto compute(const Value& value) const {  // value(k, a, b) of each pair
-    PerPair<decltype(value(std::size_t{}, std::size_t{}, std::size_t{}))> values;
-    each([&](auto k, auto a, std::size_t b)
-             __attribute__((always_inline)) { values[k][a] = value(k, a, b); });
+  [[gnu::always_inline]] auto compute(const Value& value) const {  // value(pair) of each pair
+    PerPair<decltype(value(Pair{}))> values;
+    each([&](Pair pair) __attribute__((always_inline)) { values[pair] = value(pair); });
     return values;
   }
 
  private:
   const Shape& shape_;
-  std::size_t first_b_;
+  std::size_t first_a_, first_b_;
 };
 
 /// The polynomial P that is subtracted from 1/r between charges, and its −P'/r, for each pair: by
@@ -114,22 +140,22 @@ template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class
   if constexpr (is_smooth(treatment)) {
     typename Pairs::template PerPair<Real> y;
     typename Pairs::template PerPair<Polynomial<Real>> u, s;
-    pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-      y[k][a] = C(1) - r2[k][a] * C(law.inverse_a2);
-      u[k][a] = Polynomial<Real>(C(law.u[law.degree + 1]));
-      s[k][a] = Polynomial<Real>(C(law.s[law.degree]));
+    pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
+      y[pair] = C(1) - r2[pair] * C(law.inverse_a2);
+      u[pair] = Polynomial<Real>(C(law.u[law.degree + 1]));
+      s[pair] = Polynomial<Real>(C(law.s[law.degree]));
     });
     for (std::size_t n = law.degree; n-- > 0;)
-      pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-        s[k][a].step(y[k][a], C(law.s[n]));
+      pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
+        s[pair].step(y[pair], C(law.s[n]));
       });
     if constexpr (need_u)
       for (std::size_t n = law.degree + 1; n-- > 0;)
-        pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-          u[k][a].step(y[k][a], C(law.u[n]));
+        pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
+          u[pair].step(y[pair], C(law.u[n]));
         });
-    pairs.each_charged([&](auto k, auto a) __attribute__((always_inline)) {
-      parts[k][a] = {u[k][a].value(y[k][a]), s[k][a].value(y[k][a])};
+    pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
+      parts[pair] = {u[pair].value(y[pair]), s[pair].value(y[pair])};
     });
   }
   return parts;
@@ -145,17 +171,14 @@ template <CutoffTreatment treatment, class Real, class T>
   if constexpr (is_smooth(treatment)) {
     Real u = inverse_r.first() - smooth.u, s = inverse_r.third() - smooth.s;
     if constexpr (treatment == CutoffTreatment::smooth) {
-      const auto within = r2 < Real(laws.cutoff * laws.cutoff);
+      const auto within = r2 < Real(laws.cutoff_of_charges * laws.cutoff_of_charges);
       u = select(within, u, Real(0));
       s = select(within, s, Real(0));
     }
     return {charge * u, charge * s};
   } else {
-    return truncated([&]<class Number>(const InversePowers<Number>& powers, Number square)
-                         __attribute__((always_inline)) {
-                           const PairValue<Number> unit = laws.reaction_field(powers, square);
-                           return PairValue<Number>{charge * unit.u, charge * unit.s};
-                         });
+    const PairValue<Real> unit = truncated(laws.reaction_field);
+    return {charge * unit.u, charge * unit.s};
   }
 }
 
@@ -187,28 +210,28 @@ template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class
   typename SitePairs<Shape, Real>::template PerSite<Vec3<Real>> arm, f_b;
   pairs.each_b([&](auto k, std::size_t b)
                    __attribute__((always_inline)) { arm[k] = site_b(b), f_b[k] = {}; });
-  const auto r = pairs.compute([&](auto k, auto a, auto) __attribute__((always_inline)) {
-    return R + arm[k] - site_a(a);
+  const auto r = pairs.compute([&](auto pair) __attribute__((always_inline)) {
+    return R + arm[pair.k] - site_a(pair.a);
   });
-  const auto r2 = pairs.compute([&](auto k, auto a, auto)
-                                    __attribute__((always_inline)) { return norm2(r[k][a]); });
-  const auto inverse_r = pairs.compute([&](auto k, auto a, auto) __attribute__((always_inline)) {
-    return InversePowers<Real>(r2[k][a]);
+  const auto r2 =
+      pairs.compute([&](auto pair) __attribute__((always_inline)) { return norm2(r[pair]); });
+  const auto inverse_r = pairs.compute([&](auto pair) __attribute__((always_inline)) {
+    return InversePowers<Real>(r2[pair]);
   });
   const auto smooth = smooth_parts<treatment, need_u>(pairs, r2, laws.smooth);
-  const auto s = pairs.compute([&](auto k, auto a, std::size_t b) __attribute__((always_inline)) {
-    const SiteTruncation<treatment, Real, T> truncated(laws, inverse_r[k][a], r2[k][a]);
-    const std::size_t pair = b * shape.sites_a + a;
+  const auto s = pairs.compute([&](auto pair) __attribute__((always_inline)) {
+    const SiteTruncation<treatment, Real, T> truncated(laws, inverse_r[pair], r2[pair]);
+    const std::size_t strength = pair.b * shape.sites_a + pair.a;
     return sum_of_laws<need_u>(
-        shape, a, b,
+        shape, pair.a, pair.b,
         [&]() __attribute__((always_inline)) {
-          return coulomb_pair(Constant<Real>(strengths.charge[pair]), truncated, laws,
-                              inverse_r[k][a], r2[k][a], smooth[k][a]);
+          return coulomb_pair(Constant<Real>(strengths.charge[strength]), truncated, laws,
+                              inverse_r[pair], r2[pair], smooth[pair]);
         },
-        [&]() __attribute__((always_inline)) { return truncated(strengths.law[pair]); }, load);
+        [&]() __attribute__((always_inline)) { return truncated(strengths.law[strength]); }, load);
   });
-  pairs.each([&](auto k, auto a, std::size_t)
-                 __attribute__((always_inline)) { add_scaled(f_b[k], s[k][a], r[k][a]); });
+  pairs.each([&](auto pair)
+                 __attribute__((always_inline)) { add_scaled(f_b[pair.k], s[pair], r[pair]); });
   pairs.each_b([&](auto k, std::size_t) __attribute__((always_inline)) {
     load.f += f_b[k];
     add_cross(load.tau_b, arm[k], f_b[k]);
@@ -237,25 +260,19 @@ template <CutoffTreatment treatment, bool energies, class Shape, class Real, cla
     const Shape& shape, const PairStrengths<Law>& strengths, const PairLaws<T>& laws,
     const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b) {
   constexpr bool by_molecule = treatment == CutoffTreatment::molecule_switch;
-  constexpr std::size_t at_once = SitePairs<Shape, Real>::at_once;
-  const auto sum_over_sites = [&]() __attribute__((always_inline)) {
-    PairLoad<Real> load;
-    each(
-        shape.groups_b(Count<at_once>{}), [&](auto group) __attribute__((always_inline)) {
-          const SitePairs<Shape, Real> pairs(shape, group * at_once);
-          add_pairs<treatment, energies || by_molecule>(pairs, shape, strengths, laws, R, site_a,
-                                                        site_b, load);
-        });
-    return load;
+  PairLoad<Real> load;
+  const auto add_group = [&](const SitePairs<Shape, Real>& pairs) __attribute__((always_inline)) {
+    add_pairs<treatment, energies || by_molecule>(pairs, shape, strengths, laws, R, site_a, site_b,
+                                                  load);
   };
   if constexpr (by_molecule) {
     const MoleculeSwitch<Real, T> switched(laws.switching, R);
-    PairLoad<Real> load = sum_over_sites();
+    SitePairs<Shape, Real>::each_group(shape, add_group);
     switched.apply_to(load);
-    return load;
   } else {
-    return sum_over_sites();
+    SitePairs<Shape, Real>::each_group(shape, add_group);
   }
+  return load;
 }
 
 }  // namespace polhode

@@ -17,7 +17,7 @@
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/forces/laws/settings.hpp"
-#include "polhode/forces/pairs/cells.hpp"
+#include "polhode/forces/pairs/slot_tree.hpp"
 
 namespace polhode {
 
@@ -114,26 +114,22 @@ class NeighbourList {
 
   Box box_{};
   std::vector<PairRange> ranges_;  // [part a, part b]
-  double range_ = 0;               // largest listed distance [nm]
   double allowed2_ = 0;
-  CellGrid grid_;
   Slots slots_;
+  SlotTree tree_;
   std::vector<ListChunk> chunks_;
   std::size_t width_ = 0;
   std::size_t rebuilds_ = 0;
   double seconds_ = 0;
 };
 
-/// Fixed-point units per box edge, chosen so that images on both sides fit into 32 bits.
-inline constexpr std::int64_t fixed_point_edge = 1 << 30;
-
 /// Input of the search for partners.
 struct ListJob {
-  const CellGrid& grid;
+  const Box& box;
   const Slots& slots;
-  const std::vector<PairRange>& ranges;    ///< [part a, part b]
-  const std::vector<std::int32_t>* fixed;  ///< x, y, z of each slot, in fixed point
-  std::size_t width;                       ///< pairs per pack
+  const SlotTree& tree;                  ///< of these slots
+  const std::vector<PairRange>& ranges;  ///< [part a, part b]
+  std::size_t width;                     ///< pairs per pack
 };
 
 POLHODE_DECLARE_LOOPS(

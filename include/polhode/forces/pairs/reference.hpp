@@ -3,6 +3,7 @@
 // no packs. The pair loops are tested against it, and with dual numbers it gives exact derivatives.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -56,7 +57,8 @@ ReferenceLoad<Real> all_pairs_load(const Topology& topology, const ForceSettings
     for (std::size_t j = i + 1; j < n; ++j) {
       const PairTable& table = tables(bodies.part[i], bodies.part[j]);
       const AnyShape shape(table);
-      const double range = settings.cutoff + topology.parts[bodies.part[i]].molecule.extent() +
+      const double range = std::max(settings.cutoff, cutoff_of_charges(settings)) +
+                           topology.parts[bodies.part[i]].molecule.extent() +
                            topology.parts[bodies.part[j]].molecule.extent();
       Vec3<Real> R0 = poses[j].q - poses[i].q;
       R0 -= Vec3<Real>{nearest(R0.x / edge.x) * edge.x, nearest(R0.y / edge.y) * edge.y,

@@ -2,7 +2,9 @@
 // How rows of the neighbour list are made to fill whole packs.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -14,72 +16,66 @@ namespace polhode {
 /// whole.
 class RowBuffer {
  public:
-  void clear() { size_ = 0; }
-  std::size_t size() const { return size_; }
+  void clear() { first_ = size_ = 0; }
+  std::size_t size() const { return size_ - first_; }
   /// The end of the row, with room for n more entries and a pack.
   std::uint32_t* end_with_room(std::size_t n) {
     if (words_.size() < size_ + n + slot_block) words_.resize(2 * (size_ + n + slot_block));
-    return &words_[size_];
+    return words_.data() + size_;
   }
   void grow(std::size_t n) { size_ += n; }  ///< n entries were written at the end
   void push(Neighbour n) { *end_with_room(1) = n.word(), ++size_; }
   Neighbour pop() { return Neighbour(words_[--size_]); }
-  Neighbour operator[](std::size_t k) const { return Neighbour(words_[k]); }
-  /// Removes an entry; the last one takes its place.
-  void remove(std::size_t k) { words_[k] = words_[--size_]; }
-  const std::uint32_t* begin() const { return words_.data(); }
+  void remove_first(std::size_t n) { first_ += n; }
+  Neighbour operator[](std::size_t k) const { return Neighbour(words_[first_ + k]); }
+  const std::uint32_t* begin() const { return words_.data() + first_; }
   const std::uint32_t* end() const { return words_.data() + size_; }
 
  private:
   std::vector<std::uint32_t> words_;
-  std::size_t size_ = 0;
+  std::size_t first_ = 0, size_ = 0;
 };
 
-/// Pairs that rows have handed to later rows of the same chunk, one list per slot.
+/// Pairs that rows have handed to the rows of slots soon after their own.
 class HandedPairs {
  public:
-  HandedPairs(std::uint32_t first, std::uint32_t end) : first_(first), head_(end - first, none) {}
+  static constexpr std::uint32_t window = 256;  ///< slots ahead to which pairs can be handed
+  static constexpr std::uint32_t room = 32;     ///< pairs that a slot can be handed
 
-  void give(std::uint32_t slot, Neighbour pair) {
-    std::uint32_t& head = head_[slot - first_];
-    links_.push_back({pair, std::exchange(head, static_cast<std::uint32_t>(links_.size()))});
+  HandedPairs() : pairs_(new std::uint32_t[window * room]), counts_(window, 0) {}
+
+  /// Whether the row of a slot, at most `window` − 1 ahead, has room for n more pairs.
+  bool has_room(std::uint32_t slot, std::size_t n) const {
+    return counts_[slot % window] + n <= room;
   }
-  /// Appends the pairs handed to a slot.
-  void take(std::uint32_t slot, RowBuffer& row) const {
-    for (std::uint32_t k = head_[slot - first_]; k != none; k = links_[k].next)
-      row.push(links_[k].pair);
+  void give(std::uint32_t slot, Neighbour pair) {
+    pairs_[slot % window * room + counts_[slot % window]++] = pair.word();
+  }
+  /// Moves the pairs handed to a slot to the end of its row.
+  void take(std::uint32_t slot, RowBuffer& row) {
+    const std::uint32_t n = std::exchange(counts_[slot % window], 0);
+    std::copy_n(&pairs_[slot % window * room], n, row.end_with_room(n));
+    row.grow(n);
   }
 
  private:
-  static constexpr std::uint32_t none = ~0u;
-  struct Link {
-    Neighbour pair;
-    std::uint32_t next;
-  };
-  std::uint32_t first_;
-  std::vector<std::uint32_t> head_;
-  std::vector<Link> links_;
+  // By slot modulo the window.
+  std::unique_ptr<std::uint32_t[]> pairs_;
+  std::vector<std::uint32_t> counts_;
 };
 
-/// Hands surplus pairs of a slot's row to the rows of partners that come later in the chunk, so
-/// that whole packs remain; hands over nothing if that cannot be achieved. Pairs handed to this row
-/// stay here, since their partners come earlier.
+/// Hands the surplus of a slot's row over whole packs, its first pairs, to the rows of their
+/// partners, if all of these come later in the chunk, and soon.
 inline void hand_over(std::uint32_t slot, std::uint32_t chunk_end, std::size_t width,
                       RowBuffer& row, HandedPairs& later) {
   const std::size_t surplus = row.size() % width;
-  const auto can_take = [&](Neighbour n) { return n.slot() > slot && n.slot() < chunk_end; };
-  std::size_t takers = 0;
-  for (std::size_t k = 0; k < row.size() && takers < surplus; ++k) takers += can_take(row[k]);
-  if (takers < surplus) return;
-  for (std::size_t k = 0, left = surplus; left > 0;) {
-    if (!can_take(row[k])) {
-      ++k;
-      continue;
-    }
-    later.give(row[k].slot(), {slot, -row[k].image()});
-    row.remove(k);
-    --left;
+  const std::uint32_t end = std::min(chunk_end, slot + HandedPairs::window);
+  for (std::size_t k = 0; k < surplus; ++k) {
+    const std::uint32_t taker = row[k].slot();
+    if (taker <= slot || taker >= end || !later.has_room(taker, surplus)) return;
   }
+  for (std::size_t k = 0; k < surplus; ++k) later.give(row[k].slot(), {slot, -row[k].image()});
+  row.remove_first(surplus);
 }
 
 }  // namespace polhode

@@ -18,19 +18,21 @@ template <std::size_t sites_a_, std::size_t charged_a_, std::size_t dispersive_a
 struct FixedShape {
   static constexpr Count<sites_a_> sites_a{};
   static constexpr Count<sites_b_> sites_b{};
-  static constexpr std::size_t max_a = sites_a_, max_b = sites_b_;
-  /// How many sites of b are processed together: enough to hide the latency of each operation, and
-  /// few enough to stay in registers, of which dual numbers need twice as many.
+  static constexpr std::size_t max_b = sites_b_;
+  /// How many sites of a and of b are processed together: enough to hide the latency of each
+  /// operation, and few enough to stay in registers, of which dual numbers need twice as many.
+  static constexpr std::size_t a_at_once = sites_a_;
   template <class Real>
-  static constexpr std::size_t at_once = is_dual<Real> ? 1 : std::min<std::size_t>(2, sites_b_);
+  static constexpr std::size_t b_at_once = is_dual<Real> ? 1 : std::min<std::size_t>(2, sites_b_);
   static constexpr bool coulomb(std::size_t a, std::size_t b) {
     return a < charged_a_ && b < charged_b_;
   }
   static constexpr bool short_range(std::size_t a, std::size_t b) {
     return a >= sites_a_ - dispersive_a_ && b >= sites_b_ - dispersive_b_;
   }
-  template <std::size_t size>
-  static constexpr Count<(sites_b_ + size - 1) / size> groups_b(Count<size>) {
+  static constexpr Count<1> groups_a() { return {}; }
+  template <class Real>
+  static constexpr Count<(sites_b_ + b_at_once<Real> - 1) / b_at_once<Real>> groups_b() {
     return {};
   }
   explicit FixedShape(const PairTable&) {}
@@ -43,9 +45,10 @@ struct FixedShape {
 
 /// Numbers of sites known only at run time.
 struct AnyShape {
-  static constexpr std::size_t max_a = max_sites, max_b = max_sites;
+  static constexpr std::size_t max_b = max_sites;
+  static constexpr std::size_t a_at_once = 4;
   template <class Real>
-  static constexpr std::size_t at_once = 1;
+  static constexpr std::size_t b_at_once = 1;
   std::size_t sites_a, sites_b, charged_a, charged_b, first_dispersive_a, first_dispersive_b;
   explicit AnyShape(const PairTable& t)
       : sites_a(t.sites_a),
@@ -54,7 +57,11 @@ struct AnyShape {
         charged_b(t.charged_b),
         first_dispersive_a(t.sites_a - t.dispersive_a),
         first_dispersive_b(t.sites_b - t.dispersive_b) {}
-  std::size_t groups_b(Count<1>) const { return sites_b; }
+  std::size_t groups_a() const { return (sites_a + a_at_once - 1) / a_at_once; }
+  template <class Real>
+  std::size_t groups_b() const {
+    return sites_b;
+  }
   bool coulomb(std::size_t a, std::size_t b) const { return a < charged_a && b < charged_b; }
   bool short_range(std::size_t a, std::size_t b) const {
     return a >= first_dispersive_a && b >= first_dispersive_b;

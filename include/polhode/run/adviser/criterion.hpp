@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a user asks of a run, as a number with a bound: the energy's fluctuation R, the energy
-// drift, or how far the temperatures of translation and rotation are apart.
+// drift, or the bias of an average.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "polhode/base/enum_names.hpp"
+#include "polhode/io/requirement.hpp"
 #include "polhode/run/simulation/system.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
@@ -25,25 +26,35 @@ struct Outcome {
   std::optional<ByMotion<double>> configurational{};
   /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without such motion.
   std::array<double, 4> bias{};
-  double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
+  double temperature_difference = 0;  ///< bias of T_rot − T_trans by the step, predicted [K]
+  double energy_bias = 0;             ///< of the potential energy per molecule, the same [kJ/mol]
+  double pressure_bias = 0;           ///< the same [kJ/mol/nm³]
+  double rounding = 0;                ///< R of rounding alone, estimated; 0 in double precision
 };
 
 Outcome outcome(const System& system, const Trajectory& trajectory);
 
 enum class Quality {
-  ratio,            ///< R of a run [1]
-  drift,            ///< of the total energy per molecule, its size [kJ/mol/ps]
-  temperature_bias  ///< the largest |T_k/T − 1| of translation and rotation about each axis [1]
+  ratio,             ///< R of a run [1]
+  drift,             ///< of the total energy per molecule, its size [kJ/mol/ps]
+  temperature_bias,  ///< the largest |T_k/T − 1| of translation and rotation about each axis [1]
+  temperature_difference,  ///< bias of T_rot − T_trans, its size [K]
+  energy_bias,             ///< of the potential energy per molecule, its size [kJ/mol]
+  pressure_bias            ///< its size [kJ/mol/nm³]
 };
 
 template <>
-inline constexpr std::array<std::string_view, 3> enum_names<Quality> = {"R", "energy drift",
-                                                                        "temperature bias"};
+inline constexpr std::array<std::string_view, 6> enum_names<Quality> = {
+    "R",           "energy drift", "temperature bias", "bias of the temperature difference",
+    "energy bias", "pressure bias"};
 
 struct Criterion {
   Quality quality = Quality::ratio;
   double bound = 0;
 };
+
+/// @throws Error  if a density is bounded and there is no compressibility of a barostat
+Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
 /// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
 /// meet it. With a probability of 0.975 for each, fewer than 95 of 100 do so once in 20 times.

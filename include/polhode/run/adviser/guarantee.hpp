@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
-// The accuracy guarantee of [integrator] accuracy: the adviser chooses a step that keeps R below
-// the bound, and at the end of the run it is reported whether R was below it.
+// The accuracy guarantee of [integrator] accuracy: the adviser chooses a step that keeps R, or the
+// bias of an average, below the bound, and at the end of the run it is reported whether it was.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
 #include "polhode/io/config.hpp"
 #include "polhode/measure/energy_statistics.hpp"
 #include "polhode/run/callbacks.hpp"
+#include "polhode/run/simulation/summary.hpp"
 
 namespace polhode {
 
 struct Guarantee {
-  double accuracy = 0;  ///< bound on R [1]
-  double length = 0;    ///< of the sections of a run to which the bound applies [ps]
-  Estimate expected;    ///< R, mean of the confirming runs
+  Requirement accuracy;
+  double length = 0;  ///< of the sections of a run to which a bound on R applies [ps]
+  Estimate expected;  ///< R, mean of the confirming runs
 };
 
 /// Chooses the step that meets the accuracy of a run file, and the scheme unless the run file has
@@ -37,11 +39,14 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
 struct GuaranteeCheck {
   Guarantee guarantee;
   /// Mean R of parts of the guaranteed length; of the whole run if it is shorter than two
-  /// parts. The error is 0 if it is not known.
-  Estimate ratio;
-  bool met() const { return ratio.value <= guarantee.accuracy; }
+  /// parts. Or the bias that the run predicts. The error is 0 if it is not known.
+  Estimate value;
+  bool met() const { return std::abs(value.value) <= guarantee.accuracy.bound; }
 };
 
-GuaranteeCheck check_guarantee(const Guarantee& guarantee, const TrajectoryStatistics& statistics);
+/// Nothing where R is not defined, or the bias is not known: with a thermostat.
+std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
+                                              const TrajectoryStatistics& statistics,
+                                              const RunSummary& summary);
 
 }  // namespace polhode

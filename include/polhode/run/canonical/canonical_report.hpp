@@ -2,6 +2,7 @@
 // A canonical study with its outputs: the record of its runs, tables, JSON and a figure.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,15 +24,27 @@ struct CanonicalClaim {
   std::optional<std::size_t> beyond;
 };
 
+/// What the points show by one criterion.
+struct CanonicalFindings {
+  Criterion criterion;
+  std::vector<CanonicalClaim> claims{};  ///< of each scheme, in the order of the points
+  /// Of the accurate points, by force evaluations per sample.
+  std::optional<std::size_t> cheapest{};
+  std::vector<std::size_t> as_cheap{};  ///< others that are not distinguishable from it
+  /// Points of which the data do not show whether they are accurate, and that are not more
+  /// expensive than the cheapest, as far as can be distinguished.
+  std::vector<std::size_t> undecided{};
+
+  CanonicalFindings(Criterion criterion, const std::vector<CanonicalPoint>& points);
+};
+
 /// The results of the runs of a canonical study.
 struct CanonicalReport {
   Config config;
   std::vector<CanonicalPoint> points;
-  std::vector<CanonicalClaim> claims;   ///< of each scheme, in the order of the points
-  std::optional<std::size_t> cheapest;  ///< of the accurate points, by force evaluations per sample
-  std::vector<std::size_t> as_cheap;    ///< others that are not distinguishable from it
-  std::vector<std::string> files{};     ///< that were written
-  bool interrupted = false;             ///< before all runs were done
+  std::array<CanonicalFindings, 2> findings;  ///< by the strict and the loose criterion
+  std::vector<std::string> files{};           ///< that were written
+  bool interrupted = false;                   ///< before all runs were done
 
   CanonicalReport(const Config& config, const std::vector<CanonicalPoint>& points);
 };
@@ -55,12 +68,14 @@ CanonicalReport report_canonical_record(const Config& config, const std::string&
                                         const Callbacks& callbacks = {});
 
 /// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
-std::string canonical_json(const CanonicalReport& report);
+std::string study_json(const CanonicalReport& report);
 
 /// Forces, runs and bath of a canonical study, in a sentence.
 std::string canonical_conditions(const Config& config);
 
-/// What the points show, a sentence for each scheme and one for the cheapest sample.
-std::vector<std::string> canonical_sentences(const CanonicalReport& report);
+/// What the points show by one criterion, a sentence for each scheme and one for the cheapest
+/// sample.
+std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
+                                             const std::vector<CanonicalPoint>& points);
 
 }  // namespace polhode

@@ -16,12 +16,12 @@
 namespace polhode {
 
 struct HybridAdviserSettings {
-  std::string scheme = "hoa2";       ///< of the proposals
-  std::size_t evaluations = 20'000;  ///< of the forces, in each pilot run
-  int runs = 4;                      ///< from independent initial configurations, of each choice
+  std::string scheme = "hoa2";      ///< of the proposals
+  std::size_t evaluations = 5'000;  ///< of the forces, in each pilot run
+  int runs = 4;                     ///< from independent initial configurations, of each choice
   /// Pilot runs are of all choices; runs of the best ones, this many times longer and with other
   /// random numbers, give the answer.
-  std::size_t finalists = 3, longer = 3;
+  std::size_t finalists = 3, longer = 8;
 };
 
 /// A step and a number of steps per trajectory, with what its runs show.

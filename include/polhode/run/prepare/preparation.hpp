@@ -27,8 +27,10 @@ struct PreparationReport {
   double lattice_density = 0;  ///< [u/nm³]; 0 if there is an initial configuration
   bool estimated = false;      ///< the density of the lattice, by estimated_density()
   Minimisation minimisation;
+  double compressibility = 0;  ///< of the barostat if estimated, otherwise 0 [nm³ mol/kJ]
   std::optional<PreparedProperties> properties;  ///< nothing if it was interrupted
-  std::string final_state, run_file;             ///< names of the files written, likewise
+  std::vector<std::string> files;                ///< that were written
+  std::string run_file, checkpoint;              ///< those of them, if written
 };
 
 /// The density of a liquid of these molecules, roughly [u/nm³]: spheres of diameter σ about their
@@ -43,11 +45,15 @@ double estimated_density(const Topology& topology);
 ///    takes its place if there is one.
 /// 2. minimise(), to forces of 100 kJ/mol/nm and torques of 10 kJ/mol.
 /// 3. NVT: Langevin dynamics by BAOAB [leimkuhler2013] in steps of 1 fs, friction 5/ps.
-/// 4. NPT if there is a barostat: the same with its moves of the box, in steps of at most 2 fs.
+/// 4. NPT if there is a barostat: the same with its moves of the box, in steps of at most 2 fs. If
+///    the run file gives no compressibility, the second half takes it from the fluctuations of the
+///    volume in the first, within the default and ten times as much.
 /// If the run file has neither a thermostat nor hybrid Monte Carlo, momenta are then scaled to the
 /// mean total energy of the last half stage, so that a run at constant energy has the temperature.
-/// Writes PREFIX-prepared.gro, with velocities, and PREFIX-prepared.toml, a run file that starts
-/// from it; nothing if it is interrupted.
+/// Writes PREFIX-prepared.gro, with velocities; PREFIX-prepared.bin, a checkpoint with the same
+/// state to the last bit; and PREFIX-prepared.toml, a run file that starts from both. During the
+/// dynamics the checkpoint is that of the preparation, from which it resumes to the same bits; an
+/// interrupted minimisation leaves no file.
 /// @throws Error     if a setting does not fit, or outputs exist
 /// @throws RunError  if molecules still overlap, or a stage blows up
 PreparationReport prepare(const Config& config, const OutputOptions& options = {},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "polhode/ensemble/minimise.hpp"
 #include "polhode/io/checkpoint_file.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/run/simulation/rounding.hpp"
@@ -20,12 +21,22 @@ struct OutputMarks {
   std::size_t next_frame = 0;    ///< step from which on a sample is written as a frame
 };
 
+/// How far a preparation has come, besides the RunState of its current stage.
+struct PreparationProgress {
+  std::size_t stage = 0;       ///< in progress, from 0; the number of stages once all are done
+  double step = 0;             ///< of its dynamics [ps]
+  double compressibility = 0;  ///< of its barostat if estimated, otherwise 0 [nm³ mol/kJ]
+  Minimisation minimisation;
+};
+
 struct Checkpoint {
   std::string identity;  ///< of the run, see run_identity()
   std::string command;   ///< with which it began
   RunState at;
   ForceNoise noise;
-  std::optional<OutputMarks> outputs;  ///< nothing before they begin
+  std::uint64_t minimisation_evaluations = 0;      ///< of forces, before the trajectory
+  std::optional<OutputMarks> outputs;              ///< nothing before they begin
+  std::optional<PreparationProgress> preparation;  ///< only of a preparation
 };
 
 /// What must be the same for a run to resume, as a hash and settings_text(): molecules, initial
@@ -49,6 +60,10 @@ Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader
 /// The same for bytes that were read from `path`.
 Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
                             const ProgramVersion& reader);
+
+/// The state of a checkpoint of any run of this version, written with any instruction set.
+/// @throws Error  if the file is damaged, or of another version
+State state_of_checkpoint(const std::string& path, const std::string& version);
 
 /// The same for the checkpoint of one run.
 /// @throws Error  if another run wrote it

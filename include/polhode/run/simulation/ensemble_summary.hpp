@@ -15,7 +15,8 @@ struct BarostatSummary {
   SeriesEstimate compressibility;  ///< isothermal, (⟨V²⟩ − ⟨V⟩²)/(kT ⟨V⟩) [nm³ mol/kJ]
   Drift volume_drift;              ///< [nm³/ps]
   std::uint64_t moves = 0, accepted = 0;
-  double work = 0;  ///< received by the bodies [kJ/mol]
+  std::uint64_t evaluations = 0;  ///< of forces, by moves
+  double work = 0;                ///< received by the bodies [kJ/mol]
   double acceptance() const;
 };
 

@@ -33,6 +33,10 @@ class Propagator {
   /// stops it. A trajectory that blows up ends there, and `failure` reports it.
   Trajectory run(const Watch& watch = {});
 
+  /// Heat and work that the bodies have received from thermostat, barostat and hybrid Monte Carlo
+  /// so far [kJ/mol].
+  double exchanged() const;
+
   /// Steps done since the start of the trajectory.
   std::size_t steps() const;
   /// Statistics, counts and times so far.

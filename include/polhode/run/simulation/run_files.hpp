@@ -36,6 +36,10 @@ class RunFiles {
 
   /// Stores the noise of the initial forces in every checkpoint.
   void keep(const ForceNoise& noise) { checkpoint_.noise = noise; }
+  /// Likewise the number of force evaluations of the minimisation.
+  void keep(std::uint64_t minimisation_evaluations) {
+    checkpoint_.minimisation_evaluations = minimisation_evaluations;
+  }
 
   /// Appends energies, and a frame where one is due.
   /// @throws RunError  if there is no room

@@ -50,8 +50,8 @@ class Simulation {
   const State& state() const { return system_.state; }
   /// Steps of the trajectory done so far.
   std::size_t steps() const;
-  /// Energies of the current state, from a separate force evaluation that leaves the trajectory
-  /// as it is.
+  /// Energies of the current state, with the heat and work received so far, from a separate force
+  /// evaluation that leaves the trajectory as it is.
   Energies energies() const;
   /// Statistics of the trajectory so far.
   RunSummary summary();
@@ -105,6 +105,7 @@ class Simulation {
   bool trajectory_started() const;
   Propagator& propagator();
   Trajectory run_trajectory(RunFiles& files, const Callbacks& callbacks);
+  RunSummary summary_of(const Trajectory& trajectory) const;
   RunReport report(const Trajectory& trajectory, const RunFileNames& names,
                    const Callbacks& callbacks) const;
   ExecutionSettings execution() const;
@@ -116,7 +117,8 @@ class Simulation {
   System system_;
   ForceField forces_;
   std::string identity_;
-  ForceNoise noise_;            // of the forces at the start of the trajectory
+  ForceNoise noise_;                            // of the forces at the start of the trajectory
+  std::uint64_t minimisation_evaluations_ = 0;  // of forces
   std::optional<RunState> at_;  // its current state, until the propagator takes it over
   std::optional<Propagator> propagator_;
   std::optional<std::size_t> resumable_step_;

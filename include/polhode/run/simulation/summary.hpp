@@ -27,6 +27,7 @@ struct RunSummary {
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
   Drift drift;             ///< of the conserved energy [kJ/mol/ps]
   std::optional<ShadowSummary> shadow;                      ///< if requested
+  std::optional<StepBias> step_bias;                        ///< nothing where it is not known
   ByMotion<std::optional<SeriesEstimate>> configurational;  ///< temperatures [K], if requested
   double potential = 0;                                     ///< mean per molecule [kJ/mol]
   double total = 0;                                         ///< mean per molecule [kJ/mol]
@@ -34,10 +35,14 @@ struct RunSummary {
   double momentum = 0;                                      ///< |Σ p| at the end [u nm/ps]
   Temperatures temperatures;                                ///< means over the run [K]
   SeriesEstimate temperature;                               ///< that of all motions [K]
-  Drift potential_drift;                                    ///< [kJ/mol/ps]
+  /// The same where a bath within the steps acts; nothing without.
+  std::optional<Temperatures> temperatures_at_bath;
+  std::optional<SeriesEstimate> temperature_at_bath;
+  Drift potential_drift;  ///< [kJ/mol/ps]
   DegreesOfFreedom degrees_of_freedom;
   EnsembleSummary ensemble;
   std::uint64_t force_evaluations = 0, derivatives = 0, measurements = 0;
+  std::uint64_t minimisation_evaluations = 0;                ///< of forces, before the trajectory
   std::uint64_t near_evaluations = 0, near_derivatives = 0;  ///< of the near forces, if any
   std::size_t list_rebuilds = 0;
   Timings timings;

@@ -9,6 +9,7 @@
 
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
+#include "polhode/measure/step_bias.hpp"
 #include "polhode/model/ensemble_settings.hpp"
 
 namespace polhode {
@@ -33,9 +34,12 @@ struct TrajectorySettings {
   /// The number of samples of the energies per sample that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;
 
-  /// Whether the scheme has a shadow energy of order h² that can be measured.
+  /// Whether there is a shadow energy that differs from the energy by brackets of order h², which
+  /// can be measured: conserved at constant energy, otherwise for the bias of the step.
   bool has_shadow() const;
-  /// @throws Error  if a shadow energy is requested for a scheme that has none
+  /// What the bias of the step is relative to; nothing where it is not known.
+  std::optional<FixedMeans> fixed_means() const;
+  /// @throws Error  if a shadow energy is requested where there is none
   void check_shadow() const;
 };
 

@@ -117,11 +117,6 @@ void perform_study_runs(const Config& config, const std::vector<StudyRun>& known
                         const std::function<void(const StudyRun&)>& finished,
                         const Callbacks& callbacks, Workers& workers = Workers::serial());
 
-/// The runs from the first `starts` initial configurations. Points are compared by their energy
-/// drift, and more runs detect a smaller one, so a report uses the same initial configurations at
-/// every point, even if its record contains more.
-std::vector<StudyRun> runs_of_starts(const std::vector<StudyRun>& runs, int starts);
-
 /// Points from runs, in the order of schemes and steps.
 /// @param length  of each run [ps]
 std::vector<EfficiencyPoint> efficiency_points(const std::vector<StudyPoint>& points,

@@ -6,7 +6,6 @@
 
 #include "polhode/base/pack_grid.hpp"
 #include "polhode/forces/mesh/mesh_loops.hpp"
-#include "polhode/math/b_spline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
@@ -36,10 +35,13 @@ class GridPositions {
       move[d] *= Real(static_cast<T>(static_cast<double>(points_[d]) / box_.edge[d]));
     return move;
   }
+  Real place(std::size_t site, std::size_t d) const {
+    return grid_place(column_[d], column_[3 + 3 * site + d], static_cast<std::int32_t>(points_[d]),
+                      box_.edge[d]);
+  }
   // Index of the grid point below a site along one edge; returns the distance beyond it.
-  Real place(std::size_t site, std::size_t d, std::int32_t* index) const {
-    return grid_position(column_[d], column_[3 + 3 * site + d],
-                         static_cast<std::int32_t>(points_[d]), box_.edge[d], index);
+  Real beyond(std::size_t site, std::size_t d, std::int32_t* index) const {
+    return beyond_point(place(site, d), static_cast<std::int32_t>(points_[d]), index);
   }
 
  private:
@@ -48,6 +50,28 @@ class GridPositions {
   std::size_t numbers_;
   std::array<Real, 3 + 3 * max_sites + Real::width> column_;
 };
+
+// Records of four numbers: packs of them, one per lane, to and from any addresses.
+template <class T, class Records>
+void load_four(const Records& record, Pack<T> (&number)[4]) {
+  using Tiles = Tile<T>;
+  for (std::size_t k = 0; k < 4; k += Tiles::columns) {
+    for (std::size_t c = 0; c < Tiles::columns; ++c)
+      number[k + c] =
+          Tiles::gather_rows([&](std::size_t r) { return record(r * Tiles::columns + c) + k; });
+    Tiles::transpose_columns(number + k);
+  }
+}
+template <class T, class Records>
+void store_four(Pack<T> (&number)[4], const Records& record) {
+  using Tiles = Tile<T>;
+  for (std::size_t k = 0; k < 4; k += Tiles::columns) {
+    Tiles::transpose_columns(number + k);
+    for (std::size_t c = 0; c < Tiles::columns; ++c)
+      Tiles::scatter_rows(number[k + c],
+                          [&](std::size_t r) { return record(r * Tiles::columns + c) + k; });
+  }
+}
 
 // Calls f with the order of the splines as a compile-time constant.
 template <class Function>

@@ -1,68 +1,138 @@
 // SPDX-License-Identifier: MIT
 // Spreads charges onto the grid: the weights of a pack of charges at once, then one charge after
-// the other, eight grid points of a row at a time.
-#include "mesh_positions.hpp"
+// the other, one tile after the other.
+#include "mesh_tiles.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
+// Charges by their numbers, as packs.
+template <class T>
+class ListedCharges {
+ public:
+  using Real = Pack<T>;
+  GridIndex<T> index;
+  Vec3<Real> u;  // distances beyond the grid points
+  Real q;
+
+  // Where fewer charges are left, the last one replaces those that are missing.
+  void load(const SpreadJob<T>& job, const std::uint32_t* from) {
+    Real number[4];
+    load_four<T>(record_of(job, job.charges, from), number);
+    for (std::size_t d = 0; d < 3; ++d)
+      u[d] = beyond_point(number[d], static_cast<std::int32_t>(job.grid.points[d]), index[d]);
+    q = number[3];
+  }
+  static Vec3<Real> move(const SpreadJob<T>& job, const std::uint32_t* from) {
+    Real number[4];
+    load_four<T>(record_of(job, job.moves, from), number);
+    return {number[0], number[1], number[2]};
+  }
+
+ private:
+  static auto record_of(const SpreadJob<T>& job, const T* records, const std::uint32_t* from) {
+    return [=, last = job.end - 1](std::size_t lane) {
+      return records + ChargeRecord::stride * *std::min(from + lane, last);
+    };
+  }
+};
+
+template <class T, std::size_t order>
+[[gnu::always_inline]] inline void add_charge(MeshGrid<T>& grid, const GridIndex<T>& index,
+                                              std::size_t lane,
+                                              const ChargeWeights<T, order, 0>& weights) {
+  using Real = Pack<T>;
+  const TilesAround<T, order> tiles(grid, index, lane);
+  Real z[order];
+  for (std::size_t k = 0; k < order; ++k) z[k] = Real(weights(2, 0, lane)[k]);
+  Real x[TilesAround<T, order>::Columns::max];
+  tiles.each_column([&](std::size_t i) { x[i] = tiles.along_x(weights(0, 0, lane), i); });
+  tiles.each_row([&](std::size_t j) {
+    const Real y = tiles.along_y(weights(1, 0, lane), j);
+    tiles.each_column([&](std::size_t i) __attribute__((always_inline)) {
+      T* const stack = grid.values.data() + tiles.stack(i, j);
+      const Real xy = x[i] * y;
+      for (std::size_t k = 0; k < order; ++k)
+        fma(xy, z[k], Real::load(stack + k * Real::width)).store(stack + k * Real::width);
+    });
+  });
+}
+
 template <class T, std::size_t order>
 void spread(const SpreadJob<T>& job) {
+  constexpr std::size_t width = Pack<T>::width;
+  ListedCharges<T> charges;
+  ChargeWeights<T, order, 0> weights;
+  for (const std::uint32_t* from = job.order; from < job.end; from += width) {
+    charges.load(job, from);
+    weights.set(charges.u, charges.q);
+    const std::size_t lanes = std::min(width, static_cast<std::size_t>(job.end - from));
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      add_charge<T, order>(job.grid, charges.index, lane, weights);
+  }
+}
+
+// Per unit of a displacement along v, in grid spacings, a charge q adds to a grid point at u
+// q (v·∇) w_x w_y w_z = q [(v_x s_x w_y + w_x v_y s_y) w_z + w_x w_y v_z s_z], s the slopes of w.
+template <class T, std::size_t order>
+[[gnu::always_inline]] inline void add_dipole(MeshGrid<T>& grid, const GridIndex<T>& index,
+                                              std::size_t lane, const Vec3<T>& v,
+                                              const ChargeWeights<T, order, 1>& weights) {
   using Real = Pack<T>;
-  constexpr std::size_t width = Real::width, stride = std::max(width, Run<T>::length);
-  GridPositions<T> places(job.box, job.grid.points, job.bodies.charges.size());
-  alignas(pack_bytes) T along_x[width * stride], along_y[order * width], along_z[order * width];
-  std::int32_t index[3][width];
-  T* const grid = job.grid.values.data();
-  for (std::size_t slot = job.bodies.first; slot < job.bodies.end; slot += width) {
-    places.load(job.records, slot);
-    const std::size_t lanes = std::min(width, job.bodies.end - slot);
-    for (std::size_t site = 0; site < job.bodies.charges.size(); ++site) {
-      Real w[3][order], slope[order];
-      for (std::size_t d = 0; d < 3; ++d)
-        b_spline<order>(places.place(site, d, index[d]), w[d], slope);
-      const Real q(static_cast<T>(job.bodies.charges[site]));
-      for (std::size_t c = 0; c < stride; c += width) {
-        Real rows[width];
-        transpose<T>([&](std::size_t k) { return c + k < order ? w[0][c + k] * q : Real(); }, rows);
-        for (std::size_t lane = 0; lane < width; ++lane)
-          rows[lane].store(along_x + lane * stride + c);
-      }
+  const TilesAround<T, order> tiles(grid, index, lane);
+  Real z[order], dz[order];
+  for (std::size_t k = 0; k < order; ++k) {
+    z[k] = Real(weights(2, 0, lane)[k]);
+    dz[k] = Real(v.z) * Real(weights(2, 1, lane)[k]);
+  }
+  tiles.each_row([&](std::size_t j) {
+    const Real y = tiles.along_y(weights(1, 0, lane), j),
+               dy = Real(v.y) * tiles.along_y(weights(1, 1, lane), j);
+    tiles.each_column([&](std::size_t i) {
+      T* const stack = grid.values.data() + tiles.stack(i, j);
+      const Real x = tiles.along_x(weights(0, 0, lane), i),
+                 dx = Real(v.x) * tiles.along_x(weights(0, 1, lane), i);
+      const Real by_z = fma(dx, y, x * dy), by_dz = x * y;
       for (std::size_t k = 0; k < order; ++k) {
-        w[1][k].store(along_y + k * width);
-        w[2][k].store(along_z + k * width);
+        T* const tile = stack + k * Real::width;
+        fma(by_z, z[k], fma(by_dz, dz[k], Real::load(tile))).store(tile);
       }
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const Run<T> x = Run<T>::load(along_x + lane * stride);
-        T* const origin = grid + index[0][lane];
-        const std::ptrdiff_t* const row_at = job.grid.row_at.data() + index[1][lane];
-        Run<T> y[order];
-        T* rows[order];
-        for (std::size_t j = 0; j < order; ++j) {
-          y[j] = Run<T>::all(along_y[j * width + lane]);
-          rows[j] = origin + row_at[j];
-        }
-        const std::ptrdiff_t* const plane_at = job.plane_at + index[2][lane];
-        for (std::size_t k = 0; k < order; ++k) {
-          const std::ptrdiff_t plane = plane_at[k];
-          if (plane < 0) continue;
-          const Run<T> xz = x * Run<T>::all(along_z[k * width + lane]);
-          for (std::size_t j = 0; j < order; ++j)
-            fma(xz, y[j], Run<T>::load(rows[j] + plane)).store(rows[j] + plane);
-        }
-      }
-    }
+    });
+  });
+}
+
+template <class T, std::size_t order>
+void spread_dipoles_of(const SpreadJob<T>& job) {
+  constexpr std::size_t width = Pack<T>::width;
+  ListedCharges<T> charges;
+  ChargeWeights<T, order, 1> weights;
+  alignas(pack_bytes) T v[3][width];
+  for (const std::uint32_t* from = job.order; from < job.end; from += width) {
+    charges.load(job, from);
+    weights.set(charges.u, charges.q);
+    const Vec3<Pack<T>> move = charges.move(job, from);
+    for (std::size_t d = 0; d < 3; ++d) move[d].store(v[d]);
+    const std::size_t lanes = std::min(width, static_cast<std::size_t>(job.end - from));
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      add_dipole<T, order>(job.grid, charges.index, lane, {v[0][lane], v[1][lane], v[2][lane]},
+                           weights);
   }
 }
 
 template <class T>
 void spread_in_order(const SpreadJob<T>& job) {
-  with_order(job.order, [&]<std::size_t order>() { spread<T, order>(job); });
+  with_order(job.spline, [&]<std::size_t order>() { spread<T, order>(job); });
+}
+template <class T>
+void spread_dipoles_in_order(const SpreadJob<T>& job) {
+  with_order(job.spline, [&]<std::size_t order>() { spread_dipoles_of<T, order>(job); });
 }
 
 }  // namespace
 
 void spread_charges(const SpreadJob<double>& job) { spread_in_order(job); }
 void spread_charges(const SpreadJob<float>& job) { spread_in_order(job); }
+void spread_dipoles(const SpreadJob<double>& job) { spread_dipoles_in_order(job); }
+void spread_dipoles(const SpreadJob<float>& job) { spread_dipoles_in_order(job); }
 
 }  // namespace polhode::POLHODE_LOOPS

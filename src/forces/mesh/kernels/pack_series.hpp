@@ -30,8 +30,8 @@ class PackSeries {
   Number* data() { return numbers_; }
 
  private:
-  // For the series of a caller and the scratch space that pocketfft needs to transform it.
-  static inline thread_local std::array<Column<std::byte>, 2> kept;
+  // For two arrays of a caller and the scratch space that pocketfft needs to transform a series.
+  static inline thread_local std::array<Column<std::byte>, 3> kept;
   static inline thread_local std::size_t in_use = 0;
   Number* numbers_;
 };

@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Time of a step of two builds of polhode, in alternating runs: the program of an earlier commit, which is built first
+if necessary, and the current one. The ratio of two times of one round hardly depends on what else the computer does."""
+
+import argparse
+import datetime
+import itertools
+import os
+import resource
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+import compare_figure
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "bench"))
+import machine  # noqa: E402
+import records  # noqa: E402
+
+FORCES = {"reaction-field": 'electrostatics = "reaction-field"\ntruncation = "molecule-switch"',
+          "site-switch": 'electrostatics = "reaction-field"\ntruncation = "site-switch"',
+          "ewald": 'electrostatics = "pme"'}
+STEP = 0.002  # [ps]
+RUN = """[system]
+molecules = [{{ model = "tip4p", count = {molecules} }}]
+initial_configuration = "{start}"
+
+[forces]
+cutoff = "0.9 nm"
+precision = "{precision}"
+{forces}
+
+[integrator]
+scheme = "velocity-verlet"
+step = "{step} ps"
+
+[run]
+length = "{length:.6f} ps"
+shadow_sample = "0 fs"
+
+[output]
+prefix = "out"
+trajectory_every = "0 ps"
+plot = "none"
+"""
+
+
+class Case(NamedTuple):
+    forces: str
+    precision: str
+    molecules: int
+    instruction_set: str
+    threads: int
+
+
+def arguments():
+    words = lambda text: text.split(",")
+    numbers = lambda text: [int(word) for word in text.split(",")]
+    p = argparse.ArgumentParser(description=__doc__)
+    p.add_argument("base", help="a commit, or the path of a program")
+    p.add_argument("--polhode", default="polhode", help="the current program")
+    p.add_argument("--forces", type=words, default=list(FORCES), help=",".join(FORCES))
+    p.add_argument("--precisions", type=words, default=["mixed", "double"], help="mixed,double")
+    p.add_argument("--sizes", type=numbers, default=[512], help="waters, 512 n³ (512)")
+    p.add_argument("--sets", type=words, default=[""], help="instruction sets (the best one of the processor)")
+    p.add_argument("--threads", type=numbers, default=[1], help="(1)")
+    p.add_argument("--rounds", type=int, default=7, help="runs of each program (7)")
+    p.add_argument("--seconds", type=float, default=1, help="of a run, approximately (1)")
+    p.add_argument("--cpu-time", action="store_true", help="user time instead of wall-clock time: for one thread on a busy computer")
+    p.add_argument("--json", type=Path, metavar="FILE", help="write all results to this file")
+    p.add_argument("--figures", type=Path, metavar="PREFIX", help="draw PREFIX-sizes.svg and PREFIX-threads.svg; for one precision and set")
+    o = p.parse_args()
+    for size in o.sizes:
+        if 512 * copies(size) ** 3 != size:
+            p.error(f"--sizes: {size} is not 512 n³; use 512, 4096, 13824, 32768, ...")
+    if o.figures and len(o.precisions) * len(o.sets) > 1:
+        p.error("--figures: give one precision and one instruction set")
+    o.json, o.figures = o.json and o.json.resolve(), o.figures and o.figures.resolve()
+    o.polhode, o.base_program = machine.program(o.polhode), base_program(o.base)
+    return o
+
+
+def copies(size):
+    """Of the box of 512 waters, along each edge."""
+    return round((size / 512) ** (1 / 3))
+
+
+def base_program(base):
+    """The program at that path, or that of a commit, built in build/base-COMMIT."""
+    if Path(base).is_file():
+        return machine.program(base)
+    git = lambda *words: subprocess.run(["git", "-C", ROOT, *words], check=True, text=True, stdout=subprocess.PIPE).stdout.strip()
+    commit = git("rev-parse", "--short", "--verify", base + "^{commit}")
+    folder = ROOT / "build" / f"base-{commit}"
+    if not folder.exists():
+        git("worktree", "add", "--detach", folder, commit)
+    build = folder / "build/release"
+    for command in (["cmake", "--preset", "release"], ["cmake", "--build", build, "--target", "polhode_cli"]):
+        subprocess.run(command, cwd=folder, check=True, stdout=sys.stderr)
+    return str(build / "polhode")
+
+
+def run_file(case, steps):
+    start = "w512" if case.molecules == 512 else f"w{case.molecules}.gro"
+    if start.endswith(".gro") and not Path(start).exists():
+        replicate("w512.gro", start, copies(case.molecules))
+    return RUN.format(molecules=case.molecules, start=start, precision=case.precision, forces=FORCES[case.forces],
+                      step=STEP, length=steps * STEP)
+
+
+def replicate(source, target, n):
+    """Writes n × n × n copies of a configuration in GRO format; molecules stay together."""
+    lines = Path(source).read_text(encoding="utf-8").splitlines()
+    atoms, edges = lines[2:-1], [float(word) for word in lines[-1].split()[:3]]
+    first = atoms[0].index(".")
+    width = atoms[0].index(".", first + 1) - first  # of a column
+    with Path(target).open("w", encoding="utf-8") as out:
+        print(f"{n}³ copies", len(atoms) * n**3, sep="\n", file=out)
+        for shift in itertools.product(range(n), repeat=3):
+            for atom in atoms:
+                place = (float(atom[20 + width * d:20 + width * (d + 1)]) + shift[d] * edges[d] for d in range(3))
+                print(atom[:20] + "".join(f"{x:{width}.{width - 5}f}" for x in place) + atom[20 + 3 * width:], file=out)
+        print(*(f"{n * edge:.9f}" for edge in edges), file=out)
+
+
+def seconds(program, case, steps, cpu_time):
+    Path("run.toml").write_text(run_file(case, steps), encoding="utf-8")
+    environment = {**os.environ, **({"POLHODE_INSTRUCTION_SET": case.instruction_set} if case.instruction_set else {})}
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime, time.perf_counter()
+    run = subprocess.run([program, "run", "run.toml", "--force", "--json", "--threads", str(case.threads)], env=environment,
+                         check=False, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+    if run.returncode != 0:
+        sys.exit(f"'{program} run' ended with {run.returncode}: {run.stderr}")
+    wall = time.perf_counter() - start
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before if cpu_time else wall
+
+
+def time_per_step(program, case, steps, cpu_time):
+    """[ms]: of the steps alone, as the difference of a long and a short run."""
+    few = max(1, steps // 20)
+    return 1e3 * (seconds(program, case, steps, cpu_time) - seconds(program, case, few, cpu_time)) / (steps - few)
+
+
+def enough_steps(o, case):
+    """Steps of a run of about the requested time: one run is doubled until it is a tenth of it."""
+    steps = 20
+    while (taken := seconds(o.base_program, case, steps, o.cpu_time) - seconds(o.base_program, case, 1, o.cpu_time)) < o.seconds / 10:
+        steps *= 2
+    return max(20, round(steps * o.seconds / taken))
+
+
+def compared(o, case):
+    steps = enough_steps(o, case)
+    base, now = [], []
+    for _ in range(o.rounds):
+        base.append(time_per_step(o.base_program, case, steps, o.cpu_time))
+        now.append(time_per_step(o.polhode, case, steps, o.cpu_time))
+    gains = [b / n for b, n in zip(base, now)]
+    return {**case._asdict(), "steps": steps, "base_ms": min(base), "now_ms": min(now),
+            "faster": statistics.median(gains), "range": [min(gains), max(gains)]}
+
+
+def main():
+    o = arguments()
+    result = {"date": datetime.date.today().isoformat(), "processor": machine.processor(), "base": Path(o.base).name,
+              "time": "user" if o.cpu_time else "wall-clock", "rounds": o.rounds, "cases": []}
+    print(f"{'forces':>14} {'precision':>9} {'waters':>7} {'set':>7} {'threads':>7} | ms a step: base, now | times faster (range of {o.rounds})")
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        Path("w512.gro").write_text(liquid(o), encoding="utf-8")
+        for case in itertools.starmap(Case, itertools.product(o.forces, o.precisions, o.sizes, o.sets, o.threads)):
+            r = compared(o, case)
+            result["cases"].append(r)
+            print(f"{case.forces:>14} {case.precision:>9} {case.molecules:>7} {case.instruction_set or 'best':>7} {case.threads:>7} | "
+                  f"{r['base_ms']:.4g}, {r['now_ms']:.4g} | {r['faster']:.3f} ({r['range'][0]:.3f} to {r['range'][1]:.3f})", flush=True)
+        os.chdir(ROOT)
+    if o.json:
+        records.write(o.json, result)
+    if o.figures:
+        compare_figure.draw(result, o.figures)
+
+
+def liquid(o):
+    """512 waters in GRO format: the final configuration of a short run."""
+    seconds(o.base_program, Case("reaction-field", "double", 512, "", 1), 5, False)
+    return Path("out-final.gro").read_text(encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

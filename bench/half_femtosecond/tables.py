@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: MIT
+"""What the runs show: means over the runs of a point with standard errors from their scatter, and the cost at which the bias of a
+scheme is as small as required."""
+
+from collections import defaultdict
+from math import exp, inf, log
+
+import numpy as np
+from points import Point
+
+# What is required: bias [unit], name in the record.
+REQUIRED = {"difference": (0.1, "K"), "potential": (0.01, "kJ/mol"), "pressure": (4, "bar")}
+BIASES = {"difference": "rotation_minus_translation_K", "potential": "potential_kJ_per_mol", "pressure": "pressure_bar"}
+
+
+def mean(values):
+    """(mean, standard error) of values of independent runs."""
+    x = np.array(values, dtype=float)
+    return float(x.mean()), float(x.std(ddof=1) / np.sqrt(len(x))) if len(x) > 1 else inf
+
+
+def by_point(lines):
+    """The runs of each point, in the order of points."""
+    runs = defaultdict(list)
+    for line in lines:
+        runs[Point(*line["point"])].append(line)
+    return dict(sorted(runs.items(), key=lambda item: (item[0].group, item[0].temperature, item[0].ensemble, item[0].scheme, item[0].step)))
+
+
+def of_runs(runs, value):
+    """Mean and standard error of a quantity; None if a run lacks it."""
+    values = [value(run) for run in runs]
+    return None if any(v is None for v in values) else mean(values)
+
+
+def rotation(run):
+    return float(np.mean(run["temperature_rotation_K"]))  # of the three axes, with as many degrees of freedom each
+
+
+def difference(run):
+    """Of the kinetic temperatures of rotation and translation [K]."""
+    return rotation(run) - run["temperature_translation_K"]
+
+
+def configurational(run):
+    """The same of the configurational temperatures [K]."""
+    translation, *axes = [T["value"] for T in run["temperature_configurational_K"]]
+    return float(np.mean(axes)) - translation
+
+
+def predicted(name):
+    """The bias that a run predicts for itself; None where it is not known."""
+    return lambda run: run["step_bias"] and run["step_bias"][BIASES[name]]["value"]
+
+
+def cell(estimate, digits):
+    if estimate is None:
+        return ""
+    value, error = estimate
+    return f"{value:.{digits}f}" + (f" ± {error:.{digits}f}" if error < inf else "")
+
+
+def table(head, rows):
+    return "\n".join(["| " + " | ".join(head) + " |", "|" + " --- |" * len(head), *("| " + " | ".join(row) + " |" for row in rows)]) + "\n"
+
+
+def constant_energy(points):
+    """Biases against the step."""
+    head = ["scheme", "step [fs]", "force evaluations per ps", "T_rot − T_trans, seen [K]", "predicted [K]", "configurational [K]",
+            "potential energy, predicted bias [kJ/mol]", "pressure, predicted bias [bar]"]
+    return table(head, [[p.scheme, f"{p.step:g}", f"{p.evaluations_per_ps:.0f}", cell(of_runs(runs, difference), 3),
+                         cell(of_runs(runs, predicted("difference")), 3), cell(of_runs(runs, configurational), 2),
+                         cell(of_runs(runs, predicted("potential")), 4), cell(of_runs(runs, predicted("pressure")), 2)]
+                        for p, runs in points.items()])
+
+
+def controlled(points):
+    """Averages of runs with a thermostat."""
+    head = ["thermostat", "scheme", "step [fs]", "force evaluations per ps", "potential energy [kJ/mol]", "predicted bias", "pressure [bar]",
+            "predicted bias", "T_trans, T_rot, kinetic [K]", "configurational [K]"]
+    kelvin = lambda runs, *values: ", ".join(cell(of_runs(runs, value), 2) for value in values)
+    place = lambda k: lambda run: float(np.mean([T["value"] for T in run["temperature_configurational_K"]][slice(1, 4) if k else slice(0, 1)]))
+    return table(head, [[p.ensemble, p.scheme, f"{p.step:g}", f"{p.evaluations_per_ps:.0f}",
+                         cell(of_runs(runs, lambda run: run["potential_kJ_per_mol"]), 4), cell(of_runs(runs, predicted("potential")), 4),
+                         cell(of_runs(runs, lambda run: run["pressure_bar"]), 1), cell(of_runs(runs, predicted("pressure")), 1),
+                         kelvin(runs, lambda run: run["temperature_translation_K"], rotation), kelvin(runs, place(0), place(1))]
+                        for p, runs in points.items()])
+
+
+def density(run):
+    return run["density_kg_per_m3"]["value"]
+
+
+def density_bias(run):
+    """[kg/m³]: of the volume, with the other sign."""
+    volume = run["step_bias"]["volume_nm3"]["value"]
+    return -density(run) * volume / run["volume_nm3"]["value"]
+
+
+def densities(points):
+    head = ["T [K]", "scheme", "step [fs]", "density [kg/m³]", "predicted bias [kg/m³]", "without it [kg/m³]"]
+    return table(head, [[f"{p.temperature:g}", p.scheme, f"{p.step:g}", cell(of_runs(runs, density), 2), cell(of_runs(runs, density_bias), 2),
+                         cell(of_runs(runs, lambda run: density(run) - density_bias(run)), 2)] for p, runs in points.items()])
+
+
+LIMIT = "limit of short steps"
+
+
+def density_curves(points):
+    """By scheme and step: [(T, density, error)], with the same density without the error of the step for all: that of all runs
+    corrected, to which the bias of each is added, so that curves differ by the biases alone, whose errors they have."""
+    corrected = defaultdict(list)
+    for p, runs in points.items():
+        corrected[p.temperature] += [density(run) - density_bias(run) for run in runs]
+    curves = {LIMIT: [(T, *mean(values)) for T, values in sorted(corrected.items())]}
+    limit = {T: value for T, value, _ in curves[LIMIT]}
+    for p, runs in points.items():
+        bias, error = of_runs(runs, density_bias)
+        if error == inf:  # one run: its own estimate
+            error = density(runs[0]) * runs[0]["step_bias"]["volume_nm3"]["error"] / runs[0]["volume_nm3"]["value"]
+        curves.setdefault(f"{p.scheme}, {p.step:g} fs", []).append((p.temperature, limit[p.temperature] + bias, error))
+    return curves
+
+
+def maximum(T, density):
+    """The temperature of the maximum of a least-squares parabola."""
+    middle = np.mean(T)
+    a, b, _ = np.polyfit(np.array(T) - middle, density, 2)
+    return float(middle - b / (2 * a))
+
+
+def spread(drawn):
+    """Half of the interval that holds 68 % of the draws: a few of them have curves without a maximum."""
+    return float(np.diff(np.percentile(drawn, (16, 84)))[0] / 2)
+
+
+def maxima(points, draws=2000):
+    """Temperatures of the maxima, and how far the step moves them, with errors from curves drawn within the errors of their points."""
+    curves, random = density_curves(points), np.random.default_rng(1)
+    T, limit, error = map(np.array, zip(*curves[LIMIT]))
+    limits = limit + error * random.standard_normal((draws, len(T)))
+    at = {LIMIT: [maximum(T, drawn) for drawn in limits]}
+    rows = [[LIMIT, cell((maximum(T, limit), spread(at[LIMIT])), 1), ""]]
+    for name, curve in curves.items():
+        if name == LIMIT or len(curve) < len(T):
+            continue
+        value, error = np.array([c[1] for c in curve]), np.array([c[2] for c in curve])
+        drawn = [maximum(T, other + value - limit + error * random.standard_normal(len(T))) for other in limits]
+        shift = spread(np.array(drawn) - at[LIMIT])
+        top = maximum(T, value)
+        rows.append([name, cell((top, spread(drawn)), 1), cell((top - maximum(T, limit), shift), 1)])
+    return table(["", "maximum of the density [K]", "moved by the step [K]"], rows)
+
+
+def cost_at(curve, bound):
+    """Force evaluations per ps at which the bias is as large as the bound, from (cost, bias) by the power law between two points, or
+    of the two nearest points beyond them; None if it has no two points."""
+    curve = sorted((c, abs(b)) for c, b in curve)
+    if len(curve) < 2:
+        return None
+    pairs = list(zip(curve, curve[1:]))
+    (c1, b1), (c2, b2) = next((pair for pair in pairs if pair[0][1] >= bound >= pair[1][1]), pairs[0] if curve[0][1] < bound else pairs[-1])
+    return exp(log(c1) + log(bound / b1) * log(c2 / c1) / log(b2 / b1)) if b1 != b2 else None
+
+
+def costs(points):
+    """By scheme: the cost at which the predicted bias of each quantity is as large as required."""
+    curves = defaultdict(lambda: defaultdict(list))
+    for p, runs in points.items():
+        for name in REQUIRED:
+            curves[p.scheme][name].append((p.evaluations_per_ps, of_runs(runs, predicted(name))[0]))
+    head = ["scheme", *(f"{name}: {bound:g} {unit}" for name, (bound, unit) in REQUIRED.items())]
+    number = lambda cost: "" if cost is None else f"{cost:.0f}"
+    return table(head, [[scheme, *(number(cost_at(curve[name], REQUIRED[name][0])) for name in REQUIRED)] for scheme, curve in curves.items()])
+
+
+def markdown(lines):
+    points = by_point(lines)
+    of = lambda chosen: {p: runs for p, runs in points.items() if chosen(p)}
+    parts = []
+    if energy := of(lambda p: p.ensemble == "constant energy"):
+        parts += ["### Constant energy\n", constant_energy(energy), "### Force evaluations per ps for a required bias\n", costs(energy)]
+    if canonical := of(lambda p: p.ensemble not in ("constant energy", "constant pressure")):
+        parts += ["### Constant temperature\n", controlled(canonical)]
+    if pressure := of(lambda p: p.ensemble == "constant pressure"):
+        parts += ["### Constant pressure\n", densities(pressure)]
+        if len({p.temperature for p in pressure}) > 3:
+            parts += ["### Temperature of maximum density\n", maxima(pressure)]
+    return "\n".join(parts)

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "step_bias_report.hpp"
+
+#include <fmt/core.h>
+
+#include "polhode/io/quantity.hpp"
+#include "polhode/io/with_error.hpp"
+
+namespace polhode::cli {
+namespace {
+
+/// "name -0.12 ± 0.01 unit, without it 3.45 unit"
+/// @param unit  of the text, in internal units
+void print_line(const char* name, const SeriesEstimate& bias, double mean, double unit,
+                const char* unit_text, int decimals) {
+  const std::string size = bias.known == Known::yes
+                               ? with_error(bias.value / unit, bias.error / unit)
+                               : fmt::format("{:.2g} (error not known)", bias.value / unit);
+  fmt::print("  {:<20}{} {}, without it {:.{}f} {}\n", name, size, unit_text,
+             (mean - bias.value) / unit, decimals, unit_text);
+}
+
+}  // namespace
+
+void print_step_bias(const RunSummary& s) {
+  if (!s.step_bias) return;
+  const StepBias& bias = *s.step_bias;
+  const auto molecules = static_cast<double>(s.molecules);
+  const DegreesOfFreedom& n = s.degrees_of_freedom;
+  fmt::print("bias of the step\n");
+  print_line("potential energy", bias.potential, s.potential * molecules, molecules,
+             "kJ/mol per molecule", 4);
+  print_line("pressure", bias.pressure, s.pressure.value, unit("bar", Dimension::pressure), "bar",
+             1);
+  if (s.ensemble.barostat)
+    print_line("volume", bias.volume, s.ensemble.barostat->volume.value, 1, "nm³", 4);
+  print_line("T of translation", bias.translation, s.temperatures.translation, 1, "K", 2);
+  const double rotations = n.all() - n.translation;
+  if (rotations == 0) return;
+  double rotation = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    rotation += s.temperatures.rotation[k] * n.rotation[k] / rotations;
+  print_line("T of rotation", bias.rotation, rotation, 1, "K", 2);
+  print_line("their difference", bias.difference, rotation - s.temperatures.translation, 1, "K", 2);
+}
+
+}  // namespace polhode::cli

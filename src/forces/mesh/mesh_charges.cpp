@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/forces/mesh/mesh_charges.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "polhode/forces/pairs/pair_table.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t slots_at_once = 4 * slot_block;  // placed per task
+
+/// Slabs of at least order − 1 planes; several of four, so that a few threads share them evenly.
+std::size_t number_of_slabs(const MeshSettings& settings) {
+  constexpr std::size_t max_slabs = 64;
+  const std::size_t thin =
+      std::min(settings.points[2] / static_cast<std::size_t>(settings.order - 1), max_slabs);
+  return thin < 4 ? thin : thin / 4 * 4;
+}
+
+}  // namespace
+
+template <class T>
+MeshCharges<T>::MeshCharges(const Topology& topology, const MeshSettings& settings)
+    : settings_(settings), slabs_(number_of_slabs(settings)), slab_end_(slabs_) {
+  for (const auto& part : topology.parts) {
+    const InteractionSites sites(part.molecule);
+    parts_.emplace_back();
+    for (std::size_t k = 0; k < sites.charged; ++k) parts_.back().push_back(sites.sites[k].charge);
+  }
+  for (std::size_t z = 0; z < settings.points[2]; ++z)
+    slab_of_.push_back(static_cast<std::uint8_t>(z * slabs_ / settings.points[2]));
+}
+
+template <class T>
+void MeshCharges<T>::make_blocks(const Slots& slots) {
+  std::size_t charges = 0;
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (parts_[p].empty()) continue;
+    const Slots::Part& part = slots.parts[p];
+    for (std::size_t first = part.first; first < part.end(); first += slots_at_once) {
+      const std::size_t end = std::min<std::size_t>(part.end(), first + slots_at_once);
+      blocks_.push_back({p, first, end, numbers_});
+      numbers_ += (end - first + slot_block - 1) / slot_block * slot_block * parts_[p].size();
+      charges += (end - first) * parts_[p].size();
+    }
+  }
+  records_ = Column<T>(numbers_ * ChargeRecord::stride);
+  plane_.resize(numbers_);
+  next_.resize(blocks_.size() * slabs_);
+  order_.resize(charges);
+}
+
+/// Calls visit(number) for the charges of a block.
+template <class T>
+template <class Visit>
+void MeshCharges<T>::each_charge(const Block& block, const Visit& visit) const {
+  std::size_t number = block.charge;
+  for (std::size_t first = block.first; first < block.end; first += slot_block)
+    for (std::size_t site = 0; site < parts_[block.part].size(); ++site, number += slot_block)
+      for (std::size_t k = 0; k < std::min(slot_block, block.end - first); ++k) visit(number + k);
+}
+
+template <class T>
+void MeshCharges<T>::place(const Slots& slots, const SiteRecords<T>& records,
+                           const SiteRecords<T>* displacements, const Box& box, Workers& workers) {
+  if (blocks_.empty()) make_blocks(slots);
+  if (displacements && moves_.size() == 0) moves_ = records_;
+  const auto place_charges =
+      POLHODE_CURRENT_OVERLOAD(place_charges, void (*)(const PlaceChargesJob<T>&));
+  workers.each(blocks_.size(), [&](std::size_t b) {
+    const Block& block = blocks_[b];
+    place_charges({box,
+                   records,
+                   {parts_[block.part], block.first, block.end},
+                   settings_.points,
+                   &records_[block.charge * ChargeRecord::stride],
+                   &plane_[block.charge],
+                   displacements,
+                   displacements ? &moves_[block.charge * ChargeRecord::stride] : nullptr});
+    std::uint32_t* const count = &next_[b * slabs_];
+    std::fill_n(count, slabs_, 0);
+    each_charge(block,
+                [&](std::size_t n) { ++count[slab_of_[static_cast<std::size_t>(plane_[n])]]; });
+  });
+  std::uint32_t at = 0;
+  for (std::size_t slab = 0; slab < slabs_; ++slab) {
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      const std::uint32_t count = std::exchange(next_[b * slabs_ + slab], at);
+      at += count;
+    }
+    slab_end_[slab] = at;
+  }
+  workers.each(blocks_.size(), [&](std::size_t b) {
+    std::uint32_t* const next = &next_[b * slabs_];
+    each_charge(blocks_[b], [&](std::size_t n) {
+      order_[next[slab_of_[static_cast<std::size_t>(plane_[n])]]++] = static_cast<std::uint32_t>(n);
+    });
+  });
+}
+
+template <class T>
+std::span<const std::uint32_t> MeshCharges<T>::in_slab(std::size_t slab) const {
+  const std::size_t first = slab == 0 ? 0 : slab_end_[slab - 1];
+  return {&order_[first], slab_end_[slab] - first};
+}
+
+template class MeshCharges<double>;
+template class MeshCharges<float>;
+
+}  // namespace polhode

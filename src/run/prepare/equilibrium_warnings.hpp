@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What shows that a preparation has not reached equilibrium.
+#pragma once
+
+#include <optional>
+
+#include "polhode/measure/correlated_series.hpp"
+#include "polhode/model/ensemble_settings.hpp"
+#include "polhode/run/simulation/warnings.hpp"
+
+namespace polhode {
+
+/// A volume that still changes by more than half a percent.
+std::optional<Warning> density_warning(const Drift& slope, double length, double volume);
+
+/// A mean pressure from which the density will still change by more than half a percent.
+std::optional<Warning> pressure_warning(const SeriesEstimate& pressure,
+                                        const BarostatSettings& barostat);
+
+}  // namespace polhode

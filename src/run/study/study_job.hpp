@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// A study from its settings to its files: the parts that do not depend on what it measures.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "polhode/run/outputs.hpp"
+#include "polhode/run/simulation/system_notes.hpp"
+#include "polhode/run/study/study_report.hpp"
+
+namespace polhode {
+
+/// A kind of study has types Run, with its initial configuration `start`, Record and Report, and
+///     title                                      what it is called in notes
+///     identity(config, system)                   of its record
+///     read(stream, path)                         all runs of any such record
+///     perform(config, known, keep, callbacks, workers)
+///     table_of(report), figure_of(report)
+///     plot(prefix, figure, format, warnings)
+/// and, as an object with the settings `config`,
+///     points()                                   their number
+///     check(system)                              throws Error
+///     note(callbacks)                            before the notes on molecules and forces
+///     report(system, runs)
+template <class Study>
+class StudyJob {
+ public:
+  using Run = typename Study::Run;
+  using Report = typename Study::Report;
+
+  /// @param prefix  of the output files
+  /// @throws Error  if a setting does not fit
+  StudyJob(const Study& study, const std::string& prefix, const OutputOptions& options,
+           const Callbacks& callbacks)
+      : study_(study),
+        files_(checked(prefix)),
+        system_(build_system(study.config)),
+        existing_(options.existing),
+        callbacks_(callbacks),
+        made_(provenance(options.command, Study::identity(study.config, system_),
+                         study.config.system.seed)) {
+    study_.check(system_);
+  }
+
+  /// Performs the runs that the record does not have yet.
+  Report run(Workers& workers) const {
+    const OutputLock lock(files_.prefix + "-study.lock", callbacks_);
+    // Results of a resumed study are overwritten; those of another one are not.
+    if (!std::filesystem::exists(files_.runs)) check_outputs(files_.all(), existing_);
+    typename Study::Record record(files_.runs, made_, existing_ == ExistingFiles::replace);
+    std::vector<Run> runs = record.known();
+    note_begin(workers.threads());
+    if (!runs.empty()) note_known(runs, files_.runs);
+    const auto keep = [&](const Run& run) {
+      record.add(run);
+      runs.push_back(run);
+    };
+    Study::perform(study_.config, record.known(), keep, callbacks_, workers);
+    Report report = report_of(runs);
+    report.files = report.points.empty() ? std::vector{files_.runs} : files_.all();
+    report.interrupted = callbacks_.stopped();
+    return report;
+  }
+
+  /// The report of an existing record.
+  Report from(const std::string& record) const {
+    std::ifstream in(record, std::ios::binary);
+    if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
+    const std::vector<Run> runs = Study::read(in, record);
+    check_outputs(files_.tables(), existing_);
+    note_known(runs, record);
+    Report report = report_of(runs);
+    if (!report.points.empty()) report.files = files_.tables();
+    return report;
+  }
+
+ private:
+  static const std::string& checked(const std::string& prefix) {
+    check_prefix(prefix);
+    return prefix;
+  }
+
+  void note_begin(int threads) const {
+    const StudySettings& settings = study_.config.study;
+    callbacks_.note(fmt::format(
+        "polhode {}: {} of {} molecules, {} points of {} runs of {:g} ps, instruction set {}, "
+        "threads {}",
+        made_.version, Study::title, system_.topology.size(), study_.points(), settings.runs,
+        settings.length, made_.instruction_set, threads));
+    study_.note(callbacks_);
+    note_molecules(system_, callbacks_);
+    note_forces(system_, callbacks_);
+  }
+
+  void note_known(const std::vector<Run>& runs, const std::string& path) const {
+    callbacks_.note(fmt::format("{} runs are read from {}", runs.size(), path));
+  }
+
+  /// The report of the runs that count, in its files: points are compared, so all have the same
+  /// initial configurations, even if the record has more.
+  Report report_of(const std::vector<Run>& runs) const {
+    std::vector<Run> counted;
+    for (const Run& run : runs)
+      if (run.start < study_.config.study.runs) counted.push_back(run);
+    if (counted.size() < runs.size())
+      callbacks_.note(
+          fmt::format("the tables use the first {} initial configurations; {} runs from later ones "
+                      "are left out",
+                      study_.config.study.runs, runs.size() - counted.size()));
+    Report report = study_.report(system_, counted);
+    // A study without a complete run has nothing to tabulate; what an earlier one wrote stays.
+    if (!report.points.empty()) write(report);
+    return report;
+  }
+
+  void write(const Report& report) const {
+    write_file(files_.points,
+               [&](std::ostream& out) { write_csv(out, Study::table_of(report), made_); });
+    write_file(files_.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
+    pass_messages(callbacks_, [&](std::ostream& warnings) {
+      for (const char* format : {"svg", "png"})
+        Study::plot(files_.prefix, Study::figure_of(report), format, warnings);
+    });
+  }
+
+  const Study& study_;
+  StudyFiles files_;
+  System system_;
+  ExistingFiles existing_;
+  const Callbacks& callbacks_;
+  Provenance made_;
+};
+
+}  // namespace polhode
