@@ -5,6 +5,16 @@
 #include <cmath>
 
 namespace polhode {
+namespace {
+
+double power(double x, int n) {
+  double product = 1;
+  for (; n > 0; n /= 2, x *= x)
+    if (n % 2 == 1) product *= x;
+  return product;
+}
+
+}  // namespace
 
 Influence::Influence(const MeshSettings& settings, const Box& box)
     : split_(settings.cutoff, settings.exponent), volume_(box.volume()) {
@@ -16,10 +26,12 @@ Influence::Influence(const MeshSettings& settings, const Box& box)
       const double signed_n = static_cast<double>(n) - (2 * n > settings.points[d] ? points : 0);
       Wave wave{2 * units::pi * signed_n / box.edge[d], {}, 0, 0};
       const int next = signed_n > 0 ? -1 : 1;
+      const double sine =
+          std::sin(units::pi * signed_n / points);  // of all aliases, but for the sign
       for (int l = -aliases; l <= aliases; ++l) {
         const double m = signed_n + l * points, angle = units::pi * m / points;
         const double k = 2 * units::pi * m / box.edge[d];
-        const double share = m == 0 ? 1 : std::pow(std::sin(angle) / angle, 2 * settings.order);
+        const double share = m == 0 ? 1 : power(sine / angle, 2 * settings.order);
         if (l == 0) wave.near[0] = {k, share};
         if (l == next) wave.near[1] = {k, share};
         wave.all += share;

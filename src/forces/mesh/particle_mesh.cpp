@@ -92,9 +92,10 @@ ParticleMesh<T>::~ParticleMesh() = default;
 
 template <class T>
 void ParticleMesh<T>::set_box(const Box& box) {
-  box_ = box;
   has_potential_ = false;
-  make_influence();
+  if (factors_.box == box) return;
+  std::swap(factors_, earlier_);
+  if (factors_.box != box) factors_ = factors_of(box);
 }
 
 /// Lays out the grid again if the instruction set has changed.
@@ -104,25 +105,26 @@ void ParticleMesh<T>::use_tiles() {
   field_ = std::make_unique<Field>(settings_);
   derivative_.reset();
   has_potential_ = false;
-  make_influence();
+  earlier_ = {};
+  factors_ = factors_of(factors_.box);
 }
 
 template <class T>
-void ParticleMesh<T>::make_influence() {
-  const Influence influence(settings_, box_);
+typename ParticleMesh<T>::Factors ParticleMesh<T>::factors_of(const Box& box) {
+  Factors factors{box, {}, {}, {}};
+  const Influence influence(settings_, box);
   const auto [nx, ny, nz] = settings_.points;
   for (std::size_t d = 0; d < 3; ++d) {
-    axes_[d] = {};
     for (std::size_t n = 0; n < settings_.points[d]; ++n) {
-      axes_[d].k.push_back(influence.k(d, n));
-      axes_[d].odd.push_back(2 * n == settings_.points[d] ? 0 : influence.k(d, n));
+      factors.axes[d].k.push_back(influence.k(d, n));
+      factors.axes[d].odd.push_back(2 * n == settings_.points[d] ? 0 : influence.k(d, n));
     }
   }
   const MeshModes<T>& modes = field_->modes;
   const std::size_t half_y = ny / 2 + 1, pack = modes.tile.size();
   loads_.resize(modes.columns());
-  influence_ = slope_ = Column<T>(modes.columns() * half_y * pack);
-  const InfluenceTable table(influence, settings_.points, box_, workers_);
+  factors.influence = factors.slope = Column<T>(modes.columns() * half_y * pack);
+  const InfluenceTable table(influence, settings_.points, box, workers_);
   workers_.each(modes.columns(), [&](std::size_t column) {
     for (std::size_t lane = 0; lane < pack; ++lane) {
       const auto [x, z] = modes.wave(column, lane);
@@ -130,11 +132,12 @@ void ParticleMesh<T>::make_influence() {
       for (std::size_t y = 0; y < half_y; ++y) {
         const InfluenceValue value = table({x, y, z});
         const std::size_t at = (column * half_y + y) * pack + lane;
-        influence_[at] = static_cast<T>(value.factor);
-        slope_[at] = static_cast<T>(value.slope);
+        factors.influence[at] = static_cast<T>(value.factor);
+        factors.slope[at] = static_cast<T>(value.slope);
       }
     }
   });
+  return factors;
 }
 
 template <class T>
@@ -155,7 +158,7 @@ void ParticleMesh<T>::spread(const Slots& slots, const SiteRecords<T>& records) 
 template <class T>
 void ParticleMesh<T>::spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
                                 const SiteRecords<T>* displacements) {
-  charges_.place(slots, records, displacements, box_, workers_);
+  charges_.place(slots, records, displacements, factors_.box, workers_);
   MeshGrid<T>& grid = field.grid;
   workers_.each(grid.rows(),
                 [&](std::size_t y) { std::fill_n(&grid.values[y * grid.row], grid.row, T{}); });
@@ -205,8 +208,8 @@ void ParticleMesh<T>::convolve_column(Field& field, std::size_t column, bool ene
   const std::size_t at = column * (ny / 2 + 1) * pack;
   ModeSums sums;
   POLHODE_CURRENT_OVERLOAD(convolve, void (*)(const ConvolveJob<T>&, ModeSums*))
-  ({plans_->y, &modes.values[column * modes.column], ny, &influence_[at], &slope_[at],
-    axes_[1].k.data(), axes_[1].odd.data()},
+  ({plans_->y, &modes.values[column * modes.column], ny, &factors_.influence[at],
+    &factors_.slope[at], factors_.axes[1].k.data(), factors_.axes[1].odd.data()},
    energies ? &sums : nullptr);
   if (!energies) return;
   MeshLoad load;
@@ -218,8 +221,8 @@ void ParticleMesh<T>::convolve_column(Field& field, std::size_t column, bool ene
     const double half = z == 0 || 2 * z == settings_.points[2] ? 0.5 : 1;
     const double energy = half * sums.energy[lane], slope = half * sums.slope[lane],
                  slope_y = half * sums.slope_y[lane];
-    const double kx = axes_[0].k[x], kz = axes_[2].k[z], odd_x = axes_[0].odd[x],
-                 odd_z = axes_[2].odd[z];
+    const double kx = factors_.axes[0].k[x], kz = factors_.axes[2].k[z],
+                 odd_x = factors_.axes[0].odd[x], odd_z = factors_.axes[2].odd[z];
     load.energy += energy;
     virial[0].x += energy + slope * kx * kx;
     virial[1].y += energy + half * sums.slope_yy[lane];
@@ -252,7 +255,7 @@ Mat3<double> ParticleMesh<T>::gather(const Slots& slots, const SiteRecords<T>& r
   const auto gather_forces = POLHODE_CURRENT_OVERLOAD(gather_forces, void (*)(const GatherJob<T>&));
   arms_.assign(arms ? blocks(slots.size(), slot_block) : 0, {});
   each_charged_block(slots, [&](std::size_t block, const MeshBodies& bodies) {
-    gather_forces({box_, records, bodies, settings_.order, field_->grid, sums,
+    gather_forces({factors_.box, records, bodies, settings_.order, field_->grid, sums,
                    arms ? &arms_[block] : nullptr});
   });
   Mat3<double> total{};
@@ -274,9 +277,10 @@ void ParticleMesh<T>::derivative(const Slots& slots, const SiteRecords<T>& recor
   const auto gather_derivative =
       POLHODE_CURRENT_OVERLOAD(gather_derivative, void (*)(const GatherDerivativeJob<T>&));
   each_charged_block(slots, [&](std::size_t, const MeshBodies& bodies) {
-    gather_derivative({{box_, records, bodies, settings_.order, field_->grid, sums, nullptr},
-                       displacements,
-                       derivative_->grid});
+    gather_derivative(
+        {{factors_.box, records, bodies, settings_.order, field_->grid, sums, nullptr},
+         displacements,
+         derivative_->grid});
   });
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cmath>
+#include <utility>
 
 #include "polhode/base/units.hpp"
 #include "polhode/forces/laws/smooth_polynomial.hpp"
@@ -65,8 +66,8 @@ class CompactSplit {
   /// derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
   TransformValue transform(double k) const {
     const double x = k * cutoff();
-    const int n = degree();
-    return {reduced_bessel(n, x), -x * x / (2 * n + 3) * reduced_bessel(n + 1, x)};
+    const auto [now, next] = reduced_bessel(degree(), x);
+    return {now, -x * x / (2 * degree() + 3) * next};
   }
   /// ∫ u dV over all space [nm²].
   double integral() const { return 2 * units::pi * cutoff() * cutoff() / (2 * degree() + 3); }
@@ -74,21 +75,24 @@ class CompactSplit {
  private:
   int degree() const { return static_cast<int>(polynomial_.degree()); }
 
+  struct ReducedBessel {
+    double now, next;  // of degrees n and n + 1
+  };
   // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, otherwise by upward
   // recurrence in n.
-  static double reduced_bessel(int n, double x) {
-    if (x < n + 1) {
-      double term = 1, sum = 1;
-      for (int k = 1; std::abs(term) > 1e-17 * std::abs(sum); ++k)
-        sum += term *= -x * x / (2.0 * k * (2 * n + 2 * k + 1));
-      return sum;
-    }
-    double before = std::cos(x), now = std::sin(x) / x;  // for n = −1 and 0
-    for (int k = 0; k < n; ++k) {
-      const double next = (2 * k + 3) * (2 * k + 1) * (now - before) / (x * x);
-      before = now, now = next;
-    }
-    return now;
+  static ReducedBessel reduced_bessel(int n, double x) {
+    if (x < n + 1) return {bessel_series(n, x), bessel_series(n + 1, x)};
+    const double inverse = 1 / (x * x);
+    double now = std::sin(x) / x, next = 3 * (now - std::cos(x)) * inverse;
+    for (int k = 1; k <= n; ++k)
+      now = std::exchange(next, (2 * k + 3) * (2 * k + 1) * (next - now) * inverse);
+    return {now, next};
+  }
+  static double bessel_series(int n, double x) {
+    double term = 1, sum = 1;
+    for (int k = 1; std::abs(term) > 1e-17 * std::abs(sum); ++k)
+      sum += term *= -x * x / (2.0 * k * (2 * n + 2 * k + 1));
+    return sum;
   }
 
   SmoothPolynomial polynomial_;

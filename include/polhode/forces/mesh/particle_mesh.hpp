@@ -76,8 +76,14 @@ class ParticleMesh {
     std::vector<double> k, odd;  // wave number; odd: the same, but 0 where k and −k are the same
                                  // wave
   };
+  // What depends on the box.
+  struct Factors {
+    Box box{};
+    std::array<Axis, 3> axes;
+    Column<T> influence, slope;  // for each column of coefficients, a pack for each k_y ≥ 0
+  };
   void use_tiles();
-  void make_influence();
+  Factors factors_of(const Box& box);
   // With displacements, spreads the derivative of the charges.
   void spread_on(Field& field, const Slots& slots, const SiteRecords<T>& records,
                  const SiteRecords<T>* displacements);
@@ -88,15 +94,13 @@ class ParticleMesh {
 
   Workers& workers_;
   MeshSettings settings_;
-  Box box_{};
   MeshCharges<T> charges_;
   std::unique_ptr<Plans> plans_;
   std::unique_ptr<Field> field_;
   std::unique_ptr<Field> derivative_;  // of the field; allocated when it is first requested
   bool has_potential_ = false;
-  std::array<Axis, 3> axes_;
-  // For each column of coefficients, a pack for each k_y ≥ 0.
-  Column<T> influence_, slope_;
+  Factors factors_;
+  Factors earlier_;  // of the box before: after a rejected move, a barostat returns to it
   std::vector<MeshLoad> loads_;     // of each column
   std::vector<Mat3<double>> arms_;  // of each task
 };
