@@ -22,41 +22,41 @@ set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
 
 set key outside top center horizontal maxcols 2
-set label 1 "TIP4P at 1 g/cm³; polhode 0.1.0 with avx512 on AMD EPYC" at screen 0.02, screen 0.03 left noenhanced textcolor rgb ink font small
+set label 1 "TIP4P, mixed precision, velocity Verlet; Intel(R) Xeon(R) Processor, 2026-11-23" at screen 0.02, screen 0.03 left noenhanced textcolor rgb ink font small
 set bmargin at screen 0.2
 set logscale x
 set format x "10^{%T}"
 set xrange [358.4:154829]
 set xlabel "number of waters"
-set ylabel "µs per molecule, one thread"
-set yrange [0:2.81084]
+set ylabel "µs per molecule and step, one thread"
+set yrange [0:1.57316]
 
 $curve0 << EOD
-512 0.4485
-4096 0.482045
-32768 0.513888
-110592 0.536046
+512 0.506647
+4096 0.526439
+32768 0.491567
+110592 0.548147
 EOD
 $curve1 << EOD
-512 1.12605
-4096 1.15199
-32768 1.29044
-110592 1.32493
+512 0.614142
+4096 0.604732
+32768 0.552717
+110592 0.602947
 EOD
 $curve2 << EOD
-512 0.847707
-4096 0.938752
-32768 0.985568
-110592 1.10665
+512 0.847363
+4096 0.887885
+32768 0.958985
+110592 1.14615
 EOD
 $curve3 << EOD
-512 1.89291
-4096 1.97656
-32768 2.18803
-110592 2.44421
+512 1.34982
+4096 1.35763
+32768 1.28818
+110592 1.36797
 EOD
 
-plot $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "a force evaluation, mixed", \
-  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 6 pointsize 0.9 title "a step of HOA2, mixed", \
-  $curve2 using 1:2 with linespoints linewidth 1.6 linecolor "#D55E00" pointtype 5 pointsize 0.9 title "a force evaluation, double", \
-  $curve3 using 1:2 with linespoints linewidth 1.6 linecolor "#D55E00" pointtype 4 pointsize 0.9 title "a step of HOA2, double"
+plot $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "reaction field, now", \
+  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 6 pointsize 0.9 title "reaction field, before", \
+  $curve2 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 9 pointsize 0.9 title "Ewald sum, now", \
+  $curve3 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 8 pointsize 0.9 title "Ewald sum, before"

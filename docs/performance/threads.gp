@@ -22,42 +22,42 @@ set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
 
 set key outside top center horizontal maxcols 2
-set label 1 "TIP4P at 1 g/cm³; polhode 0.1.0 with avx512 on AMD EPYC" at screen 0.02, screen 0.03 left noenhanced textcolor rgb ink font small
+set label 1 "TIP4P, mixed precision, velocity Verlet; Intel(R) Xeon(R) Processor, 2026-11-23" at screen 0.02, screen 0.03 left noenhanced textcolor rgb ink font small
 set bmargin at screen 0.2
 set logscale x
 set format x "10^{%T}"
 set xrange [358.4:154829]
 set xlabel "number of waters"
-set ylabel "speed-up by 2 threads"
-set yrange [0:2.34018]
+set ylabel "speed-up of a step by 2 threads"
+set yrange [0:2.28248]
 
 $curve0 << EOD
-512 1.86916
-4096 1.93603
-32768 1.55165
-110592 1.52858
+512 1.42999
+4096 1.69083
+32768 1.63716
+110592 1.98477
 EOD
 $curve1 << EOD
-512 1.75587
-4096 1.8582
-32768 1.88253
-110592 1.90988
+512 1.47703
+4096 1.71474
+32768 1.7303
+110592 1.92257
 EOD
 $curve2 << EOD
-512 1.89307
-4096 2.01579
-32768 1.468
-110592 1.67954
+512 1.34244
+4096 1.48304
+32768 1.67211
+110592 1.56345
 EOD
 $curve3 << EOD
-512 1.47895
-4096 1.87538
-32768 1.74591
-110592 2.03494
+512 1.5902
+4096 1.52735
+32768 1.67232
+110592 1.63995
 EOD
 
 plot 2 with lines linewidth 1 dashtype 3 linecolor rgb ink title "ideal", \
-  $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "a force evaluation, mixed", \
-  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 6 pointsize 0.9 title "a step of HOA2, mixed", \
-  $curve2 using 1:2 with linespoints linewidth 1.6 linecolor "#D55E00" pointtype 5 pointsize 0.9 title "a force evaluation, double", \
-  $curve3 using 1:2 with linespoints linewidth 1.6 linecolor "#D55E00" pointtype 4 pointsize 0.9 title "a step of HOA2, double"
+  $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "reaction field, now", \
+  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 6 pointsize 0.9 title "reaction field, before", \
+  $curve2 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 9 pointsize 0.9 title "Ewald sum, now", \
+  $curve3 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 8 pointsize 0.9 title "Ewald sum, before"
