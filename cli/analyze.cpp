@@ -39,6 +39,10 @@ Action analyze_verb(Command& command) {
   command.add_option("--run", o->run,
                      "run file of the trajectory, for its molecules and electrostatics");
   command.add_option(
+      "--energies", o->energies,
+      "energies file of the run, for the bias of the step in g(r) and the dielectric "
+      "constant; needs --run");
+  command.add_option(
       "--molecules", o->molecules,
       "instead of a run file: \"tip4p 512, na-tip4p-ew 4\", in the order of the file");
   command.add_option("--names", o->names, "coordinate file with the names of the atoms");

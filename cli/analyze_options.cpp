@@ -130,6 +130,14 @@ SummarySettings summary_settings(const AnalyzeOptions& o, const std::optional<Co
   return s;
 }
 
+StepErrorSettings step_errors(const std::string& energies, const std::optional<Config>& config) {
+  if (!config)
+    throw Error(
+        "--energies is for the bias of the step, which depends on what the run held constant; give "
+        "--run water.toml");
+  return {energies, known_fixed_means(*config)};
+}
+
 }  // namespace
 
 AnalysisInput analysis_input(const AnalyzeOptions& o) {
@@ -143,6 +151,7 @@ AnalysisInput analysis_input(const AnalyzeOptions& o) {
   if (!o.run.empty()) config = read_config(o.run);
   Topology topology = config ? build_topology(config->system) : molecules_option(o.molecules);
   AnalysisSettings settings = analysis_settings(o, topology);
+  if (!o.energies.empty()) settings.step_errors = step_errors(o.energies, config);
   return {.trajectory = o.trajectory,
           .names = o.names,
           .topology = std::move(topology),
@@ -157,6 +166,7 @@ AnalysisInput analysis_input(const AnalyzeOptions& o) {
 std::string analyze_command(const AnalyzeOptions& o) {
   return typed_command("polhode analyze", {{"", o.trajectory},
                                            {"--run", o.run},
+                                           {"--energies", o.energies},
                                            {"--molecules", o.molecules},
                                            {"--names", o.names},
                                            {"--what", o.what},

@@ -9,8 +9,8 @@
 namespace polhode::cli {
 
 struct AnalyzeOptions {
-  std::string trajectory, run, molecules, names, what, output = AnalysisInput{}.prefix,
-                                                       plot = AnalysisInput{}.plot;
+  std::string trajectory, run, energies, molecules, names, what, output = AnalysisInput{}.prefix,
+                                                                 plot = AnalysisInput{}.plot;
   std::string from, interval, window, fit, pairs, cutoff, bin, viscosity, temperature,
       electrostatics, threads;
   bool force = false, json = false;

@@ -36,6 +36,28 @@ void print_peak(const SitePair& sites, const std::optional<RadialDistribution::P
   fmt::print("\n");
 }
 
+std::string bias_size(const SeriesEstimate& bias) {
+  return bias.known == Known::yes ? with_error(bias.value, bias.error)
+                                  : fmt::format("{:.2g} (error not known)", bias.value);
+}
+
+/// "-0.0123 ± 0.0004, without it 2.912"
+std::string bias_text(const SeriesEstimate& bias, double value, int digits) {
+  return fmt::format("{}, without it {:.{}f}", bias_size(bias), value - bias.value, digits);
+}
+
+void print_peak_bias(const RadialDistribution::Peak& bias, const RadialDistribution::Peak& peak) {
+  fmt::print("  bias of the step    height {}; position {} nm\n",
+             bias_text(bias.height, peak.height.value, 4),
+             bias_text(bias.position, peak.position.value, 5));
+}
+
+void print_dielectric_bias(const SeriesEstimate& bias, const TotalDipole::Result& dielectric) {
+  fmt::print("  bias of the step    {}\n", dielectric.convergence.converged()
+                                               ? bias_text(bias, dielectric.constant.value, 2)
+                                               : bias_size(bias));
+}
+
 void print_part(const PartSummary& part, const AnalysisSummary& s) {
   if (part.diffusion && !part.diffusion_convergence.converged()) {
     fmt::print("D of {:<17}{}\n", part.molecule,
@@ -81,7 +103,10 @@ void print_analysis(const AnalysisReport& report) {
   if (a.has_velocities)
     fmt::print("temperature           {} K, of the velocities\n",
                text(a.conditions->temperature(), 2));
-  for (std::size_t k = 0; k < s.peaks.size(); ++k) print_peak(a.pairs[k], s.peaks[k]);
+  for (std::size_t k = 0; k < s.peaks.size(); ++k) {
+    print_peak(a.pairs[k], s.peaks[k]);
+    if (a.fixed && s.peaks_bias[k]) print_peak_bias(*s.peaks_bias[k], *s.peaks[k]);
+  }
   for (const PartSummary& part : s.parts) print_part(part, s);
   if (const auto& d = s.dielectric; d && !d->convergence.converged())
     fmt::print("dielectric constant   {}; |<M>| is {:.2f} of the rms M\n",
@@ -89,6 +114,7 @@ void print_analysis(const AnalysisReport& report) {
   else if (d)
     fmt::print("dielectric constant   {}; Kirkwood factor {}; |<M>| is {:.2f} of the rms M\n",
                text(d->constant, 2), text(d->kirkwood, 2), d->mean_over_rms);
+  if (s.dielectric_bias) print_dielectric_bias(s.dielectric_bias->constant, *s.dielectric);
   print_files(report.files);
 }
 

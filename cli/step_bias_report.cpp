@@ -3,6 +3,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/with_error.hpp"
 
@@ -20,21 +22,10 @@ void print_line(const char* name, const SeriesEstimate& bias, double mean, doubl
              (mean - bias.value) / unit, decimals, unit_text);
 }
 
-}  // namespace
-
-void print_step_bias(const RunSummary& s) {
-  if (!s.step_bias) return;
+/// Of all axes; nothing without degrees of freedom.
+void print_rotation(const RunSummary& s) {
   const StepBias& bias = *s.step_bias;
-  const auto molecules = static_cast<double>(s.molecules);
   const DegreesOfFreedom& n = s.degrees_of_freedom;
-  fmt::print("bias of the step\n");
-  print_line("potential energy", bias.potential, s.potential * molecules, molecules,
-             "kJ/mol per molecule", 4);
-  print_line("pressure", bias.pressure, s.pressure.value, unit("bar", Dimension::pressure), "bar",
-             1);
-  if (s.ensemble.barostat)
-    print_line("volume", bias.volume, s.ensemble.barostat->volume.value, 1, "nm³", 4);
-  print_line("T of translation", bias.translation, s.temperatures.translation, 1, "K", 2);
   const double rotations = n.all() - n.translation;
   if (rotations == 0) return;
   double rotation = 0;
@@ -42,6 +33,31 @@ void print_step_bias(const RunSummary& s) {
     rotation += s.temperatures.rotation[k] * n.rotation[k] / rotations;
   print_line("T of rotation", bias.rotation, rotation, 1, "K", 2);
   print_line("their difference", bias.difference, rotation - s.temperatures.translation, 1, "K", 2);
+}
+
+}  // namespace
+
+void print_step_bias(const RunSummary& s) {
+  if (!s.step_bias) return;
+  const StepBias& bias = *s.step_bias;
+  const auto molecules = static_cast<double>(s.molecules);
+  fmt::print("bias of the step\n");
+  print_line("potential energy", bias.potential, s.potential * molecules, molecules,
+             "kJ/mol per molecule", 4);
+  print_line("pressure", bias.pressure, s.pressure.value, unit("bar", Dimension::pressure), "bar",
+             1);
+  if (const auto& barostat = s.ensemble.barostat) {
+    print_line("volume", bias.volume, barostat->volume.value, 1, "nm³", 4);
+    print_line("compressibility", bias.compressibility, barostat->compressibility.value,
+               1e-6 * unit("1/bar", Dimension::compressibility), "1e-6/bar", 2);
+  }
+  print_line("T of translation", bias.translation, s.temperatures.translation, 1, "K", 2);
+  print_rotation(s);
+  static constexpr std::array names{"T_conf, translation", "T_conf, axis 1", "T_conf, axis 2",
+                                    "T_conf, axis 3"};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (const auto& known = s.configurational_bias[k])
+      print_line(names[k], *known, s.configurational[k]->value, 1, "K", 2);
 }
 
 }  // namespace polhode::cli

@@ -172,18 +172,3 @@ def costs(points):
     head = ["scheme", *(f"{name}: {bound:g} {unit}" for name, (bound, unit) in REQUIRED.items())]
     number = lambda cost: "" if cost is None else f"{cost:.0f}"
     return table(head, [[scheme, *(number(cost_at(curve[name], REQUIRED[name][0])) for name in REQUIRED)] for scheme, curve in curves.items()])
-
-
-def markdown(lines):
-    points = by_point(lines)
-    of = lambda chosen: {p: runs for p, runs in points.items() if chosen(p)}
-    parts = []
-    if energy := of(lambda p: p.ensemble == "constant energy"):
-        parts += ["### Constant energy\n", constant_energy(energy), "### Force evaluations per ps for a required bias\n", costs(energy)]
-    if canonical := of(lambda p: p.ensemble not in ("constant energy", "constant pressure")):
-        parts += ["### Constant temperature\n", controlled(canonical)]
-    if pressure := of(lambda p: p.ensemble == "constant pressure"):
-        parts += ["### Constant pressure\n", densities(pressure)]
-        if len({p.temperature for p in pressure}) > 3:
-            parts += ["### Temperature of maximum density\n", maxima(pressure)]
-    return "\n".join(parts)

@@ -109,12 +109,72 @@ void GrowingTable::check() {
   if (!out_) throw RunError("'" + path_ + "' could not be written completely; is the disk full?");
 }
 
+namespace {
+
+/// Refuses a line of a table.
+[[noreturn]] void refuse_line(const std::string& path, std::size_t number,
+                              const std::string& what) {
+  throw Error(what, fmt::format("{}:{}", path, number));
+}
+
+void check_head(const std::string& path, std::size_t number, const std::string& line,
+                const std::vector<Table::Column>& columns) {
+  if (const std::string head = head_of(columns); line != head)
+    refuse_line(path, number,
+                fmt::format("the table has the columns '{}' and must have '{}'", line, head));
+}
+
+/// The numbers of a line.
+void read_row(const std::string& path, std::size_t number, const std::string& line,
+              std::size_t columns, std::vector<double>& row) {
+  row.clear();
+  for (const char *at = line.data(), *const end = at + line.size(); at <= end; ++at) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    const auto [next, status] = std::from_chars(at, end, value);
+    if (next != end && *next != ',')
+      refuse_line(path, number, fmt::format("'{}' is not a row of numbers", line));
+    row.push_back(value);
+    at = next;
+  }
+  if (row.size() != columns)
+    refuse_line(path, number,
+                fmt::format("the row has {} numbers and must have {}", row.size(), columns));
+}
+
+}  // namespace
+
+TableReader::TableReader(const std::string& path, const std::vector<Table::Column>& columns)
+    : path_(path), in_(path, std::ios::binary), columns_(columns.size()) {
+  std::string line;
+  if (!in_ || !std::getline(in_, line))
+    throw Error(fmt::format("'{}' cannot be read ({}); check its name and permissions", path,
+                            in_.is_open() ? "it is empty" : std::strerror(errno)));
+  ++line_;
+  if (line == head_of({columns.begin(), columns.end() - 1}))
+    --columns_;
+  else
+    check_head(path, line_, line, columns);
+}
+
+bool TableReader::next(std::vector<double>& row) {
+  std::string line;
+  do {
+    if (!std::getline(in_, line)) return false;
+    ++line_;
+  } while (line.starts_with('#'));
+  if (in_.eof())
+    refuse_line(path_, line_,
+                "the last row has no end of line, so it may be incomplete; remove it, or let the "
+                "run that writes it end");
+  read_row(path_, line_, line, columns_, row);
+  return true;
+}
+
 void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,
               const std::function<void(std::span<const double>)>& visit) {
   check_length(path, bytes);
   std::ifstream in(path, std::ios::binary);
-  const std::string head = head_of(columns);
   std::string line;
   std::vector<double> row;
   bool started = false;
@@ -124,25 +184,12 @@ void each_row(const std::string& path, std::uint64_t bytes,
       throw Error("'" + path + "' cannot be read; check its permissions");
     read += line.size() + 1;
     if (line.starts_with('#')) continue;
-    const auto refuse = [&](const std::string& what) {
-      throw Error(what, fmt::format("{}:{}", path, number));
-    };
     if (!started) {
-      if (line != head)
-        refuse(fmt::format("the table has the columns '{}' and must have '{}'", line, head));
+      check_head(path, number, line, columns);
       started = true;
       continue;
     }
-    row.clear();
-    for (const char *at = line.data(), *const end = at + line.size(); at <= end; ++at) {
-      double value = std::numeric_limits<double>::quiet_NaN();
-      const auto [next, status] = std::from_chars(at, end, value);
-      if (next != end && *next != ',') refuse(fmt::format("'{}' is not a row of numbers", line));
-      row.push_back(value);
-      at = next;
-    }
-    if (row.size() != columns.size())
-      refuse(fmt::format("the row has {} numbers and must have {}", row.size(), columns.size()));
+    read_row(path, number, line, columns.size(), row);
     visit(row);
   }
   if (read != bytes)

@@ -41,24 +41,44 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 
 namespace {
 constexpr std::size_t motions = std::tuple_size_v<ByMotion<double>>;
+
+/// The temperature of a motion, from the means of its squared force and its curvature [K].
+StepResponse::Function temperature_of(std::size_t motion) {
+  return [motion](std::span<const double> mean) {
+    return mean[motion] / (units::boltzmann * mean[motions + motion]);
+  };
 }
 
-void ConfigurationalStatistics::add(const ConfigurationalSample& sample) {
+/// Of each motion that feels forces: those without have no curvature.
+template <class Of>
+ByMotion<std::optional<SeriesEstimate>> of_motions(const TimeBlocks& blocks, const Of& of) {
+  const std::vector<double> mean = blocks.means().mean();
+  ByMotion<std::optional<SeriesEstimate>> all;
+  for (std::size_t k = 0; k < motions && !mean.empty(); ++k)
+    if (mean[motions + k] != 0) all[k] = of(temperature_of(k));
+  return all;
+}
+}  // namespace
+
+void ConfigurationalStatistics::add(const ConfigurationalSample& sample,
+                                    const std::optional<StepError>& error) {
   std::array<double, 2 * motions> both;
   for (std::size_t k = 0; k < motions; ++k)
     both[k] = sample.squared_force[k], both[motions + k] = sample.curvature[k];
   blocks.add(both);
+  if (error) response.add(*error, both);
 }
 
 ByMotion<std::optional<SeriesEstimate>> ConfigurationalStatistics::temperatures() const {
   const BlockMeans means = blocks.means();
-  ByMotion<std::optional<SeriesEstimate>> temperatures;
-  for (std::size_t k = 0; k < motions && !means.empty(); ++k)
-    if (means.mean()[motions + k] != 0)
-      temperatures[k] = series_estimate(means, [k](std::span<const double> mean) {
-        return mean[k] / (units::boltzmann * mean[motions + k]);
-      });
-  return temperatures;
+  return of_motions(blocks, [&](const auto& T) { return series_estimate(means, T); });
+}
+
+ByMotion<std::optional<SeriesEstimate>> ConfigurationalStatistics::step_bias(
+    double degrees_of_freedom, FixedMeans fixed) const {
+  if (response.blocks.blocks.empty()) return {};
+  return of_motions(blocks,
+                    [&](const auto& T) { return response.bias(degrees_of_freedom, fixed, T); });
 }
 
 std::optional<ByMotion<double>> ConfigurationalStatistics::values() const {

@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-enum Mean : std::size_t { Mx, My, Mz, M2, volume };
+enum Mean : std::size_t { Mx, My, Mz, M2, volume, kinetic };
 
 double variance(std::span<const double> mean) {
   return mean[M2] - norm2(Vec3<double>{mean[Mx], mean[My], mean[Mz]});
@@ -37,13 +37,15 @@ TotalDipole::TotalDipole(const Topology& topology) {
   }
 }
 
-void TotalDipole::add(const State& state) {
+void TotalDipole::add(const State& state, const std::optional<StepError>& error) {
   Vec3<double> M{};
   std::size_t i = 0;
   for (std::size_t part = 0; part < count_.size(); ++part)
     for (const std::size_t end = i + count_[part]; i < end; ++i)
       M += to_lab(state.attitude[i], dipole_[part]);
-  blocks_.add(std::array{M.x, M.y, M.z, norm2(M), state.box.volume()});
+  const double V = state.box.volume();
+  blocks_.add(std::array{M.x, M.y, M.z, norm2(M), V});
+  if (error) response_.add(*error, std::array{M.x, M.y, M.z, norm2(M), V, error->kinetic});
 }
 
 TotalDipole::Result TotalDipole::result(double temperature, double surroundings_permittivity,
@@ -76,6 +78,19 @@ TotalDipole::Result TotalDipole::result(double temperature, double surroundings_
     result.frames.push_back(frames += block.weight);
   }
   return result;
+}
+
+TotalDipole::StepBias TotalDipole::step_bias(std::optional<double> given, double surroundings,
+                                             double degrees_of_freedom, FixedMeans fixed) const {
+  const auto of = [&](const StepResponse::Function& f) {
+    return response_.bias(degrees_of_freedom, fixed, f);
+  };
+  return {of([&](std::span<const double> mean) {
+            const double T =
+                given.value_or(polhode::temperature(mean[kinetic], degrees_of_freedom));
+            return permittivity(mean, T, surroundings);
+          }),
+          of([&](std::span<const double> mean) { return variance(mean) / squares_; })};
 }
 
 }  // namespace polhode

@@ -240,7 +240,8 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
   }
 }
 
-void RadialDistribution::add(const State& state, Workers& workers) {
+void RadialDistribution::add(const State& state, Workers& workers,
+                             const std::optional<StepError>& error) {
   const Vec3<double> edge = state.box.edge, half = edge / 2.0;
   // A cutoff of half an edge is accepted if the edge was rounded in a text file.
   if (cutoff_ > state.box.shortest_edge() / 2 * (1 + 1e-6))
@@ -281,6 +282,7 @@ void RadialDistribution::add(const State& state, Workers& workers) {
   for (double& count : sample) count *= volume;
   sample.back() = volume;
   blocks_.add(sample);
+  if (error) response_.add(*error, sample);
 }
 
 double RadialDistribution::shell(std::size_t bin) const {
@@ -331,7 +333,18 @@ double RadialDistribution::neighbours_within(std::size_t pair, double bins,
 
 std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size_t pair) const {
   const BlockMeans means = blocks_.means();
-  const std::vector<double> g = smoothed(curve(pair, means.mean()));
+  return first_peak(pair, [&](const auto& f) { return series_estimate(means, f); });
+}
+
+std::optional<RadialDistribution::Peak> RadialDistribution::first_peak_bias(
+    std::size_t pair, double degrees_of_freedom, FixedMeans fixed) const {
+  return first_peak(pair,
+                    [&](const auto& f) { return response_.bias(degrees_of_freedom, fixed, f); });
+}
+
+std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(
+    std::size_t pair, const Estimate& estimate) const {
+  const std::vector<double> g = smoothed(curve(pair, blocks_.means().mean()));
   // Not a number in all bins if no two molecules have such sites.
   if (g.size() < 2 || !(*std::max_element(g.begin(), g.end()) > 0)) return std::nullopt;
   const std::ptrdiff_t summit = first_summit(g);
@@ -341,15 +354,15 @@ std::optional<RadialDistribution::Peak> RadialDistribution::first_peak(std::size
   const auto top = [&, bins = about_summit(g, summit)](Mean mean) {
     return maximum(curve(pair, mean), bins, 1);
   };
-  Peak peak{series_estimate(means, [&](Mean mean) { return (top(mean).position + 0.5) * width_; }),
-            series_estimate(means, [&](Mean mean) { return top(mean).height; }), std::nullopt};
+  Peak peak{estimate([&](Mean mean) { return (top(mean).position + 0.5) * width_; }),
+            estimate([&](Mean mean) { return top(mean).height; }), std::nullopt};
   const std::optional<Bins> bins = about_minimum(g, summit);
   if (!bins) return peak;
   const auto end = [&](Mean mean) { return maximum(curve(pair, mean), *bins, -1).position + 0.5; };
   const SeriesEstimate around_first =
-      series_estimate(means, [&](Mean mean) { return neighbours_within(pair, end(mean), mean); });
+      estimate([&](Mean mean) { return neighbours_within(pair, end(mean), mean); });
   const double ratio = sites_of_first_[pair] / sites_of_second_[pair];
-  peak.shell = {series_estimate(means, [&](Mean mean) { return end(mean) * width_; }),
+  peak.shell = {estimate([&](Mean mean) { return end(mean) * width_; }),
                 around_first,
                 {around_first.value * ratio, around_first.error * ratio, around_first.known}};
   return peak;

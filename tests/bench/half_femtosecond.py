@@ -12,6 +12,7 @@ import built_program
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench/half_femtosecond"))
 
 import points  # noqa: E402
+import properties  # noqa: E402
 import study  # noqa: E402
 import tables  # noqa: E402
 
@@ -39,29 +40,38 @@ class Tables(unittest.TestCase):
         self.assertAlmostEqual(tables.density_bias(run), -0.5)
 
 
+    def test_slope_of_a_weighted_line(self):
+        value, error = properties.slope([(0.98, 3 - 0.04, 0.1), (1, 3, 0.1), (1.02, 3 + 0.04, 0.1)])
+        self.assertAlmostEqual(value, 2)
+        self.assertAlmostEqual(error, 0.1 / (2 * 0.02**2) ** 0.5)
+        self.assertAlmostEqual(properties.slope([(0, 0, 1), (1, 5, 1), (2, 100, 1e9)])[0], 5)
+
+
 class Record(unittest.TestCase):
     def test_runs_that_are_recorded_are_not_repeated(self):
         class Options:
-            quick, groups, jobs, runs, polhode = True, ["quick"], 2, 1, built_program.PROGRAM
+            quick, groups, jobs, runs, polhode = True, ["quick", "canonical", "friction", "properties", "density"], 2, 1, built_program.PROGRAM
 
         water = ("spce", 298.15, 0.998)
         some = [points.Point("quick", *water, "constant energy", "velocity-verlet", 4, 1),
-                points.Point("quick", *water, "rescaling", "velocity-verlet", 4, 1),
-                points.Point("quick", *water, "constant pressure", "velocity-verlet", 4, 1)]
+                points.Point("canonical", *water, "rescaling", "velocity-verlet", 4, 1),
+                points.Point("friction", *water, points.langevin(20), "baoab", 4, 1),
+                points.Point("properties", *water, "constant energy", "velocity-verlet", 4, 1),
+                points.Point("density", *water, "constant pressure", "velocity-verlet", 4, 1)]
         every, points.points = points.points, lambda quick: some
         self.addCleanup(setattr, points, "points", every)
         with tempfile.TemporaryDirectory() as folder:
             Options.record = Path(folder) / "record.jsonl"
             study.complete(Options, study.known(Options.record))
             first = Options.record.read_text(encoding="utf-8")
-            self.assertEqual(len(first.splitlines()), 3)
+            self.assertEqual(len(first.splitlines()), 5)
             Options.runs = 2
             study.complete(Options, study.known(Options.record))
             both = Options.record.read_text(encoding="utf-8")
             self.assertTrue(both.startswith(first))
-            self.assertEqual(len(both.splitlines()), 6)
-            text = tables.markdown(study.known(Options.record).values())
-        for word in ("Constant energy", "Constant temperature", "Constant pressure", "| velocity-verlet | 4 | 250 |"):
+            self.assertEqual(len(both.splitlines()), 10)
+            text = study.report(study.known(Options.record).values())
+        for word in ("Constant energy", "Constant temperature", "Friction", "Structure", "Density", "| velocity-verlet | 4 | 250 |", "| baoab | 4 | 20/ps |"):
             self.assertIn(word, text)
 
 

@@ -12,10 +12,36 @@ WATERS = edited(SMALL, ('{ model = "argon", count = 27 }', '{ model = "tip4p", c
                 ('plot = "none"', 'plot = "none"\ntrajectory_every = "8 fs"\nformats = ["gro"]'))
 
 
+LONG = edited(WATERS, ("tip4p", "spce"), ('box = "2.5 nm"', 'box = "2 nm"\nseed = 1'), ('cutoff = "1.0 nm"', 'cutoff = "0.9 nm"\nelectrostatics = "reaction-field"'),
+              ('step = "2 fs"', 'step = "4 fs"'), ('[run]\nlength = "0.2 ps"', '[run]\nequilibrate = "1 ps"\nlength = "1.2 ps"\nsample = "4 fs"'),
+              ('"8 fs"\nformats = ["gro"]', '"20 fs"\nformats = ["xyz"]'))
+
+
+def mean(values):
+    values = list(values)
+    return sum(values) / len(values)
+
+
+def dipoles(lines):
+    """(time, M [e nm]) of each frame of SPC/E waters."""
+    charge = {"O": -0.8476, "H": 0.4238}
+    while lines:
+        count = int(lines[0])
+        time = float(lines[1].split("Time=")[1].split()[0])
+        atoms = [line.split() for line in lines[2:2 + count]]
+        yield round(time, 6), [sum(charge[atom[0]] * float(atom[1 + k]) / 10 for atom in atoms) for k in range(3)]
+        lines = lines[2 + count:]
+
+
 class Analyze(Sandbox):
     def setUp(self):
         super().setUp()
         self.done("run", WATERS)
+
+    def done_analysis(self, *options):
+        process = self.polhode("analyze", *options)
+        self.assertEqual(process.returncode, 0, process.err)
+        return process
 
     def analyze(self, *options):
         return self.polhode("analyze", "out-trajectory.gro", *options)
@@ -103,6 +129,67 @@ class Analyze(Sandbox):
                                "--pairs", "OW-na-tip4p-ew:Na, na-tip4p-ew:Na-tip4p:OW")
         self.assertEqual([pair["pair"] for pair in json.loads(process.out)["rdf"]],
                          [["OW", "na-tip4p-ew:Na"], ["na-tip4p-ew:Na", "tip4p:OW"]])
+
+    def test_bias_of_the_step(self):
+        """The covariances of M² and M with the total energy, computed from frames and energies."""
+        self.done("run", LONG, "--force")
+        options = ("out-trajectory.xyz", "--run", "run.toml", "--energies", "out-energies.csv", "--what", "dielectric,rdf", "--plot", "none", "--force",
+                   "--pairs", "OW-OW", "--cutoff", "0.7 nm")
+        report = json.loads(self.done_analysis(*options, "--json").out)
+        head, *rows = self.rows("out-energies.csv")
+        names = head.split(",")
+        energies = {round(float(row.split(",")[0]), 6): dict(zip(names, row.split(","))) for row in rows}
+        self.assertEqual(report["frames_with_step_error"], report["frames"])
+        moments = list(dipoles((self.folder / "out-trajectory.xyz").read_text().splitlines()))
+        self.assertEqual(len(moments), report["frames"])
+        E = [float(energies[time]["total [kJ/mol]"]) for time, M in moments]
+        K = [float(energies[time][f"kinetic_{kind} [kJ/mol]"]) for time, M in moments for kind in ("translation", "rotation")]
+        cov = lambda x: mean(a * b for a, b in zip(x, E)) - mean(x) * mean(E)
+        kT = 2 * 2 * mean(K) / (6 * 27 - 3)
+        along = [[M[k] for time, M in moments] for k in range(3)]
+        square = [sum(x * x for x in M) for time, M in moments]
+        shift = (cov(square) - 2 * sum(mean(x) * cov(x) for x in along)) / kT / (27 * (0.8476 * 0.057735896651553043)**2)
+        found = report["dielectric"]["step_bias"]["kirkwood"]
+        self.assertAlmostEqual(found["value"] / shift, 1, places=2)
+        self.assertGreater(found["error"], 0)
+        peak = report["rdf"][0]["step_bias"]
+        self.assertEqual(set(peak), {"peak_nm", "peak_height", "coordination"})
+        text = self.done_analysis(*options).out
+        self.assertRegex(text, r"bias of the step    height -?0\.\d+ .*, without it \d+\.\d+; position -?0\.\d+ .*, without it 0\.\d+ nm")
+
+    def test_energies_that_do_not_belong_to_the_frames(self):
+        self.done("run", edited(LONG, ("seed = 1", "seed = 2"), ('prefix = "out"', 'prefix = "other"')))
+        self.done("run", LONG, "--force")
+        options = ("out-trajectory.xyz", "--run", "run.toml", "--what", "rdf", "--plot", "none", "--force")
+        original = (self.folder / "out-energies.csv").read_text()
+        lines = original.splitlines()
+        cut = "\n".join(line for line in lines if not line.startswith("0.4,")) + "\n"
+        twice = "\n".join(line for l in lines for line in ([l, l.replace("0.4,", "0.4000001,", 1)] if l.startswith("0.4,") else [l])) + "\n"
+        larger = original.replace(",8\n", ",8.1\n")
+        for energies, said in (((self.folder / "other-energies.csv").read_text(), "kinetic energy"), (cut, "has no row at 0.4 ps"), (twice, "several rows at 0.4 ps"),
+                               (larger, "a volume of"), (original[:-5], "has no end of line"), ("time [ps]\n", "must have"), ("", "cannot be read")):
+            self.write("wrong.csv", energies)
+            process = self.polhode("analyze", *options, "--energies", "wrong.csv")
+            self.assertEqual(process.returncode, 2, (said, process.err))
+            self.assertIn(said, process.err)
+        process = self.polhode("analyze", "out-trajectory.xyz", "--molecules", "spce 27", "--energies", "out-energies.csv")
+        self.assertIn("--run water.toml", process.err)
+
+    def test_bias_of_the_step_with_thermostats(self):
+        """Known with one kind of thermostat, at frames that are samples of the shadow energy."""
+        for ensemble, shadow, said in (("rescaling", "20 fs", ""), ("rescaling", "80 fs", "from 11 of 41 frames"), ("rescaling", "0 fs", "no frame has a sample"),
+                                       ("langevin", "", "not that of a shadow energy")):
+            text = edited(LONG, ("[output]", (f'shadow_sample = "{shadow}"\n' if shadow else "") + f'[thermostat]\ntype = "{ensemble}"\n[output]'),
+                          ('length = "1.2 ps"', 'length = "0.8 ps"'))
+            self.done("run", text, "--force")
+            process = self.polhode("analyze", "out-trajectory.xyz", "--run", "run.toml", "--energies", "out-energies.csv", "--what", "rdf", "--plot", "none", "--force")
+            self.assertEqual(process.returncode, 2 if ensemble == "langevin" or shadow == "0 fs" else 0, process.err)
+            self.assertIn(said, process.err)
+        # The run file of constant energy with energies of a thermostat.
+        self.write("run.toml", text.replace('[thermostat]\ntype = "langevin"\n', ""))
+        process = self.polhode("analyze", "out-trajectory.xyz", "--run", "run.toml", "--energies", "out-energies.csv", "--what", "rdf", "--plot", "none", "--force")
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("as a thermostat makes it", process.err)
 
     def test_wrong_input(self):
         before = self.contents()

@@ -39,6 +39,7 @@ Trajectory trajectory(unsigned seed, const char* scheme, const EnsembleSettings&
   settings.sample = 0.02;
   run_trajectory(system, forces, settings);
   settings.length = 80;
+  settings.configurational_sample = 0.1;
   settings.shadow_sample =
       settings.has_shadow() && !ensemble.constant_energy() ? settings.sample : 0;
   return run_trajectory(system, forces, settings);
@@ -70,7 +71,7 @@ TEST_CASE("step bias: water has the predicted difference of temperatures") {
       .thermostat = ThermostatSettings{.kind = ThermostatKind::rescaling, .time_constant = 0.5}};
   for (const bool constant_energy : {true, false}) {
     CAPTURE(constant_energy);
-    std::array<double, runs> predicted, unexplained;
+    std::array<double, runs> predicted, unexplained, predicted_excess, unexplained_excess;
     for (unsigned run = 0; run < runs; ++run) {
       const Trajectory t = constant_energy
                                ? trajectory(run + 1, "velocity-verlet", {})
@@ -81,6 +82,16 @@ TEST_CASE("step bias: water has the predicted difference of temperatures") {
       predicted[run] = t.statistics.step_bias.bias(n, fixed).difference.value;
       unexplained[run] =
           (T.rotation[0] + T.rotation[1] + T.rotation[2]) / 3 - T.translation - predicted[run];
+      const StepBias kinetic = t.statistics.step_bias.bias(n, fixed);
+      const auto bias = t.statistics.configurational.step_bias(n.all(), fixed);
+      const auto configurational = t.statistics.configurational.temperatures();
+      predicted_excess[run] = unexplained_excess[run] = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double excess = bias[1 + k].value().value - kinetic.axes[k].value;
+        predicted_excess[run] += excess / 3;
+        unexplained_excess[run] +=
+            (configurational[1 + k].value().value - T.rotation[k] - excess) / 3;
+      }
     }
     const Mean bias = mean_of(predicted), rest = mean_of(unexplained);
     CAPTURE(bias.value);
@@ -90,6 +101,16 @@ TEST_CASE("step bias: water has the predicted difference of temperatures") {
     CHECK(std::abs(bias.value) > 10 * bias.error);
     CHECK(std::abs(bias.value) > 1.5 * likely * rest.error);  // no prediction would be noticed
     CHECK(std::abs(rest.value) < likely * rest.error + 0.05 * std::abs(bias.value));
+    // In positions rotation is hotter than in momenta: the configurational temperature, a ratio of
+    // averages, minus the kinetic one.
+    const Mean excess = mean_of(predicted_excess), other = mean_of(unexplained_excess);
+    CAPTURE(excess.value);
+    CAPTURE(excess.error);
+    CAPTURE(other.value);
+    CAPTURE(other.error);
+    CHECK(excess.value > 10 * excess.error);
+    CHECK(excess.value > 1.5 * likely * other.error);
+    CHECK(std::abs(other.value) < likely * other.error + 0.05 * excess.value);
   }
 }
 

@@ -51,6 +51,10 @@ Energies energies_of(const Modes& m, double scale = 1) {
           .volume = 1};
 }
 
+StepError error_of(double error, const Energies& e) {
+  return {error, e.total(), e.kinetic(), e.pressure, e.volume};
+}
+
 void check(const SeriesEstimate& found, double expected) {
   CAPTURE(found.value);
   CAPTURE(found.error);
@@ -78,7 +82,7 @@ TEST_CASE("step bias: harmonic modes at constant energy") {
   for (int n = 0; n < samples; ++n) {
     const Modes m = canonical(random);
     const double scale = shadow / (m.total() + m.error());  // onto the surface of constant H̃
-    statistics.add(energies_of(m, scale), -scale * m.total());
+    statistics.add(error_of(-scale * m.total(), energies_of(m, scale)), energies_of(m, scale));
   }
   const StepBias bias = statistics.bias(degrees, FixedMeans::energy);
   // Relative changes: −a of K and a/2 of V at one temperature, which is a quarter of the mean a
@@ -96,7 +100,7 @@ TEST_CASE("step bias: harmonic modes with a rescaling thermostat") {
   Random random(12);
   for (int n = 0; n < samples; ++n) {
     const Modes m = canonical(random);
-    statistics.add(energies_of(m), m.error());
+    statistics.add(error_of(m.error(), energies_of(m)), energies_of(m));
   }
   const StepBias bias = statistics.bias(degrees, FixedMeans::kinetic_energy);
   // The temperature is higher by the mean a, so that the kinetic energy is the same.
@@ -115,12 +119,12 @@ TEST_CASE("step bias: the volume takes up the bias of the pressure") {
     const double y = spread * random.normal(), v = std::sqrt(kT / stiffness) * random.normal();
     double kinetic = 0;
     for (int k = 0; k < modes; ++k) kinetic += kT / 2 * std::pow(random.normal(), 2);
-    statistics.add({.coulomb = stiffness * v * v / 2,
-                    .translation = kinetic,
-                    .rotation = {},
-                    .pressure = -stiffness * v + y,
-                    .volume = 10 + v},
-                   error * y);
+    const Energies now{.coulomb = stiffness * v * v / 2,
+                       .translation = kinetic,
+                       .rotation = {},
+                       .pressure = -stiffness * v + y,
+                       .volume = 10 + v};
+    statistics.add(error_of(error * y, now), now);
   }
   const DegreesOfFreedom translation{modes, {}};
   const double pressure = -error * spread * spread / kT;

@@ -79,6 +79,23 @@ class GrowingTable {
   TableMark mark_;
 };
 
+/// Reads a table of numbers row by row; empty fields are NaN. Numbers are read back exactly as they
+/// were written.
+class TableReader {
+ public:
+  /// @param columns  of which the last may be missing
+  /// @throws Error  if the file cannot be read, or has other columns
+  TableReader(const std::string& path, const std::vector<Table::Column>& columns);
+  /// False at the end of the file.
+  /// @throws Error  if a row is not complete
+  bool next(std::vector<double>& row);
+
+ private:
+  std::string path_;
+  std::ifstream in_;
+  std::size_t columns_, line_ = 0;
+};
+
 /// Calls visit(row) for the rows of numbers within the first bytes of a table. Numbers are read
 /// back exactly as they were written.
 /// @throws Error  if the file is shorter, has other columns, or contains an incomplete row

@@ -10,6 +10,7 @@
 #include "polhode/math/random.hpp"
 #include "polhode/measure/correlated_series.hpp"
 #include "polhode/measure/squared_force.hpp"
+#include "polhode/measure/step_response.hpp"
 
 namespace polhode {
 
@@ -29,11 +30,16 @@ ConfigurationalSample configurational_sample(const State& state, const Bodies& b
 /// Sums over samples along a trajectory, in blocks of time.
 struct ConfigurationalStatistics {
   TimeBlocks blocks;
+  StepResponse response;  ///< of the samples at which the error of the step is known
 
-  void add(const ConfigurationalSample& sample);
+  void add(const ConfigurationalSample& sample, const std::optional<StepError>& error = {});
   /// T = ⟨squared_force⟩/(k_B ⟨curvature⟩) of each kind of motion [jepps2000] [K], with its
   /// standard error; nothing without samples, nor for motions that feel no forces.
   ByMotion<std::optional<SeriesEstimate>> temperatures() const;
+  /// What the step changes in them [K], to leading order; nothing for the same motions, nor without
+  /// samples at which its error is known.
+  ByMotion<std::optional<SeriesEstimate>> step_bias(double degrees_of_freedom,
+                                                    FixedMeans fixed) const;
   /// Their values alone [K], 0 for motions without forces; nothing without samples.
   std::optional<ByMotion<double>> values() const;
 };

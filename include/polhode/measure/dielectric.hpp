@@ -3,9 +3,11 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include "polhode/measure/convergence.hpp"
+#include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -19,7 +21,8 @@ inline constexpr double tin_foil = std::numeric_limits<double>::infinity();
 class TotalDipole {
  public:
   explicit TotalDipole(const Topology& topology);
-  void add(const State& state);
+  /// @param error  of the step, at this state; nothing where it is not known
+  void add(const State& state, const std::optional<StepError>& error = {});
 
   struct Result {
     SeriesEstimate constant;  ///< ε
@@ -38,11 +41,22 @@ class TotalDipole {
   /// @param interval  between frames [ps]; 0: they have no times
   Result result(double temperature, double surroundings_permittivity, double interval = 1) const;
 
+  /// What the step changes in a result.
+  struct StepBias {
+    SeriesEstimate constant, kirkwood;
+  };
+  /// @param temperature  that of the result if it was given [K]; nothing: that of the samples,
+  /// which
+  ///                     the step changes as well
+  StepBias step_bias(std::optional<double> temperature, double surroundings_permittivity,
+                     double degrees_of_freedom, FixedMeans fixed) const;
+
  private:
   std::vector<Vec3<double>> dipole_;  // of each part, body frame
   std::vector<std::size_t> count_;
-  double squares_ = 0;  // Σ μ²
-  TimeBlocks blocks_;   // of M, M² and V
+  double squares_ = 0;     // Σ μ²
+  TimeBlocks blocks_;      // of M, M² and V
+  StepResponse response_;  // of these and the kinetic energy
 };
 
 }  // namespace polhode

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 
 #include "polhode/base/workers.hpp"
 #include "polhode/model/centre_of_mass.hpp"
@@ -24,6 +25,8 @@ struct Energies {
   /// Heat and work that the bodies have received from a thermostat, a barostat, and the draws and
   /// decisions of hybrid Monte Carlo since the start [kJ/mol].
   double exchanged = 0;
+  /// H̃ − H of the scheme [kJ/mol] at samples of the shadow energy; not a number at others.
+  double step_error = std::numeric_limits<double>::quiet_NaN();
 
   double potential() const { return van_der_waals + coulomb; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }

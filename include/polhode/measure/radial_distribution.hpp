@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/measure/correlated_series.hpp"
+#include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -43,8 +45,10 @@ class RadialDistribution {
   /// @throws Error  if a selection matches no site
   RadialDistribution(const Topology& topology, const RadialSettings& settings);
 
+  /// @param error  of the step, at this state; nothing where it is not known
   /// @throws Error  if the cutoff exceeds half an edge of the frame's box
-  void add(const State& state, Workers& workers = Workers::serial());
+  void add(const State& state, Workers& workers = Workers::serial(),
+           const std::optional<StepError>& error = {});
 
   std::size_t bins() const { return bins_; }
   double middle(std::size_t bin) const { return (static_cast<double>(bin) + 0.5) * width_; }
@@ -74,13 +78,19 @@ class RadialDistribution {
   /// between 1.2 and 1.5 times the peak position. None if g is 0 everywhere, or largest in the last
   /// bin.
   std::optional<Peak> first_peak(std::size_t pair) const;
+  /// What the step changes in each of its numbers, to leading order.
+  std::optional<Peak> first_peak_bias(std::size_t pair, double degrees_of_freedom,
+                                      FixedMeans fixed) const;
 
  private:
+  /// What is made of a number that is a function of the averages.
+  using Estimate = std::function<SeriesEstimate(const StepResponse::Function&)>;
   struct Count {
     std::size_t histogram;
     std::uint32_t times;
   };
 
+  std::optional<Peak> first_peak(std::size_t pair, const Estimate& estimate) const;
   double shell(std::size_t bin) const;
   std::vector<double> curve(std::size_t pair, std::span<const double> mean) const;
   std::vector<double> neighbours(std::size_t pair, std::span<const double> mean) const;
@@ -93,7 +103,8 @@ class RadialDistribution {
   std::vector<std::size_t> bodies_;                                        // of each part
   std::vector<std::vector<std::vector<Count>>> counts_;                    // [kind][kind]
   std::vector<double> pairs_of_sites_, sites_of_first_, sites_of_second_;  // of each pair
-  TimeBlocks blocks_;  // of counts times the volume, for all pairs, and of the volume
+  TimeBlocks blocks_;      // of counts times the volume, for all pairs, and of the volume
+  StepResponse response_;  // of the same
 };
 
 }  // namespace polhode

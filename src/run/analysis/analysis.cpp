@@ -79,6 +79,10 @@ class Assembly {
     result_.has_velocities = states.front().has_velocities;
     result_.conditions.emplace(result_.topology);
     result_.density = requested(Observable::density);
+    if (settings_.step_errors) {
+      result_.fixed = settings_.step_errors->fixed;
+      errors_.emplace(*settings_.step_errors, result_.topology);
+    }
     if (requested(Observable::rdf)) begin_radial();
     if (requested(Observable::dielectric)) begin_dipole();
     if (!(requested(Observable::msd) || requested(Observable::rotation) ||
@@ -117,8 +121,11 @@ class Assembly {
     if (timed()) check_time(state.time);
     result_.deviation = std::max(result_.deviation, fitted.deviation);
     result_.conditions->add(state, result_.has_velocities);
-    if (result_.radial) result_.radial->add(state, workers);
-    if (result_.dipole) result_.dipole->add(state);
+    std::optional<StepError> error;
+    if (errors_) error = errors_->at(state, fitted.has_velocities);
+    if (error) ++result_.frames_with_step_error;
+    if (result_.radial) result_.radial->add(state, workers, error);
+    if (result_.dipole) result_.dipole->add(state, error);
     if (result_.displacement) result_.displacement->add(state, workers);
     if (result_.reorientation) result_.reorientation->add(state, workers);
     if (result_.velocity) result_.velocity->add(state, workers);
@@ -127,6 +134,7 @@ class Assembly {
   }
 
   void end() {
+    if (errors_) check_step_errors();
     if (timed() && !settings_.interval)  // the mean interval has a smaller rounding error than the
                                          // first one
       result_.interval = (result_.last - result_.first) / static_cast<double>(result_.frames - 1);
@@ -171,6 +179,21 @@ class Assembly {
                       "wider ones",
                       settings_.bin, cutoff / settings_.bin, cutoff, max_bins));
     result_.radial.emplace(result_.topology, RadialSettings{result_.pairs, cutoff, settings_.bin});
+  }
+
+  void check_step_errors() {
+    const std::size_t known = result_.frames_with_step_error;
+    if (known == 0)
+      throw Error(fmt::format(
+          "no frame has a sample of the shadow energy in '{}', from which the bias of the step "
+          "follows with a thermostat; run with a scheme of order 2 and a shadow_sample equal to "
+          "trajectory_every, or leave the energies out",
+          settings_.step_errors->energies));
+    if (known < result_.frames)
+      result_.notes.push_back(fmt::format(
+          "the bias of the step is from {} of {} frames, those at samples of the shadow energy; a "
+          "shadow_sample equal to trajectory_every makes it all",
+          known, result_.frames));
   }
 
   // Sites of several kinds of molecules in one selection.
@@ -229,6 +252,7 @@ class Assembly {
 
   Analysis& result_;
   const AnalysisSettings& settings_;
+  std::optional<StepErrors> errors_;
 };
 
 }  // namespace

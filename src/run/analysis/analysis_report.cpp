@@ -105,6 +105,13 @@ nlohmann::json peak_json(const SitePair& sites,
       {"coordination_of_second", peak->shell ? pair(peak->shell->of_second) : nlohmann::json()}};
 }
 
+/// What the step changes in the numbers of a peak.
+nlohmann::json peak_bias_json(const RadialDistribution::Peak& bias) {
+  return {{"peak_nm", pair(bias.position)},
+          {"peak_height", pair(bias.height)},
+          {"coordination", bias.shell ? pair(bias.shell->coordination) : nlohmann::json()}};
+}
+
 nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {
   nlohmann::json one = {{"molecule", part.molecule}, {"count", part.count}};
   if (part.diffusion)
@@ -159,8 +166,11 @@ std::string analysis_json(const AnalysisReport& report) {
       {"notes", s.notes},
       {"density_g_per_cm3", pair(a.conditions->density(), 1 / units::gram_per_cm3)}};
   if (a.has_velocities) json["temperature_K"] = pair(a.conditions->temperature());
-  for (std::size_t k = 0; k < s.peaks.size(); ++k)
+  for (std::size_t k = 0; k < s.peaks.size(); ++k) {
     json["rdf"].push_back(peak_json(a.pairs[k], s.peaks[k]));
+    if (a.fixed && s.peaks_bias[k])
+      json["rdf"].back()["step_bias"] = peak_bias_json(*s.peaks_bias[k]);
+  }
   if (a.displacement)
     json["diffusion"] = {{"fit_ps", {s.fit.from, s.fit.to}},
                          {"viscosity_source", s.viscosity_source}};
@@ -172,6 +182,10 @@ std::string analysis_json(const AnalysisReport& report) {
     json["dielectric"] = {{"constant", converging(d->constant, d->convergence, dipole_relaxation)},
                           {"kirkwood", converging(d->kirkwood, d->convergence, dipole_relaxation)},
                           {"mean_over_rms_dipole", d->mean_over_rms}};
+  if (const auto& bias = s.dielectric_bias)
+    json["dielectric"]["step_bias"] = {{"constant", pair(bias->constant)},
+                                       {"kirkwood", pair(bias->kirkwood)}};
+  if (a.fixed) json["frames_with_step_error"] = a.frames_with_step_error;
   json["files"] = report.files;
   return json.dump(2);
 }

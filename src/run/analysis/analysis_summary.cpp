@@ -120,6 +120,16 @@ void find_dielectric(AnalysisSummary& s, const Analysis& a, const SummarySetting
         a.dipole->result(*s.temperature, *settings.surroundings_permittivity, a.mean_interval());
 }
 
+/// Of the same numbers.
+void find_step_bias(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
+  const double n = degrees_of_freedom(a.topology).all();
+  for (std::size_t k = 0; k < s.peaks.size(); ++k)
+    s.peaks_bias.push_back(a.radial->first_peak_bias(k, n, *a.fixed));
+  if (s.dielectric)
+    s.dielectric_bias =
+        a.dipole->step_bias(settings.temperature, *settings.surroundings_permittivity, n, *a.fixed);
+}
+
 }  // namespace
 
 std::string not_converged(const Convergence& c, const std::string& relaxation) {
@@ -165,6 +175,7 @@ AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& w
     s.parts.push_back(part_summary(a, part, s, settings, workers));
   if (a.displacement) find_correction(s, a, settings);
   if (a.dipole) find_dielectric(s, a, settings);
+  if (a.frames_with_step_error > 0) find_step_bias(s, a, settings);
   return s;
 }
 

@@ -102,11 +102,11 @@ void statistics(Archive& archive, Of& s) {
   counter(archive, s.shadow.samples);
   archive(s.shadow.first), archive(s.shadow.start);
   blocks(archive, s.shadow.blocks);
-  counter(archive, s.step_bias.samples);
-  energies(archive, s.step_bias.first);
-  archive(s.step_bias.first_error);
-  blocks(archive, s.step_bias.blocks);
   blocks(archive, s.configurational.blocks);
+  for (auto* response : {&s.step_bias.response, &s.configurational.response}) {
+    list(archive, response->first, [&](auto& x) { archive(x); });
+    blocks(archive, response->blocks);
+  }
   counter(archive, s.stretches.samples), counter(archive, s.stretches.stretches);
   for (auto& x : s.stretches.sums) archive(x);
   archive(s.stretches.mean), archive(s.stretches.squares);
@@ -217,17 +217,24 @@ bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
          });
 }
 
+/// The same of a response with its first sample, or an empty one.
+bool fit(const StepResponse& read, const StepResponse& fresh) {
+  return read.first.size() == (read.blocks.blocks.empty() ? 0 : fresh.first.size()) &&
+         fit(read.blocks, fresh.blocks);
+}
+
 bool fit(const TrajectoryStatistics& read) {
   TrajectoryStatistics fresh;
   fresh.energies.add({});
   fresh.shadow.add(0, 0);
-  fresh.step_bias.add({}, 0);
-  fresh.configurational.add({});
+  fresh.step_bias.add({}, {});
+  fresh.configurational.add({}, StepError{});
   return fit(read.energies.blocks, fresh.energies.blocks) &&
          fit(read.at_bath.blocks, fresh.energies.blocks) &&
          fit(read.shadow.blocks, fresh.shadow.blocks) &&
-         fit(read.step_bias.blocks, fresh.step_bias.blocks) &&
-         fit(read.configurational.blocks, fresh.configurational.blocks);
+         fit(read.configurational.blocks, fresh.configurational.blocks) &&
+         fit(read.step_bias.response, fresh.step_bias.response) &&
+         fit(read.configurational.response, fresh.configurational.response);
 }
 
 Checkpoint read_checkpoint_from(CheckpointReader in, const std::string& path) {

@@ -12,27 +12,30 @@
 namespace polhode {
 namespace {
 
-const std::vector<Table::Column>& columns() {
-  static const std::vector<Table::Column> all = {{"time", "ps"},
-                                                 {"total", "kJ/mol"},
-                                                 {"potential", "kJ/mol"},
-                                                 {"van_der_waals", "kJ/mol"},
-                                                 {"coulomb", "kJ/mol"},
-                                                 {"kinetic_translation", "kJ/mol"},
-                                                 {"kinetic_rotation", "kJ/mol"},
-                                                 {"temperature", "K"},
-                                                 {"pressure", "bar"},
-                                                 {"kinetic_rotation_1", "kJ/mol"},
-                                                 {"kinetic_rotation_2", "kJ/mol"},
-                                                 {"kinetic_rotation_3", "kJ/mol"},
-                                                 {"conserved", "kJ/mol"},
-                                                 {"volume", "nm3"}};
+/// The columns of a file, and the numbers of a row; the last only with step errors.
+std::vector<Table::Column> columns(bool step_errors) {
+  std::vector<Table::Column> all = {{"time", "ps"},
+                                    {"total", "kJ/mol"},
+                                    {"potential", "kJ/mol"},
+                                    {"van_der_waals", "kJ/mol"},
+                                    {"coulomb", "kJ/mol"},
+                                    {"kinetic_translation", "kJ/mol"},
+                                    {"kinetic_rotation", "kJ/mol"},
+                                    {"temperature", "K"},
+                                    {"pressure", "bar"},
+                                    {"kinetic_rotation_1", "kJ/mol"},
+                                    {"kinetic_rotation_2", "kJ/mol"},
+                                    {"kinetic_rotation_3", "kJ/mol"},
+                                    {"conserved", "kJ/mol"},
+                                    {"volume", "nm3"},
+                                    {"step_error", "kJ/mol"}};
+  if (!step_errors) all.pop_back();
   return all;
 }
 
 double bar() { return unit("bar", Dimension::pressure); }
 
-std::array<double, 14> row_of(const Energies& e, const DegreesOfFreedom& degrees_of_freedom) {
+std::array<double, 15> row_of(const Energies& e, const DegreesOfFreedom& degrees_of_freedom) {
   return {e.time,
           e.total(),
           e.potential(),
@@ -46,22 +49,28 @@ std::array<double, 14> row_of(const Energies& e, const DegreesOfFreedom& degrees
           e.rotation[1],
           e.rotation[2],
           e.conserved(),
-          e.volume};
+          e.volume,
+          e.step_error};
 }
 
 }  // namespace
 
-EnergyFile::EnergyFile(const std::string& path, const Topology& topology,
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
                        const Provenance& provenance)
-    : degrees_of_freedom_(degrees_of_freedom(topology)), table_(path, columns(), provenance) {}
-
-EnergyFile::EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark)
     : degrees_of_freedom_(degrees_of_freedom(topology)),
+      step_errors_(step_errors),
+      table_(path, columns(step_errors), provenance) {}
+
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+                       const FileMark& mark)
+    : degrees_of_freedom_(degrees_of_freedom(topology)),
+      step_errors_(step_errors),
       rows_(mark.frames),
       table_(path, TableMark{mark.bytes, mark.checksum}) {}
 
 void EnergyFile::add(const Energies& energies) {
-  table_.add(row_of(energies, degrees_of_freedom_));
+  const auto row = row_of(energies, degrees_of_freedom_);
+  table_.add(std::span(row).first(row.size() - (step_errors_ ? 0 : 1)));
   ++rows_;
 }
 
@@ -70,9 +79,25 @@ FileMark EnergyFile::mark() {
   return {rows_, bytes, checksum};
 }
 
-void check_energies(const std::string& path, const FileMark& mark) {
+EnergyReader::EnergyReader(const std::string& path) : table_(path, columns(true)) {}
+
+std::optional<EnergyRow> EnergyReader::next() {
+  if (!table_.next(row_)) return std::nullopt;
+  const std::vector<double>& x = row_;
+  Energies e{.time = x[0],
+             .van_der_waals = x[3],
+             .coulomb = x[4],
+             .translation = x[5],
+             .rotation = {x[9], x[10], x[11]},
+             .pressure = x[8] * bar(),
+             .volume = x[13],
+             .step_error = x.size() > 14 ? x[14] : Energies{}.step_error};
+  return EnergyRow{e, x[12]};
+}
+
+void check_energies(const std::string& path, bool step_errors, const FileMark& mark) {
   std::uint64_t rows = 0;
-  each_row(path, mark.bytes, columns(), [&](std::span<const double>) { ++rows; });
+  each_row(path, mark.bytes, columns(step_errors), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
     throw OutputError(fmt::format(
         "'{}' had {} rows when the checkpoint was written, and has {} in the same number of bytes, "

@@ -334,14 +334,14 @@ class Propagator::Impl {
 
   void sample(const Watch& watch) {
     clocks_->add_motion();
-    const Energies now = energies_now();
-    if (watch.sample) watch.sample(steps_, system_.state, now);
-    sample_configurational();
+    Energies now = energies_now();
     sample_shadow(now, watch);
+    if (watch.sample) watch.sample(steps_, system_.state, now);
+    const std::optional<StepError> error = error_of(now);
+    if (error) statistics_.step_bias.add(*error, now);
+    sample_configurational(error);
     statistics_.energies.add(now);
     sample_at_bath();
-    if (fixed_ == FixedMeans::energy)  // H̃ is constant: so its error is what the energy lacks
-      statistics_.step_bias.add(now, -now.total());
     if (settings_.stretch > 0)
       statistics_.stretches.add(now, statistics_.energies.first,
                                 settings_.samples_per(settings_.stretch));
@@ -379,21 +379,30 @@ class Propagator::Impl {
     statistics_.at_bath.add(energies(half, system_.bodies, last_load(), workers_));
   }
 
-  void sample_configurational() {
+  /// Nothing where it is not known.
+  std::optional<StepError> error_of(const Energies& now) const {
+    if (!fixed_) return std::nullopt;
+    const StepError error = step_error(now, *fixed_);
+    return std::isnan(error.error) ? std::nullopt : std::optional(error);
+  }
+
+  void sample_configurational(const std::optional<StepError>& error) {
     if (!due(settings_.configurational_sample)) return;
     constexpr std::uint64_t streams = std::uint64_t{1}
                                       << 32;  // initial configurations use those below it
     statistics_.configurational.add(
         configurational_sample(system_.state, system_.bodies, all_forces(),
-                               integrator_.whole.forces, Random(settings_.seed, streams + steps_)));
+                               integrator_.whole.forces, Random(settings_.seed, streams + steps_)),
+        error);
   }
 
-  void sample_shadow(const Energies& now, const Watch& watch) {
+  void sample_shadow(Energies& now, const Watch& watch) {
     if (!due(settings_.shadow_sample)) return;
     const BracketSample both{
         now, error_brackets(system_.state, system_.bodies, last_load(), integrator_.whole.forces)};
     const double shadow = shadow_energy(both, terms_, settings_.step);
-    if (fixed_ != FixedMeans::energy) return statistics_.step_bias.add(now, shadow - now.total());
+    now.step_error = shadow - now.total();
+    if (fixed_ != FixedMeans::energy) return;
     statistics_.shadow.add(now.time, shadow);
     if (watch.brackets) watch.brackets(both);
   }

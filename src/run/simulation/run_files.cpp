@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "polhode/io/checksum.hpp"
+#include "polhode/run/simulation/trajectory_settings.hpp"
 
 namespace polhode {
 namespace {
@@ -15,6 +16,11 @@ std::vector<FrameNumber> observables(const Energies& e) {
   return {{"potential_energy", "kJ mol-1", e.potential()},
           {"kinetic_energy", "kJ mol-1", e.kinetic()},
           {"total_energy", "kJ mol-1", e.total()}};
+}
+
+/// Whether the energies contain them: at constant energy they follow from the total energy.
+bool samples_step_errors(const TrajectorySettings& settings) {
+  return settings.shadow_sample > 0 && !settings.ensemble.constant_energy();
 }
 
 }  // namespace
@@ -48,6 +54,7 @@ RunFiles::RunFiles(const RunFileNames& names, const Topology& topology, const Co
       topology_(topology),
       choice_(config.output.choice()),
       provenance_(provenance),
+      step_errors_(samples_step_errors(trajectory_settings(config))),
       interval_(config.output.checkpoint_every),
       steps_per_frame_(static_cast<std::size_t>(
           std::max(1.0, config.output.trajectory_every / config.integrator.step + 1e-9))),
@@ -67,7 +74,7 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     check_crc64(names_.energies, 0, marks.energies.bytes, marks.energies.checksum);
     for (std::size_t k = 0; k < marks.frames.size(); ++k)
       check_frames(names_.trajectories[k], marks.frames[k]);
-    check_energies(names_.energies, marks.energies);
+    check_energies(names_.energies, step_errors_, marks.energies);
     reopen(marks);
   }
   // The intact one is now the newest: the damaged one must not become the previous one.
@@ -76,7 +83,7 @@ void RunFiles::resume(const FoundCheckpoint& from) {
 }
 
 void RunFiles::reopen(const OutputMarks& marks) try {
-  energies_.emplace(names_.energies, topology_, marks.energies);
+  energies_.emplace(names_.energies, topology_, step_errors_, marks.energies);
   for (std::size_t k = 0; k < marks.frames.size(); ++k)
     trajectories_.push_back(
         resume_frames(names_.trajectories[k], topology_, marks.frames[k], choice_));
@@ -86,7 +93,7 @@ void RunFiles::reopen(const OutputMarks& marks) try {
 }
 
 void RunFiles::begin() try {
-  energies_.emplace(names_.energies, topology_, provenance_);
+  energies_.emplace(names_.energies, topology_, step_errors_, provenance_);
   for (const std::string& path : names_.trajectories)
     trajectories_.push_back(create_frames(path, topology_, choice_));
 } catch (const Error& e) {  // a checkpoint exists: the run can be resumed when there is disk space

@@ -42,15 +42,21 @@ json estimate_json(const SeriesEstimate& e, double unit) {
 json step_bias_json(const RunSummary& s) {
   if (!s.step_bias) return {};
   const StepBias& bias = *s.step_bias;
-  json axes = json::array();
+  json axes = json::array(), configurational;
   for (const SeriesEstimate& axis : bias.axes) axes.push_back(estimate_json(axis, 1));
+  if (s.configurational_bias[0])
+    for (const auto& known : s.configurational_bias)
+      configurational.push_back(known ? estimate_json(*known, 1) : json());
   return {{"temperature_translation_K", estimate_json(bias.translation, 1)},
           {"temperature_rotation_all_K", estimate_json(bias.rotation, 1)},
           {"temperature_rotation_K", axes},
           {"rotation_minus_translation_K", estimate_json(bias.difference, 1)},
           {"potential_kJ_per_mol", estimate_json(bias.potential, static_cast<double>(s.molecules))},
           {"pressure_bar", estimate_json(bias.pressure, unit("bar", Dimension::pressure))},
-          {"volume_nm3", estimate_json(bias.volume, 1)}};
+          {"volume_nm3", estimate_json(bias.volume, 1)},
+          {"compressibility_per_bar",
+           estimate_json(bias.compressibility, unit("1/bar", Dimension::compressibility))},
+          {"temperature_configurational_K", configurational}};
 }
 
 json run_settings(const RunReport& r) {

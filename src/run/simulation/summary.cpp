@@ -57,8 +57,12 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
   const std::optional<FixedMeans> fixed = settings.fixed_means();
   if (fixed && s.potential_fluctuation > 0 &&
-      trajectory.statistics.step_bias.samples >= min_samples_reported)
-    s.step_bias = trajectory.statistics.step_bias.bias(s.degrees_of_freedom, *fixed);
+      trajectory.statistics.step_bias.response.samples() >= min_samples_reported) {
+    s.step_bias = trajectory.statistics.step_bias.bias(s.degrees_of_freedom, *fixed,
+                                                       settings.ensemble.temperature);
+    s.configurational_bias =
+        trajectory.statistics.configurational.step_bias(s.degrees_of_freedom.all(), *fixed);
+  }
   if (s.potential_fluctuation > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /
                  s.potential_fluctuation;

@@ -17,6 +17,7 @@
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/measure/reorientation.hpp"
 #include "polhode/measure/velocity_correlation.hpp"
+#include "polhode/run/analysis/step_errors.hpp"
 #include "polhode/run/callbacks.hpp"
 
 namespace polhode {
@@ -37,6 +38,8 @@ struct AnalysisSettings {
   std::optional<double> cutoff;    ///< of g(r); default: `default_rdf_cutoff`, at most half of the
                                    ///< shortest edge
   double bin = 0.002;              ///< of g(r) [nm]
+  std::optional<StepErrorSettings>
+      step_errors;  ///< for the bias of the step; nothing: not computed
 };
 
 /// The observables of the frames that were read; those not requested are empty.
@@ -60,6 +63,10 @@ struct Analysis {
   std::optional<Reorientation> reorientation;
   std::optional<VelocityCorrelation> velocity;
   std::optional<TotalDipole> dipole;
+
+  /// Frames at which the error of the step is known, and relative to what.
+  std::size_t frames_with_step_error = 0;
+  std::optional<FixedMeans> fixed;
 
   /// The interval, or the mean time between frames; 0 if they have no times [ps].
   double mean_interval() const;

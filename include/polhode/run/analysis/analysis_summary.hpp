@@ -58,6 +58,9 @@ struct AnalysisSummary {
   std::vector<PartSummary> parts;
   std::vector<std::optional<RadialDistribution::Peak>> peaks;  ///< one per pair; none: no peak
   std::optional<TotalDipole::Result> dielectric;
+  /// What the step changes in these, if its error is known at the frames.
+  std::vector<std::optional<RadialDistribution::Peak>> peaks_bias;
+  std::optional<TotalDipole::StepBias> dielectric_bias;
   std::vector<std::string> notes;  ///< those of the analysis, and what could not be computed
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,12 @@ namespace polhode {
 class EnergyFile {
  public:
   /// Creates the file, replacing an existing one.
-  EnergyFile(const std::string& path, const Topology& topology, const Provenance& provenance);
+  /// @param step_errors  whether it has a column for them
+  EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+             const Provenance& provenance);
   /// Resumes after the rows of a mark.
-  EnergyFile(const std::string& path, const Topology& topology, const FileMark& mark);
+  EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+             const FileMark& mark);
 
   /// Appends a row.
   /// @throws RunError  if the disk is full
@@ -28,12 +32,33 @@ class EnergyFile {
 
  private:
   DegreesOfFreedom degrees_of_freedom_;
+  bool step_errors_;
   std::uint64_t rows_ = 0;
   GrowingTable table_;
 };
 
+/// A row of such a file.
+struct EnergyRow {
+  Energies energies;
+  double conserved = 0;  ///< energy [kJ/mol]; heat and work are not among the columns
+};
+
+/// Reads such a file row by row, with or without step errors.
+class EnergyReader {
+ public:
+  /// @throws Error  if the file cannot be read, or has other columns
+  explicit EnergyReader(const std::string& path);
+  /// Nothing at the end of the file.
+  /// @throws Error  if a row is not complete
+  std::optional<EnergyRow> next();
+
+ private:
+  TableReader table_;
+  std::vector<double> row_;
+};
+
 /// Reads such a file up to a mark.
 /// @throws Error  if it is shorter, or holds anything else
-void check_energies(const std::string& path, const FileMark& mark);
+void check_energies(const std::string& path, bool step_errors, const FileMark& mark);
 
 }  // namespace polhode

@@ -64,6 +64,7 @@ class RunFiles {
   const Topology& topology_;
   FrameChoice choice_;
   Provenance provenance_;
+  bool step_errors_;
   double interval_;  // between checkpoints [s]
   std::size_t steps_per_frame_;
   bool others_;            // checkpoints of another run may exist

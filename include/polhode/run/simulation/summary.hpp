@@ -26,15 +26,16 @@ struct RunSummary {
   double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
   Drift drift;             ///< of the conserved energy [kJ/mol/ps]
-  std::optional<ShadowSummary> shadow;                      ///< if requested
-  std::optional<StepBias> step_bias;                        ///< nothing where it is not known
-  ByMotion<std::optional<SeriesEstimate>> configurational;  ///< temperatures [K], if requested
-  double potential = 0;                                     ///< mean per molecule [kJ/mol]
-  double total = 0;                                         ///< mean per molecule [kJ/mol]
-  SeriesEstimate pressure;                                  ///< mean [kJ/mol/nm³]
-  double momentum = 0;                                      ///< |Σ p| at the end [u nm/ps]
-  Temperatures temperatures;                                ///< means over the run [K]
-  SeriesEstimate temperature;                               ///< that of all motions [K]
+  std::optional<ShadowSummary> shadow;                           ///< if requested
+  std::optional<StepBias> step_bias;                             ///< nothing where it is not known
+  ByMotion<std::optional<SeriesEstimate>> configurational;       ///< temperatures [K], if requested
+  ByMotion<std::optional<SeriesEstimate>> configurational_bias;  ///< of the step in them [K]
+  double potential = 0;                                          ///< mean per molecule [kJ/mol]
+  double total = 0;                                              ///< mean per molecule [kJ/mol]
+  SeriesEstimate pressure;                                       ///< mean [kJ/mol/nm³]
+  double momentum = 0;                                           ///< |Σ p| at the end [u nm/ps]
+  Temperatures temperatures;                                     ///< means over the run [K]
+  SeriesEstimate temperature;                                    ///< that of all motions [K]
   /// The same where a bath within the steps acts; nothing without.
   std::optional<Temperatures> temperatures_at_bath;
   std::optional<SeriesEstimate> temperature_at_bath;

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The error of the step at the frames of a trajectory, from the energies file of its run.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "polhode/io/config.hpp"
+#include "polhode/measure/step_response.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+#include "polhode/run/simulation/energy_file.hpp"
+
+namespace polhode {
+
+/// Where it is found.
+struct StepErrorSettings {
+  std::string energies;  ///< file of the run
+  FixedMeans fixed = FixedMeans::energy;
+};
+
+/// @throws Error  with the reason, if the bias of the step is not known in the ensemble of a run
+FixedMeans known_fixed_means(const Config& config);
+
+/// A frame is written together with a row of the energies, and has its time: rows are read once, in
+/// step with the frames.
+class StepErrors {
+ public:
+  /// @throws Error  if the file cannot be read, or is no energies file
+  StepErrors(const StepErrorSettings& settings, const Topology& topology);
+
+  /// Of the sample that a frame belongs to; nothing if the error is not known there. Call it for
+  /// frames in the order of time.
+  /// @param has_velocities  whether the kinetic energy of the frame can be compared as well
+  /// @throws Error  if not exactly one row has the time of the frame, to within the rounding of
+  ///                times in files; or if volume, kinetic energy or ensemble are not those of the
+  ///                row, so that the file is of another run
+  std::optional<StepError> at(const State& frame, bool has_velocities);
+
+ private:
+  void check(const EnergyRow& row, const State& frame, bool has_velocities) const;
+
+  StepErrorSettings settings_;
+  Bodies bodies_;
+  EnergyReader rows_;
+  std::optional<EnergyRow> row_, next_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/measure/step_response.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace polhode {
+namespace {
+
+/// The sums of a sample: the factors, the averages, and the products of each factor with all
+/// averages. The kinetic energy and the pressure are averages that come before the others.
+constexpr std::size_t error = 0, total = 1, volume = 2, factors = 3;
+constexpr std::size_t kinetic = 0, pressure = 1, others = 2;
+
+/// What the step changes in each average, from the means of the sums.
+class Shifts {
+ public:
+  Shifts(std::span<const double> mean, const std::vector<double>& first, double degrees_of_freedom,
+         FixedMeans fixed)
+      : mean_(mean), averages_(first.size() - factors) {
+    const double K = first[factors + kinetic] + mean[factors + kinetic];
+    kT_ = 2 * K / degrees_of_freedom;
+    if (fixed != FixedMeans::energy) warmer_ = covariance(error, kinetic) / (kT_ * K);
+    if (fixed == FixedMeans::kinetic_energy_and_pressure) pressure_ = (*this)(pressure);
+  }
+
+  double operator()(std::size_t a) const {
+    return (-covariance(error, a) + warmer_ * covariance(total, a) +
+            pressure_ * covariance(volume, a)) /
+           kT_;
+  }
+
+ private:
+  double covariance(std::size_t factor, std::size_t a) const {
+    return mean_[factors + averages_ + factor * averages_ + a] - mean_[factor] * mean_[factors + a];
+  }
+
+  std::span<const double> mean_;
+  std::size_t averages_;
+  double kT_ = 0;
+  double warmer_ = 0;    // relative shift of the temperature, so that the kinetic energy has none
+  double pressure_ = 0;  // bias of the pressure at constant volume, which the volume takes up
+};
+
+/// The derivative of a function of averages along their shifts.
+double bias_at(std::span<const double> mean, const std::vector<double>& first, const Shifts& shifts,
+               const StepResponse::Function& f) {
+  std::vector<double> above, below;
+  for (std::size_t k = factors + others; k < first.size(); ++k) {
+    const double shift = shifts(k - factors);
+    above.push_back(first[k] + mean[k] + shift);
+    below.push_back(first[k] + mean[k] - shift);
+  }
+  return (f(above) - f(below)) / 2;
+}
+
+}  // namespace
+
+std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme) {
+  if (settings.hybrid_monte_carlo || scheme.bath_within()) return std::nullopt;
+  if (settings.constant_energy()) return FixedMeans::energy;
+  if (!settings.thermostat || settings.thermostat->kind != ThermostatKind::rescaling)
+    return std::nullopt;
+  return settings.barostat ? FixedMeans::kinetic_energy_and_pressure : FixedMeans::kinetic_energy;
+}
+
+StepError step_error(const Energies& now, FixedMeans fixed) {
+  return {fixed == FixedMeans::energy ? -now.total() : now.step_error, now.total(), now.kinetic(),
+          now.pressure, now.volume};
+}
+
+void StepResponse::add(const StepError& at, std::span<const double> quantities) {
+  std::vector<double> x{at.error, at.total, at.volume, at.kinetic, at.pressure};
+  x.insert(x.end(), quantities.begin(), quantities.end());
+  if (first.empty()) first = x;
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] -= first[k];
+  const std::size_t averages = x.size() - factors;
+  x.resize(x.size() + factors * averages);
+  for (std::size_t factor = 0; factor < factors; ++factor)
+    for (std::size_t a = 0; a < averages; ++a)
+      x[factors + averages + factor * averages + a] = x[factor] * x[factors + a];
+  blocks.add(x);
+}
+
+std::size_t StepResponse::samples() const {
+  return static_cast<std::size_t>(blocks.means().sum().weight);
+}
+
+SeriesEstimate StepResponse::bias(double degrees_of_freedom, FixedMeans fixed,
+                                  const Function& f) const {
+  return series_estimate(blocks.means(), [&](std::span<const double> mean) {
+    return bias_at(mean, first, Shifts(mean, first, degrees_of_freedom, fixed), f);
+  });
+}
+
+}  // namespace polhode

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/analysis/step_errors.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+
+namespace polhode {
+namespace {
+
+/// The rounding of times in files [ps]: six decimals in text, floats in binary formats.
+double rounding(double time) { return 0.6e-6 + 0x1p-22 * std::abs(time); }
+
+}  // namespace
+
+FixedMeans known_fixed_means(const Config& config) {
+  const EnsembleSettings& ensemble = config.ensemble;
+  if (const auto fixed = fixed_means(ensemble, nested_scheme_of(config.integrator.scheme).outer))
+    return *fixed;
+  if (ensemble.hybrid_monte_carlo)
+    throw Error("hybrid Monte Carlo has no bias of the step; leave the energies out");
+  throw Error(
+      "the bias of the step is known at constant energy and with a rescaling thermostat at the "
+      "ends of the steps: with others the distribution is not that of a shadow energy; leave the "
+      "energies out");
+}
+
+StepErrors::StepErrors(const StepErrorSettings& settings, const Topology& topology)
+    : settings_(settings), bodies_(topology), rows_(settings.energies) {
+  next_ = rows_.next();
+}
+
+std::optional<StepError> StepErrors::at(const State& frame, bool has_velocities) {
+  const double first = frame.time - rounding(frame.time), last = frame.time + rounding(frame.time);
+  if (row_ && row_->energies.time > last)
+    throw Error(
+        fmt::format("the frame at {:.9g} ps is earlier than the one before it; give a "
+                    "trajectory in the order of time",
+                    frame.time));
+  while (next_ && next_->energies.time <= last) {
+    if (next_->energies.time >= first && row_ && row_->energies.time >= first)
+      throw Error(fmt::format(
+          "'{}' has several rows at {:.9g} ps to within the rounding of times in files, so it is "
+          "not known which of them the frame belongs to; use a longer interval between energies",
+          settings_.energies, frame.time));
+    row_ = next_;
+    next_ = rows_.next();
+  }
+  if (!row_ || row_->energies.time < first)
+    throw Error(
+        fmt::format("'{}' has no row at {:.9g} ps, the time of a frame; give the energies of the "
+                    "run that wrote the trajectory",
+                    settings_.energies, frame.time));
+  check(*row_, frame, has_velocities);
+  const StepError error = step_error(row_->energies, settings_.fixed);
+  return std::isnan(error.error) ? std::nullopt : std::optional(error);
+}
+
+void StepErrors::check(const EnergyRow& row, const State& frame, bool has_velocities) const {
+  const auto refuse = [&](const char* what, double here, double there, const char* unit) {
+    throw Error(
+        fmt::format("the frame at {:.9g} ps has a {} of {:.6g} {}, and its row of '{}' has "
+                    "{:.6g} {}; give the energies of the run that wrote the trajectory",
+                    frame.time, what, here, unit, settings_.energies, there, unit));
+  };
+  const Energies& e = row.energies;
+  constexpr double of_volume = 1e-4;  // edges have five digits at least
+  const double volume = frame.box.volume();
+  if (!(std::abs(volume - e.volume) <= of_volume * e.volume))
+    refuse("volume", volume, e.volume, "nm3");
+  if (settings_.fixed == FixedMeans::energy && row.conserved != e.total())
+    throw Error(
+        fmt::format("'{}' has another conserved energy than the total energy at {:.9g} ps, as a "
+                    "thermostat makes it, and the run file has constant energy; give the run file "
+                    "with the thermostat",
+                    settings_.energies, e.time));
+  if (!has_velocities) return;
+  // Positions rounded to 0.001 nm change the rotational energy of a molecule by a few per cent.
+  const double of_kinetic = 0.01 + 0.05 / std::sqrt(static_cast<double>(frame.size()));
+  const double kinetic = energies(frame, bodies_, Load{}).kinetic();
+  if (!(std::abs(kinetic - e.kinetic()) <= of_kinetic * e.kinetic()))
+    refuse("kinetic energy", kinetic, e.kinetic(), "kJ/mol");
+}
+
+}  // namespace polhode
