@@ -6,7 +6,6 @@ The run at constant energy begins from the last state of another one, whose velo
 the mean one at the temperature. Runs are kept in --folder; what is there already is not run again."""
 
 import argparse
-import csv
 import json
 import sys
 from math import sqrt
@@ -17,8 +16,10 @@ from typing import NamedTuple
 import numpy as np
 from slopes import BOLTZMANN
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
+for folder in ("", "liquids"):
+    sys.path.append(str(Path(__file__).resolve().parents[1] / folder))
 import machine  # noqa: E402
+import waters  # noqa: E402
 
 TEMPERATURE = 300  # [K]
 SKIPPED = 10  # at the beginning of each run [ps]
@@ -88,9 +89,8 @@ def trajectory(o, method, start, seed, length, equilibrate=""):
 
 def columns(o, method):
     """Of the energies file, by quantity."""
-    with open(o.folder / f"{method.name.replace(' ', '-')}-energies.csv", encoding="utf-8") as file:
-        rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    return dict(zip((name.split(" [")[0] for name in rows[0]), np.array(rows[1:], dtype=float).T))
+    path = o.folder / f"{method.name.replace(' ', '-')}-energies.csv"
+    return {name: np.array(values) for name, values in waters.columns(path).items()}
 
 
 def mean(values, blocks):

@@ -85,7 +85,7 @@ def main():
     p.add_argument("--steps", type=int, default=4000, help="of the long runs; a multiple of 100, so that barostats move (4000)")
     p.add_argument("--rounds", type=int, default=7, help="runs of each (7)")
     o = p.parse_args()
-    short = o.steps // 400 * 100  # the errors of meshes, which the first boxes need, are computed in it, and kept
+    short = max(o.steps // 400, 1) * 100  # the errors of meshes, which the first boxes need, are computed in it, and kept
     program = machine.program(o.program)
     print("| electrostatics | ensemble | scheme, step | constant energy [ms per step] | ratio: median | smallest and largest |\n"
           "| --- | --- | --- | --- | --- | --- |")

@@ -6,7 +6,6 @@ that theory gives (slopes.py). Then the same at one temperature: potential energ
 Monte Carlo and constant energy."""
 
 import argparse
-import csv
 import shlex
 import sys
 import tempfile
@@ -20,9 +19,11 @@ from subprocess import PIPE, run
 import numpy as np
 from slopes import check, mean
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
+for folder in ("", "liquids"):
+    sys.path.append(str(Path(__file__).resolve().parents[1] / folder))
 import machine  # noqa: E402
 import records  # noqa: E402
+import waters  # noqa: E402
 
 TEMPERATURES = 300, 340  # [K]: potential energies of small systems overlap
 STEP, SAMPLE = "4 fs", "80 fs"
@@ -98,9 +99,7 @@ def series(system, method, at, seed, o):
         done = run([o.program, "run", "run.toml", "--threads", "1"], cwd=folder, stdout=PIPE, stderr=PIPE, text=True, check=False)
         if done.returncode:
             raise RuntimeError(f"{system}, {method}, {at}: {done.stderr}")
-        with open(Path(folder, "run-energies.csv"), encoding="utf-8") as file:
-            rows = list(csv.reader(line for line in file if not line.startswith("#")))
-    columns = dict(zip((name.split(" [")[0] for name in rows[0]), np.array(rows[1:], dtype=float).T))
+        columns = {name: np.array(values) for name, values in waters.columns(Path(folder, "run-energies.csv")).items()}
     first = len(columns["time"]) // 10  # the method's own equilibration: [run] equilibrate is that of the temperature
     return {name: values[first:] for name, values in columns.items()}
 

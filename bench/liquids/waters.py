@@ -57,6 +57,12 @@ def table(path):
     return [dict(zip(names, (float(field or "nan") for field in line.split(",")))) for line in lines[1:]]
 
 
+def columns(path):
+    """Those of a CSV file, as {column: [numbers]}."""
+    rows = table(path)
+    return {name: [row[name] for row in rows] for name in rows[0]}
+
+
 def made(program, folder, water, count, seed, temperature, equilibrate, length, every):
     """The prefix of the files of one run from a lattice; a finished run of the same run file is not repeated."""
     prefix = f"{water.model}-{seed}"
