@@ -36,7 +36,7 @@ bool shares_atoms(LAMMPS* lammps, const Fix* a, const Fix* b) {
   return shared != 0;
 }
 
-void check_fix(LAMMPS* lammps, const Fix* own, const Fix* other) {
+void check_fix(LAMMPS* lammps, const Fix* own, const Fix* other, std::size_t evaluations) {
   const std::string name = std::string("fix ") + other->id + " (" + other->style + ")";
   if (LAMMPS_NS::utils::strmatch(other->style, "^polhode"))
     throw Error(name +
@@ -46,6 +46,10 @@ void check_fix(LAMMPS* lammps, const Fix* own, const Fix* other) {
     throw Error(name +
                 " integrates atoms that fix polhode integrates as well; give it a group "
                 "without them");
+  if (other->time_integrate != 0 && evaluations > 1)
+    throw Error(name + " integrates other atoms at each of the " + std::to_string(evaluations) +
+                " force evaluations in a step of the scheme, whose times are not equally spaced; "
+                "with another integrator the scheme must be velocity-verlet");
   for (const std::string_view changer : changers)
     if (other->style == changer && shares_atoms(lammps, own, other))
       throw Error(name +
@@ -65,7 +69,7 @@ void check_multiple(LAMMPS_NS::bigint value, std::size_t evaluations, const std:
 
 }  // namespace
 
-void check_system(LAMMPS* lammps, const Fix* own) {
+void check_system(LAMMPS* lammps, const Fix* own, std::size_t evaluations) {
   if (lammps->update->whichflag == 2)
     throw Error(
         "fix polhode cannot minimize: minimisers of LAMMPS would deform rigid molecules; minimise "
@@ -84,7 +88,7 @@ void check_system(LAMMPS* lammps, const Fix* own) {
         "a fix or a shrink-wrapped boundary changes the box; fix polhode needs a constant "
         "box, so remove barostats, fix deform, and boundaries s and m");
   for (const Fix* other : lammps->modify->get_fix_list())
-    if (other != own) check_fix(lammps, own, other);
+    if (other != own) check_fix(lammps, own, other, evaluations);
 }
 
 void check_intervals(LAMMPS* lammps, std::size_t evaluations, std::size_t phase) {

@@ -13,8 +13,9 @@ namespace polhode::lammps {
 
 /// Everything that is known before a run: minimisation, r-RESPA, boxes that change, other fixes
 /// that integrate or change velocities of the same atoms.
+/// @param evaluations  of the forces in a step of the scheme
 /// @throws Error
-void check_system(LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* own);
+void check_system(LAMMPS_NS::LAMMPS* lammps, const LAMMPS_NS::Fix* own, std::size_t evaluations);
 
 /// That a run, its thermodynamic output, dumps and averages fall on whole steps of the scheme.
 /// @param phase  evaluations of a step that precede the run

@@ -69,7 +69,7 @@ void FixPolhode::init() {
     error->all(FLERR,
                "fix polhode finds the atoms of a molecule by their ids; have LAMMPS keep a "
                "map of them by 'atom_modify map yes'");
-  guarded([&] { check_system(lmp, this); });
+  guarded([&] { check_system(lmp, this, program_.size()); });
 }
 
 void FixPolhode::setup_pre_exchange() {

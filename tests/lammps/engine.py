@@ -21,7 +21,7 @@ class Engine:
         self.folder = self.build / "lammps-environment"
 
     def prepare(self):
-        """Makes the environment and builds the plugin; ends the test as skipped if LAMMPS is not to be had."""
+        """Makes the environment and builds the plugin; ends the test as skipped if LAMMPS cannot be installed."""
         made = subprocess.run([sys.executable, ROOT / "lammps/environment.py", self.folder], text=True,
                               capture_output=True)
         if made.returncode == SKIPPED:
