@@ -18,6 +18,7 @@ Action analyze_verb(Command& command);
 Action bench_verb(Command& command);
 Action convert_verb(Command& command);
 Action energy_verb(Command& command);
+Action export_verb(Command& command);
 Action minimise_verb(Command& command);
 Action molecules_verb(Command& command);
 Action new_verb(Command& command);

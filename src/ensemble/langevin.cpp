@@ -42,7 +42,7 @@ double ornstein_uhlenbeck(State& state, const Bodies& bodies, const LangevinSett
   const auto noise = [&](double gamma) { return std::sqrt(-std::expm1(-2 * gamma * t) * s.kT); };
   return apply(state, bodies,
                {std::exp(-s.friction * t), noise(s.friction), std::exp(-s.rotational_friction * t),
-                noise(s.rotational_friction), s.seed, stream},
+                noise(s.rotational_friction), s.seed, stream, s.numbers},
                s.total_momentum, workers);
 }
 
@@ -50,7 +50,8 @@ double refresh_momenta(State& state, const Bodies& bodies, const LangevinSetting
                        std::uint64_t stream, Workers& workers) {
   if (c == 1) return 0;
   const double noise = std::sqrt((1 - c * c) * s.kT);
-  return apply(state, bodies, {c, noise, c, noise, s.seed, stream}, s.total_momentum, workers);
+  return apply(state, bodies, {c, noise, c, noise, s.seed, stream, s.numbers}, s.total_momentum,
+               workers);
 }
 
 }  // namespace polhode

@@ -13,6 +13,7 @@ struct LangevinTerms {
   double c, noise;                        ///< of translation
   double rotational_c, rotational_noise;  ///< of rotation
   std::uint64_t seed, stream;
+  const std::uint64_t* numbers;  ///< of the bodies; null: their indices
 };
 
 /// What a range of bodies received.

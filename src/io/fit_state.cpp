@@ -26,7 +26,11 @@ bool begins_with(std::string_view word, std::string_view start) {
 // sometimes preceded by digits ("1HW").
 bool matches(std::string_view atom, const Site& site) {
   if (atom == site.name) return true;
-  if (atom == "X" && site.mass == 0) return true;  // in XYZ files, which have only elements
+  // "X" in XYZ files, which have only elements, and "X1" in LAMMPS data files, which have only
+  // masses
+  if (site.mass == 0 && atom.substr(0, 1) == "X" &&
+      atom.find_first_not_of("0123456789", 1) == atom.npos)
+    return true;
   while (!atom.empty() && std::isdigit(static_cast<unsigned char>(atom.front())))
     atom.remove_prefix(1);
   return begins_with(atom, site.mass > 0 ? std::string_view(site.element)

@@ -18,6 +18,9 @@ struct LangevinSettings {
   double rotational_friction = 0;  ///< γ of L [1/ps]
   std::uint64_t seed = 0;
   TotalMomentum total_momentum = TotalMomentum::held;
+  /// Of each body, which selects its random numbers, so that they do not depend on the position of
+  /// a body in its column; padded as a Column. Null: the indices of the bodies.
+  const std::uint64_t* numbers = nullptr;
 };
 
 /// e^{Ot}, exact for any t [davidchack2009]: with c = e^{−γt} and normal deviates ξ, p ← c p +

@@ -22,12 +22,16 @@ namespace {
 constexpr std::size_t words = 8;  // of 32 bits per body: two blocks of Philox
 
 /// Uniform deviates in (0, 1) of the bodies of a pack: (w + 1/2)/2³² for each word w.
-std::array<Real, words> uniforms(std::uint64_t seed, std::uint64_t stream, std::size_t first) {
+std::array<Real, words> uniforms(const LangevinTerms& terms, std::size_t first) {
+  const std::uint64_t seed = terms.seed, stream = terms.stream;
+  const auto number = [&](std::size_t i) {
+    return terms.numbers == nullptr ? i : terms.numbers[i];
+  };
   const auto word = [](std::uint64_t x) { return static_cast<std::uint32_t>(x); };
   std::array<Real, words> u;
   for (std::size_t b = 0; b < 2; ++b) {
     alignas(pack_bytes) std::uint64_t n[Real::width];
-    for (std::size_t k = 0; k < Real::width; ++k) n[k] = 2 * (first + k) + b;
+    for (std::size_t k = 0; k < Real::width; ++k) n[k] = 2 * number(first + k) + b;
     const WordPack counter = WordPack::load(n);
     const auto block =
         philox<WordPack>({counter, upper_half(counter), word(stream), word(stream >> 32)},
@@ -63,7 +67,7 @@ LangevinSums langevin(State& state, const Bodies& bodies, const LangevinTerms& t
   for (std::size_t i = first; i < end; i += Real::width) {
     const auto here = first_lanes<double>(std::min(Real::width, end - i));  // excludes padding
     const auto without_padding = [&](Real term) { return select(here, term, Real(0)); };
-    const std::array<Real, words> u = uniforms(terms.seed, terms.stream, i);
+    const std::array<Real, words> u = uniforms(terms, i);
     const TwoNormals a = normals(u[0], u[4]), b = normals(u[1], u[5]), c = normals(u[2], u[6]);
 
     const Vec3<Real> p = load_pack<Real>(state.p, i);

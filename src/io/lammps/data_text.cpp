@@ -17,6 +17,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/lammps_data.hpp"
+#include "polhode/io/lammps_export.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode {
@@ -280,6 +281,8 @@ void Parser::finish() {
     if (const auto known = data_.types.find(atom.type);
         known == data_.types.end() || known->second.mass == 0)
       refuse(fmt::format("atom type {} has no mass; the section Masses must have it", atom.type));
+  for (auto& [number, type] : data_.types)
+    if (type.mass <= lammps_massless) type.mass = 0;
   std::sort(atoms.begin(), atoms.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   for (std::size_t k = 1; k < atoms.size(); ++k)
     if (atoms[k].id == atoms[k - 1].id)

@@ -37,7 +37,9 @@ bool alike(std::span<const DataAtom> a, std::span<const DataAtom> b, const Box& 
 }
 
 std::string symbol(const LammpsData& data, const DataAtom& atom) {
-  const std::string element = element_of_mass(data.types.at(atom.type).mass);
+  const double mass = data.types.at(atom.type).mass;
+  if (mass == 0) return "X";
+  const std::string element = element_of_mass(mass);
   return element.empty() ? fmt::format("T{}", atom.type) : element;
 }
 

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// A scheme as a program of force evaluations, for engines that compute the forces when they choose
+// and call the integrator before and after.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme.hpp"
+
+namespace polhode {
+
+/// One force evaluation of a step, and the stages of the scheme around it, by their indices.
+struct ForceEvaluation {
+  std::size_t first = 0;  ///< stages first ≤ k < use lead to the positions of this evaluation;
+                          ///< kicks among them use the forces of the plain evaluation before it
+  std::size_t use = 0;    ///< stages use ≤ k < end change momenta with its forces
+  std::size_t end = 0;
+  double xi = 0;  ///< ξ of a gradient kick by finite difference, which is stage `use`: the forces
+                  ///< are those of positions displaced as in [vanzon2008, Eq. 7], and the
+                  ///< positions return afterwards; 0: a plain evaluation
+};
+
+/// The force evaluations of one step in their order. A step begins with the forces at its first
+/// positions, which the plain evaluation at the end of the step before it has computed: a scheme
+/// that begins with a kick has as many evaluations as Scheme::force_evaluations() counts, any other
+/// has one more.
+/// @throws Error  if the scheme has exact gradients, whose derivatives of forces other engines lack
+inline std::vector<ForceEvaluation> force_program(const Scheme& scheme) {
+  if (scheme.has(Gradient::exact))
+    throw Error(
+        "the scheme has exact gradient kicks, which need the derivative of the forces; use finite "
+        "differences, as in \"gier4-fd\"");
+  const auto stages = scheme.stages();
+  std::vector<ForceEvaluation> program;
+  bool known = true;      // the forces at the current positions
+  std::size_t first = 0;  // of the stages that belong to no evaluation yet
+  for (std::size_t k = 0; k < stages.size(); ++k) {
+    if (stages[k].flow == Flow::drift) {
+      known = false;
+      continue;
+    }
+    const bool kick = stages[k].flow == Flow::kick;
+    if (kick && !known) {
+      program.push_back({first, k, k});
+      known = true, first = k;
+    }
+    if (kick && stages[k].xi != 0) {
+      program.push_back({first, k, k, stages[k].xi});
+      first = k;
+    }
+    if (known && !program.empty()) program.back().end = first = k + 1;
+  }
+  if (!known) program.push_back({first, stages.size(), stages.size()});
+  return program;
+}
+
+}  // namespace polhode

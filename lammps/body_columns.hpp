@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The rigid bodies of one process in columns, and one of them as a record that travels between
+// processes and through restart files.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode::lammps {
+
+/// Position and attitude.
+struct Pose {
+  Vec3<double> q;
+  Quaternion<double> attitude;
+};
+
+/// Everything about a body that the rest of its trajectory depends on, in the units of LAMMPS:
+/// momenta are mass × velocity, angular momenta mass × length × velocity.
+struct BodyRecord {
+  Pose pose;
+  Vec3<double> p{}, ell{};
+  // Of a gradient kick in progress: the pose to return to, and forces and torques there.
+  Pose kept_pose;
+  Vec3<double> kept_f{}, kept_tau{};
+};
+
+/// Numbers in a record: plain doubles without padding, so that records are copied as such.
+inline constexpr std::size_t record_size = 26;
+/// Those that a restart file needs; a gradient kick is complete whenever one is written.
+inline constexpr std::size_t stored_size = 13;
+static_assert(sizeof(BodyRecord) == record_size * sizeof(double));
+
+/// The bodies whose owner atoms belong to this process, those of a kind together.
+struct BodyColumns {
+  Bodies bodies;
+  State state;
+  Load load;            ///< of the last plain evaluation
+  Load displaced_load;  ///< of the last evaluation at displaced positions
+  Vec3Column kept_q;    ///< of a gradient kick in progress
+  QuaternionColumn kept_attitude;
+  Column<std::uint64_t> numbers;  ///< which select random numbers: the ids of the owner atoms
+
+  explicit BodyColumns(const Topology& topology)
+      : bodies(topology),
+        state(topology.size(), {}),
+        load(topology.size()),
+        displaced_load(topology.size()),
+        kept_q(topology.size()),
+        kept_attitude(topology.size()),
+        numbers(topology.size()) {}
+  std::size_t size() const { return state.size(); }
+
+  Pose pose(std::size_t i) const { return {state.q[i], state.attitude[i]}; }
+  BodyRecord record(std::size_t i) const {
+    return {pose(i),   state.p[i], state.ell[i], {kept_q[i], kept_attitude[i]},
+            load.f[i], load.tau[i]};
+  }
+  void set(std::size_t i, const BodyRecord& body) {
+    state.q.set(i, body.pose.q), state.attitude.set(i, body.pose.attitude);
+    state.p.set(i, body.p), state.ell.set(i, body.ell);
+    kept_q.set(i, body.kept_pose.q), kept_attitude.set(i, body.kept_pose.attitude);
+    load.f.set(i, body.kept_f), load.tau.set(i, body.kept_tau);
+  }
+  /// Moves a body, for example by an edge of the box.
+  void shift(std::size_t i, const Vec3<double>& by) {
+    state.q.add(i, by);
+    kept_q.add(i, by);
+  }
+  Vec3<double> velocity(std::size_t i) const { return bodies.inverse_m[i] * state.p[i]; }
+  /// ω = Sᵀ J⁻¹ S ℓ, lab.
+  Vec3<double> angular_velocity(std::size_t i) const {
+    const Quaternion<double> a = state.attitude[i];
+    return to_lab(a, scaled(bodies.inverse_J[i], to_body(a, state.ell[i])));
+  }
+};
+
+}  // namespace polhode::lammps

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "fix_polhode.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "assembly.hpp"
+#include "atom.h"
+#include "checks.hpp"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "lammps_vectors.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/ensemble/langevin.hpp"
+#include "polhode/ensemble/random_streams.hpp"
+#include "polhode/integrate/flows.hpp"
+#include "polhode/integrate/step.hpp"
+#include "polhode/model/centre_of_mass.hpp"
+#include "update.h"
+
+namespace polhode::lammps {
+
+using LAMMPS_NS::Atom;
+
+/// An error of this fix becomes one of LAMMPS; all processes must meet it together.
+template <class Work>
+void FixPolhode::guarded(const Work& work) {
+  try {
+    work();
+  } catch (const Error& e) {
+    error->all(FLERR, std::string("fix polhode: ") + e.what());
+  }
+}
+
+FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
+    : Fix(lammps, count, arguments), settings_(default_settings()) {
+  guarded([&] {
+    settings_ = fix_settings(count - 3, arguments + 3, lammps);
+    program_ = force_program(settings_.scheme);
+  });
+  columns_ = std::make_unique<BodyColumns>(Topology{});
+  restart_global = restart_peratom = 1;
+  time_integrate = rigid_flag = dof_flag = create_attribute = stores_ids = 1;
+  virial_global_flag = thermo_virial = ecouple_flag = 1;
+  scalar_flag = vector_flag = global_freq = extscalar = extvector = nevery = 1;
+  size_vector = 3;
+  comm_forward = 7;
+  comm_reverse = 6;
+  maxexchange = 5 + static_cast<int>(record_size);
+  grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+FixPolhode::~FixPolhode() {
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+}
+
+int FixPolhode::setmask() {
+  using namespace LAMMPS_NS::FixConst;
+  return INITIAL_INTEGRATE | PRE_EXCHANGE | PRE_NEIGHBOR | FINAL_INTEGRATE | END_OF_STEP;
+}
+
+void FixPolhode::init() {
+  if (atom->tag_enable == 0 || atom->map_style == Atom::MAP_NONE)
+    error->all(FLERR,
+               "fix polhode finds the atoms of a molecule by their ids; have LAMMPS keep a "
+               "map of them by 'atom_modify map yes'");
+  guarded([&] { check_system(lmp, this, program_.size()); });
+}
+
+void FixPolhode::setup_pre_exchange() {
+  recognise();
+  virial_is_old_ = true;
+}
+
+void FixPolhode::setup(int vflag) {
+  v_init(vflag);
+  collect_forces(columns_->load);
+  tally_virial();
+}
+
+// A run without setup(), as of rerun.
+void FixPolhode::end_of_step() {
+  if (!virial_is_old_) return;
+  collect_forces(columns_->load);
+  tally_virial();
+}
+
+/// The flows of the columns. The forces of displaced positions are known when a gradient kick by
+/// finite difference is due.
+struct FixPolhode::Flows {
+  FixPolhode& fix;
+  BodyColumns& columns;
+
+  void drift(double t) { polhode::drift(columns.state, columns.bodies, t); }
+  void kick(double t) { polhode::kick(columns.state, columns.bodies, columns.load, t); }
+  /// [vanzon2008, Eqs. 4 to 6]
+  void kick(double t, double, Gradient) {
+    const double lambda = fix.settings_.lambda;
+    kick(t);
+    polhode::kick(columns.state, columns.bodies, columns.displaced_load, t / lambda);
+    polhode::kick(columns.state, columns.bodies, columns.load, -t / lambda);
+  }
+  void bath(double t, StageNumber at) { fix.bath(t, at); }
+};
+
+double FixPolhode::step() const { return static_cast<double>(program_.size()) * update->dt; }
+
+void FixPolhode::play_stages(std::size_t first, std::size_t end) {
+  Flows flows{*this, *columns_};
+  play(settings_.scheme.stages().subspan(first, end - first), flows, step(), {cycles_, first});
+}
+
+void FixPolhode::initial_integrate(int vflag) {
+  v_init(vflag);
+  if (update->ntimestep == update->firststep + 1)
+    guarded([&] { check_intervals(lmp, program_.size(), phase_); });
+  const ForceEvaluation& evaluation = program_[phase_];
+  play_stages(evaluation.first, evaluation.use);
+  if (evaluation.xi != 0) begin_displacement(evaluation.xi);
+  forward(Message::poses, 7);
+  place_atoms();
+}
+
+void FixPolhode::final_integrate() {
+  const ForceEvaluation& evaluation = program_[phase_];
+  collect_forces(evaluation.xi != 0 ? columns_->displaced_load : columns_->load);
+  if (evaluation.xi != 0) end_displacement();
+  play_stages(evaluation.use, evaluation.end);
+  if (++phase_ < program_.size()) return;
+  phase_ = 0;
+  ++cycles_;
+  set_velocities();
+  if (vflag_global != 0) tally_virial();
+}
+
+/// [vanzon2008, Eq. 7]
+void FixPolhode::begin_displacement(double xi) {
+  BodyColumns& c = *columns_;
+  c.kept_q = c.state.q;
+  c.kept_attitude = c.state.attitude;
+  displace(c.state, c.bodies, c.load, 2 * xi * settings_.lambda * step() * step());
+}
+
+void FixPolhode::end_displacement() {
+  columns_->state.q = columns_->kept_q;
+  columns_->state.attitude = columns_->kept_attitude;
+}
+
+/// The Ornstein-Uhlenbeck flow; the total momentum stays where all atoms are in bodies.
+void FixPolhode::bath(double t, StageNumber at) {
+  const LangevinArguments& langevin = *settings_.langevin;
+  const double friction = 1 / langevin.damping_time;
+  BodyColumns& c = *columns_;
+  LangevinSettings flow{force->boltz * langevin.temperature / force->mvv2e, friction, friction,
+                        langevin.seed, TotalMomentum::free};
+  flow.numbers = c.numbers.data();
+  double heat = ornstein_uhlenbeck(c.state, c.bodies, flow, t, stream_of(RandomUse::langevin, at));
+  const Vec3<double> P = total_momentum(c.state);
+  double sums[] = {heat, P.x, P.y, P.z, c.size() > 0 ? total_mass(c.bodies) : 0.0};
+  MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_DOUBLE, MPI_SUM, world);
+  heat = sums[0];
+  if (holds_momentum_ && sums[4] > 0) {
+    const Vec3<double> all{sums[1], sums[2], sums[3]};
+    subtract_velocity(c.state, c.bodies, all / sums[4]);
+    heat -= norm2(all) / (2 * sums[4]);
+  }
+  heat_ += force->mvv2e * heat;
+}
+
+void FixPolhode::place_atoms() {
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int body = owner_body_[static_cast<std::size_t>(i)];
+    if (body < 0) continue;
+    set(atom->x[i], position(kind(i), static_cast<std::size_t>(info(i).site), pose(body)));
+  }
+}
+
+/// Σ f and Σ s × f of the sites of every body.
+void FixPolhode::collect_forces(Load& load) {
+  for (GhostBody& body : ghosts_) body.f = body.tau = {};
+  for (std::size_t i = 0; i < columns_->size(); ++i) load.f.set(i, {}), load.tau.set(i, {});
+  collecting_ = &load;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int body = owner_body_[static_cast<std::size_t>(i)];
+    if (body < 0) continue;
+    const Vec3<double> f = force->ftm2v * vector(atom->f[i]);
+    add_load(body, f, cross(vector(atom->x[i]) - pose(body).q, f));
+  }
+  message_ = Message::loads;
+  comm->reverse_comm(this, 6);
+  virial_is_old_ = false;
+}
+
+void FixPolhode::add_load(int body, const Vec3<double>& f, const Vec3<double>& tau) {
+  if (is_ghost_body(body)) {
+    ghost(body).f += f;
+    ghost(body).tau += tau;
+  } else {
+    collecting_->f.add(static_cast<std::size_t>(body), f);
+    collecting_->tau.add(static_cast<std::size_t>(body), tau);
+  }
+}
+
+FixPolhode::Motion FixPolhode::motion(int body) {
+  if (is_ghost_body(body)) return ghost(body).motion;
+  const auto i = static_cast<std::size_t>(body);
+  return {columns_->velocity(i), columns_->angular_velocity(i)};
+}
+
+void FixPolhode::set_velocities() {
+  forward(Message::motions, 6);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int body = owner_body_[static_cast<std::size_t>(i)];
+    if (body < 0) continue;
+    const Motion m = motion(body);
+    set(atom->v[i], m.velocity + cross(m.angular_velocity, vector(atom->x[i]) - pose(body).q));
+  }
+}
+
+/// What turns the virial and the temperature of the atoms into those of the molecules: −Σ s ⊗ f,
+/// symmetrized, and −Σ m ṡ ⊗ ṡ, with ṡ the velocity of a site relative to the centre.
+void FixPolhode::tally_virial() {
+  std::fill_n(virial, 6, 0.0);
+  forward(Message::motions, 6);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int body = owner_body_[static_cast<std::size_t>(i)];
+    if (body < 0) continue;
+    const Vec3<double> s = vector(atom->x[i]) - pose(body).q, f = vector(atom->f[i]);
+    const Vec3<double> u = vector(atom->v[i]) - motion(body).velocity;
+    const double m = force->mvv2e * mass_of_atom(i);
+    const auto term = [&](std::size_t a, std::size_t b) {
+      return (s[a] * f[b] + s[b] * f[a]) / 2 + m * u[a] * u[b];
+    };
+    constexpr std::size_t index[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+    for (std::size_t k = 0; k < 6; ++k) virial[k] -= term(index[k][0], index[k][1]);
+  }
+}
+
+LAMMPS_NS::bigint FixPolhode::dof(int group) {
+  if (!recognised_) recognise();
+  const int bit = 1 << group;
+  LAMMPS_NS::bigint removed = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (info(i).body < 0 || (atom->mask[i] & bit) == 0) continue;
+    const Molecule& molecule = kind(i).molecule;
+    const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
+    removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);
+  }
+  LAMMPS_NS::bigint all = 0;
+  MPI_Allreduce(&removed, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  return all;
+}
+
+/// Minus the energy that the bath has given to the bodies: with it, the total is conserved.
+double FixPolhode::compute_scalar() { return -heat_; }
+
+/// Kinetic energy of translation, of rotation, and the number of bodies.
+double FixPolhode::compute_vector(int n) {
+  double sum = 0;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const int body = info(i).body;
+    if (body < 0) continue;
+    const BodyRecord b = record(body);
+    const Kind& k = kind(i);
+    if (n == 0) sum += force->mvv2e * norm2(b.p) / (2 * k.molecule.mass);
+    if (n == 1) sum += force->mvv2e * rotational_energy(k, b);
+    if (n == 2) sum += 1;
+  }
+  double all = 0;
+  MPI_Allreduce(&sum, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+double FixPolhode::memory_usage() {
+  constexpr std::size_t of_body = sizeof(BodyRecord) + 14 * sizeof(double);
+  return static_cast<double>(info_.size() * sizeof(AtomInfo) + columns_->size() * of_body +
+                             ghosts_.size() * sizeof(GhostBody));
+}
+
+}  // namespace polhode::lammps

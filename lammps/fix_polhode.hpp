@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// fix polhode: rigid molecules advanced by the exact free rotation and any splitting scheme, with
+// the forces of LAMMPS. A step of LAMMPS is one force evaluation of the scheme.
+//
+// Every atom knows its site and the id of the atom that owns its body; the process of the owner
+// advances the body. Poses travel forward from owners to their ghosts, forces and torques back.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "body_columns.hpp"
+#include "fix.h"
+#include "kinds.hpp"
+#include "polhode/integrate/force_program.hpp"
+#include "polhode/integrate/step.hpp"
+#include "settings.hpp"
+
+namespace polhode::lammps {
+
+struct SiteMessage;
+
+class FixPolhode : public LAMMPS_NS::Fix {
+ public:
+  FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments);
+  ~FixPolhode() override;
+  FixPolhode(const FixPolhode&) = delete;
+  FixPolhode& operator=(const FixPolhode&) = delete;
+
+  int setmask() override;
+  void init() override;
+  void setup_pre_exchange() override;
+  void setup_pre_neighbor() override { pre_neighbor(); }
+  void setup(int vflag) override;
+  void initial_integrate(int vflag) override;
+  void pre_neighbor() override;
+  void final_integrate() override;
+  void end_of_step() override;
+  void reset_dt() override {}
+
+  void grow_arrays(int atoms) override;
+  void copy_arrays(int from, int to, int) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double* buffer) override;
+  int unpack_exchange(int i, double* buffer) override;
+  int pack_forward_comm(int count, int* list, double* buffer, int pbc_flag, int* pbc) override;
+  void unpack_forward_comm(int count, int first, double* buffer) override;
+  int pack_reverse_comm(int count, int first, double* buffer) override;
+  void unpack_reverse_comm(int count, int* list, double* buffer) override;
+
+  int pack_restart(int i, double* buffer) override;
+  void unpack_restart(int i, int nth) override;
+  int size_restart(int i) override;
+  int maxsize_restart() override;
+  void write_restart(FILE* file) override;
+  void restart(char* buffer) override;
+
+  LAMMPS_NS::bigint dof(int group) override;
+  double compute_scalar() override;
+  double compute_vector(int n) override;
+  double memory_usage() override;
+
+ private:
+  /// What an atom knows of its body.
+  struct AtomInfo {
+    int kind = -1, site = 0;  ///< kind −1: it belongs to none
+    std::int64_t owner = 0;   ///< id of the atom that owns the body
+    int body = -1;  ///< of owners: its index in the columns, behind them in arrivals_ or, for ghost
+                    ///< owners, in ghosts_
+  };
+  struct Motion {
+    Vec3<double> velocity{}, angular_velocity{};
+  };
+  /// The body of a ghost owner.
+  struct GhostBody {
+    Pose pose;
+    Motion motion;
+    Vec3<double> f{}, tau{};
+  };
+  enum class Message { owners, poses, motions, loads };
+  struct Flows;
+
+  AtomInfo& info(int i) { return info_[static_cast<std::size_t>(i)]; }
+  Kind& kind(int i) { return kinds_[static_cast<std::size_t>(info(i).kind)]; }
+  bool is_ghost_body(int body) const { return static_cast<std::size_t>(body) >= columns_->size(); }
+  GhostBody& ghost(int body) { return ghosts_[static_cast<std::size_t>(body) - columns_->size()]; }
+  Pose pose(int body);
+  Motion motion(int body);
+  BodyRecord record(int body) const;
+  void add_arrival(int i, const BodyRecord& body);
+  void add_load(int body, const Vec3<double>& f, const Vec3<double>& tau);
+
+  template <class Work>
+  void guarded(const Work& work);
+  double mass_of_atom(int i) const;
+  double mass_in_body(int i) const;
+  Vec3<double> minimum_image(Vec3<double> r) const;
+  double step() const;  // h, of the whole scheme
+  void recognise();
+  void accept(const SiteMessage& site);
+  void check_communication() const;
+  void rebuild_columns();
+  void wrap_to_owner(int owner);
+  void find_owners();
+  void forward(Message message, int size);
+
+  void play_stages(std::size_t first, std::size_t end);
+  void bath(double t, StageNumber at);
+  void begin_displacement(double xi);
+  void end_displacement();
+  void place_atoms();
+  void collect_forces(Load& load);
+  void set_velocities();
+  void tally_virial();
+
+  FixSettings settings_;
+  std::vector<ForceEvaluation> program_;
+  std::size_t phase_ = 0;     // the next evaluation of the program
+  std::uint64_t cycles_ = 0;  // steps of the scheme so far
+  double heat_ = 0;           // from the bath, of all processes [energy]
+  bool recognised_ = false;
+  bool holds_momentum_ = false;  // all atoms are in bodies, and the bath keeps their momentum
+  bool virial_is_old_ = false;   // forces were computed without a call of setup()
+  std::vector<AtomInfo> info_;   // of local atoms; of ghosts only `body`
+  std::vector<Kind> kinds_;
+  std::unique_ptr<BodyColumns> columns_;
+  std::vector<BodyRecord> arrivals_;  // of atoms that came since the columns were built
+  std::vector<GhostBody> ghosts_;
+  std::vector<int> owner_body_;  // of each local atom: the body in the image next to it, or −1
+  Message message_ = Message::owners;
+  Load* collecting_ = nullptr;  // of the columns, during collect_forces()
+};
+
+}  // namespace polhode::lammps

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// fix polhode: which atoms form bodies, and where the bodies are.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "assembly.hpp"
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_polhode.hpp"
+#include "lammps_vectors.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode::lammps {
+
+double FixPolhode::mass_of_atom(int i) const {
+  return atom->rmass != nullptr ? atom->rmass[i] : atom->mass[atom->type[i]];
+}
+
+double FixPolhode::mass_in_body(int i) const {
+  const auto type = static_cast<std::size_t>(atom->type[i]);
+  return type < settings_.massless.size() && settings_.massless[type] ? 0 : mass_of_atom(i);
+}
+
+Vec3<double> FixPolhode::minimum_image(Vec3<double> r) const {
+  domain->minimum_image_big(FLERR, r.x, r.y, r.z);
+  return r;
+}
+
+BodyRecord FixPolhode::record(int body) const {
+  const auto i = static_cast<std::size_t>(body);
+  return i < columns_->size() ? columns_->record(i) : arrivals_[i - columns_->size()];
+}
+
+Pose FixPolhode::pose(int body) {
+  return is_ghost_body(body) ? ghost(body).pose : columns_->pose(static_cast<std::size_t>(body));
+}
+
+/// Assembles the molecules, which gives each a body that agrees with its atoms, and puts the atoms
+/// at their sites.
+void FixPolhode::recognise() {
+  std::vector<AtomMessage> messages;
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const std::int64_t molecule = atom->molecule != nullptr ? atom->molecule[i] : 0;
+    const bool inside = (atom->mask[i] & groupbit) != 0;
+    if (molecule == 0 && !inside) continue;
+    const bool owner = info(i).body >= 0;
+    messages.push_back(
+        {molecule > 0 ? molecule : -static_cast<std::int64_t>(atom->tag[i]),
+         {atom->tag[i], atom->type[i], mass_in_body(i), vector(atom->x[i]), vector(atom->v[i])},
+         i,
+         inside,
+         owner,
+         owner ? record(info(i).body) : BodyRecord{}});
+  }
+  std::vector<SiteMessage> sites;
+  try {
+    sites = assemble(
+        messages, kinds_,
+        {settings_.tolerance, phase_ != 0, [&](const Vec3<double>& r) { return minimum_image(r); }},
+        world);
+  } catch (const Error& e) {
+    error->all(FLERR, std::string("fix polhode: ") + e.what());
+  }
+  columns_ = std::make_unique<BodyColumns>(Topology{});
+  arrivals_.clear();
+  std::fill(info_.begin(), info_.end(), AtomInfo{});
+  for (const SiteMessage& site : sites) accept(site);
+  recognised_ = true;
+  LAMMPS_NS::bigint inside = static_cast<LAMMPS_NS::bigint>(sites.size()), all = 0;
+  MPI_Allreduce(&inside, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
+  holds_momentum_ = all == atom->natoms;
+  if (all == 0)
+    error->all(FLERR,
+               "fix polhode: the group has no atoms; it must have the atoms of at least one "
+               "molecule, so define the fix after they are created");
+  check_communication();
+}
+
+void FixPolhode::accept(const SiteMessage& site) {
+  const int i = site.place;
+  info(i) = {site.kind, site.site, site.owner, -1};
+  if (atom->tag[i] == site.owner) {
+    info(i).body = static_cast<int>(arrivals_.size());
+    arrivals_.push_back(site.body);
+  }
+  const Vec3<double> x = vector(atom->x[i]);
+  set(atom->x[i], x + minimum_image(site.x - x));
+  set(atom->v[i], site.v);
+}
+
+/// The process of an atom must have its owner, or an image of it.
+void FixPolhode::check_communication() const {
+  double span = 0;
+  for (const Kind& kind : kinds_) span = std::max(span, kind.span);
+  const double cutoff = comm->get_comm_cutoff();
+  if (cutoff > span) return;
+  error->all(
+      FLERR,
+      "fix polhode: the communication cutoff is {}, shorter than the longest molecule, which "
+      "extends over {}; processes would not have all atoms of a molecule, so set it by "
+      "'comm_modify cutoff {:.4g}' or more",
+      cutoff, span, 1.001 * span);
+}
+
+void FixPolhode::pre_neighbor() {
+  rebuild_columns();
+  find_owners();
+}
+
+/// The bodies of the atoms that are now here, those of a kind together.
+void FixPolhode::rebuild_columns() {
+  std::vector<std::pair<int, BodyRecord>> owners;
+  for (int i = 0; i < atom->nlocal; ++i)
+    if (info(i).body >= 0) owners.emplace_back(i, record(info(i).body));
+  std::stable_sort(owners.begin(), owners.end(), [&](const auto& a, const auto& b) {
+    return info(a.first).kind < info(b.first).kind;
+  });
+  Topology topology;
+  for (const Kind& kind : kinds_) topology.parts.push_back({kind.molecule, 0});
+  for (const auto& [i, body] : owners)
+    ++topology.parts[static_cast<std::size_t>(info(i).kind)].count;
+  columns_ = std::make_unique<BodyColumns>(topology);
+  arrivals_.clear();
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    const auto& [i, body] = owners[k];
+    columns_->set(k, body);
+    columns_->numbers[k] = static_cast<std::uint64_t>(atom->tag[i]);
+    info(i).body = static_cast<int>(k);
+    wrap_to_owner(i);
+  }
+}
+
+/// Moves a body by whole edges of the box to where its owner atom was wrapped.
+void FixPolhode::wrap_to_owner(int owner) {
+  const auto body = static_cast<std::size_t>(info(owner).body);
+  const Vec3<double> difference =
+      vector(atom->x[owner]) - position(kind(owner), kind(owner).owner, columns_->pose(body));
+  const Vec3<double> shift = difference - minimum_image(difference);
+  if (norm2(shift) > 0) columns_->shift(body, shift);
+}
+
+/// For every atom the image of its owner that is next to it.
+void FixPolhode::find_owners() {
+  ghosts_.clear();
+  const int all = atom->nlocal + atom->nghost;
+  for (int i = atom->nlocal; i < all; ++i) info(i).body = -1;
+  forward(Message::owners, 1);
+  owner_body_.assign(static_cast<std::size_t>(atom->nlocal), -1);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (info(i).kind < 0) continue;
+    const int any_image = atom->map(static_cast<LAMMPS_NS::tagint>(info(i).owner));
+    const int owner = any_image < 0 ? -1 : domain->closest_image(i, any_image);
+    const double span = 1.001 * kind(i).span;  // more than rounding
+    if (owner < 0 || info(owner).body < 0 ||
+        norm2(vector(atom->x[i]) - vector(atom->x[owner])) > span * span)
+      error->one(FLERR,
+                 "fix polhode: atom {} is not within {:.4g} of atom {}, which owns its rigid "
+                 "molecule; atoms of a molecule were deleted or moved during the run",
+                 atom->tag[i], span, info(i).owner);
+    owner_body_[static_cast<std::size_t>(i)] = info(owner).body;
+  }
+  forward(Message::poses, 7);
+}
+
+}  // namespace polhode::lammps

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+// fix polhode: what atoms take along to other processes and into restart files, and what owners and
+// their ghosts tell each other.
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "fix_polhode.hpp"
+#include "lammps_vectors.hpp"
+
+namespace polhode::lammps {
+namespace {
+
+using LAMMPS_NS::ubuf;
+
+double* put(double* to, const Vec3<double>& v) {
+  set(to, v);
+  return to + 3;
+}
+Vec3<double> take(double*& from) {
+  from += 3;
+  return vector(from - 3);
+}
+
+}  // namespace
+
+void FixPolhode::grow_arrays(int atoms) { info_.resize(static_cast<std::size_t>(atoms)); }
+
+void FixPolhode::copy_arrays(int from, int to, int) { info(to) = info(from); }
+
+void FixPolhode::set_arrays(int i) { info(i) = {}; }
+
+int FixPolhode::pack_exchange(int i, double* buffer) {
+  const AtomInfo& of = info(i);
+  buffer[0] = ubuf(of.kind).d;
+  buffer[1] = ubuf(of.site).d;
+  buffer[2] = ubuf(of.owner).d;
+  buffer[3] = ubuf(of.body >= 0 ? 1 : 0).d;
+  if (of.body < 0) return 4;
+  const BodyRecord body = record(of.body);
+  std::memcpy(buffer + 4, &body, sizeof body);
+  return 4 + static_cast<int>(record_size);
+}
+
+int FixPolhode::unpack_exchange(int i, double* buffer) {
+  info(i) = {static_cast<int>(ubuf(buffer[0]).i), static_cast<int>(ubuf(buffer[1]).i),
+             ubuf(buffer[2]).i, -1};
+  if (ubuf(buffer[3]).i == 0) return 4;
+  BodyRecord body;
+  std::memcpy(static_cast<void*>(&body), buffer + 4, sizeof body);
+  add_arrival(i, body);
+  return 4 + static_cast<int>(record_size);
+}
+
+void FixPolhode::add_arrival(int i, const BodyRecord& body) {
+  info(i).body = static_cast<int>(columns_->size() + arrivals_.size());
+  arrivals_.push_back(body);
+}
+
+void FixPolhode::forward(Message message, int size) {
+  message_ = message;
+  comm->forward_comm(this, size);
+}
+
+int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_flag, int* pbc) {
+  double* to = buffer;
+  Vec3<double> shift{};  // of the image that the other process sees
+  if (pbc_flag != 0) {
+    const auto edges = [&](int k) { return static_cast<double>(pbc[k]); };
+    shift = {edges(0) * domain->xprd, edges(1) * domain->yprd, edges(2) * domain->zprd};
+    if (domain->triclinic != 0) {
+      shift.x += edges(5) * domain->xy + edges(4) * domain->xz;
+      shift.y += edges(3) * domain->yz;
+    }
+  }
+  for (int k = 0; k < count; ++k) {
+    const int body = info(list[k]).body;
+    if (message_ == Message::owners) *to++ = body >= 0 ? 1 : 0;
+    if (message_ == Message::owners || body < 0) continue;
+    if (message_ == Message::poses) {
+      const Pose p = pose(body);
+      to = put(to, p.q + shift);
+      *to++ = p.attitude.w;
+      to = put(to, p.attitude.vector());
+    } else {
+      const Motion m = motion(body);
+      to = put(put(to, m.velocity), m.angular_velocity);
+    }
+  }
+  return static_cast<int>(to - buffer);
+}
+
+void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
+  for (int i = first; i < first + count; ++i) {
+    if (message_ == Message::owners) {
+      info(i).body = -1;
+      if (*buffer++ == 0) continue;
+      info(i).body = static_cast<int>(columns_->size() + ghosts_.size());
+      ghosts_.emplace_back();
+      continue;
+    }
+    const int body = info(i).body;
+    if (body < 0) continue;
+    if (message_ == Message::poses) {
+      Pose& p = ghost(body).pose;
+      p.q = take(buffer);
+      p.attitude.w = *buffer++;
+      const Vec3<double> v = take(buffer);
+      p.attitude.x = v.x, p.attitude.y = v.y, p.attitude.z = v.z;
+    } else {
+      Motion& m = ghost(body).motion;
+      m.velocity = take(buffer);
+      m.angular_velocity = take(buffer);
+    }
+  }
+}
+
+int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
+  double* to = buffer;
+  for (int i = first; i < first + count; ++i)
+    if (info(i).body >= 0) to = put(put(to, ghost(info(i).body).f), ghost(info(i).body).tau);
+  return static_cast<int>(to - buffer);
+}
+
+void FixPolhode::unpack_reverse_comm(int count, int* list, double* buffer) {
+  for (int k = 0; k < count; ++k) {
+    const int body = info(list[k]).body;
+    if (body < 0) continue;
+    const Vec3<double> f = take(buffer), tau = take(buffer);
+    add_load(body, f, tau);
+  }
+}
+
+int FixPolhode::pack_restart(int i, double* buffer) {
+  const int size = size_restart(i);
+  buffer[0] = size;
+  if (size == 1) return size;
+  const BodyRecord body = record(info(i).body);
+  std::memcpy(buffer + 1, &body, stored_size * sizeof(double));
+  return size;
+}
+
+void FixPolhode::unpack_restart(int i, int nth) {
+  const double* from = atom->extra[i];
+  for (int k = 0; k < nth; ++k) from += static_cast<int>(from[0]);
+  info(i) = {};
+  if (from[0] == 1) return;
+  BodyRecord body;
+  std::memcpy(static_cast<void*>(&body), from + 1, stored_size * sizeof(double));
+  add_arrival(i, body);
+}
+
+int FixPolhode::size_restart(int i) {
+  return info(i).body >= 0 ? 1 + static_cast<int>(stored_size) : 1;
+}
+
+int FixPolhode::maxsize_restart() { return 1 + static_cast<int>(stored_size); }
+
+void FixPolhode::write_restart(FILE* file) {
+  std::vector<double> numbers = {static_cast<double>(program_.size()), static_cast<double>(phase_),
+                                 static_cast<double>(cycles_), heat_,
+                                 static_cast<double>(kinds_.size())};
+  for (const Kind& kind : kinds_) append(numbers, kind);
+  if (comm->me != 0) return;
+  const auto bytes = static_cast<int>(numbers.size() * sizeof(double));
+  fwrite(&bytes, sizeof bytes, 1, file);
+  fwrite(numbers.data(), sizeof(double), numbers.size(), file);
+}
+
+void FixPolhode::restart(char* buffer) {
+  const auto* from = reinterpret_cast<const double*>(buffer);
+  const double evaluations = *from++;
+  phase_ = static_cast<std::size_t>(*from++);
+  cycles_ = static_cast<std::uint64_t>(*from++);
+  heat_ = *from++;
+  kinds_.clear();
+  for (auto count = static_cast<std::size_t>(*from++); count-- > 0;)
+    kinds_.push_back(read_kind(from));
+  if (phase_ == 0 || evaluations == static_cast<double>(program_.size())) return;
+  error->all(FLERR,
+             "fix polhode: the restart file was written after {} of the {} force evaluations in a "
+             "step, and this scheme has {}; resume with the scheme that it was written with, to "
+             "the end of a step",
+             phase_, evaluations, program_.size());
+}
+
+}  // namespace polhode::lammps

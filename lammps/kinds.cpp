@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "kinds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <string>
+
+#include "polhode/base/error.hpp"
+#include "polhode/math/eigen.hpp"
+#include "polhode/math/shape.hpp"
+
+namespace polhode::lammps {
+namespace {
+
+// Atoms that are off a common line by less than this, relative to the largest distance between
+// them, are put on it: what three decimals in Å do to molecules of 1 Å and more.
+constexpr double same_line = 0.002;
+// What counts as unchanged, relative to the size of the molecule and its largest velocity.
+constexpr double unchanged = 1e-9;
+
+std::string name_of(std::int64_t number) {
+  return number > 0 ? "molecule " + std::to_string(number) : "atom " + std::to_string(-number);
+}
+
+std::string four_digits(double x) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", x);
+  return text.data();
+}
+
+Vec3<double> over_J(const Molecule& molecule, Vec3<double> L) {
+  for (std::size_t d = 0; d < 3; ++d) L[d] = molecule.J[d] > 0 ? L[d] / molecule.J[d] : 0.0;
+  return L;
+}
+
+// straighten() has its limit in nm, so the shape is scaled until this limit is ours.
+Shape straight(Shape shape) {
+  double size = 0;
+  for (const Vec3<double>& r : shape) size = std::max(size, norm(r - shape.front()));
+  if (size == 0) return shape;
+  const double scale = line_rounding / (same_line * size);
+  for (Vec3<double>& r : shape) r = scale * r;
+  shape = straighten(std::move(shape));
+  for (Vec3<double>& r : shape) r = r / scale;
+  return shape;
+}
+
+}  // namespace
+
+Kind kind_of(std::int64_t number, const std::vector<SiteAtom>& atoms) {
+  Kind kind{.first = number};
+  Shape shape;
+  for (const SiteAtom& atom : atoms) shape.push_back(atom.x - atoms.front().x);
+  shape = straight(std::move(shape));
+  std::vector<Site> sites;
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    kind.types.push_back(atoms[k].type);
+    sites.push_back({.name = std::to_string(k + 1), .r = shape[k], .mass = atoms[k].mass});
+  }
+  kind.molecule = rigid_molecule(name_of(number), std::move(sites));
+  const std::vector<Site>& all = kind.molecule.sites;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    kind.extent = std::max(kind.extent, norm(all[k].r));
+    if (norm2(all[k].r) < norm2(all[kind.owner].r)) kind.owner = k;
+  }
+  for (const Site& site : all)
+    kind.span = std::max(kind.span, norm(site.r - kind.site(kind.owner)));
+  return kind;
+}
+
+bool matches(const Kind& kind, const std::vector<SiteAtom>& atoms) {
+  if (atoms.size() != kind.types.size()) return false;
+  for (std::size_t k = 0; k < atoms.size(); ++k)
+    if (atoms[k].type != kind.types[k] || atoms[k].mass != kind.molecule.sites[k].mass)
+      return false;
+  return true;
+}
+
+void append(std::vector<double>& numbers, const Kind& kind) {
+  const Molecule& m = kind.molecule;
+  const auto add = [&](auto... x) { (numbers.push_back(static_cast<double>(x)), ...); };
+  add(kind.types.size(), kind.first, kind.owner, kind.span, kind.extent, m.mass, m.J.x, m.J.y,
+      m.J.z, static_cast<int>(m.top));
+  for (std::size_t k = 0; k < kind.types.size(); ++k) {
+    const Vec3<double> r = kind.site(k);
+    add(kind.types[k], m.sites[k].mass, r.x, r.y, r.z);
+  }
+}
+
+Kind read_kind(const double*& numbers) {
+  Kind kind;
+  Molecule& m = kind.molecule;
+  const auto next = [&] { return *numbers++; };
+  const auto sites = static_cast<std::size_t>(next());
+  kind.first = static_cast<std::int64_t>(next());
+  kind.owner = static_cast<std::size_t>(next());
+  kind.span = next(), kind.extent = next();
+  m.name = name_of(kind.first);
+  m.mass = next();
+  m.J.x = next(), m.J.y = next(), m.J.z = next();
+  m.top = static_cast<Top>(static_cast<int>(next()));
+  for (std::size_t k = 0; k < sites; ++k) {
+    kind.types.push_back(static_cast<int>(next()));
+    Site site{.name = std::to_string(k + 1), .mass = next()};
+    site.r.x = next(), site.r.y = next(), site.r.z = next();
+    m.sites.push_back(std::move(site));
+  }
+  return kind;
+}
+
+BodyRecord fitted_body(const Kind& kind, const std::vector<SiteAtom>& atoms) {
+  BodyRecord body;
+  const Molecule& m = kind.molecule;
+  for (const SiteAtom& atom : atoms) {
+    body.pose.q += atom.mass / m.mass * atom.x;
+    body.p += atom.mass * atom.v;
+  }
+  if (m.top == Top::atom) return body;
+  std::vector<Vec3<double>> own, lab;
+  std::vector<double> mass;
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    if (atoms[k].mass == 0) continue;
+    own.push_back(kind.site(k));
+    lab.push_back(atoms[k].x - body.pose.q);
+    mass.push_back(atoms[k].mass);
+    body.ell += atoms[k].mass * cross(lab.back(), atoms[k].v);
+  }
+  body.pose.attitude = best_rotation(own, lab, mass);
+  Vec3<double> L = to_body(body.pose.attitude, body.ell);
+  for (std::size_t d = 0; d < 3; ++d)
+    if (m.J[d] == 0) L[d] = 0;  // no angular momentum about an axis without inertia
+  body.ell = to_lab(body.pose.attitude, L);
+  return body;
+}
+
+Vec3<double> position(const Kind& kind, std::size_t site, const Pose& pose) {
+  return pose.q + to_lab(pose.attitude, kind.site(site));
+}
+
+Vec3<double> velocity(const Kind& kind, std::size_t site, const BodyRecord& body) {
+  const Quaternion<double> a = body.pose.attitude;
+  const Vec3<double> omega = to_lab(a, over_J(kind.molecule, to_body(a, body.ell)));
+  return body.p / kind.molecule.mass + cross(omega, to_lab(a, kind.site(site)));
+}
+
+double rotational_energy(const Kind& kind, const BodyRecord& body) {
+  const Vec3<double> L = to_body(body.pose.attitude, body.ell);
+  return dot(L, over_J(kind.molecule, L)) / 2;
+}
+
+void check_shape(const Kind& kind, std::int64_t number, const std::vector<SiteAtom>& atoms,
+                 const BodyRecord& body, double tolerance) {
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    const double off = norm(atoms[k].x - position(kind, k, body.pose));
+    if (off <= tolerance * kind.span) continue;
+    throw Error(name_of(number) + ": atom " + std::to_string(atoms[k].id) + " is " +
+                four_digits(off) +
+                " from its place in the rigid shape of its kind, which is that of " +
+                name_of(kind.first) + "; it must be within " + four_digits(tolerance * kind.span) +
+                ", tolerance times the span of the molecule, because all copies of a kind have one "
+                "shape; correct the coordinates, give molecules of another shape other atom types, "
+                "or raise the tolerance");
+  }
+}
+
+BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
+                        const BodyRecord& before) {
+  double off = 0, off_v = 0, fastest = 0;
+  for (std::size_t k = 0; k < atoms.size(); ++k) {
+    off = std::max(off, norm(atoms[k].x - position(kind, k, before.pose)));
+    off_v = std::max(off_v, norm(atoms[k].v - velocity(kind, k, before)));
+    fastest = std::max(fastest, norm(atoms[k].v));
+  }
+  const bool same_pose = off <= unchanged * kind.extent;
+  if (same_pose && off_v <= unchanged * fastest) return before;
+  BodyRecord fitted = fitted_body(kind, atoms);
+  if (same_pose) fitted.pose = before.pose;
+  return fitted;
+}
+
+}  // namespace polhode::lammps

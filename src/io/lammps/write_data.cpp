@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// LAMMPS data files.
+#include <fmt/core.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <ostream>
+
+#include "polhode/io/frame.hpp"
+#include "polhode/io/lammps_export.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+bool alike(const Site& a, const Site& b) {
+  return a.element == b.element && a.mass == b.mass && a.charge == b.charge && a.sigma == b.sigma &&
+         a.epsilon == b.epsilon && a.law == b.law;
+}
+
+void write_header(std::ostream& out, const std::string& title, const Box& box, std::size_t atoms,
+                  std::size_t bonds, std::size_t types) {
+  const double angstrom = unit("A", Dimension::length);
+  fmt::print(out, "LAMMPS data file: {}, units = real\n\n{} atoms\n{} atom types\n", title, atoms,
+             types);
+  if (bonds > 0) fmt::print(out, "{} bonds\n1 bond types\n", bonds);
+  for (std::size_t d = 0; d < 3; ++d)
+    fmt::print(out, "{}0 {:.17g} {}lo {}hi\n", d == 0 ? "\n" : "", box.edge[d] / angstrom, "xyz"[d],
+               "xyz"[d]);
+}
+
+void write_pair_coefficients(std::ostream& out, const LammpsTypes& types) {
+  const auto& all = types.types();
+  if (!std::all_of(all.begin(), all.end(), [](const LammpsTypes::Type& type) {
+        return std::holds_alternative<LennardJonesLaw>(type.site.law);
+      }))
+    return;
+  fmt::print(out, "\nPair Coeffs # lj/cut\n\n");
+  int number = 0;
+  for (const LammpsTypes::Type& type : all)
+    fmt::print(out, "{} {:.17g} {:.17g} # {}\n", ++number,
+               type.site.epsilon / unit("kcal/mol", Dimension::energy),
+               type.site.sigma / unit("A", Dimension::length), type.name);
+}
+
+}  // namespace
+
+LammpsTypes::LammpsTypes(const Topology& topology, bool share) {
+  for (std::size_t part = 0; part < topology.parts.size(); ++part) {
+    const Molecule& molecule = topology.parts[part].molecule;
+    std::vector<int>& numbers = numbers_.emplace_back();
+    for (const Site& site : molecule.sites) {
+      const auto same = std::find_if(types_.begin(), types_.end(), [&](const Type& type) {
+        return share && type.part == part && alike(type.site, site);
+      });
+      numbers.push_back(static_cast<int>(same - types_.begin()) + 1);
+      if (same == types_.end()) types_.push_back({part, site, molecule.name + '.' + site.name});
+    }
+  }
+}
+
+void write_lammps_data(std::ostream& out, const std::string& title, const State& state,
+                       const Topology& topology, const LammpsTypes& types) {
+  std::size_t bonds = 0;
+  for (const auto& part : topology.parts) bonds += part.count * (part.molecule.sites.size() - 1);
+  const Frame frame = frame_of(state, topology);
+  write_header(out, title, state.box, frame.atoms.size(), bonds, types.types().size());
+  fmt::print(out, "\nMasses\n\n");
+  int number = 0;
+  for (const LammpsTypes::Type& type : types.types())
+    fmt::print(out, "{} {:.17g} # {}\n", ++number,
+               type.site.mass > 0 ? type.site.mass : lammps_massless, type.name);
+  write_pair_coefficients(out, types);
+
+  // The atoms of all bodies in order, with the part and the site of each.
+  const auto each_atom = [&](const auto& visit) {
+    std::size_t atom = 0, molecule = 0;
+    for (std::size_t part = 0; part < topology.parts.size(); ++part)
+      for (std::size_t copy = 0; copy < topology.parts[part].count; ++copy, ++molecule)
+        for (std::size_t k = 0; k < topology.parts[part].molecule.sites.size(); ++k, ++atom)
+          visit(atom, molecule + 1, part, k);
+  };
+  const double angstrom = unit("A", Dimension::length);
+  fmt::print(out, "\nAtoms # full\n\n");
+  each_atom([&](std::size_t atom, std::size_t molecule, std::size_t part, std::size_t k) {
+    const Vec3<double> r = frame.atoms[atom].r / angstrom;
+    fmt::print(out, "{} {} {} {:.17g} {:.17g} {:.17g} {:.17g}\n", atom + 1, molecule,
+               types.number(part, k), topology.parts[part].molecule.sites[k].charge, r.x, r.y, r.z);
+  });
+  fmt::print(out, "\nVelocities\n\n");
+  for (std::size_t atom = 0; atom < frame.atoms.size(); ++atom) {
+    const Vec3<double> v = frame.atoms[atom].v / (angstrom / unit("fs", Dimension::time));
+    fmt::print(out, "{} {:.17g} {:.17g} {:.17g}\n", atom + 1, v.x, v.y, v.z);
+  }
+  if (bonds == 0) return;
+  fmt::print(out, "\nBonds\n\n");
+  std::size_t bond = 0;
+  each_atom([&](std::size_t atom, std::size_t, std::size_t, std::size_t k) {
+    if (k > 0) fmt::print(out, "{} 1 {} {}\n", ++bond, atom + 1 - k, atom + 1);
+  });
+}
+
+}  // namespace polhode

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/conversion/lammps_export.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/force_program.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/lammps_export.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system_notes.hpp"
+
+namespace polhode {
+namespace {
+
+// Relative accuracy of the long-range forces of LAMMPS: its own errors are then below those of the
+// default accuracy of this program's mesh.
+constexpr double kspace_accuracy = 1e-6;
+
+void check(const Config& config) {
+  const auto refuse = [&](const std::string& what) { throw Error(what, config.source); };
+  if (config.ensemble.barostat)
+    refuse("the run has a barostat; fix polhode needs a constant box, so remove [barostat]");
+  if (config.ensemble.hybrid_monte_carlo)
+    refuse("hybrid Monte Carlo has no counterpart in LAMMPS; remove it");
+  const auto& thermostat = config.ensemble.thermostat;
+  if (thermostat && (thermostat->kind != ThermostatKind::langevin ||
+                     thermostat->friction != thermostat->rotational_friction))
+    refuse(
+        "the thermostat of fix polhode is langevin, with one friction for translation and "
+        "rotation; choose it or remove [thermostat]");
+  if (config.output.prefix.find_first_of("\"\n") != std::string::npos)
+    refuse(
+        "the prefix of the output has a quotation mark or a line break, which file names in "
+        "scripts of LAMMPS cannot have; choose another");
+}
+
+// The scheme with finite differences in place of exact gradients.
+Scheme lammps_scheme(const Config& config, const Callbacks& callbacks) {
+  const Scheme scheme =
+      single_scheme_of(with_own_schemes(config.integrator.scheme, config.schemes));
+  if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
+    throw Error(fmt::format("the scheme '{}' does not begin with a kick, as fix polhode needs; "
+                            "choose another, such as bcss3 or gier4-fd",
+                            scheme.name()),
+                config.source);
+  if (!scheme.has(Gradient::exact)) return scheme;
+  callbacks.note(
+      "note: the exact gradients of the scheme become finite differences, since LAMMPS has no "
+      "derivative of the forces");
+  std::vector<Stage> stages(scheme.stages().begin(), scheme.stages().end());
+  for (Stage& stage : stages)
+    if (stage.xi != 0) stage.gradient = Gradient::finite_difference;
+  return Scheme(stages, scheme.order());
+}
+
+// The input script.
+class Script {
+ public:
+  Script(std::ostream& out, const Config& config, const System& system, const LammpsTypes& types)
+      : out_(out), config_(config), system_(system), types_(types) {}
+
+  void write(const Scheme& scheme, const std::vector<std::string>& sections) const {
+    const std::string& prefix = config_.output.prefix;
+    fmt::print(out_,
+               "# Written by polhode export from {}; fix polhode is in the plugin of polhode.\n"
+               "variable plugin index polhodeplugin.so\n"
+               "plugin load ${{plugin}}\n"
+               "units real\natom_style full\n{}"
+               "read_data \"{}.data\" nocoeff\n",
+               config_.source, styles(), prefix);
+    pair_coefficients(sections);
+    if (molecules_have_sites()) fmt::print(out_, "bond_coeff *\n");
+    if (pme()) fmt::print(out_, "kspace_style pppm {:g}\n", kspace_accuracy);
+    integrate(scheme);
+  }
+
+ private:
+  bool pme() const { return system_.forces.electrostatics == Electrostatics::pme; }
+  bool molecules_have_sites() const {
+    return std::any_of(system_.topology.parts.begin(), system_.topology.parts.end(),
+                       [](const auto& part) { return part.molecule.sites.size() > 1; });
+  }
+
+  std::string styles() const {
+    std::string text = fmt::format("pair_style hybrid/overlay table spline {}", lammps_table_size);
+    if (pme())
+      text += fmt::format(" coul/long {:.17g}\npair_modify pair coul/long table 0",
+                          cutoff_of_charges(system_.forces) / unit("A", Dimension::length));
+    text += '\n';
+    if (molecules_have_sites()) text += "bond_style zero\nspecial_bonds lj/coul 0 0 0\n";
+    return text;
+  }
+
+  void pair_coefficients(const std::vector<std::string>& sections) const {
+    if (pme()) fmt::print(out_, "pair_coeff * * coul/long\n");
+    std::size_t pair = 0;
+    for (std::size_t i = 1; i <= types_.types().size(); ++i)
+      for (std::size_t j = i; j <= types_.types().size(); ++j, ++pair)
+        if (!sections[pair].empty())
+          fmt::print(out_, "pair_coeff {} {} table \"{}.table\" {}\n", i, j, config_.output.prefix,
+                     sections[pair]);
+        else if (!pme())
+          fmt::print(out_, "pair_coeff {} {} none\n", i, j);
+  }
+
+  void integrate(const Scheme& scheme) const {
+    const std::size_t evaluations = force_program(scheme).size();
+    const double fs = unit("fs", Dimension::time), h = config_.integrator.step;
+    fmt::print(out_, "fix rigid all polhode scheme \"{}\"", text_of(scheme));
+    for (std::size_t k = 0; k < types_.types().size(); ++k)
+      if (types_.types()[k].site.mass == 0) fmt::print(out_, " massless {}", k + 1);
+    if (config_.ensemble.thermostat)
+      fmt::print(out_, " langevin {:.17g} {:.17g} {}", config_.ensemble.temperature,
+                 1 / (config_.ensemble.thermostat->friction * fs), config_.system.seed);
+    const double samples = std::max(1.0, std::round(config_.run.sample / h));
+    fmt::print(out_,
+               "\ntimestep {:.17g} # one force evaluation: {} in a step of the scheme\n"
+               "thermo_style custom step time temp epair ke etotal econserve press\n"
+               "thermo_modify format float %.15g\n"
+               "thermo {:.0f}\n"
+               "run {:.0f}\n",
+               h / fs / static_cast<double>(evaluations), evaluations,
+               samples * static_cast<double>(evaluations),
+               std::round(config_.run.length / h) * static_cast<double>(evaluations));
+  }
+
+  std::ostream& out_;
+  const Config& config_;
+  const System& system_;
+  const LammpsTypes& types_;
+};
+
+}  // namespace
+
+std::vector<std::string> export_to_lammps(const Config& config, const OutputOptions& options,
+                                          const Callbacks& callbacks) {
+  check(config);
+  const std::string& prefix = config.output.prefix;
+  check_prefix(prefix);
+  const std::vector<std::string> files = {prefix + ".data", prefix + ".table", prefix + ".in"};
+  check_outputs(files, options.existing);
+  const Scheme scheme = lammps_scheme(config, callbacks);
+  const System system = build_system(config);
+  note_molecules(system, callbacks);
+  const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
+  std::vector<std::string> sections;
+  try {
+    write_file(files[1], [&](std::ostream& out) {
+      sections = write_lammps_tables(out, system.topology, system.forces, types,
+                                     system.forces.electrostatics != Electrostatics::pme);
+    });
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  write_file(files[0], [&](std::ostream& out) {
+    write_lammps_data(out, title_of(system.state), system.state, system.topology, types);
+  });
+  write_file(files[2], [&](std::ostream& out) {
+    Script(out, config, system, types).write(scheme, sections);
+  });
+  return files;
+}
+
+}  // namespace polhode
