@@ -145,7 +145,7 @@ std::vector<std::string> export_to_lammps(const Config& config, const OutputOpti
   check(config);
   const std::string& prefix = config.output.prefix;
   check_prefix(prefix);
-  const std::vector<std::string> files = {prefix + ".data", prefix + ".table", prefix + ".in"};
+  std::vector<std::string> files = {prefix + ".data", prefix + ".table", prefix + ".in"};
   check_outputs(files, options.existing);
   const Scheme scheme = lammps_scheme(config, callbacks);
   const System system = build_system(config);
