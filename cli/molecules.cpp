@@ -2,35 +2,15 @@
 // polhode molecules [NAME]: lists the built-in models, or describes one model.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "molecules_report.hpp"
-#include "polhode/io/molecule_file.hpp"
-#include "polhode/io/topology_file.hpp"
+#include "polhode/run/listing/molecules.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
-namespace {
-
-// The molecules that a name refers to: a model, or those of a topology file, each
-// once; without a name all models.
-std::vector<Molecule> find_molecules(const std::string& name) {
-  std::vector<Molecule> molecules;
-  if (name.empty())
-    for (const std::string& model : molecule_names()) molecules.push_back(read_molecule(model));
-  if (name.empty()) return molecules;
-  if (!name.ends_with(".top") && !is_data_file(name)) return {read_molecule(name)};
-  for (const auto& part : read_topology({.file = name}, nullptr).topology.parts)
-    if (std::none_of(molecules.begin(), molecules.end(),
-                     [&](const Molecule& m) { return m.name == part.molecule.name; }))
-      molecules.push_back(part.molecule);
-  return molecules;
-}
-
-}  // namespace
 
 Action molecules_verb(Command& command) {
   struct Options {

@@ -4,48 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "polhode/base/printable.hpp"
-#include "polhode/io/quantity.hpp"
-#include "polhode/model/dipole.hpp"
+#include "polhode/run/listing/molecules.hpp"
 
 namespace polhode::cli {
-namespace {
-
-/// The dipole moment [D], 0 where only rounding errors remain of it.
-double dipole_in_debye(const Molecule& m) {
-  return has_dipole(m) ? m.dipole() / unit("D", Dimension::dipole) : 0;
-}
-
-// Charges with few digits sum to zero only up to rounding.
-double round_charge(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
-
-nlohmann::json as_json(const Molecule& m) {
-  nlohmann::json sites = nlohmann::json::array();
-  for (const Site& s : m.sites)
-    sites.push_back({{"name", s.name},
-                     {"element", s.element},
-                     {"position", {s.r.x, s.r.y, s.r.z}},
-                     {"mass", s.mass},
-                     {"charge", s.charge},
-                     {"sigma", s.sigma},
-                     {"epsilon", s.epsilon},
-                     {"law", name(s.law)},
-                     {"parameters", parameters(s.sigma, s.epsilon, s.law)}});
-  return {{"name", m.name},
-          {"description", m.description},
-          {"source", m.source},
-          {"mass", m.mass},
-          {"moments", {m.J.x, m.J.y, m.J.z}},
-          {"top", name(m.top)},
-          {"charge", round_charge(m.charge())},
-          {"dipole", dipole_in_debye(m)},
-          {"sites", sites}};
-}
-
-}  // namespace
 
 void print_molecule(const Molecule& m) {
   fmt::print(
@@ -79,12 +42,6 @@ void print_molecules(const std::vector<Molecule>& molecules) {
     fmt::print("{:<{}}{:>7}{:10.4f}{:7g}{:12.3f}  {:<11} {:<{}}  {}\n", m.name, name_width,
                m.sites.size(), m.mass, round_charge(m.charge()), dipole_in_debye(m), name(m.top),
                m.source, source_width, m.description);
-}
-
-std::string molecules_json(const std::vector<Molecule>& molecules, bool one) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const Molecule& molecule : molecules) list.push_back(as_json(molecule));
-  return (one ? list.at(0) : list).dump(2);
 }
 
 }  // namespace polhode::cli

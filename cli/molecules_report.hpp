@@ -14,7 +14,4 @@ void print_molecule(const Molecule& molecule);
 /// A line for each molecule.
 void print_molecules(const std::vector<Molecule>& molecules);
 
-/// An array, or the one molecule itself if `one`.
-std::string molecules_json(const std::vector<Molecule>& molecules, bool one);
-
 }  // namespace polhode::cli

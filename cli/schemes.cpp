@@ -6,6 +6,7 @@
 #include <string>
 
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/run/listing/schemes.hpp"
 #include "schemes_report.hpp"
 #include "verbs.hpp"
 

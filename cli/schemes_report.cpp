@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
@@ -12,27 +11,6 @@
 
 namespace polhode::cli {
 namespace {
-
-nlohmann::json as_json(const Scheme& scheme) {
-  nlohmann::json stages = nlohmann::json::array();
-  for (const Stage& s : scheme.stages())
-    stages.push_back({{"flow", name_of(s.flow)},
-                      {"fraction", s.fraction},
-                      {"xi", s.xi},
-                      {"gradient", s.xi == 0                            ? ""
-                                   : s.has(Gradient::finite_difference) ? "finite difference"
-                                                                        : "exact"}});
-  return {{"name", scheme.name()},
-          {"order", scheme.order()},
-          {"stages", stages},
-          {"force_evaluations", scheme.force_evaluations()},
-          {"gradient_kicks", scheme.gradient_kicks()},
-          {"derivatives", scheme.derivatives()},
-          {"cost", scheme.cost()},
-          {"palindrome", scheme.palindromic()},
-          {"source", scheme.source()},
-          {"text", text_of(scheme)}};
-}
 
 /// The flows in order: A for a drift, B for a kick, G for a gradient kick, O for a bath.
 std::string flows(const Scheme& scheme) {
@@ -80,14 +58,6 @@ void print_schemes() {
   for (const Scheme& s : schemes)
     fmt::print("{:<16} {:>5}  {:>17}  {:>14}  {:>5}  {:<13}  {}\n", s.name(), s.order(),
                s.force_evaluations(), s.gradient_kicks(), s.cost(), s.source(), flows(s));
-}
-
-std::string scheme_json(const Scheme& scheme) { return as_json(scheme).dump(2); }
-
-std::string schemes_json() {
-  nlohmann::json all = nlohmann::json::array();
-  for (const Scheme& scheme : schemes) all.push_back(as_json(scheme));
-  return all.dump(2);
 }
 
 }  // namespace polhode::cli

@@ -13,7 +13,4 @@ void print_scheme(const Scheme& scheme);
 /// All schemes of the table, one per line.
 void print_schemes();
 
-std::string scheme_json(const Scheme& scheme);
-std::string schemes_json();
-
 }  // namespace polhode::cli

@@ -84,6 +84,13 @@ if(keep_sets_apart)  # by GNU's programs for any compiler: lld 14 cannot resolve
   find_program(POLHODE_OBJCOPY NAMES objcopy REQUIRED)
 endif()
 
+# polhode_make_shareable(TARGET): its objects can also be linked into a shared library, such as the module for Python.
+# Nothing in them can be replaced from outside, so calls cost what they cost in a program.
+function(polhode_make_shareable target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fvisibility=hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+endfunction()
+
 function(polhode_compile_kernels library)
   # The loops over pairs unroll into several hundred operations, more than a processor looks ahead; by itself g++ orders
   # them only after it has assigned registers.
@@ -98,6 +105,7 @@ function(polhode_compile_kernels library)
     target_link_libraries(${objects} PRIVATE polhode_headers polhode_flags polhode_pocketfft hwy::hwy)
     target_compile_options(${objects} PRIVATE ${POLHODE_FLAGS_${name}} -ffp-contract=fast
                            -fno-tree-vectorize)  # vectorization is explicit in packs
+    polhode_make_shareable(${objects})
     target_compile_definitions(${objects} PRIVATE POLHODE_LOOPS=loops_${name} HWY_DISABLE_PCLMUL_AES ${missing_sets})
     if(NOT keep_sets_apart)
       target_sources(${library} PRIVATE $<TARGET_OBJECTS:${objects}>)

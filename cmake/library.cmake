@@ -8,9 +8,12 @@ find_package(Eigen3 REQUIRED NO_MODULE)
 find_package(Boost 1.74 REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(nlohmann_json REQUIRED)
-include(cmake/hdf5.cmake)
-if(NOT TARGET polhode::hdf5)
-  message(FATAL_ERROR "hdf5.h and its library are not there; install them (Debian: libhdf5-dev)")
+if(POLHODE_HDF5)
+  include(cmake/hdf5.cmake)
+  if(NOT TARGET polhode::hdf5)
+    message(FATAL_ERROR "hdf5.h and its library are not there; install them (Debian: libhdf5-dev), "
+                        "or set POLHODE_HDF5=OFF, which leaves out the format H5MD")
+  endif()
 endif()
 add_library(polhode_pocketfft INTERFACE)
 target_include_directories(polhode_pocketfft SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/third_party/pocketfft)
@@ -21,6 +24,11 @@ file(GLOB_RECURSE sources CONFIGURE_DEPENDS src/*.cpp)
 set(kernel_sources ${sources})
 list(FILTER sources EXCLUDE REGEX "/kernels/")
 list(FILTER kernel_sources INCLUDE REGEX "/kernels/")
+if(POLHODE_HDF5)
+  list(FILTER sources EXCLUDE REGEX "formats/h5md_missing\\.cpp$")
+else()
+  list(FILTER sources EXCLUDE REGEX "formats/h5md_(reader|series|writer)\\.cpp$")
+endif()
 file(GLOB embedded CONFIGURE_DEPENDS data/molecules/*.toml data/molecules/*.txt data/start/*.gro data/runs/*.toml
      data/plots/*.gp data/plots/*.toml)
 polhode_embed(embedded_source ${embedded})
@@ -37,11 +45,12 @@ foreach(target IN ITEMS polhode_sources polhode)
   # What is only headers has served when the library is built.
   target_link_libraries(${target} PUBLIC polhode_headers
                         PRIVATE Threads::Threads fmt::fmt hwy::hwy tomlplusplus::tomlplusplus
-                                polhode::hdf5 $<BUILD_INTERFACE:polhode_pocketfft>
+                                $<TARGET_NAME_IF_EXISTS:polhode::hdf5> $<BUILD_INTERFACE:polhode_pocketfft>
                                 $<BUILD_INTERFACE:polhode_flags> $<BUILD_INTERFACE:Eigen3::Eigen>
                                 $<BUILD_INTERFACE:Boost::headers>
                                 $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
 endforeach()
+polhode_make_shareable(polhode_sources)
 set_source_files_properties(src/base/version.cpp PROPERTIES
                             COMPILE_DEFINITIONS POLHODE_VERSION="${PROJECT_VERSION}" SKIP_PRECOMPILE_HEADERS ON)
 

@@ -31,14 +31,14 @@ double factor_of(const CoupledEdges& edges, double volume_ratio) {
   return std::pow(volume_ratio, 1 / static_cast<double>(count(edges)));
 }
 
-void scale(Column<double>& column, double factor) {
+void scale(Component& column, double factor) {
   for (std::size_t i = 0; i < column.size(); ++i) column[i] *= factor;
 }
 
 }  // namespace
 
 void scale_box(State& state, const CoupledEdges& edges, double factor, bool momenta) {
-  const auto scale_along = [&](std::size_t k, Column<double>& q, Column<double>& p) {
+  const auto scale_along = [&](std::size_t k, Component& q, Component& p) {
     if (!edges[k]) return;
     state.box.edge[k] *= factor;
     scale(q, factor);
@@ -118,7 +118,7 @@ void Barostat::evaluate_moved(const State& state, const Evaluate& evaluate) {
 bool Barostat::decide(State& state, Load& load, double violation, double work, double uniform,
                       bool always) {
   if (!always && !(uniform < std::exp(-violation / kT_))) {
-    std::swap(state, before_);
+    state = before_;
     return false;
   }
   std::swap(load, load_);

@@ -10,7 +10,7 @@ namespace polhode {
 namespace {
 
 void scale(Vec3Column& v, double factor) {
-  for (Column<double>* column : {&v.x, &v.y, &v.z})
+  for (Component* column : {&v.x, &v.y, &v.z})
     for (std::size_t i = 0; i < v.size(); ++i) (*column)[i] *= factor;
 }
 

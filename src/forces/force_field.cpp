@@ -80,10 +80,19 @@ void ForceField::evaluate(const State& state, Load& load, bool energies) {
   ++evaluations_;
   std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
   if (settings_.mesh) remove_net_force(load, bodies_, workers_);
+  load.external = 0;
+  if (settings_.external) add_external(state, load, energies);
   if (!energies) return;
   load.van_der_waals += constant_.dispersion;
   load.coulomb += constant_.coulomb();
   for (std::size_t d = 0; d < 3; ++d) load.virial[d] += constant_.virial[d];
+}
+
+void ForceField::add_external(const State& state, Load& load, bool energies) {
+  settings_.external->add(state, load);
+  if (energies) return;
+  load.external = 0;
+  load.virial = {};
 }
 
 void ForceField::directional_derivative(const State& state, const Vec3Column& dq,
@@ -91,6 +100,7 @@ void ForceField::directional_derivative(const State& state, const Vec3Column& dq
   set_box(state.box);
   std::visit([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); }, engine_);
   if (settings_.mesh) remove_net_force(slope, bodies_, workers_);
+  if (settings_.external) add_derivative(*settings_.external, state, dq, dtheta, slope);
 }
 
 ListMemory ForceField::list_memory(const Box& box) const {

@@ -18,7 +18,7 @@ namespace polhode {
 namespace {
 
 constexpr std::string_view magic = "polhode restart\n";
-constexpr std::uint64_t format_version = 8;
+constexpr std::uint64_t format_version = 9;
 constexpr std::size_t length_at = magic.size() + sizeof(std::uint64_t);
 constexpr std::size_t number = sizeof(std::uint64_t);
 
@@ -63,10 +63,16 @@ void CheckpointWriter::operator()(const std::string& text) {
 void CheckpointWriter::operator()(const Vec3<double>& v) {
   for (std::size_t d = 0; d < 3; ++d) (*this)(v[d]);
 }
-void CheckpointWriter::operator()(const Column<double>& column) {
-  (*this)(std::uint64_t{column.size()});
-  put(column.data(), column.size() * sizeof(double));
+template <class Columns>
+void CheckpointWriter::columns(const Columns& values, std::size_t components) {
+  (*this)(std::uint64_t{values.size()});
+  for (std::size_t k = 0; k < components; ++k) {
+    const std::span<const double> component = values.component(k);
+    put(component.data(), component.size_bytes());
+  }
 }
+template void CheckpointWriter::columns(const Vec3Column&, std::size_t);
+template void CheckpointWriter::columns(const QuaternionColumn&, std::size_t);
 
 void CheckpointWriter::end() {
   out_.write(reinterpret_cast<const char*>(&sum_), number);
@@ -142,13 +148,20 @@ void CheckpointReader::operator()(std::string& text) {
 void CheckpointReader::operator()(Vec3<double>& v) {
   for (std::size_t d = 0; d < 3; ++d) (*this)(v[d]);
 }
-void CheckpointReader::operator()(Column<double>& column) {
+template <class Columns>
+void CheckpointReader::columns(Columns& values, std::size_t components) {
   std::uint64_t n;
   (*this)(n);
-  const std::string_view values = take(n > rest_.size() ? n : n * sizeof(double));
-  column = Column<double>(n);
-  std::copy_n(values.data(), values.size(), reinterpret_cast<char*>(column.data()));
+  const std::size_t bytes = n > rest_.size() ? n : n * sizeof(double);  // of a component
+  std::string_view all = take(n > rest_.size() ? n : components * bytes);
+  values = Columns(n);
+  for (std::size_t k = 0; k < components; ++k) {
+    std::copy_n(all.data(), bytes, reinterpret_cast<char*>(values.component(k).data()));
+    all.remove_prefix(bytes);
+  }
 }
+template void CheckpointReader::columns(Vec3Column&, std::size_t);
+template void CheckpointReader::columns(QuaternionColumn&, std::size_t);
 
 void CheckpointReader::end() const {
   if (!rest_.empty())

@@ -48,7 +48,7 @@ Config parse_config(std::string_view text, const std::string& file) {
         "there is no table [system], which describes the molecules; write for example [system], "
         "molecules = [{ model = \"tip4p\", count = 512 }], density = \"1 g/cm3\"",
         file);
-  read_system(*system, std::filesystem::path(file).parent_path(), config.system);
+  read_system(*system, file, config.system);
   config.cutoff_place = file;
   if (forces) {
     config.mixing_given = forces->has("mixing");

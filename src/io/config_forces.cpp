@@ -103,7 +103,7 @@ void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& syst
                 const std::string& file, Mixing& mixing) {
   Topology topology;
   for (const auto& component : system.molecules)
-    topology.parts.push_back({read_molecule(component.model), component.count});
+    topology.parts.push_back({molecule_of(component), component.count});
   for (TomlTable table : tables) {
     mixing.pairs.push_back(read_pair(table, file));
     if (!system.topology.file.empty()) continue;  // checked when the topology is read

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <system_error>
 
 #include "config_tables.hpp"
 #include "formats/format.hpp"
+#include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/molecule_file.hpp"
@@ -19,11 +21,34 @@ std::string resolve(const path& folder, const std::string& name) {
   return (folder / name).lexically_normal().string();
 }
 
-SystemSettings::Component read_component(TomlTable table, const path& folder, bool from_file) {
-  SystemSettings::Component component;
+/// False also for a name that the system refuses, as one that is too long.
+bool is_file(const std::string& name) {
+  std::error_code refused;
+  return std::filesystem::is_regular_file(name, refused);
+}
+
+/// A model's name, the path of a molecule file, or the molecule itself as a table.
+void read_model(TomlTable& table, const path& folder, const std::string& file,
+                SystemSettings::Component& component) {
+  if (table.has("model") && !table.holds_text("model")) {
+    component.own = read_molecule_table(*table.table("model"), file);
+    component.model = component.own->name;
+    return;
+  }
   const auto model = table.text("model");
   if (!model) table.refuse("model", "a molecule has no model; write for example model = \"tip4p\"");
   component.model = is_molecule_path(*model) ? resolve(folder, *model) : *model;
+  try {
+    read_molecule(component.model);
+  } catch (const Error& e) {
+    throw e.at(table.where("model"));
+  }
+}
+
+SystemSettings::Component read_component(TomlTable table, const path& folder,
+                                         const std::string& file, bool from_file) {
+  SystemSettings::Component component;
+  read_model(table, folder, file, component);
   const auto count = table.integer("count");
   table.refuse_unknown();
   if (!count && !from_file)
@@ -34,11 +59,6 @@ SystemSettings::Component read_component(TomlTable table, const path& folder, bo
                 from_file ? "must be 0 or more; 0 means as many as the initial configuration has"
                           : "must be 1 or more");
   component.count = static_cast<std::size_t>(count.value_or(0));
-  try {
-    read_molecule(component.model);
-  } catch (const Error& e) {
-    throw e.at(table.where("model"));
-  }
   return component;
 }
 
@@ -85,7 +105,7 @@ void read_start(TomlTable& table, const path& folder, SystemSettings& system) {
   if (system.initial_configuration.empty()) return;
   if (embedded_text("start/" + system.initial_configuration + ".gro")) return;
   std::string file = resolve(folder, system.initial_configuration);
-  table.require(std::filesystem::is_regular_file(file), "initial_configuration",
+  table.require(is_file(file), "initial_configuration",
                 fmt::format("is neither an embedded initial configuration, such as \"w512\", nor a "
                             "file: '{}' does not exist",
                             file));
@@ -104,7 +124,7 @@ void read_checkpoint_key(TomlTable& table, const path& folder, SystemSettings& s
                 "has the state of an initial configuration at full precision, and there is none; "
                 "write for example initial_configuration = \"water-prepared.gro\"");
   system.checkpoint = resolve(folder, *file);
-  table.require(std::filesystem::is_regular_file(system.checkpoint), "checkpoint",
+  table.require(is_file(system.checkpoint), "checkpoint",
                 fmt::format("is not a file: '{}' does not exist", system.checkpoint));
 }
 
@@ -138,7 +158,7 @@ void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& sy
     topology.file = resolve(folder, topology.file);
     table.require(!table.has("molecules"), "topology",
                   "cannot be combined with molecules, which it defines itself; leave one out");
-    table.require(std::filesystem::is_regular_file(topology.file), "topology",
+    table.require(is_file(topology.file), "topology",
                   fmt::format("is not a file: '{}' does not exist", topology.file));
   } else if (is_data_file(system.initial_configuration) && !table.has("molecules")) {
     topology.file = system.initial_configuration;
@@ -164,7 +184,8 @@ void read_topology_keys(TomlTable& table, const path& folder, SystemSettings& sy
   topology.include = resolved(folder, std::move(topology.include));
 }
 
-void read_molecules(TomlTable& table, const path& folder, SystemSettings& system) {
+void read_molecules(TomlTable& table, const path& folder, const std::string& file,
+                    SystemSettings& system) {
   const auto components = table.tables("molecules");
   if (!components || components->empty())
     table.refuse("",
@@ -172,7 +193,7 @@ void read_molecules(TomlTable& table, const path& folder, SystemSettings& system
                  "molecules = [{ model = \"tip4p\", count = 512 }]");
   for (const TomlTable& component : *components)
     system.molecules.push_back(
-        read_component(component, folder, !system.initial_configuration.empty()));
+        read_component(component, folder, file, !system.initial_configuration.empty()));
   const auto open = [](const auto& component) { return component.count == 0; };
   if (system.molecules.size() > 1 &&
       std::any_of(system.molecules.begin(), system.molecules.end(), open))
@@ -183,10 +204,15 @@ void read_molecules(TomlTable& table, const path& folder, SystemSettings& system
 
 }  // namespace
 
-void read_system(TomlTable table, const path& folder, SystemSettings& system) {
+Molecule molecule_of(const SystemSettings::Component& component) {
+  return component.own ? *component.own : read_molecule(component.model);
+}
+
+void read_system(TomlTable table, const std::string& file, SystemSettings& system) {
+  const path folder = path(file).parent_path();
   read_start(table, folder, system);
   read_topology_keys(table, folder, system);
-  if (system.topology.file.empty()) read_molecules(table, folder, system);
+  if (system.topology.file.empty()) read_molecules(table, folder, file, system);
   read_extent(table, system);
   system.temperature_given = table.has("temperature");
   system.seed_given = table.has("seed");

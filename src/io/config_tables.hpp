@@ -2,7 +2,6 @@
 // The tables of a run file, each read into its settings. Keys that are absent leave the defaults.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,8 +14,8 @@
 
 namespace polhode {
 
-/// @param folder  of the run file, to which its paths are relative
-void read_system(TomlTable table, const std::filesystem::path& folder, SystemSettings& system);
+/// @param file  the run file, to whose folder its paths are relative
+void read_system(TomlTable table, const std::string& file, SystemSettings& system);
 void read_forces(TomlTable table, ForceSettings& forces);
 /// The tables [[pair]]; the names of sites are checked against the molecules.
 void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,

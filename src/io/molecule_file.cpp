@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
+#include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
 #include "short_range_keys.hpp"
 #include "text_file.hpp"
-#include "toml_table.hpp"
 
 namespace polhode {
 namespace {
@@ -52,16 +52,14 @@ Site read_site(TomlTable table, const std::string& file) {
 
 }  // namespace
 
-Molecule parse_molecule(std::string_view text, const std::string& file) {
-  const toml::table document = parse_toml(text, file);
-  TomlTable table(document, file);
+Molecule read_molecule_table(TomlTable table, const std::string& file) {
   const std::string name = required_text(table, "name", "tip4p");
   const std::string description = table.text("description").value_or("");
   const std::string source = required_text(table, "source", "jorgensen1983");
   const auto site_tables = table.tables("site");
   table.refuse_unknown();
   if (!site_tables || site_tables->empty())
-    throw Error("there is no site; add at least one table [[site]]", file);
+    throw Error("there is no site; add at least one table [[site]]", table.where(""));
   std::vector<Site> sites;
   for (const TomlTable& site : *site_tables) sites.push_back(read_site(site, file));
   try {
@@ -70,8 +68,13 @@ Molecule parse_molecule(std::string_view text, const std::string& file) {
     molecule.source = source;
     return molecule;
   } catch (const Error& e) {
-    throw e.at(file);
+    throw e.at(table.where(""));
   }
+}
+
+Molecule parse_molecule(std::string_view text, const std::string& file) {
+  const toml::table document = parse_toml(text, file);
+  return read_molecule_table(TomlTable(document, file), file);
 }
 
 std::vector<std::string> molecule_names() {

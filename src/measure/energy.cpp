@@ -35,6 +35,7 @@ Energies energies(const State& state, const Bodies& bodies, const Load& load, Wo
   }
   if (M > 0) e.translation -= norm2(P) / (2 * M);
   const Mat3<double>& w = load.virial;
+  e.external = load.external;
   e.volume = state.box.volume();
   if (const double V = e.volume; V > 0)
     e.pressure = (2 * e.translation + w[0][0] + w[1][1] + w[2][2]) / (3 * V);

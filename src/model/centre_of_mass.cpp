@@ -62,7 +62,7 @@ Vec3<double> remove_total_momentum(State& state, const Bodies& bodies) {
 
 void subtract_velocity(State& state, const Bodies& bodies, const Vec3<double>& u,
                        Workers& workers) {
-  const auto subtract = [&](Column<double>& p, double v, std::size_t first, std::size_t end) {
+  const auto subtract = [&](Component& p, double v, std::size_t first, std::size_t end) {
     double* const to = p.data();
     const double* const m = bodies.m.data();
     for (std::size_t i = first; i < end; ++i) to[i] -= m[i] * v;

@@ -65,6 +65,8 @@ FAULTS = [
      "int g() {\n  return [] {\n    return [&x](auto) {\n      return [] { return 1; }();\n    }(2);\n  }();\n}\n", 8),
     ("tidy", "src/io/two.cpp", "bool is_equal(int x) { return x == x; }\n", 7),
     ("tidy", "include/polhode/io/tidied.hpp", "inline bool is_equal(int x) { return x == x; }\n", 3),
+    ("verbs", "cli/verbs.cpp", SPDX + '{{"fly", "move through the air",\n  fly_verb}};\n', 2),
+    ("verbs", "cli/verbs.cpp", SPDX + '{{"new", "write a run file", new_verb}};\n', 2),
     ("words", "docs/notes.md", "It is long,\nand Goes\non.\n", 3),
     ("words", "docs/notes.md", "It takes some 20 ps.\n", 2),
     ("words", "docs/glossary.md", "\n| do not write | write |\n| --- | --- |\n", 1),

@@ -18,7 +18,7 @@ namespace {
 
 Config small_water() {
   Config config = default_config();
-  config.system.molecules = {{"tip4p", 125}};
+  config.system.molecules = {{.model = "tip4p", .count = 125}};
   config.system.initial_configuration = "";
   config.system.density = 602.214076;  // 1 g/cm³
   config.forces = {.cutoff = 0.77, .switch_from = 0.62, .skin = 0.08};

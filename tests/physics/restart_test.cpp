@@ -22,7 +22,7 @@ namespace {
 using Bits = std::vector<std::uint64_t>;
 
 void add(Bits& bits, double x) { bits.push_back(std::bit_cast<std::uint64_t>(x)); }
-void add(Bits& bits, const Column<double>& column) {
+void add(Bits& bits, const Component& column) {
   for (const double x : column.values()) add(bits, x);
 }
 void add(Bits& bits, const Vec3Column& v) { add(bits, v.x), add(bits, v.y), add(bits, v.z); }

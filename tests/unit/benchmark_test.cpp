@@ -17,7 +17,7 @@ State scattered(std::size_t bodies, const Box& box) {
   Random random(7);
   for (std::size_t i = 0; i < bodies; ++i)
     for (std::size_t d = 0; d < 3; ++d) {
-      Column<double>& along = d == 0 ? state.q.x : d == 1 ? state.q.y : state.q.z;
+      Component& along = d == 0 ? state.q.x : d == 1 ? state.q.y : state.q.z;
       along[i] = (3 * random.uniform() - 1) * box.edge[d];  // unwrapped
     }
   return state;

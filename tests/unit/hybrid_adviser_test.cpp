@@ -20,7 +20,7 @@ HybridChoice choice(double step, double value, double error) {
 /// 27 atoms of argon.
 Config argon() {
   Config config;
-  config.system.molecules = {{"argon", 27}};
+  config.system.molecules = {{.model = "argon", .count = 27}};
   config.system.temperature = 150;
   config.forces.cutoff = 0.6;
   config.study.decorrelate = 0.5;

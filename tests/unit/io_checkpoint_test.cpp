@@ -35,7 +35,7 @@ struct Folder {
   }
 };
 
-void fill(Column<double>& column, std::mt19937_64& random) {
+void fill(Component& column, std::mt19937_64& random) {
   for (std::size_t i = 0; i < column.size(); ++i)
     column[i] = std::uniform_real_distribution<double>(-1, 1)(random);
 }
@@ -59,7 +59,7 @@ Checkpoint example(std::size_t bodies = 2) {
   c.at.integrator.load = Load(bodies);
   fill(c.at.integrator.load.f, random), fill(c.at.integrator.load.tau, random);
   c.at.integrator.load.van_der_waals = -1, c.at.integrator.load.coulomb = -2;
-  c.at.integrator.load.mesh = -3;
+  c.at.integrator.load.mesh = -3, c.at.integrator.load.external = -4;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k) c.at.integrator.load.virial[i][k] = double(3 * i + k);
   c.at.integrator.current = true;
@@ -172,7 +172,7 @@ TEST_CASE("a checkpoint restores every number written to it") {
     const IntegratorMemory &m = back.at.integrator, &n = c.at.integrator;
     same(m.load.f, n.load.f);
     same(m.load.tau, n.load.tau);
-    CHECK(m.load.potential() == -3);
+    CHECK(m.load.potential() == -7);
     CHECK(m.load.mesh == -3);
     for (std::size_t k = 0; k < 3; ++k) CHECK(m.load.virial[k] == n.load.virial[k]);
     CHECK(m.current);

@@ -3,9 +3,12 @@
 // number of packs, so that loops over packs need no remainder. The padding holds a harmless value.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <new>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "polhode/base/quaternion.hpp"
@@ -53,15 +56,98 @@ class Column {
   std::vector<T, AlignedAllocator<T>> data_;
 };
 
+/// One of several columns that share a block of memory: a component of the vectors of all bodies.
+class Component {
+ public:
+  Component() = default;
+  std::size_t size() const { return size_; }
+  std::size_t padded_size() const { return Column<double>::padded(size_); }
+  double* data() { return data_; }
+  const double* data() const { return data_; }
+  double& operator[](std::size_t i) { return data_[i]; }
+  const double& operator[](std::size_t i) const { return data_[i]; }
+  std::span<const double> values() const { return {data_, size_}; }
+  Component(const Component&) = delete;  // it would lead into memory of another owner
+  Component& operator=(const Component&) = delete;
+
+ private:
+  template <std::size_t>
+  friend class Components;
+  double* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
+/// The memory of `n` columns of equal size, at equal distances: as one array with strides, it can
+/// be shared with other languages. Assigning equally many values does not move it.
+template <std::size_t n>
+class Components {
+ public:
+  std::size_t size() const { return size_; }
+  std::size_t padded_size() const { return Column<double>::padded(size_); }
+  /// From a value to that of the next component of the same body.
+  std::size_t stride() const { return stride_of(size_); }
+  /// The values of a component.
+  std::span<double> component(std::size_t k) {
+    return {memory_.data() + (size_ == 0 ? 0 : k * stride()), size_};
+  }
+  std::span<const double> component(std::size_t k) const {
+    return {memory_.data() + (size_ == 0 ? 0 : k * stride()), size_};
+  }
+
+ protected:
+  Components() = default;
+  Components(std::size_t size, const std::array<double, n>& value)
+      : size_(size), memory_(size == 0 ? 0 : n * stride_of(size)) {
+    for (std::size_t k = 0; k < n && size > 0; ++k)
+      std::fill_n(component(k).data(), padded_size(), value[k]);
+  }
+  /// To be called when the memory may have changed.
+  void place(const std::array<Component*, n>& components) {
+    for (std::size_t k = 0; k < n; ++k) {
+      components[k]->data_ = component(k).data();
+      components[k]->size_ = size_;
+    }
+  }
+  void take(Components& other) {
+    size_ = std::exchange(other.size_, 0);
+    memory_ = std::exchange(other.memory_, {});
+  }
+
+ private:
+  /// One pack more than the values: components that were whole pages apart would share few lines
+  /// of the cache.
+  static constexpr std::size_t stride_of(std::size_t size) {
+    return Column<double>::padded(size) + pack_bytes / sizeof(double);
+  }
+  std::size_t size_ = 0;
+  Column<double> memory_;
+};
+
 /// Three columns that hold one vector per body.
-struct Vec3Column {
-  Column<double> x, y, z;
+struct Vec3Column : Components<3> {
+  Component x, y, z;
 
   Vec3Column() = default;
   explicit Vec3Column(std::size_t size, Vec3<double> value = {})
-      : x(size, value.x), y(size, value.y), z(size, value.z) {}
-  std::size_t size() const { return x.size(); }
-  std::size_t padded_size() const { return x.padded_size(); }
+      : Components(size, {value.x, value.y, value.z}) {
+    place({&x, &y, &z});
+  }
+  Vec3Column(const Vec3Column& other) : Components(other) { place({&x, &y, &z}); }
+  Vec3Column(Vec3Column&& other) noexcept { *this = std::move(other); }
+  Vec3Column& operator=(const Vec3Column& other) {
+    Components::operator=(other);
+    place({&x, &y, &z});
+    return *this;
+  }
+  Vec3Column& operator=(Vec3Column&& other) noexcept {
+    if (this == &other) return *this;
+    take(other);
+    place({&x, &y, &z});
+    other.place({&other.x, &other.y, &other.z});
+    return *this;
+  }
+  ~Vec3Column() = default;
+
   Vec3<double> operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
   void set(std::size_t i, const Vec3<double>& v) {
     x[i] = v.x;
@@ -72,12 +158,29 @@ struct Vec3Column {
 };
 
 /// Four columns that hold one unit quaternion per body; the padding is the identity.
-struct QuaternionColumn {
-  Column<double> w, x, y, z;
+struct QuaternionColumn : Components<4> {
+  Component w, x, y, z;
 
   QuaternionColumn() = default;
-  explicit QuaternionColumn(std::size_t size) : w(size, 1.0), x(size), y(size), z(size) {}
-  std::size_t size() const { return w.size(); }
+  explicit QuaternionColumn(std::size_t size) : Components(size, {1, 0, 0, 0}) {
+    place({&w, &x, &y, &z});
+  }
+  QuaternionColumn(const QuaternionColumn& other) : Components(other) { place({&w, &x, &y, &z}); }
+  QuaternionColumn(QuaternionColumn&& other) noexcept { *this = std::move(other); }
+  QuaternionColumn& operator=(const QuaternionColumn& other) {
+    Components::operator=(other);
+    place({&w, &x, &y, &z});
+    return *this;
+  }
+  QuaternionColumn& operator=(QuaternionColumn&& other) noexcept {
+    if (this == &other) return *this;
+    take(other);
+    place({&w, &x, &y, &z});
+    other.place({&other.w, &other.x, &other.y, &other.z});
+    return *this;
+  }
+  ~QuaternionColumn() = default;
+
   Quaternion<double> operator[](std::size_t i) const { return {w[i], x[i], y[i], z[i]}; }
   void set(std::size_t i, const Quaternion<double>& q) {
     w[i] = q.w;

@@ -35,6 +35,9 @@ struct ListMemory {
 /// box, to the last bit. An evaluation throws an Error if the box has become too small for the
 /// cutoff, or needs a mesh with too many points.
 ///
+/// ExternalForces of the settings are added to the others. Their derivative is a central
+/// difference.
+///
 /// The points of a
 /// mesh are fixed in space, so the mesh exerts a net force. It is removed (remove_net_force()), so
 /// that the forces conserve the total momentum and are minus the gradient of the energy along every
@@ -84,6 +87,7 @@ class ForceField {
  private:
   void set_box(const Box& box);
   void evaluate(const State& state, Load& load, bool energies);
+  void add_external(const State& state, Load& load, bool energies);
 
   Workers& workers_;
   Topology topology_;

@@ -59,7 +59,7 @@ class SlowForces {
 
  private:
   static void subtract(Load& all, const Load& part) {
-    const auto less = [](Column<double>& a, const Column<double>& b) {
+    const auto less = [](Component& a, const Component& b) {
       for (std::size_t i = 0; i < a.size(); ++i) a[i] -= b[i];
     };
     for (const auto axis : {&Vec3Column::x, &Vec3Column::y, &Vec3Column::z}) {

@@ -41,11 +41,14 @@ class CheckpointWriter {
   void operator()(bool yes);
   void operator()(const std::string& text);
   void operator()(const Vec3<double>& v);
-  void operator()(const Column<double>& column);
+  void operator()(const Vec3Column& vectors) { columns(vectors, 3); }
+  void operator()(const QuaternionColumn& attitudes) { columns(attitudes, 4); }
   /// Writes length and checksum; nothing may follow.
   void end();
 
  private:
+  template <class Columns>
+  void columns(const Columns& values, std::size_t components);
   void put(const void* bytes, std::size_t n);
   std::ostream& out_;
   std::uint64_t sum_ = 0;
@@ -65,11 +68,14 @@ class CheckpointReader {
   void operator()(bool& yes);
   void operator()(std::string& text);
   void operator()(Vec3<double>& v);
-  void operator()(Column<double>& column);
+  void operator()(Vec3Column& vectors) { columns(vectors, 3); }
+  void operator()(QuaternionColumn& attitudes) { columns(attitudes, 4); }
   /// @throws DamagedCheckpoint  unless everything has been read
   void end() const;
 
  private:
+  template <class Columns>
+  void columns(Columns& values, std::size_t components);
   std::string_view take(std::size_t n);
   std::string bytes_, path_;
   std::string_view rest_;

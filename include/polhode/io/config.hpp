@@ -19,13 +19,15 @@
 #include "polhode/io/requirement.hpp"
 #include "polhode/io/topology_file.hpp"
 #include "polhode/model/ensemble_settings.hpp"
+#include "polhode/model/molecule.hpp"
 
 namespace polhode {
 
 struct SystemSettings {
   struct Component {
-    std::string model;      ///< name of a model, or path of a molecule file
-    std::size_t count = 0;  ///< 0: as many as the initial configuration contains
+    std::string model;              ///< name of a model, or path of a molecule file
+    std::optional<Molecule> own{};  ///< the molecule itself, if the run file defines it
+    std::size_t count = 0;          ///< 0: as many as the initial configuration contains
   };
   std::vector<Component> molecules;
   TopologySettings topology;        ///< alternative to `molecules`
@@ -44,6 +46,10 @@ struct SystemSettings {
   /// none.
   std::string checkpoint{};
 };
+
+/// The molecule of a component: its own, or that of its model.
+/// @throws Error  if there is no such model
+Molecule molecule_of(const SystemSettings::Component& component);
 
 struct IntegratorSettings {
   std::string scheme = "hoa2";  ///< name, or stages as text

@@ -27,8 +27,9 @@ struct Energies {
   double exchanged = 0;
   /// H̃ − H of the scheme [kJ/mol] at samples of the shadow energy; not a number at others.
   double step_error = std::numeric_limits<double>::quiet_NaN();
+  double external = 0;  ///< of ExternalForces [kJ/mol]
 
-  double potential() const { return van_der_waals + coulomb; }
+  double potential() const { return van_der_waals + coulomb + external; }
   double kinetic() const { return translation + rotation[0] + rotation[1] + rotation[2]; }
   double total() const { return potential() + kinetic(); }
   /// The energy that exact flows would conserve [bussi2007]; the total energy if there is neither

@@ -13,6 +13,7 @@ struct Load {
   double van_der_waals = 0;  ///< of the short-range laws [kJ/mol]
   double coulomb = 0;        ///< [kJ/mol]
   double mesh = 0;           ///< the reciprocal-space (mesh) part of coulomb [kJ/mol]
+  double external = 0;       ///< of ExternalForces [kJ/mol]
   /// Σ R ⊗ f over pairs of bodies, R between their centres and f the force on the second [kJ/mol];
   /// in general −dU/dε for a strain ε that moves the centres and keeps the attitudes. The pressure
   /// tensor is (Σ p ⊗ p/m + virial)/V.
@@ -20,7 +21,7 @@ struct Load {
 
   Load() = default;
   explicit Load(std::size_t bodies) : f(bodies), tau(bodies) {}
-  double potential() const { return van_der_waals + coulomb; }
+  double potential() const { return van_der_waals + coulomb + external; }
 };
 
 }  // namespace polhode

@@ -71,7 +71,8 @@ void StepErrors::check(const EnergyRow& row, const State& frame, bool has_veloci
   const double volume = frame.box.volume();
   if (!(std::abs(volume - e.volume) <= of_volume * e.volume))
     refuse("volume", volume, e.volume, "nm3");
-  if (settings_.fixed == FixedMeans::energy && row.conserved != e.total())
+  const double of_energy = 1e-12 * (std::abs(e.potential()) + e.kinetic());  // rounding of sums
+  if (settings_.fixed == FixedMeans::energy && !(std::abs(row.conserved - e.total()) <= of_energy))
     throw Error(
         fmt::format("'{}' has another conserved energy than the total energy at {:.9g} ps, as a "
                     "thermostat makes it, and the run file has constant energy; give the run file "

@@ -18,11 +18,6 @@ namespace {
 
 // The fields of a checkpoint in their order, for both writer and reader.
 
-template <class Archive, class Columns>
-void vectors(Archive& archive, Columns& v) {
-  archive(v.x), archive(v.y), archive(v.z);
-}
-
 template <class Archive, class Counter>
 void counter(Archive& archive, Counter& n) {
   auto value = static_cast<std::uint64_t>(n);
@@ -53,24 +48,20 @@ void list(Archive& archive, List& values, const Fields& fields) {
 
 template <class Archive, class Of>
 void state(Archive& archive, Of& s) {
-  vectors(archive, s.q);
-  vectors(archive, s.p);
-  archive(s.attitude.w), vectors(archive, s.attitude);
-  if constexpr (!std::is_const_v<Of>) {  // padding holds valid attitudes, too
-    Column<double> w(s.attitude.w.size(), 1.0);
-    for (std::size_t i = 0; i < w.size(); ++i) w[i] = s.attitude.w[i];
-    s.attitude.w = std::move(w);
-  }
-  vectors(archive, s.ell);
+  archive(s.q);
+  archive(s.p);
+  archive(s.attitude);
+  archive(s.ell);
   archive(s.box.edge);
   archive(s.time);
 }
 
 template <class Archive, class Of>
 void memory(Archive& archive, Of& m) {
-  vectors(archive, m.load.f);
-  vectors(archive, m.load.tau);
+  archive(m.load.f);
+  archive(m.load.tau);
   archive(m.load.van_der_waals), archive(m.load.coulomb), archive(m.load.mesh);
+  archive(m.load.external);
   for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
   archive(m.current), archive(m.complete);
   archive(m.steps), archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
@@ -87,8 +78,9 @@ void blocks(Archive& archive, Of& of) {
 
 template <class Archive, class Of>
 void energies(Archive& archive, Of& e) {
-  for (auto* x : {&e.time, &e.van_der_waals, &e.coulomb, &e.translation, &e.rotation[0],
-                  &e.rotation[1], &e.rotation[2], &e.pressure, &e.volume, &e.exchanged})
+  for (auto* x :
+       {&e.time, &e.van_der_waals, &e.coulomb, &e.translation, &e.rotation[0], &e.rotation[1],
+        &e.rotation[2], &e.pressure, &e.volume, &e.exchanged, &e.external})
     archive(*x);
 }
 
@@ -131,7 +123,7 @@ void run_state(Archive& archive, Of& at) {
   memory(archive, at.integrator);
   list(archive, at.integrator.inner, [&](auto& within) { memory(archive, within); });
   for (auto* neighbours : {&at.list, &at.near_list}) {
-    vectors(archive, neighbours->built_at);
+    archive(neighbours->built_at);
     counter(archive, neighbours->rebuilds);
   }
   statistics(archive, at.statistics);

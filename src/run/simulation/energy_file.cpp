@@ -10,10 +10,8 @@
 #include "polhode/io/quantity.hpp"
 
 namespace polhode {
-namespace {
 
-/// The columns of a file, and the numbers of a row; the last only with step errors.
-std::vector<Table::Column> columns(bool step_errors) {
+std::vector<Table::Column> energy_columns(bool step_errors) {
   std::vector<Table::Column> all = {{"time", "ps"},
                                     {"total", "kJ/mol"},
                                     {"potential", "kJ/mol"},
@@ -33,9 +31,8 @@ std::vector<Table::Column> columns(bool step_errors) {
   return all;
 }
 
-double bar() { return unit("bar", Dimension::pressure); }
-
-std::array<double, 15> row_of(const Energies& e, const DegreesOfFreedom& degrees_of_freedom) {
+std::array<double, 15> energy_row(const Energies& e, const DegreesOfFreedom& degrees_of_freedom) {
+  const double bar = unit("bar", Dimension::pressure);
   return {e.time,
           e.total(),
           e.potential(),
@@ -44,7 +41,7 @@ std::array<double, 15> row_of(const Energies& e, const DegreesOfFreedom& degrees
           e.translation,
           e.kinetic() - e.translation,
           temperature(e.kinetic(), degrees_of_freedom.all()),
-          e.pressure / bar(),
+          e.pressure / bar,
           e.rotation[0],
           e.rotation[1],
           e.rotation[2],
@@ -53,13 +50,11 @@ std::array<double, 15> row_of(const Energies& e, const DegreesOfFreedom& degrees
           e.step_error};
 }
 
-}  // namespace
-
 EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
                        const Provenance& provenance)
     : degrees_of_freedom_(degrees_of_freedom(topology)),
       step_errors_(step_errors),
-      table_(path, columns(step_errors), provenance) {}
+      table_(path, energy_columns(step_errors), provenance) {}
 
 EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
                        const FileMark& mark)
@@ -69,7 +64,7 @@ EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool s
       table_(path, TableMark{mark.bytes, mark.checksum}) {}
 
 void EnergyFile::add(const Energies& energies) {
-  const auto row = row_of(energies, degrees_of_freedom_);
+  const auto row = energy_row(energies, degrees_of_freedom_);
   table_.add(std::span(row).first(row.size() - (step_errors_ ? 0 : 1)));
   ++rows_;
 }
@@ -79,25 +74,27 @@ FileMark EnergyFile::mark() {
   return {rows_, bytes, checksum};
 }
 
-EnergyReader::EnergyReader(const std::string& path) : table_(path, columns(true)) {}
+EnergyReader::EnergyReader(const std::string& path) : table_(path, energy_columns(true)) {}
 
 std::optional<EnergyRow> EnergyReader::next() {
   if (!table_.next(row_)) return std::nullopt;
   const std::vector<double>& x = row_;
+  const double sum = x[3] + x[4];
   Energies e{.time = x[0],
              .van_der_waals = x[3],
              .coulomb = x[4],
              .translation = x[5],
              .rotation = {x[9], x[10], x[11]},
-             .pressure = x[8] * bar(),
+             .pressure = x[8] * unit("bar", Dimension::pressure),
              .volume = x[13],
-             .step_error = x.size() > 14 ? x[14] : Energies{}.step_error};
+             .step_error = x.size() > 14 ? x[14] : Energies{}.step_error,
+             .external = sum == x[2] ? 0 : x[2] - sum};
   return EnergyRow{e, x[12]};
 }
 
 void check_energies(const std::string& path, bool step_errors, const FileMark& mark) {
   std::uint64_t rows = 0;
-  each_row(path, mark.bytes, columns(step_errors), [&](std::span<const double>) { ++rows; });
+  each_row(path, mark.bytes, energy_columns(step_errors), [&](std::span<const double>) { ++rows; });
   if (rows != mark.frames)
     throw OutputError(fmt::format(
         "'{}' had {} rows when the checkpoint was written, and has {} in the same number of bytes, "

@@ -78,6 +78,7 @@ std::string identity(const Config& config, const System& system,
   if (f.coulomb_cutoff) id << " coulomb_cutoff " << *f.coulomb_cutoff;
   if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
   if (f.dispersion_correction) id << " dispersion";
+  if (f.external) id << " external " << f.external->name;
   if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
     id << ' ' << mixing;
   for (const PairOverride& pair : system.forces.mixing.pairs) id << table_identity(pair.law);

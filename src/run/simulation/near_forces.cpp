@@ -23,6 +23,7 @@ ForceSettings near_settings(const ForceSettings& whole, const InnerScheme& inner
   near.mesh.reset();
   near.coulomb_cutoff.reset();
   near.dispersion_correction = false;
+  near.external.reset();  // they are slow: only the outer scheme evaluates them
   near.switch_from = inner.switch_from;
   near.cutoff = inner.cutoff;
   return near;

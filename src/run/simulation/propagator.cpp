@@ -195,7 +195,7 @@ class Propagator::Impl {
     return now;
   }
 
-  void advance(std::size_t steps) {
+  void advance(std::size_t steps, const Watch& watch) {
     const std::size_t whole = settings_.steps_per_trajectory();
     if (steps % whole != 0)
       throw Error(fmt::format(
@@ -204,8 +204,12 @@ class Propagator::Impl {
           steps, whole));
     leave_last_sample();
     clocks_->skip_pause();
-    if (statistics_.energies.samples == 0) sample({});
-    for (std::size_t k = 0; k < steps; ++k) sampled_step({});
+    if (statistics_.energies.samples == 0) sample(watch);
+    bool stopped = false;
+    for (std::size_t k = 0; k < steps && !stopped; ++k) {
+      sampled_step(watch);
+      stopped = watch.stop && (k + 1) % whole == 0 && watch.stop();
+    }
     clocks_->add_motion();
     clocks_->timings();
   }
@@ -351,7 +355,7 @@ class Propagator::Impl {
 
   Energies energies_now() try {
     const double before = clocks_->in_forces();
-    Energies now = energies(system_.state, system_.bodies, complete_load(), workers_);
+    Energies now = energies_of(system_, system_.state, complete_load(), workers_);
     now.exchanged = moves_.exchanged();
     clocks_->forces_of_sample(clocks_->in_forces() - before);
     if (!std::isfinite(now.total()))
@@ -376,7 +380,7 @@ class Propagator::Impl {
     if (kick_after == 0 || settings_.inner) return;
     State half = system_.state;
     kick(half, system_.bodies, last_load(), -kick_after * settings_.step, workers_);
-    statistics_.at_bath.add(energies(half, system_.bodies, last_load(), workers_));
+    statistics_.at_bath.add(energies_of(system_, half, last_load(), workers_));
   }
 
   /// Nothing where it is not known.
@@ -453,7 +457,7 @@ void Propagator::resume_from(const RunState& state) { impl_->resume_from(state);
 
 RunState Propagator::run_state() { return impl_->run_state(); }
 
-void Propagator::advance(std::size_t steps) { impl_->advance(steps); }
+void Propagator::advance(std::size_t steps, const Watch& watch) { impl_->advance(steps, watch); }
 
 Trajectory Propagator::run(const Watch& watch) { return impl_->run(watch); }
 

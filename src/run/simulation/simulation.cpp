@@ -14,6 +14,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
+#include "polhode/run/simulation/check_motion.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 #include "polhode/run/simulation/relaxation.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
@@ -22,6 +23,19 @@ namespace polhode {
 namespace {
 
 ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
+
+/// Cell rescaling follows the pressure.
+void check_external(const Config& config) {
+  const ExternalForces* const external = config.forces.external.get();
+  const auto& barostat = config.ensemble.barostat;
+  if (external && !external->has_virial && barostat &&
+      barostat->kind == BarostatKind::cell_rescaling)
+    throw Error(
+        fmt::format("the forces '{}' have no virial, so the pressure that cell-rescaling follows "
+                    "would lack them; give them a virial, or choose the barostat monte-carlo",
+                    external->name),
+        config.source);
+}
 
 double length_of(std::size_t steps, const TrajectorySettings& settings) {
   return static_cast<double>(steps) * settings.step;
@@ -37,6 +51,7 @@ Simulation::Simulation(const Config& config, Workers& workers)
       system_(build_system(config)),
       forces_(system_.topology, system_.forces, system_.state.box, workers) {
   if (settings_) check_near(system_.forces, {settings_->scheme, settings_->inner}, config.source);
+  check_external(config_);
 }
 
 std::size_t Simulation::steps() const {
@@ -47,7 +62,7 @@ Energies Simulation::energies() const {
   ForceField forces(system_.topology, system_.forces, system_.state.box, workers_);
   Load load;
   forces(system_.state, load);
-  Energies now = polhode::energies(system_.state, system_.bodies, load, workers_);
+  Energies now = energies_of(system_, system_.state, load, workers_);
   now.exchanged = propagator_ ? propagator_->exchanged() : at_ ? at_->ensemble.exchanged() : 0;
   return now;
 }
@@ -61,6 +76,12 @@ RunSummary Simulation::summary_of(const Trajectory& trajectory) const {
 RunSummary Simulation::summary() {
   if (!trajectory_started()) throw Error("there is no trajectory yet; advance by a step first");
   return summary_of(propagator().trajectory());
+}
+
+RunReport Simulation::report() {
+  RunReport report{summary(), *settings_, execution(), RunFileNames(config_.output), {}, {}};
+  report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
+  return report;
 }
 
 // Accuracy.
@@ -236,9 +257,37 @@ Propagator& Simulation::propagator() {
   return *propagator_;
 }
 
-void Simulation::step(std::size_t steps) {
-  if (settings_) equilibrate();
-  propagator().advance(steps);
+bool Simulation::step(std::size_t steps, const Callbacks& callbacks) {
+  if (settings_ && !equilibrate(callbacks)) return false;
+  Propagator& trajectory = propagator();
+  const std::size_t first = trajectory.steps();
+  const Watch watch{.sample =
+                        [&](std::size_t step, const State& state, const Energies& energies) {
+                          callbacks.report({"running", static_cast<double>(step - first) /
+                                                           static_cast<double>(steps)});
+                          if (callbacks.sample) callbacks.sample(step, state, energies);
+                        },
+                    .stop = callbacks.stop};
+  trajectory.advance(steps, watch);
+  return trajectory.steps() - first == steps;
+}
+
+State& Simulation::state_to_change() {
+  identity();
+  return system_.state;
+}
+
+void Simulation::state_changed() {
+  check_motion(system_.state, system_.bodies);
+  if (!trajectory_started()) {
+    if (at_) at_->state = system_.state;
+    return;
+  }
+  RunState now = propagator().run_state();
+  now.integrator.current = false;
+  for (IntegratorMemory& inner : now.integrator.inner) inner.current = false;
+  now.statistics = {};
+  propagator().resume_from(now);
 }
 
 Trajectory Simulation::run_trajectory(RunFiles& files, const Callbacks& callbacks) try {

@@ -110,7 +110,7 @@ Topology build_topology(const SystemSettings& settings) {
   }
   Topology topology;
   for (const auto& component : settings.molecules)
-    topology.parts.push_back({read_molecule(component.model), component.count});
+    topology.parts.push_back({molecule_of(component), component.count});
   return topology;
 }
 
@@ -163,6 +163,13 @@ System build_system(const Config& config) {
   }
   take_velocities(system, config.system);
   return system;
+}
+
+Energies energies_of(const System& system, const State& state, const Load& load, Workers& workers) {
+  Energies e = energies(state, system.bodies, load, workers);
+  if (system.forces.external)
+    e.translation += energy_of_centre(state, system.bodies, TotalMomentum::free);
+  return e;
 }
 
 void draw_momenta(System& system, std::uint64_t seed) {

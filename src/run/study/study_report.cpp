@@ -100,8 +100,9 @@ nlohmann::json as_json(const Claim& claim) {
 /// What a reader of the figure needs to know to compare the curves.
 std::string caption(const Config& config) {
   std::string molecules;
-  for (const auto& [model, count] : config.system.molecules)
-    molecules += fmt::format("{}{} {}", molecules.empty() ? "" : ", ", count, model);
+  for (const auto& component : config.system.molecules)
+    molecules +=
+        fmt::format("{}{} {}", molecules.empty() ? "" : ", ", component.count, component.model);
   return fmt::format(
       "Lower and further left is better; R = 0 is exact dynamics. {}; {} runs of {:g} ps per "
       "point.",

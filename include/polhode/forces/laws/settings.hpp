@@ -3,8 +3,10 @@
 // periodic box; the settings choose the cutoff treatment and the precision of the pairs.
 #pragma once
 
+#include <memory>
 #include <optional>
 
+#include "polhode/forces/external_forces.hpp"
 #include "polhode/forces/laws/mixing.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
 #include "polhode/model/box.hpp"
@@ -61,6 +63,8 @@ struct ForceSettings {
   /// Whether to add the Lennard-Jones energy and pressure beyond the truncation, assuming a uniform
   /// density of sites.
   bool dispersion_correction = false;
+  /// Forces from outside, added to all others; none if null.
+  std::shared_ptr<const ExternalForces> external{};
 };
 
 /// Two charges farther apart do not interact as a pair [nm].

@@ -2,6 +2,7 @@
 // The energies of a run as a table that grows during the run.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -13,6 +14,11 @@
 #include "polhode/model/topology.hpp"
 
 namespace polhode {
+
+/// The columns of the file, and a row of them; the last one only with step errors.
+std::vector<Table::Column> energy_columns(bool step_errors);
+std::array<double, 15> energy_row(const Energies& energies,
+                                  const DegreesOfFreedom& degrees_of_freedom);
 
 class EnergyFile {
  public:

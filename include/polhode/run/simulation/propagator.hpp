@@ -26,9 +26,10 @@ class Propagator {
   /// longer trajectory would not have.
   RunState run_state();
 
-  /// Takes steps, with samples where they are due, the first one at the start.
+  /// Takes steps, with samples where they are due, the first one at the start. Of the watch,
+  /// `sample` and `stop` are called.
   /// @throws RunError  if the trajectory blows up
-  void advance(std::size_t steps);
+  void advance(std::size_t steps, const Watch& watch = {});
   /// Continues to the length of the settings and takes a last sample there, or where the watch
   /// stops it. A trajectory that blows up ends there, and `failure` reports it.
   Trajectory run(const Watch& watch = {});

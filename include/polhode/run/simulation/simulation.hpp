@@ -48,6 +48,14 @@ class Simulation {
   const Config& config() const { return config_; }
   const System& system() const { return system_; }
   const State& state() const { return system_.state; }
+  /// The state, to be changed from outside between two steps; its memory stays where it is until
+  /// the end of the simulation. Afterwards call state_changed().
+  State& state_to_change();
+  /// Begins a trajectory with the state as it is now: with new statistics and forces; the steps are
+  /// counted on.
+  /// @throws Error  if the state is not one of these molecules, with nothing changed but attitudes,
+  ///                which are normalized
+  void state_changed();
   /// Steps of the trajectory done so far.
   std::size_t steps() const;
   /// Energies of the current state, with the heat and work received so far, from a separate force
@@ -55,6 +63,8 @@ class Simulation {
   Energies energies() const;
   /// Statistics of the trajectory so far.
   RunSummary summary();
+  /// The same as run() reports it, with its warnings, of a trajectory in memory.
+  RunReport report();
 
   /// If the run file asks for an accuracy, lets the adviser choose the step, and the scheme unless
   /// the run file has one. run() calls it.
@@ -65,10 +75,11 @@ class Simulation {
   /// @return  false if it was interrupted; another call resumes it
   /// @throws RunError  if it blows up
   bool equilibrate(const Callbacks& callbacks = {});
-  /// Advances the trajectory.
+  /// Advances the trajectory in memory.
+  /// @return  false if it was interrupted, in the equilibration or between two steps
   /// @throws Error     if the run file asks for an accuracy whose step is not chosen yet
   /// @throws RunError  if it blows up
-  void step(std::size_t steps = 1);
+  bool step(std::size_t steps = 1, const Callbacks& callbacks = {});
 
   /// Writes a checkpoint of the simulation.
   /// @throws RunError  if the file cannot be written

@@ -8,6 +8,7 @@
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/io/config.hpp"
+#include "polhode/measure/energy.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 
@@ -40,6 +41,11 @@ Topology build_topology(const SystemSettings& settings);
 /// @throws Error  with its place if anything does not fit: counts, box, cutoff, overlapping
 ///                molecules
 System build_system(const Config& config);
+
+/// Energies of a state of the system, given the Load at its positions. External forces may move the
+/// centre of mass: with them its energy is included, so that the total energy is conserved.
+Energies energies_of(const System& system, const State& state, const Load& load,
+                     Workers& workers = Workers::serial());
 
 /// Draws new momenta at the system's temperature, with zero total momentum.
 void draw_momenta(System& system, std::uint64_t seed);

@@ -53,8 +53,7 @@ double place(const PlaceJob<T>& job) {
       const std::size_t at = s + h * Double::width;
       const std::uint32_t* const body = &job.slots.body[at];
       Double moved2;
-      const auto place = [&](const Column<double>& q, const Column<double>& built_at,
-                             const Column<double>& in_box) {
+      const auto place = [&](const auto& q, const auto& built_at, const auto& in_box) {
         const Double moved = gather_lanes(q.data(), body) - Double::load(&built_at[at]);
         moved2 += moved * moved;
         return Double::load(&in_box[at]) + moved;
@@ -109,7 +108,7 @@ void displace(const DisplaceJob<T>& job) {
     };
     for (std::size_t h = 0; h < parts; ++h) {
       const std::uint32_t* const body = &job.slots.body[s + h * Double::width];
-      const auto of = [&](const Column<double>& c) { return gather_lanes(c.data(), body); };
+      const auto of = [&](const auto& c) { return gather_lanes(c.data(), body); };
       move[0][h] = of(job.dq.x), move[1][h] = of(job.dq.y), move[2][h] = of(job.dq.z);
       dtheta[h] = {of(job.dtheta.x), of(job.dtheta.y), of(job.dtheta.z)};
       S[h] = attitudes(job.state.attitude, body);

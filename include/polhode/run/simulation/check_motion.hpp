@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Whether a state that was changed from outside is one of its molecules.
+#pragma once
+
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
+
+namespace polhode {
+
+/// Checks positions, momenta, attitudes and angular momenta; attitudes are then normalized.
+/// @throws Error  naming the molecule, counted from 1, if a number is not finite, a position is out
+///                of range, an attitude is zero, or an angular momentum has a component along an
+///                axis without inertia
+void check_motion(State& state, const Bodies& bodies);
+
+}  // namespace polhode

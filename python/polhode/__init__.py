@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+"""Molecular dynamics of rigid molecules, with exact free rotation and splitting schemes.
+
+    import polhode
+
+    simulation = polhode.Simulation(molecules="tip4p", count=512, initial_configuration="w512",
+                                    scheme="hoa2", step="4 fs")
+    run = simulation.run("1 ps")
+    print(run.ratio)                        # R
+    simulation.state.positions              # a view (n, 3) [nm]
+
+The verbs of the command line are functions: run, prepare, minimise, energy, analyze, convert, export,
+advise, study, tune_scheme, verify, molecules, schemes, top, bench, new. Quantities are texts with
+units, "2 fs", or those of pint or openmm.unit. Wrong input raises polhode.Error.
+"""
+
+from . import _core
+from ._files import Frame, read, read_frames, write
+from ._jobs import (advise, analyze, bench, convert, energy, export, minimise, new, prepare, run, study,
+                    tune_scheme)
+from ._lookup import Molecule, Scheme, molecules, schemes, verify
+from ._progress import hooks as Progress
+from ._quantities import quantity
+from ._results import EnergySeries, Report, Run
+from ._settings import Settings, settings
+from ._simulation import Simulation, State
+from ._tops import free_rotation, rotate_table, rotation_matrix, top
+from .errors import Error, OutputError, RunError
+from .forces import ExternalForces
+
+__version__ = _core.version
+
+__all__ = ["EnergySeries", "Error", "ExternalForces", "Frame", "Molecule", "OutputError",
+           "Progress", "Report", "Run", "RunError", "Scheme", "Settings", "Simulation", "State",
+           "advise", "analyze", "bench", "convert", "energy", "export", "free_rotation", "instruction_set",
+           "minimise", "molecules", "new", "prepare", "quantity", "read", "read_frames",
+           "rotate_table", "rotation_matrix", "run", "schemes", "settings", "study", "top",
+           "tune_scheme", "verify", "write"]
+
+
+def instruction_set():
+    """str: the SIMD instruction set in use: "scalar", "sse4", "avx2", "avx512" or "neon"."""
+    return _core.instruction_set()

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""What notebooks show: small tables, with light and dark backgrounds alike."""
+
+from html import escape
+
+_STYLE = "style='text-align:left;padding:0.15em 0.8em 0.15em 0'"
+
+
+def number(x):
+    """A number with five digits; texts and others as they are."""
+    if isinstance(x, bool) or x is None:
+        return {True: "yes", False: "no", None: "–"}[x]
+    if isinstance(x, float):
+        return f"{x:.5g}"
+    return str(x)
+
+
+def table(rows, head=None, caption=""):
+    """An HTML table; all texts are escaped."""
+    def line(cells, tag):
+        return "<tr>" + "".join(f"<{tag} {_STYLE}>{escape(number(c))}</{tag}>" for c in cells) + "</tr>"
+
+    top = f"<caption style='text-align:left;font-weight:bold'>{escape(caption)}</caption>" \
+        if caption else ""
+    heading = f"<thead>{line(head, 'th')}</thead>" if head else ""
+    return f"<table>{top}{heading}<tbody>{''.join(line(r, 'td') for r in rows)}</tbody></table>"
+
+
+def _flat(data, prefix=""):
+    """(key, value) of all numbers and texts, nested keys with a dot; no lists."""
+    for key, value in data.items():
+        if isinstance(value, dict):
+            yield from _flat(value, f"{prefix}{key}.")
+        elif not isinstance(value, list):
+            yield f"{prefix}{key}", value
+
+
+def report_html(report):
+    """A report: its numbers, its lists of records as tables, its warnings first."""
+    data, parts = report.data, []
+    if not isinstance(data, dict):
+        return f"<pre>{escape(repr(report))}</pre>"
+    for warning in data.get("warnings") or []:
+        parts.append(f"<p><b>{escape(warning['kind'])}</b>: {escape(warning['text'])}; "
+                     f"{escape(warning['remedy'])}</p>")
+    parts.append(table(list(_flat(data)), caption=report.job))
+    for key, value in data.items():
+        if isinstance(value, list) and value and all(isinstance(v, dict) for v in value) \
+                and key != "warnings":
+            columns = [k for k, v in value[0].items() if not isinstance(v, (dict, list))]
+            parts.append(table([[row.get(c) for c in columns] for row in value], columns, key))
+    return "".join(parts)
+
+
+def scheme_html(scheme):
+    """A scheme with its stages."""
+    head = table([("order", scheme.order or "unknown"), ("force evaluations per step",
+                  scheme.force_evaluations), ("cost", scheme.cost),
+                  ("palindrome", scheme.palindrome), ("source", scheme.source),
+                  ("as text", scheme.text)], caption=scheme.name)
+    stages = [(s["flow"], s["fraction"], s["xi"], s["gradient"]) for s in scheme.stages]
+    return head + table(stages, ("flow", "fraction of the step", "xi", "gradient"))
+
+
+def molecule_html(m):
+    """A molecule with its sites."""
+    head = table([("description", m.description), ("mass [u]", m.mass),
+                  ("moments [u nm²]", ", ".join(f"{x:.5g}" for x in m.moments)), ("top", m.top),
+                  ("charge [e]", m.charge), ("dipole [D]", m.dipole), ("source", m.source)],
+                 caption=m.name)
+    sites = [(s["name"], *s["position"], s["mass"], s["charge"], s["sigma"], s["epsilon"])
+             for s in m.sites]
+    return head + table(sites, ("site", "x [nm]", "y [nm]", "z [nm]", "mass [u]", "charge [e]",
+                                "sigma [nm]", "epsilon [kJ/mol]"))
+
+
+def simulation_html(s):
+    """A simulation: what it is of, and how far it is."""
+    names = ", ".join(f"{n} {name}" for name, n in s.molecules)
+    integrator = s.settings.tables.get("integrator") or {}
+    box = " × ".join(f"{x:.4g}" for x in s.state.box)
+    return table([("molecules", names), ("box [nm]", box),
+                  ("scheme", integrator.get("scheme", "hoa2")), ("step", integrator.get("step")),
+                  ("steps done", s.steps), ("time [ps]", s.time)], caption="Simulation")
+
+
+def run_html(run):
+    """A run: mean energies of its samples, and R."""
+    e = run.energies
+    if not len(e):
+        return table([], caption="Run without samples")
+    units = e.units()
+    rows = [(name.replace("_", " "), f"{e[name].mean():.6g}", f"{e[name].std():.3g}", units[name])
+            for name in e.names() if name != "time" and (name != "external" or e[name].any())]
+    ratio = f", R = {100 * e.ratio:.3g} %" if len(e) >= 3 else ""
+    caption = f"{len(e)} samples, {e['time'][0]:g} to {e['time'][-1]:g} ps{ratio}"
+    return table(rows, ("", "mean", "fluctuation", "unit"), caption)

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: MIT
+"""Schemes and molecules: those of the program, and one's own."""
+
+import json
+import os
+from collections.abc import Mapping
+
+import numpy as np
+
+from . import _core
+from .errors import Error
+from ._results import Report
+from ._settings import toml_text
+
+__all__ = ["Molecule", "Scheme", "molecules", "schemes", "verify"]
+
+
+class Scheme:
+    """A splitting scheme: a name of the table, or stages as text such as "B(1/2) A(1) B(1/2)".
+
+    Attributes:
+        name (str): or the text.
+        order (int): 0 if it is unknown.
+        stages (list of dict): "flow" ("drift", "kick", "bath"), "fraction", "xi", "gradient".
+        cost (float): force evaluations per step, with a derivative as two.
+        force_evaluations, gradient_kicks (int): per step.
+        palindrome (bool): whether it is time-reversible.
+        source (str): key in the bibliography.
+        text (str): the stages as text.
+    """
+
+    def __init__(self, text):
+        if not isinstance(text, str):
+            raise Error(f"a scheme is a text, a name or stages, not of type {type(text).__name__}")
+        self._take(json.loads(_core.scheme_json(text)))
+
+    def _take(self, data):
+        self.data = data
+        for key, value in data.items():
+            setattr(self, key, value)
+        return self
+
+    def __str__(self):
+        return self.text
+
+    def __repr__(self):
+        return f"<Scheme {self.name}: order {self.order or 'unknown'}, {self.text}>"
+
+    def __eq__(self, other):
+        return isinstance(other, Scheme) and self.data == other.data
+
+    def __hash__(self):
+        return hash(self.text)
+
+    def __reduce__(self):
+        return _scheme, (self.data,)
+
+    def _repr_html_(self):
+        from ._html import scheme_html
+
+        return scheme_html(self)
+
+
+def _scheme(data):
+    return Scheme.__new__(Scheme)._take(data)
+
+
+def schemes(name=None) -> Scheme | dict[str, Scheme]:
+    """The splitting schemes, as ``polhode schemes``.
+
+    Args:
+        name (str): a name, or stages as text; None: all.
+
+    Returns:
+        Scheme, or dict of them by name.
+    """
+    if name is not None:
+        return Scheme(name)
+    return {data["name"]: _scheme(data) for data in json.loads(_core.schemes_json())}
+
+
+def verify(scheme, *, order=0, lambda_=None) -> Report:
+    """Measures the order of a scheme, as ``polhode verify``.
+
+    Args:
+        scheme: a Scheme, a name, or stages as text.
+        order (int): expected; 0: that of the table.
+        lambda_ (float): of finite-difference gradients, from 1e-8 to 1.
+
+    Returns:
+        Report: "measured_order", "declared_order", "holds" (None without a declared order), and
+        "points": step [ps], and error of the energy relative to the kinetic one.
+    """
+    text = scheme.text if isinstance(scheme, Scheme) else scheme
+    if isinstance(order, bool) or order not in range(13):
+        raise Error(f"order = {order!r} must be from 1 to 12, or 0 for that of the table")
+    if lambda_ is not None and not 1e-8 <= lambda_ <= 1:
+        raise Error(f"lambda_ = {lambda_!r} must be from 1e-8 to 1")
+    return Report("verify", json.loads(_core.verify(text, order, lambda_)), [])
+
+
+_SITE_UNITS = {"position": "nm", "mass": "u", "charge": "e", "sigma": "nm", "epsilon": "kJ/mol"}
+
+
+def _site_table(site):
+    """The keys of a site in a molecule file."""
+    table = {"name": site["name"], "position": " ".join(repr(x) for x in site["position"]) + " nm"}
+    if site["element"]:
+        table["element"] = site["element"]
+    for key in ("mass", "charge", "sigma", "epsilon"):
+        if site[key]:
+            table[key] = f"{site[key]!r} {_SITE_UNITS[key]}"
+    return table
+
+
+class Molecule:
+    """A rigid molecule, from a dict with the keys of a molecule file::
+
+        Molecule({"name": "dumbbell", "source": "mine", "site": [
+            {"name": "A", "element": "Ar", "position": "0 0 0 nm", "mass": "40 u", ...}, ...]})
+
+    Attributes:
+        name, description, source (str)
+        mass (float): [u]
+        moments (numpy.ndarray): principal moments (3) [u nm²]
+        top (str): "atom", "linear", "spherical", "symmetric" or "asymmetric"
+        charge (float): [e]
+        dipole (float): [D]
+        sites (list of dict): in the principal frame; positions (3) [nm], masses [u], charges [e].
+    """
+
+    def __init__(self, table):
+        if not isinstance(table, Mapping):
+            raise Error("a molecule is a dict with the keys of a molecule file, not of type "
+                        + type(table).__name__)
+        self._table = dict(table)
+        self._take(json.loads(_core.molecule_json(_document(self._table), "dict")))
+
+    def _take(self, data):
+        self.data = data
+        for key, value in data.items():
+            setattr(self, key, value)
+        self.moments = np.array(data["moments"])
+        return self
+
+    def as_dict(self) -> dict:
+        """The molecule with the keys of a molecule file."""
+        if self._table is not None:
+            return dict(self._table)
+        lennard_jones = all(s["law"] == "lennard-jones" for s in self.sites)
+        if not lennard_jones:
+            raise Error(f"{self.name} has laws other than Lennard-Jones; use its name instead")
+        return {"name": self.name, "description": self.description, "source": self.source or "-",
+                "site": [_site_table(site) for site in self.sites]}
+
+    def __repr__(self):
+        return f"<Molecule {self.name}: {len(self.sites)} sites, {self.top} top, {self.mass:g} u>"
+
+    def __reduce__(self):
+        return _molecule, (self.data, self._table)
+
+    def _repr_html_(self):
+        from ._html import molecule_html
+
+        return molecule_html(self)
+
+
+def _molecule(data, table=None):
+    molecule = Molecule.__new__(Molecule)
+    molecule._table = table
+    return molecule._take(data)
+
+
+def kinds_of(core):
+    """The molecules of a simulation of the library."""
+    return [_molecule(data) for data in json.loads(core.kinds_json())]
+
+
+def _document(table):
+    """A molecule file: keys, then an array of sites on one line."""
+    text = toml_text({"m": table})
+    return text.partition("\n")[2]
+
+
+def molecules(name=None) -> Molecule | dict[str, Molecule]:
+    """The molecule models, as ``polhode molecules``.
+
+    Args:
+        name: a model, a molecule file, a GROMACS topology or a LAMMPS data file; None: all models.
+
+    Returns:
+        dict of Molecule by name; for the name of one model, or a molecule file, that Molecule.
+    """
+    found = [_molecule(data)
+             for data in json.loads(_core.molecules_json("" if name is None else os.fspath(name)))]
+    if name is not None and len(found) == 1:
+        return found[0]
+    return {m.name: m for m in found}

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: MIT
+"""Quantities: texts such as "2 fs", or those of pint and openmm.unit, as texts for the library."""
+
+import math
+import numbers
+
+from . import _core
+
+__all__ = ["text_of", "quantity"]
+
+# (as pint writes it, as run files write it): one unit of each dimension.
+_UNITS = (
+    ("ps", "ps"), ("nm", "nm"), ("K", "K"), ("kJ/mol", "kJ/mol"), ("g/cm**3", "g/cm3"),
+    ("bar", "bar"), ("u", "u"), ("elementary_charge", "e"), ("1/ps", "1/ps"),
+    ("1/bar", "1/bar"), ("kJ/mol/nm", "kJ/mol/nm"), ("mPa*s", "mPa s"), ("kJ/mol/ns", "kJ/mol/ns"),
+    ("1/nm", "1/nm"),
+)
+
+
+def _from_pint(value):
+    """A pint quantity in the first of these units that it can be converted to."""
+    if value.dimensionless:
+        return f"{100 * float(value.to('').magnitude)!r} %"
+    for pint_unit, ours in _UNITS:
+        if value.is_compatible_with(pint_unit):
+            return f"{float(value.to(pint_unit).magnitude)!r} {ours}"
+    return str(value)  # refused by the library, which names the unit
+
+
+def _from_openmm(value):
+    """A quantity of openmm.unit, likewise."""
+    from openmm import unit as u
+
+    units = (
+        (u.picosecond, "ps"), (u.nanometer, "nm"), (u.kelvin, "K"),
+        (u.kilojoule_per_mole, "kJ/mol"), (u.gram / u.centimeter**3, "g/cm3"), (u.bar, "bar"),
+        (u.dalton, "u"), (u.elementary_charge, "e"), (u.picosecond**-1, "1/ps"),
+        (u.kilojoule_per_mole / u.nanometer, "kJ/mol/nm"), (u.nanometer**-1, "1/nm"),
+    )
+    for unit, ours in units:
+        if value.unit.is_compatible(unit):
+            return f"{float(value.value_in_unit(unit))!r} {ours}"
+    return str(value)
+
+
+def text_of(value) -> object:
+    """A quantity as a text of run files; other values unchanged.
+
+    Args:
+        value: a text ("2 fs"), a ``pint.Quantity``, an ``openmm.unit.Quantity``, or anything else.
+
+    Returns:
+        For quantities "NUMBER UNIT" with all digits, in one of the units of run files.
+    """
+    if hasattr(value, "is_compatible_with") and hasattr(value, "magnitude"):
+        return _from_pint(value)
+    if hasattr(value, "value_in_unit") and hasattr(value, "unit"):
+        return _from_openmm(value)
+    return value
+
+
+def quantity_text(value, dimension, name):
+    """The text of a quantity that an argument needs.
+
+    Raises:
+        Error: if it is a bare number, with the message of run files.
+    """
+    value = text_of(value)
+    if isinstance(value, numbers.Number) and not isinstance(value, bool):
+        written = repr(value.item() if hasattr(value, "item") else value)
+        from .errors import Error
+
+        raise Error(_core.no_unit(name, written, dimension))
+    if not isinstance(value, str):
+        from .errors import Error
+
+        raise Error(f"{name} = {value!r} must be a quantity; write for example "
+                    + _core.no_unit(name, "2", dimension).rpartition("write for example ")[2])
+    return value
+
+
+def optional_text(value, dimension, name):
+    """The same for an argument that may be left out."""
+    return None if value is None else quantity_text(value, dimension, name)
+
+
+def quantity(value, dimension, name="quantity") -> float:
+    """The number of a quantity in the units of the library: nm, ps, u, e, K, kJ/mol.
+
+    Args:
+        value: a text ("2 fs") or a quantity of pint or openmm.unit.
+        dimension (str): "length", "time", "mass", "charge", "temperature", "force", "energy",
+            "density" [u/nm³], "pressure" [kJ/mol/nm³], "power", "viscosity", "fraction" or "rate".
+        name (str): what the value is, for errors.
+
+    Returns:
+        float: the number.
+
+    Raises:
+        Error: if the unit is missing, unknown or of another dimension.
+    """
+    return _core.quantity(quantity_text(value, dimension, name), dimension, name)
+
+
+def is_finite_number(value):
+    """Whether a value is an int or a float that is neither infinite nor not a number."""
+    return isinstance(value, numbers.Real) and math.isfinite(value)

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: MIT
+"""Results: energies as a structured array, reports of jobs as dicts that show themselves."""
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from . import _core
+from .errors import Error
+
+__all__ = ["EnergySeries", "Report", "Run"]
+
+_UNITS = {"kJ/mol": "kJ/mol", "ps": "ps", "K": "K", "bar": "bar", "nm3": "nm³"}
+
+
+class EnergySeries:
+    """Energies along a trajectory: the columns of PREFIX-energies.csv.
+
+    Attributes:
+        array (numpy.ndarray): structured, one row per sample, fields names(); times [ps],
+            energies [kJ/mol], temperature [K], pressure [bar], volume [nm³].
+    """
+
+    def __init__(self, rows):
+        self.array = np.zeros(len(rows), dtype=[(name, float) for name in self.names()])
+        for k, name in enumerate(self.names()):
+            self.array[name] = rows[:, k]
+
+    @staticmethod
+    def names() -> list[str]:
+        """list of str: the names of the fields."""
+        return [name for name, _ in _core.energy_columns()] + ["external"]
+
+    @staticmethod
+    def units() -> dict[str, str]:
+        """dict: the unit of each field."""
+        return {**dict(_core.energy_columns()), "external": "kJ/mol"}
+
+    def __len__(self):
+        return len(self.array)
+
+    def __getitem__(self, key):
+        return self.array[key]
+
+    def __array__(self, dtype=None, copy=None):
+        return np.array(self.array, dtype=dtype, copy=True if copy is None else copy)
+
+    @property
+    def ratio(self) -> float:
+        """R: the rms fluctuation of the conserved energy divided by that of the potential energy."""
+        if len(self) < 3:
+            raise Error(f"R needs at least 3 samples of the energies, and there are {len(self)}")
+        return float(self["conserved"].std() / self["potential"].std())
+
+    def to_pandas(self):
+        """pandas.DataFrame with the time as its index."""
+        import pandas
+
+        return pandas.DataFrame(self.array).set_index("time")
+
+    def __repr__(self):
+        if not len(self):
+            return "<no energies>"
+        return (f"<energies of {len(self)} samples, {self['time'][0]:g} to "
+                f"{self['time'][-1]:g} ps>")
+
+
+class Report(Mapping):
+    """The report of a job: the keys of its JSON, ``report["R"]`` or ``report.R``.
+
+    Attributes:
+        job (str): the verb: "run", "study", ...
+        data (dict): all keys; names contain units, as in "length_ps".
+        files (list of str): that were written.
+        complete (bool): False if it was interrupted.
+    """
+
+    def __init__(self, job, data, files, complete=True):
+        self.job, self.data, self.complete = job, data, complete
+        self.files = list(files)
+        if isinstance(data, dict) and not files:
+            self.data = {k: v for k, v in data.items() if k not in ("files", "energies_file")}
+
+    def __getitem__(self, key):
+        return self.data[key]
+
+    def __iter__(self):
+        return iter(self.data)
+
+    def __len__(self):
+        return len(self.data)
+
+    def __getattr__(self, name):
+        if name.startswith("_") or "data" not in self.__dict__:
+            raise AttributeError(name)
+        try:
+            return self.data[name]
+        except KeyError:
+            near = _core.did_you_mean(name, list(self.data))
+            raise AttributeError(f"the report has no '{name}'{near}") from None
+
+    def __dir__(self):
+        return [*super().__dir__(), *self.data]
+
+    def __repr__(self):
+        return f"<report of {self.job}: {', '.join(list(self.data)[:6])}, ...>"
+
+    def _repr_html_(self):
+        from ._html import report_html
+
+        return report_html(self)
+
+    def plot(self, ax=None):
+        """Draws the results with matplotlib, where the job has a figure: a study, an analysis.
+
+        Returns:
+            matplotlib.axes.Axes, or an array of them.
+        """
+        from ._plots import plot_report
+
+        return plot_report(self, ax)
+
+
+class Run:
+    """What Simulation.run() computed.
+
+    Attributes:
+        energies (EnergySeries): samples of the energies.
+        frames (list): (time [ps], box (3) [nm], positions of all sites (m, 3) [nm]), if requested.
+        simulation (Simulation): that it is of.
+    """
+
+    def __init__(self, simulation):
+        self.simulation = simulation
+        self.energies = EnergySeries(np.zeros((0, len(EnergySeries.names()))))
+        self.frames = []
+
+    def _add(self, rows, tasks):
+        self.energies = EnergySeries(rows)
+        self.frames = next((task.kept for _, task in tasks if hasattr(task, "kept")), [])
+
+    @property
+    def summary(self) -> Report:
+        """Report: statistics of the whole trajectory of the simulation, until now."""
+        return self.simulation.summary
+
+    @property
+    def ratio(self) -> float:
+        """R of these samples: rms fluctuation of the conserved energy over that of the potential."""
+        return self.energies.ratio
+
+    def to_pandas(self):
+        """pandas.DataFrame of the energies."""
+        return self.energies.to_pandas()
+
+    def plot(self, ax=None):
+        """Draws total and potential energy against time with matplotlib; returns its two Axes."""
+        from ._plots import plot_energies
+
+        return plot_energies(self.energies, ax)
+
+    def to_mdanalysis(self):
+        """MDAnalysis.Universe with the frames in memory."""
+        from ._trajectories import universe
+
+        return universe(self.simulation, self.frames)
+
+    def to_mdtraj(self):
+        """mdtraj.Trajectory with the frames."""
+        from ._trajectories import mdtraj_trajectory
+
+        return mdtraj_trajectory(self.simulation, self.frames)
+
+    def __repr__(self):
+        return f"<Run: {self.energies!r}, {len(self.frames)} frames>"
+
+    def _repr_html_(self):
+        from ._html import run_html
+
+        return run_html(self)

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: MIT
+"""Settings: the tables and keys of a run file, from a file, a dict, or keywords."""
+
+import os
+from collections.abc import Mapping
+
+from . import _core
+from .errors import Error
+from .forces import add_forces
+from ._quantities import text_of
+
+__all__ = ["settings"]
+
+# Words that may be given without their table, as options of the command line.
+TABLE_OF = {
+    "molecules": "system", "topology": "system", "initial_configuration": "system",
+    "density": "system", "box": "system", "temperature": "system", "seed": "system",
+    "velocities": "system", "checkpoint": "system",
+    "cutoff": "forces", "switch": "forces", "truncation": "forces", "smoothness": "forces",
+    "electrostatics": "forces", "dielectric": "forces", "skin": "forces", "precision": "forces",
+    "mixing": "forces", "pme_accuracy": "forces", "coulomb_cutoff": "forces", "damping": "forces",
+    "dispersion_correction": "forces",
+    "scheme": "integrator", "step": "integrator", "accuracy": "integrator",
+    "candidates": "integrator",
+    "length": "run", "sample": "run", "equilibrate": "run", "minimise": "run",
+    "shadow_sample": "run", "configurational_sample": "run",
+    "friction": "thermostat", "time_constant": "thermostat",
+    "pressure": "barostat", "hybrid_steps": "hybrid_monte_carlo",
+    "prefix": "output", "formats": "output", "trajectory_every": "output", "plot": "output",
+}
+TABLES = ("system", "forces", "pair", "schemes", "integrator", "run", "prepare", "output", "study",
+          "thermostat", "barostat", "hybrid_monte_carlo")
+
+
+# TOML text of Python values.
+
+def _string(text):
+    """A basic string of TOML."""
+    out = ['"']
+    for c in text:
+        if c in '"\\':
+            out.append("\\" + c)
+        elif ord(c) < 32 or ord(c) == 127:
+            out.append(f"\\u{ord(c):04x}")
+        elif 0xD800 <= ord(c) <= 0xDFFF:
+            raise Error(f"the text {text!r} has half of a character, which no file can hold")
+        else:
+            out.append(c)
+    return "".join(out) + '"'
+
+
+def _value(value, name, depth=0):
+    """A value on one line."""
+    value = text_of(value)
+    if depth > 20:
+        raise Error(f"{name} is nested more than 20 levels deep; run files have at most 4")
+    if hasattr(value, "tolist"):  # of NumPy
+        value = value.tolist()
+    if isinstance(value, os.PathLike):
+        value = os.fspath(value)
+    if isinstance(value, str):
+        return _string(value)
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, int):
+        return _integer(value, name)
+    if isinstance(value, float):
+        return repr(value)
+    if isinstance(value, Mapping):
+        pairs = (f"{_string(str(k))} = {_value(v, f'{name}.{k}', depth + 1)}"
+                 for k, v in value.items() if v is not None)
+        return "{ " + ", ".join(pairs) + " }"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(_value(v, f"{name}[{i}]", depth + 1)
+                               for i, v in enumerate(value)) + "]"
+    raise Error(f"{name} is of type {type(value).__name__}, and must be a text, a number, true or "
+                "false, a list, or a dict")
+
+
+def _integer(value, name):
+    if not -2**63 <= value < 2**63:
+        raise Error(f"{name} = {value} does not fit into 64 bits; give a smaller number")
+    return str(value)
+
+
+def toml_text(tables) -> str:
+    """The TOML text of a dict of tables.
+
+    Raises:
+        Error: if a value has no place in a run file.
+    """
+    pairs = tables.get("pair")
+    lines = [] if pairs is None else [f"pair = {_value(pairs, 'pair')}\n"]  # before all tables
+    for table, keys in tables.items():
+        if keys is None or table == "pair":
+            continue
+        if not isinstance(keys, Mapping):
+            raise Error(f"{table} must be a dict with the keys of the table [{table}]")
+        lines.append(f"[{_string(str(table))}]\n")
+        lines += [f"{_string(str(key))} = {_value(value, f'{table}.{key}')}\n"
+                  for key, value in keys.items() if value is not None]
+    return "".join(lines)
+
+
+def parsed(text) -> dict:
+    """A TOML text as a dict."""
+    try:
+        import tomllib
+    except ModuleNotFoundError:  # Python 3.10
+        import tomli as tomllib
+    return tomllib.loads(text)
+
+
+# Keywords.
+
+def _components(molecules, count):
+    """"tip4p", a molecule, {"tip4p": 512}, or a list as in run files."""
+    def model(m):
+        return m.as_dict() if hasattr(m, "as_dict") else m
+
+    if isinstance(molecules, Mapping) and "site" not in molecules:
+        return [{"model": name, "count": n} for name, n in molecules.items()]
+    def component(c):
+        if isinstance(c, Mapping):
+            return {**c, "model": model(c.get("model"))}
+        if isinstance(c, (list, tuple)) and len(c) == 2:
+            return {"model": model(c[0]), "count": c[1]}
+        raise Error(f"molecules has {c!r:.60}, and each must be a (model, count), or a dict with "
+                    "the keys model and count")
+
+    if isinstance(molecules, (list, tuple)):
+        return [component(c) for c in molecules]
+    return [{"model": model(molecules), "count": count}]
+
+
+def _place(tables, word, value):
+    """Puts a keyword into its table."""
+    if word in ("thermostat", "barostat") and not isinstance(value, Mapping):
+        if value in (None, "none"):
+            tables[word] = None
+        else:
+            tables[word] = {**(tables.get(word) or {}), "type": value}
+        return
+    if word in TABLES:
+        if not isinstance(value, Mapping) or not isinstance(tables.get(word), Mapping):
+            tables[word] = value
+        else:
+            tables[word] = {**tables[word], **value}
+        return
+    if word not in TABLE_OF:
+        near = _core.did_you_mean(word, [*TABLE_OF, *TABLES, "count", "threads"])
+        raise Error(f"there is no keyword '{word}'{near or '; those of run files are there, as in '}"
+                    + ("" if near else "scheme=\"hoa2\", step=\"2 fs\", run={\"length\": \"1 ps\"}"))
+    table = TABLE_OF[word]
+    key = "steps" if word == "hybrid_steps" else word
+    tables[table] = {**(tables.get(table) or {}), key: value}
+
+
+def _merged(tables, words):
+    """Tables with the keywords, which have precedence."""
+    count = words.pop("count", None)
+    molecules = words.pop("molecules", None)
+    if molecules is not None:
+        system = {k: v for k, v in (tables.get("system") or {}).items()
+                  if k not in ("molecules", "topology", "initial_configuration")}
+        tables["system"] = {**system, "molecules": _components(molecules, count)}
+    elif count is not None:
+        raise Error("count belongs to molecules; write for example molecules=\"tip4p\", count=512")
+    for word, value in words.items():
+        _place(tables, word, value)
+    integrator = tables.get("integrator")
+    if isinstance(integrator, Mapping) and ("step" in words) != ("accuracy" in words):
+        drop = "accuracy" if "step" in words else "step"
+        tables["integrator"] = {k: v for k, v in integrator.items() if k != drop}
+    for density in ("density", "box"):
+        if density in words and isinstance(tables.get("system"), Mapping):
+            tables["system"].pop("box" if density == "density" else "density", None)
+    return tables
+
+
+def settings(source=None, **keywords) -> "Settings":
+    """The settings of a run: those of a run file.
+
+    Args:
+        source: path of a run file; a dict with its tables, ``{"system": {...}, ...}``; settings
+            that were made before; or None for the default run, 512 TIP4P waters (with the keyword
+            ``molecules`` or ``system``: an empty run file).
+        **keywords: tables, as in ``run={"length": "1 ps"}``, or keys without their table:
+            ``scheme="hoa2"``, ``step="4 fs"``, ``temperature="298 K"``, ``seed=7``,
+            ``molecules="tip4p"`` with ``count=512``, ``thermostat="langevin"``,
+            ``pressure="1 bar"``; they have precedence over the source.
+            ``forces=f`` with a function adds forces of one's own, see polhode.forces.
+
+    Returns:
+        Settings: for any function of this package that takes a run file.
+
+    Raises:
+        Error: if a key or a value is wrong, with its place.
+    """
+    words = {k: v for k, v in keywords.items() if v is not None}
+    own = words.pop("forces", None) if callable(words.get("forces")) else None
+    if isinstance(source, Settings):
+        base, name, origin = source.tables, source.name, source
+        own = own or source.own_forces
+    elif isinstance(source, Mapping):
+        base, name = dict(source), "dict"
+        own = own or base.pop("external_forces", None)
+    elif source is not None:
+        base, name = None, os.fspath(source)
+    else:
+        base, name = ({} if "molecules" in words or "system" in words else None), "keywords"
+    return Settings(base, name, words, own)
+
+
+class Settings:
+    """The settings of a run, made by settings(). They can be pickled.
+
+    Attributes:
+        tables (dict): the tables of a run file.
+        name (str): where they are from, for errors.
+    """
+
+    def __init__(self, base, name, words, own_forces=None):
+        self.own_forces = own_forces
+        self.name = name
+        if base is None and not words:
+            self._core = _core.read_config(name) if name != "keywords" else _core.default_config()
+            self.tables = parsed(self._core.text)
+        else:
+            if base is None:
+                base = parsed(_core.read_config(name).text if name != "keywords"
+                              else _core.default_text())
+            self.tables = _merged(dict(base), dict(words))
+            self._core = _core.parse_config(toml_text(self.tables), name)
+        if own_forces is not None:
+            add_forces(self._core, own_forces)
+
+    @property
+    def text(self):
+        """The TOML text that was read."""
+        return self._core.text
+
+    def __repr__(self):
+        return f"<polhode settings of {self.name}>"
+
+    def __reduce__(self):
+        return _unpickled, (self.tables, self.name, self.own_forces)
+
+
+def _unpickled(tables, name, own_forces):
+    return Settings(tables, name, {}, own_forces)

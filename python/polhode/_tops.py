@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""Free rotation: of arrays of tops, and the trajectory of one."""
+
+import os
+
+import numpy as np
+
+from . import _core
+from ._arrays import reals
+from .errors import Error
+from ._progress import hooks
+
+__all__ = ["free_rotation", "rotation_matrix", "top", "rotate_table"]
+
+METHODS = ("series", "closed", "theta", "recursive", "no-squish", "symmetric-product")
+
+
+def _vectors(values, name):
+    """An array of doubles whose last axis has 3 components."""
+    array = reals(values, name)
+    if array.ndim < 1 or array.shape[-1] != 3:
+        raise Error(f"{name} has the shape {array.shape}, and its last axis must have 3 components")
+    return array
+
+
+def free_rotation(J, L, t, method="series") -> tuple[np.ndarray, np.ndarray]:
+    """The exact rotation of free rigid bodies over a time; all arguments are broadcast.
+
+    Args:
+        J: principal moments (..., 3), any order, one of them may be 0; any consistent units, such
+            as u nm².
+        L: angular momenta in the body frame (..., 3), such as u nm²/ps.
+        t: times (...), such as ps; any sign.
+        method (str): "series" (as in molecular dynamics), "closed", "theta", "recursive", exact
+            all of them; "no-squish" and "symmetric-product", of second order.
+
+    Returns:
+        (rotation, L): quaternions (..., 4), (w, x, y, z), with attitude(t) = attitude(0) *
+        rotation, body to lab; and angular momenta in the body frame (..., 3).
+
+    Raises:
+        Error: if moments are not those of a rigid body, or a number is not finite.
+    """
+    J, L = _vectors(J, "J"), _vectors(L, "L")
+    t = reals(t, "t")
+    try:
+        shape = np.broadcast_shapes(J.shape[:-1], L.shape[:-1], t.shape)
+    except ValueError:
+        raise Error(f"J, L and t with the shapes {J.shape}, {L.shape} and {t.shape} cannot be "
+                    "broadcast together") from None
+    rows = [np.ascontiguousarray(np.broadcast_to(a, shape + (3,))).reshape(-1, 3) for a in (J, L)]
+    times = np.ascontiguousarray(np.broadcast_to(t, shape)).reshape(-1)
+    rotation, after = _core.rotations(*rows, times, method)
+    return rotation.reshape(shape + (4,)), after.reshape(shape + (3,))
+
+
+def rotation_matrix(q) -> np.ndarray:
+    """The matrices (..., 3, 3) of quaternions (..., 4), (w, x, y, z), that rotate body to lab:
+    r_lab = matrix @ r_body."""
+    w, x, y, z = np.moveaxis(np.asarray(q, dtype=np.float64), -1, 0)
+    rows = ((w*w + x*x - y*y - z*z, 2*(x*y - w*z), 2*(x*z + w*y)),
+            (2*(x*y + w*z), w*w - x*x + y*y - z*z, 2*(y*z - w*x)),
+            (2*(x*z - w*y), 2*(y*z + w*x), w*w - x*x - y*y + z*z))
+    return np.moveaxis(np.array(rows), (0, 1), (-2, -1))
+
+
+def _triple(values, name):
+    array = _vectors(values, name)
+    if array.shape != (3,):
+        raise Error(f"{name} has the shape {array.shape}, and must have (3,)")
+    return array.tolist()
+
+
+def top(J, L, step=0.0, length=0.0, *, output=None, force=False, messages=None) -> np.ndarray:
+    """The trajectory of one free top, exactly and by two integrators, as ``polhode top``.
+
+    Args:
+        J, L: three principal moments, and the angular momentum in the body frame.
+        step, length (float): times in the units of J and L; 0: a fifth of a radian; 200 steps.
+        output: prefix of a figure of the polhode, drawn by gnuplot; None: no figure.
+        force (bool): overwrite its files.
+
+    Returns:
+        numpy.ndarray: structured, one row per sample: "t"; for each of "exact", "series" and
+        "no_squish" a "_rotation" (4) and an "_L" (3); for the last two an "_energy_error" and a
+        "_momentum_error", relative, and an "_angle" to the exact attitude [rad].
+    """
+    J, L = _triple(J, "J"), _triple(L, "L")
+    rows, _ = _core.top(J, L, float(step), float(length))
+    fields = [("t", float), ("exact_rotation", float, 4), ("exact_L", float, 3)]
+    for name in ("series", "no_squish"):
+        fields += [(f"{name}_rotation", float, 4), (f"{name}_L", float, 3),
+                   (f"{name}_energy_error", float), (f"{name}_momentum_error", float),
+                   (f"{name}_angle", float)]
+    if output is not None:
+        with hooks(False, messages) as h:
+            _core.draw_top(os.fspath(output), J, L, force, h.message)
+    table = np.zeros(len(rows), dtype=fields)
+    column = 0
+    for field in fields:
+        width = field[2] if len(field) == 3 else 1
+        table[field[0]] = rows[:, column:column + width].reshape(table[field[0]].shape)
+        column += width
+    return table
+
+
+def rotate_table(path, method="series") -> str:
+    """Rotates the tops of a CSV file, as ``polhode top --table``; returns CSV text."""
+    return _core.rotate_table(os.fspath(path), method)

@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: MIT
+"""The exceptions of the package. Their texts are those of the command line."""
+
+import re
+
+__all__ = ["Error", "OutputError", "RunError"]
+
+
+class Error(ValueError):
+    """Wrong input: a value, a file, an option. The command line exits with code 2.
+
+    Attributes:
+        text (str): what is wrong, with value, unit and bound, and what to do.
+        where (str): file, line and key, as far as known: ``"water.toml:9, forces.cutoff"``.
+    """
+
+    def __init__(self, text, where=""):
+        self.text = text
+        self.where = re.sub(r"^(keywords|dict):\d+", r"\1", where)  # lines of a text nobody wrote
+        super().__init__(f"{text}\n  in   {self.where}" if self.where else text)
+
+    def __reduce__(self):
+        return type(self), (self.text, self.where)
+
+
+class OutputError(Error):
+    """Outputs of an earlier job that can neither be overwritten nor resumed as they are.
+
+    Attributes:
+        resumable (bool): whether ``resume=True`` would resume the earlier job.
+    """
+
+    def __init__(self, text, where="", resumable=False):
+        super().__init__(text, where)
+        self.resumable = resumable
+        remedy = "resume=True, which resumes, or " if resumable else ""
+        self.args = (f"{self.args[0]}\n  try  {remedy}force=True, which starts over and overwrites",)
+
+    def __reduce__(self):
+        return type(self), (self.text, self.where, self.resumable)
+
+
+class RunError(RuntimeError):
+    """A run that cannot continue although its input was valid, as when it blows up. The command
+    line exits with code 1."""

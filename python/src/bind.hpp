@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The parts of the module `polhode._core`. Each declares the functions of one subject; what they
+// mean is said in the Python files that call them.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace polhode::python {
+
+void bind_config(nanobind::module_& m);
+void bind_simulation(nanobind::module_& m);
+void bind_jobs(nanobind::module_& m);
+void bind_study(nanobind::module_& m);
+void bind_lookup(nanobind::module_& m);
+void bind_top(nanobind::module_& m);
+void bind_frames(nanobind::module_& m);
+
+/// Passes Error, OutputError and RunError on as those of polhode.errors.
+void translate_errors();
+
+}  // namespace polhode::python

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include <nanobind/ndarray.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "config.hpp"
+
+namespace polhode::python {
+namespace {
+
+namespace nb = nanobind;
+using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
+
+/// A Python object that may be dropped by any thread.
+struct Kept {
+  nb::object object;
+  explicit Kept(nb::object kept) : object(std::move(kept)) {}
+  Kept(const Kept&) = delete;
+  Kept& operator=(const Kept&) = delete;
+  ~Kept() {
+    if (!Py_IsInitialized()) {
+      object.release();
+      return;
+    }
+    const nb::gil_scoped_acquire acquired;
+    object.reset();
+  }
+};
+
+/// A NumPy array of its own with the rows of some columns.
+template <std::size_t n>
+nb::object rows_of(const Components<n>& columns) {
+  const std::size_t size = columns.size();
+  auto* const data = new double[std::max<std::size_t>(size * n, 1)];
+  const nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<double*>(p); });
+  for (std::size_t k = 0; k < n; ++k)
+    for (std::size_t i = 0; const double x : columns.component(k)) data[n * i++ + k] = x;
+  return nb::cast(nb::ndarray<nb::numpy, double>(data, {size, n}, owner));
+}
+
+void add_rows(const Array& rows, Vec3Column& to) {
+  const double* const x = rows.data();
+  for (std::size_t i = 0; i < to.size(); ++i) to.add(i, {x[3 * i], x[3 * i + 1], x[3 * i + 2]});
+}
+
+void add_result(const nb::tuple& result, Load& load) {
+  add_rows(nb::cast<Array>(result[0]), load.f);
+  add_rows(nb::cast<Array>(result[1]), load.tau);
+  load.external += nb::cast<double>(result[2]);
+  if (result[3].is_none()) return;
+  const auto virial = nb::cast<Array>(result[3]);
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) load.virial[i][k] += virial.data()[3 * i + k];
+}
+
+}  // namespace
+
+std::shared_ptr<const ExternalForces> external_forces(const nb::callable& function,
+                                                      const std::string& name, bool has_virial) {
+  const auto kept = std::make_shared<Kept>(function);
+  ExternalForces forces{.name = name, .has_virial = has_virial};
+  forces.add = [kept](const State& state, Load& load) {
+    const nb::gil_scoped_acquire acquired;
+    const Vec3<double>& edge = state.box.edge;
+    const nb::object result = kept->object(rows_of(state.q), rows_of(state.attitude),
+                                           nb::make_tuple(edge.x, edge.y, edge.z));
+    add_result(nb::cast<nb::tuple>(result), load);
+  };
+  return std::make_shared<const ExternalForces>(std::move(forces));
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// Schemes, molecules, quantities.
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include "bind.hpp"
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/run/listing/molecules.hpp"
+#include "polhode/run/listing/schemes.hpp"
+#include "polhode/run/listing/verification.hpp"
+
+namespace polhode::python {
+namespace {
+
+namespace nb = nanobind;
+
+constexpr std::pair<std::string_view, Dimension> dimensions[] = {
+    {"length", Dimension::length},
+    {"time", Dimension::time},
+    {"mass", Dimension::mass},
+    {"charge", Dimension::charge},
+    {"temperature", Dimension::temperature},
+    {"force", Dimension::force},
+    {"energy", Dimension::energy},
+    {"density", Dimension::density},
+    {"pressure", Dimension::pressure},
+    {"power", Dimension::power},
+    {"viscosity", Dimension::viscosity},
+    {"fraction", Dimension::fraction},
+    {"rate", Dimension::rate},
+};
+
+Dimension dimension_of(const std::string& name) {
+  for (const auto& [known, dimension] : dimensions)
+    if (name == known) return dimension;
+  std::vector<std::string> names;
+  for (const auto& [known, dimension] : dimensions) names.emplace_back(known);
+  throw Error("there is no dimension '" + name + "'" + did_you_mean(name, names) +
+              "; there are: " + join_names(names));
+}
+
+Verification measured(const std::string& scheme, int order, std::optional<double> lambda) {
+  if (lambda) check_lambda(nested_scheme_of(scheme));
+  const nb::gil_scoped_release released;
+  return verify(scheme, order, lambda.value_or(1e-4));
+}
+
+}  // namespace
+
+void bind_lookup(nb::module_& m) {
+  m.def("schemes_json", &schemes_json);
+  m.def("scheme_json", [](const std::string& text) { return scheme_json(scheme_of(text)); });
+  m.def("verify", [](const std::string& scheme, int order, std::optional<double> lambda) {
+    return verification_json(measured(scheme, order, lambda));
+  });
+  m.def("molecules_json",
+        [](const std::string& name) { return molecules_json(find_molecules(name), false); });
+  m.def("molecule_json", [](const std::string& text, const std::string& file) {
+    return molecules_json({parse_molecule(text, file)}, true);
+  });
+  m.def("quantity",
+        [](const std::string& text, const std::string& dimension, const std::string& name) {
+          return quantity(text, dimension_of(dimension), name);
+        });
+  m.def("no_unit",
+        [](const std::string& name, const std::string& number, const std::string& dimension) {
+          return no_unit(name, number, dimension_of(dimension));
+        });
+  m.def("did_you_mean", [](const std::string& word, const std::vector<std::string>& names) {
+    return did_you_mean(word, names);
+  });
+}
+
+}  // namespace polhode::python

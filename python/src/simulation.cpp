@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+// A simulation in memory: steps, views of its state, energies, checkpoints.
+#include "polhode/run/simulation/simulation.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <atomic>
+#include <mutex>
+
+#include "arrays.hpp"
+#include "bind.hpp"
+#include "job.hpp"
+#include "polhode/io/output_units.hpp"
+#include "polhode/run/listing/molecules.hpp"
+#include "polhode/run/simulation/energy_file.hpp"
+
+namespace polhode::python {
+namespace {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+/// Marks a simulation as in use by one thread.
+class InUse {
+ public:
+  explicit InUse(std::atomic<bool>& flag) : flag_(flag) {
+    if (flag_.exchange(true))
+      throw Error(
+          "the simulation is in use: it is running in another thread, or a function that it called "
+          "uses it; wait until the call returns, or use another simulation");
+  }
+  ~InUse() { flag_ = false; }
+  InUse(const InUse&) = delete;
+  InUse& operator=(const InUse&) = delete;
+
+ private:
+  std::atomic<bool>& flag_;
+};
+
+struct OwnedSimulation {
+  OwnedSimulation(const Config& config, int threads)
+      : workers(threads), simulation(config, workers) {}
+
+  Workers workers;
+  Simulation simulation;
+  std::atomic<bool> in_use = false;
+  std::vector<double> samples;         // rows of energies since the last call of take_energies()
+  std::optional<State> before_change;  // while the state may be changed
+
+  DegreesOfFreedom degrees_of_freedom() const {
+    return polhode::degrees_of_freedom(simulation.system().topology);
+  }
+};
+
+/// A row of energies with that of external forces as its last number.
+std::vector<double> row_of(const Energies& energies, const DegreesOfFreedom& n) {
+  const auto row = energy_row(energies, n);
+  std::vector<double> all(row.begin(), row.end() - 1);  // without the error of the step
+  all.push_back(energies.external);
+  return all;
+}
+
+/// @return  false if it was interrupted
+bool advance(OwnedSimulation& s, std::size_t steps, bool keep_energies, JobHooks hooks) {
+  const InUse use(s.in_use);
+  const DegreesOfFreedom n = s.degrees_of_freedom();
+  Job job(std::move(hooks));
+  return job.run([&](Callbacks callbacks) {
+    if (keep_energies)
+      callbacks.sample = [&](std::size_t, const State&, const Energies& energies) {
+        const std::vector<double> row = row_of(energies, n);
+        s.samples.insert(s.samples.end(), row.begin(), row.end());
+      };
+    return s.simulation.step(steps, callbacks);
+  });
+}
+
+template <std::size_t n, class Value>
+nb::object view(Value* data, const Components<n>& columns, const nb::object& owner) {
+  return nb::cast(nb::ndarray<nb::numpy, Value, nb::ndim<2>>(
+      data, {columns.size(), n}, owner, {1, static_cast<std::int64_t>(columns.stride())}));
+}
+
+template <std::size_t n>
+nb::object view(const Components<n>& columns, const nb::object& owner) {
+  return view(columns.component(0).data(), columns, owner);
+}
+
+template <std::size_t n>
+nb::object writable(Components<n>& columns, const nb::object& owner) {
+  return view(columns.component(0).data(), columns, owner);
+}
+
+using SimulationPointer = nb::pointer_and_handle<OwnedSimulation>;
+
+template <class Member>
+auto view_of(Member State::*member) {
+  return [member](SimulationPointer s) {
+    return view(s.p->simulation.state().*member, nb::borrow(s.h));
+  };
+}
+
+/// Writable views of positions, momenta, attitudes and angular momenta.
+nb::tuple begin_change(SimulationPointer s) {
+  const InUse use(s.p->in_use);
+  if (s.p->before_change) throw Error("the state is already being changed; leave that block first");
+  s.p->before_change = s.p->simulation.state();
+  State& state = s.p->simulation.state_to_change();
+  const nb::object owner = nb::borrow(s.h);
+  return nb::make_tuple(writable(state.q, owner), writable(state.p, owner),
+                        writable(state.attitude, owner), writable(state.ell, owner));
+}
+
+/// @param keep  false: the state as it was before
+void end_change(OwnedSimulation& s, bool keep) {
+  const InUse use(s.in_use);
+  if (!s.before_change) throw Error("the state is not being changed");
+  const State before = *std::exchange(s.before_change, std::nullopt);
+  if (!keep) return void(s.simulation.state_to_change() = before);
+  try {
+    s.simulation.state_changed();
+  } catch (...) {
+    s.simulation.state_to_change() = before;
+    throw;
+  }
+}
+
+/// Forces (n, 3) and torques (n, 3) at the current positions.
+nb::tuple forces(OwnedSimulation& s) {
+  const InUse use(s.in_use);
+  const System& system = s.simulation.system();
+  const std::size_t n = system.state.size();
+  std::vector<double> f(3 * n), tau(3 * n);
+  {
+    const nb::gil_scoped_release released;
+    ForceField field(system.topology, system.forces, system.state.box, s.workers);
+    Load load;
+    field(system.state, load);
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t k = 0; k < 3; ++k) {
+        f[3 * i + k] = load.f[i][k];
+        tau[3 * i + k] = load.tau[i][k];
+      }
+  }
+  return nb::make_tuple(array_of(std::move(f), {n, 3}), array_of(std::move(tau), {n, 3}));
+}
+
+/// Positions and velocities of all sites, molecules whole.
+nb::tuple sites(const OwnedSimulation& s, bool massless) {
+  const System& system = s.simulation.system();
+  std::vector<double> r, v;
+  each_atom(system.state, system.topology, massless ? MasslessSites::keep : MasslessSites::omit,
+            [&](const Atom& atom) {
+              r.insert(r.end(), {atom.r.x, atom.r.y, atom.r.z});
+              v.insert(v.end(), {atom.v.x, atom.v.y, atom.v.z});
+            });
+  const std::size_t n = r.size() / 3;
+  return nb::make_tuple(array_of(std::move(r), {n, 3}), array_of(std::move(v), {n, 3}));
+}
+
+/// The molecules of the parts of the topology, as JSON.
+std::string kinds_json(const OwnedSimulation& s) {
+  std::vector<Molecule> molecules;
+  for (const auto& part : s.simulation.system().topology.parts) molecules.push_back(part.molecule);
+  return molecules_json(molecules, false);
+}
+
+/// (molecule, count) of each part of the topology.
+nb::list parts(const OwnedSimulation& s) {
+  nb::list list;
+  for (const auto& [molecule, count] : s.simulation.system().topology.parts)
+    list.append(nb::make_tuple(molecule.name, count));
+  return list;
+}
+
+void write_state(const OwnedSimulation& s, const std::string& path, bool massless,
+                 bool velocities) {
+  const System& system = s.simulation.system();
+  const FrameChoice choice{massless ? MasslessSites::keep : MasslessSites::omit, velocities};
+  check_fit(path, system.state, system.topology, choice);
+  create_frames(path, system.topology, choice)->write(system.state);
+}
+
+template <class F>
+auto exclusively(F f) {
+  return [f](OwnedSimulation& s, const std::string& path) {
+    const InUse use(s.in_use);
+    const nb::gil_scoped_release released;
+    f(s, path);
+  };
+}
+
+void bind_state(nb::class_<OwnedSimulation>& c) {
+  c.def_prop_ro("positions", view_of(&State::q))
+      .def_prop_ro("momenta", view_of(&State::p))
+      .def_prop_ro("attitudes", view_of(&State::attitude))
+      .def_prop_ro("angular_momenta", view_of(&State::ell))
+      .def_prop_ro("box",
+                   [](const OwnedSimulation& s) {
+                     const Vec3<double>& edge = s.simulation.state().box.edge;
+                     return array_of<double>({edge.x, edge.y, edge.z}, {3});
+                   })
+      .def_prop_ro("time", [](const OwnedSimulation& s) { return s.simulation.state().time; })
+      .def_prop_ro("molecules",
+                   [](const OwnedSimulation& s) { return s.simulation.state().size(); })
+      .def_prop_ro("masses",
+                   [](SimulationPointer s) {
+                     const Bodies& bodies = s.p->simulation.system().bodies;
+                     return nb::cast(nb::ndarray<nb::numpy, const double, nb::ndim<1>>(
+                         bodies.m.data(), {bodies.size()}, nb::borrow(s.h)));
+                   })
+      .def_prop_ro("moments",
+                   [](SimulationPointer s) {
+                     return view(s.p->simulation.system().bodies.J, nb::borrow(s.h));
+                   })
+      .def("begin_change", &begin_change)
+      .def("end_change", &end_change)
+      .def("sites", &sites)
+      .def("parts", &parts)
+      .def("kinds_json", &kinds_json)
+      .def("write", &write_state);
+}
+
+}  // namespace
+
+void bind_simulation(nb::module_& m) {
+  nb::class_<OwnedSimulation> c(m, "Simulation", nb::is_weak_referenceable());
+  c.def(nb::init<const Config&, int>(), nb::call_guard<nb::gil_scoped_release>())
+      .def_prop_ro("steps", [](const OwnedSimulation& s) { return s.simulation.steps(); })
+      .def_prop_ro("config", [](const OwnedSimulation& s) { return s.simulation.config(); })
+      .def_prop_ro("threads", [](const OwnedSimulation& s) { return s.workers.threads(); })
+      .def(
+          "step",
+          [](OwnedSimulation& s, std::size_t steps, bool keep, nb::object progress,
+             nb::object message) {
+            return advance(s, steps, keep, {std::move(progress), std::move(message)});
+          },
+          "steps"_a, "keep_energies"_a, "progress"_a.none(), "message"_a.none())
+      .def(
+          "choose_step",
+          [](OwnedSimulation& s, nb::object progress, nb::object message) {
+            const InUse use(s.in_use);
+            return Job({std::move(progress), std::move(message)})
+                .run([&](const Callbacks& callbacks) {
+                  return s.simulation.choose_step(callbacks);
+                });
+          },
+          "progress"_a.none(), "message"_a.none())
+      .def("take_energies",
+           [](OwnedSimulation& s) {
+             const InUse use(s.in_use);
+             std::vector<double> rows = std::exchange(s.samples, {});
+             const std::size_t columns = energy_columns(false).size() + 1,
+                               n = rows.size() / columns;
+             return array_of(std::move(rows), {n, columns});
+           })
+      .def("energies",
+           [](OwnedSimulation& s) {
+             const InUse use(s.in_use);
+             const nb::gil_scoped_release released;
+             return row_of(s.simulation.energies(), s.degrees_of_freedom());
+           })
+      .def("report",
+           [](OwnedSimulation& s) {
+             const InUse use(s.in_use);
+             const nb::gil_scoped_release released;
+             return run_json(s.simulation.report());
+           })
+      .def("forces", &forces)
+      .def("save", exclusively([](OwnedSimulation& s, const std::string& path) {
+             s.simulation.save(path);
+           }))
+      .def("resume", exclusively([](OwnedSimulation& s, const std::string& path) {
+             s.simulation.resume(path);
+           }));
+  bind_state(c);
+  m.def("energy_columns", [] {
+    std::vector<std::pair<std::string, std::string>> names;
+    for (const Table::Column& column : energy_columns(false))
+      names.emplace_back(column.name, column.unit);
+    return names;
+  });
+}
+
+}  // namespace polhode::python

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// In place of the format H5MD, for builds without HDF5.
+#include "format.hpp"
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path) {
+  throw Error(
+      "this build of polhode has no HDF5, which H5MD files need; use the format trr, or a build "
+      "with HDF5",
+      path);
+}
+
+}  // namespace
+
+std::unique_ptr<FrameReader> h5md_reader(std::istream&, const std::string& file) { refuse(file); }
+std::unique_ptr<FrameReader> open_h5md(const std::string& path) { refuse(path); }
+void check_h5md(const std::string& path, const FileMark&) { refuse(path); }
+std::unique_ptr<FrameWriter> h5md_writer(const std::string& path, const Topology&,
+                                         const FrameChoice&, const FileMark*) {
+  refuse(path);
+}
+
+}  // namespace polhode

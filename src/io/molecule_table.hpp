@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// A molecule as a table: that of a molecule file, or one within a run file.
+#pragma once
+
+#include <string>
+
+#include "polhode/model/molecule.hpp"
+#include "toml_table.hpp"
+
+namespace polhode {
+
+/// @param file  that the table is in, for the paths of its tabulated potentials
+/// @throws Error  with file, line and key
+Molecule read_molecule_table(TomlTable table, const std::string& file);
+
+}  // namespace polhode

@@ -1,0 +1,308 @@
+# SPDX-License-Identifier: MIT
+"""The verbs as functions: the reports of the program, from the same library calls."""
+
+import json
+import os
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import polhode
+
+import package
+from package import WATER, program
+
+STUDY = {"runs": 2, "length": "40 fs", "decorrelate": "10 fs"}
+
+
+def same(a, b, but=()):
+    """Whether two JSON values are equal, apart from these keys."""
+    if isinstance(a, dict) and isinstance(b, dict):
+        return all(same(a[k], b[k], but) for k in a.keys() | b.keys() if k not in but)
+    return a == b
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.before = os.getcwd()
+        os.chdir(self.folder.name)
+        self.addCleanup(os.chdir, self.before)
+        Path("w.toml").write_text(polhode.settings(WATER).text, encoding="utf-8")
+
+
+class Verbs(InFolder):
+    """Each verb against the program: the same JSON and the same bytes of tables."""
+
+    def check(self, report, *command, but=()):
+        theirs = json.loads(program(*command, "--json"))
+        self.assertTrue(same(dict(report), theirs, but), (dict(report), theirs))
+
+    def test_run(self):
+        report = polhode.run("w.toml", output="a", threads=1)
+        self.check(report, "run", "w.toml", "--output", "b", "--threads", "1",
+                   but=("seconds", "ns_per_day", "files", "prefix"))
+        rows = [[line for line in Path(f"{p}-energies.csv").read_text().splitlines()
+                 if not line.startswith("#")] for p in "ab"]
+        self.assertEqual(*rows)
+        self.assertIn("a-final.gro", report.files)
+
+    def test_energy(self):
+        self.check(polhode.energy("w.toml"), "energy", "w.toml")
+
+    def test_minimise(self):
+        report = polhode.minimise("w.toml", output="a", max_steps=20)
+        self.check(report, "minimise", "w.toml", "--output", "b", "--max-steps", "20",
+                   but=("file", "files"))
+        self.assertEqual(Path("a-minimised.gro").read_text(), Path("b-minimised.gro").read_text())
+
+    def test_prepare(self):
+        report = polhode.prepare("w.toml", nvt="20 fs", output="a")
+        self.assertEqual(Path("a-prepared.gro").exists(), True)
+        program("prepare", "w.toml", "--nvt", "20 fs", "--output", "b")
+        self.assertEqual(Path("a-prepared.gro").read_text(), Path("b-prepared.gro").read_text())
+        self.assertIn("a-prepared.toml", report.files)
+
+    def test_analyze(self):
+        program("run", "w.toml", "--output", "t")
+        polhode.run(WATER, output="u", length="0.4 ps", trajectory_every="4 fs")
+        options = ("--run", "w.toml", "--what", "rdf,density")
+        report = polhode.analyze("u-trajectory.gro", run="w.toml", what=["rdf", "density"],
+                                 output="a", pairs=["OW-OW"])
+        self.check(report, "analyze", "u-trajectory.gro", *options, "--pairs", "OW-OW", "--output",
+                   "b", "--plot", "none", but=("files", "prefix"))
+        by_counts = polhode.analyze("u-trajectory.gro", molecules={"tip4p": 64}, what=["density"],
+                                    output="c")
+        self.assertEqual(by_counts["frames"], report["frames"])
+
+    def test_convert(self):
+        polhode.run(WATER, output="a")
+        self.assertEqual(polhode.convert("a-final.gro", "a.xyz"), 1)
+        program("convert", "a-final.gro", "b.xyz")
+        self.assertEqual(Path("a.xyz").read_text(), Path("b.xyz").read_text())
+
+    def test_bias_of_the_step(self):
+        polhode.run(WATER, output="e", length="0.4 ps", trajectory_every="4 fs", sample="4 fs")
+        report = polhode.analyze("e-trajectory.gro", run=polhode.settings(WATER), what=["rdf"],
+                                 energies="e-energies.csv", output="f")
+        self.assertIn("step_bias", json.dumps(report.data))
+        with self.assertRaisesRegex(polhode.Error, "give run as well"):
+            polhode.analyze("e-trajectory.gro", molecules={"tip4p": 64}, energies="e-energies.csv",
+                            output="g")
+
+    def test_export(self):
+        files = polhode.export("lammps", WATER, truncation="site-switch", output="a")
+        Path("w.toml").write_text(polhode.settings(WATER, truncation="site-switch").text, encoding="utf-8")
+        program("export", "lammps", "w.toml", "--output", "b")
+        self.assertEqual([file.suffix for file in files], [".data", ".table", ".in"])
+        self.assertEqual(Path("a.data").read_text(), Path("b.data").read_text())
+        with self.assertRaisesRegex(polhode.Error, "no export to 'gromacs'"):
+            polhode.export("gromacs", WATER)
+
+    def test_study(self):
+        report = polhode.study(WATER, schemes=["velocity-verlet", "hoa2"], steps=["2 fs", "1 fs"],
+                               study=STUDY, output="a", threads=1)
+        self.assertTrue(report.complete)
+        self.assertEqual(len(report["points"]), 4)
+        Path("s.toml").write_text(polhode.settings(WATER, study=STUDY).text, encoding="utf-8")
+        program("study", "s.toml", "--schemes", "velocity-verlet", "hoa2", "--steps", "2 fs", "1 fs",
+                "--output", "b", "--threads", "1")
+        rows = [sorted(line for line in Path(f"{p}-runs.csv").read_text().splitlines()
+                       if not line.startswith("#")) for p in "ab"]
+        self.assertEqual(*rows)
+        again = polhode.study(WATER, study=STUDY, from_record="a-runs.csv", output="c",
+                              schemes=["velocity-verlet", "hoa2"], steps=["2 fs", "1 fs"])
+        self.assertEqual(len(again["points"]), 4)
+
+    def test_advise(self):
+        report = polhode.advise(WATER, accuracy="5 %", schemes=["hoa2"], time=2, length="0.2 ps",
+                                output="a")
+        self.assertIn("hoa2", report["answer"])
+        with self.assertRaises(polhode.Error):
+            polhode.advise(WATER)
+
+    def test_tune_scheme(self):
+        report = polhode.tune_scheme(WATER, step="2 fs", runs=2, length="0.2 ps",
+                                     decorrelate="0.02 ps", sample="10 fs")
+        self.assertEqual(len(report["families"]), 2)
+
+    def test_verify(self):
+        self.check(polhode.verify("hoa2"), "verify", "hoa2")
+
+    def test_molecules(self):
+        theirs = json.loads(program("molecules", "tip4p", "--json"))
+        self.assertEqual(polhode.molecules("tip4p").data, theirs)
+        self.assertEqual([m.data for m in polhode.molecules().values()],
+                         json.loads(program("molecules", "--json")))
+
+    def test_schemes(self):
+        self.assertEqual([s.data for s in polhode.schemes().values()],
+                         json.loads(program("schemes", "--json")))
+
+    def test_new(self):
+        polhode.new("water", "a.toml")
+        program("new", "water", "b.toml")
+        self.assertEqual(Path("a.toml").read_text(), Path("b.toml").read_text())
+        with self.assertRaises(polhode.Error):
+            polhode.new("water", "a.toml")
+
+    def test_bench(self):
+        report = polhode.bench(quick=True, sizes=[512], precision="double", threads=1)
+        self.assertEqual(report["systems"][0]["molecules"], 512)
+
+    def test_top(self):
+        table = polhode.top([1, 2, 3], [0.1, 0.2, 1])
+        text = program("top", "--J", "1,2,3", "--L", "0.1,0.2,1")
+        self.assertGreater(len(table), 10)
+        self.assertLess(np.abs(table["series_energy_error"]).max(), 1e-13)
+        self.assertIn(f"{table['t'][-1]:.4g}"[:4], text)
+
+    def test_every_verb_is_a_function(self):
+        overview = program("help")
+        verbs = [line.split()[0] for line in overview.splitlines()
+                 if line.startswith("  ") and not line.startswith("  polhode")]
+        self.assertGreater(len(verbs), 10)
+        for verb in verbs:
+            self.assertTrue(callable(getattr(polhode, verb.replace("-", "_"))), verb)
+
+
+class FreeRotation(unittest.TestCase):
+    def test_rotations_of_arrays(self):
+        random = np.random.default_rng(1)
+        J = np.sort(random.uniform(1, 1.9, (50, 3)))
+        L, t = random.normal(size=(50, 3)), random.uniform(-5, 5, (3, 50))
+        q, after = polhode.free_rotation(J, L, t)
+        self.assertEqual((q.shape, after.shape), ((3, 50, 4), (3, 50, 3)))
+        # |L| and the energy are constant, and L in the lab frame is.
+        norm = lambda v: np.sqrt((v**2).sum(-1))
+        self.assertLess(np.abs(norm(after) - norm(L)).max(), 1e-13)
+        energy = lambda v: (v**2 / J).sum(-1)
+        self.assertLess(np.abs(energy(after) / energy(L) - 1).max(), 1e-13)
+        lab = np.einsum("...ij,...j", polhode.rotation_matrix(q), after)
+        self.assertLess(np.abs(lab - L).max(), 1e-13)
+        closed, _ = polhode.free_rotation(J, L, t, method="closed")
+        self.assertLess(np.minimum(norm(closed - q), norm(closed + q)).max(), 1e-13)
+
+    def test_the_table_of_the_program(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "tops.csv")
+            path.write_text("I1,I2,I3,L1,L2,L3,t\n1,2,3,0.1,0.2,1,0.7\n")
+            self.assertEqual(polhode.rotate_table(path), program("top", "--table", str(path)))
+
+    def test_wrong_arguments(self):
+        for J, L, t in (([1, 2], [0, 0, 1], 1), ([1, 2, 3], [[0, 0]], 1), ([1, 2, np.nan], [0, 0, 1], 1),
+                        ([1, 2, 3], [0, 0, 1], np.inf), ([-1, 2, 3], [0, 0, 1], 1),
+                        (np.ones((4, 3)), np.ones((5, 3)), 1), ("abc", [0, 0, 1], 1)):
+            with self.assertRaises(polhode.Error):
+                polhode.free_rotation(J, L, t)
+        with self.assertRaises(polhode.Error):
+            polhode.free_rotation([1, 2, 3], [0, 0, 1], 1, method="serious")
+        q, _ = polhode.free_rotation([1, 2, 3], [0, 0, 1], np.zeros((0,)))
+        self.assertEqual(q.shape, (0, 4))
+
+
+class Files(InFolder):
+    def test_write_and_read_in_every_format(self):
+        s = polhode.Simulation(WATER)
+        s.step(2)
+        r, v = s.sites()
+        s.write("names.gro")
+        for name in ("gro", "pdb", "xyz", "xtc", "trr", "dcd"):
+            path = f"a.{name}"
+            s.write(path)
+            names = "names.gro" if name in ("xtc", "trr", "dcd") else None
+            frame = polhode.read(path, names=names)
+            self.assertEqual(len(frame), 256, name)
+            # PDB and XTC have three decimals, of Å and nm; DCD and TRR single precision.
+            self.assertLess(np.abs(frame.positions - r).max(), 6e-4, name)
+            polhode.write(f"b.{name}", [frame, frame])
+            self.assertEqual(len(list(polhode.read_frames(f"b.{name}"))), 2, name)
+            with self.assertRaises(polhode.OutputError):
+                polhode.write(f"b.{name}", frame)
+        self.assertLess(np.abs(polhode.read("a.trr").velocities - v).max(), 1e-5)
+        self.assertEqual(polhode.read("names.gro").names[:4], ["OW", "HW1", "HW2", "MW"])
+
+    def test_wrong_files_and_arrays(self):
+        Path("bad.gro").write_text("x\n3\n1 2\n")
+        for call in (lambda: polhode.read("bad.gro"), lambda: polhode.read("none.gro"),
+                     lambda: polhode.read("w.nothing"),
+                     lambda: polhode.write("a.nothing", polhode.Frame(np.zeros((2, 3)))),
+                     lambda: polhode.write("a.gro", polhode.Frame(np.full((2, 3), np.nan))),
+                     lambda: polhode.write("a.gro", polhode.Frame(np.zeros((2, 4)))),
+                     lambda: polhode.write("a.gro", [])):
+            with self.assertRaises(polhode.Error):
+                call()
+
+
+class Results(unittest.TestCase):
+    def test_tables_and_displays(self):
+        s = polhode.Simulation(WATER)
+        run = s.run("40 fs", frames="20 fs")
+        self.assertEqual(run.energies.array.dtype.names[:3], ("time", "total", "potential"))
+        self.assertEqual(len(run.energies), 11)
+        self.assertAlmostEqual(run.ratio, s.summary["R"], delta=1e-9)
+        self.assertEqual(s.summary.steps, 20)
+        for thing in (s, run, s.summary, polhode.Scheme("gier4"), polhode.molecules("tip4p")):
+            html = thing._repr_html_()
+            self.assertIn("<table>", html)
+            self.assertEqual(html.count("<tr>"), html.count("</tr>"))
+        self.assertIn("vanzon2008", s.cite())
+        self.assertIn("jorgensen1983", s.cite())
+        with self.assertRaises(AttributeError) as caught:
+            s.summary.setps
+        self.assertIn("steps", str(caught.exception))
+
+    def test_names_in_displays_are_not_markup(self):
+        m = polhode.Molecule({"name": "<script>", "source": "&", "site": [
+            {"name": "<b>", "element": "Ar", "position": "0 0 0 nm", "mass": "1 u"}]})
+        self.assertNotIn("<script>", m._repr_html_())
+        self.assertNotIn("<b>", m._repr_html_())
+
+    def test_pandas(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("pandas is not installed")
+        frame = polhode.Simulation(WATER).run("8 fs").to_pandas()
+        self.assertEqual(frame.index.name, "time")
+        self.assertEqual(len(frame), 3)
+
+    def test_mdanalysis(self):
+        try:
+            import MDAnalysis  # noqa: F401
+        except ImportError:
+            self.skipTest("MDAnalysis is not installed")
+        s = polhode.Simulation(WATER)
+        u = s.run("20 fs", frames="10 fs").to_mdanalysis()
+        self.assertEqual((len(u.trajectory), len(u.atoms), len(u.residues)), (3, 256, 64))
+        u.trajectory[-1]
+        self.assertLess(np.abs(u.atoms.positions / 10 - s.sites()[0]).max(), 1e-6)
+        self.assertAlmostEqual(u.atoms.total_charge(), 0, 9)
+        self.assertAlmostEqual(u.trajectory.dt, 0.01, 9)
+
+    def test_mdtraj(self):
+        try:
+            import mdtraj  # noqa: F401
+        except ImportError:
+            self.skipTest("mdtraj is not installed")
+        s = polhode.Simulation(WATER)
+        t = s.run("20 fs", frames="10 fs").to_mdtraj()
+        self.assertEqual((t.n_frames, t.n_atoms, t.n_residues), (3, 256, 64))
+        self.assertLess(np.abs(t.xyz[-1] - s.sites()[0]).max(), 1e-6)
+
+    def test_figures(self):
+        try:
+            import matplotlib
+        except ImportError:
+            self.skipTest("matplotlib is not installed")
+        matplotlib.use("Agg")
+        axes = polhode.Simulation(WATER).run("20 fs").plot()
+        self.assertEqual(len(axes), 2)
+        with self.assertRaises(polhode.Error):
+            polhode.energy(WATER).plot()
+
+
+if __name__ == "__main__":
+    package.main()

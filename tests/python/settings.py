@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: MIT
+"""Settings from files, dicts and keywords; quantities of other packages; errors with their texts."""
+
+import os
+import pickle
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+import polhode
+
+import package
+from package import WATER, program
+
+try:
+    import pint
+except ImportError:
+    pint = None
+try:
+    import openmm.unit as openmm_unit
+except ImportError:
+    openmm_unit = None
+
+
+def message(function, *arguments, **keywords):
+    """The text of the Error that a call raises."""
+    try:
+        function(*arguments, **keywords)
+    except polhode.Error as e:
+        return str(e)
+    raise AssertionError("no Error was raised")
+
+
+def error_of_program(text, *options):
+    """What the program says to a run file: the text after "error: " and the place."""
+    import subprocess
+
+    with tempfile.TemporaryDirectory() as folder:
+        Path(folder, "w.toml").write_text(text, encoding="utf-8")
+        result = subprocess.run([package.PROGRAM, "run", "w.toml", *options], cwd=folder,
+                                capture_output=True, text=True)
+        assert result.returncode == 2, result
+        return result.stderr
+
+
+class Keywords(unittest.TestCase):
+    def test_file_dict_and_keywords_are_the_same(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "w.toml")
+            path.write_text(polhode.settings(WATER).text, encoding="utf-8")
+            made = [polhode.Simulation(path), polhode.Simulation(WATER),
+                    polhode.Simulation(molecules="tip4p", count=64, density="1 g/cm3",
+                                       temperature="297 K", seed=5, cutoff="0.6 nm",
+                                       switch="0.5 nm", scheme="hoa2", step="2 fs"),
+                    polhode.Simulation(str(path), seed=5),
+                    polhode.Simulation({**WATER, "system": {**WATER["system"], "seed": 7}}, seed=5),
+                    polhode.Simulation(polhode.settings(WATER, seed=8), seed=5)]
+            for s in made[1:]:
+                self.assertTrue((s.state.positions == made[0].state.positions).all())
+                self.assertTrue((s.state.momenta == made[0].state.momenta).all())
+
+    def test_without_anything_it_is_the_default_run(self):
+        self.assertEqual(polhode.Simulation().molecules, [("tip4p", 512)])
+        self.assertEqual(polhode.Simulation(step="1 fs").molecules, [("tip4p", 512)])
+
+    def test_mixtures(self):
+        s = polhode.Simulation(molecules={"tip4p": 30, "argon": 2}, density="0.8 g/cm3",
+                               cutoff="0.4 nm", switch="0.3 nm")
+        self.assertEqual(s.molecules, [("tip4p", 30), ("argon", 2)])
+
+    def test_an_ensemble(self):
+        s = polhode.settings(WATER, thermostat="langevin", friction="2 1/ps", pressure="3 bar",
+                             barostat="monte-carlo")
+        self.assertEqual(s.tables["thermostat"], {"type": "langevin", "friction": "2 1/ps"})
+        self.assertEqual(s.tables["barostat"], {"pressure": "3 bar", "type": "monte-carlo"})
+
+    def test_numpy_numbers_and_paths(self):
+        self.assertEqual(polhode.settings(WATER, seed=np.int64(3)).tables["system"]["seed"], 3)
+        with tempfile.TemporaryDirectory() as folder:
+            polhode.Simulation(WATER).write(Path(folder, "a.gro"))
+            system = {"molecules": [{"model": "tip4p"}],
+                      "initial_configuration": Path(folder, "a.gro")}
+            polhode.Simulation({**WATER, "system": system})
+
+
+class Errors(unittest.TestCase):
+    """The texts are those of the program; nothing else is raised."""
+
+    def test_a_bare_number_is_refused_with_the_same_message(self):
+        text = polhode.settings(WATER).text.replace('"step" = "2 fs"', '"step" = 2')
+        ours = message(polhode.settings, WATER, step=2)
+        first = ours.partition("\n")[0]
+        self.assertEqual(first, 'step = 2 has no unit; write for example "2 fs"')
+        self.assertIn(first, error_of_program(text))
+        self.assertIn("in   dict, integrator.step", ours)
+        self.assertIn('length = 1 has no unit; write for example "1 fs"',
+                      message(polhode.Simulation(WATER).run, 1))
+        self.assertIn("has no unit", message(polhode.Simulation(WATER).run, np.float64(1.5)))
+
+    def test_texts_are_those_of_the_program(self):
+        for change, old, new in (({"scheme": "giere4"}, '"hoa2"', '"giere4"'),
+                                 ({"step": "2 nm"}, '"2 fs"', '"2 nm"'),
+                                 ({"step": "-2 fs"}, '"2 fs"', '"-2 fs"'),
+                                 ({"cutoff": "9 nm"}, '"0.6 nm"', '"9 nm"')):
+            ours = message(polhode.Simulation, WATER, **change)
+            theirs = error_of_program(polhode.settings(WATER).text.replace(old, new))
+            self.assertIn(ours.partition("\n")[0], theirs)
+
+    def test_every_error_has_its_place(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder, "water.toml")
+            path.write_text("[system]\nmolecules = [{ model = 'tip4q', count = 5 }]\n")
+            try:
+                polhode.Simulation(path)
+                self.fail("no Error")
+            except polhode.Error as e:
+                self.assertEqual(e.where, f"{path}:2, system.molecules[0].model")
+                self.assertIn("did you mean 'tip4p'", e.text)
+                self.assertIsInstance(e, ValueError)
+                again = pickle.loads(pickle.dumps(e))
+                self.assertEqual((again.text, again.where), (e.text, e.where))
+
+    def test_unknown_words_are_refused_with_the_nearest(self):
+        self.assertIn("did you mean 'scheme'", message(polhode.settings, WATER, shceme="hoa2"))
+        self.assertIn("did you mean", message(polhode.settings, {**WATER, "systm": {}}))
+
+    def test_existing_files_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            prefix = os.path.join(folder, "w")
+            polhode.run(WATER, output=prefix)
+            with self.assertRaises(polhode.OutputError) as caught:
+                polhode.run(WATER, output=prefix)
+            self.assertTrue(caught.exception.resumable)
+            self.assertIn("resume=True", str(caught.exception))
+            polhode.run(WATER, output=prefix, force=True)
+            polhode.run(WATER, output=prefix, resume=True, length="60 fs")
+
+    def test_values_of_other_types(self):
+        for value in (object(), {1, 2}, 1j, b"hoa2", lambda: 1):
+            self.assertIsInstance(message(polhode.settings, WATER, integrator={"scheme": value}), str)
+        nested = []
+        nested.append(nested)
+        self.assertIn("nested", message(polhode.settings, WATER, formats=nested))
+        self.assertIn("64 bits", message(polhode.settings, WATER, seed=10**30))
+        self.assertIn("dict", message(polhode.settings, {"system": 3}))
+        self.assertIn("half of a character", message(polhode.settings, WATER, prefix="\ud800"))
+        # A text cannot leave its quotes.
+        self.assertIn("giere", message(polhode.settings, WATER, scheme='giere"\n[run]\nlength="1 fs'))
+
+    def test_a_file_that_does_not_exist(self):
+        self.assertIn("no-such-file.toml", message(polhode.Simulation, "no-such-file.toml"))
+
+
+class Quantities(unittest.TestCase):
+    def test_texts(self):
+        self.assertEqual(polhode.quantity("2 fs", "time"), 0.002)
+        self.assertIn("no unit", message(polhode.quantity, 2, "time", "step"))
+        self.assertIn("no unit", message(polhode.quantity, "2", "time", "step"))
+        self.assertIn("did you mean 'time'", message(polhode.quantity, "2 fs", "tim"))
+
+    @unittest.skipUnless(pint, "pint is not installed")
+    def test_pint(self):
+        u = pint.UnitRegistry()
+        for value, text, dimension in ((2 * u.fs, "2 fs", "time"), (10 * u.angstrom, "1 nm", "length"),
+                                       (u.Quantity(25, u.degC), "298.15 K", "temperature"),
+                                       (1000 * u.kg / u.m**3, "1 g/cm3", "density"),
+                                       (1 * u.atm, "1.01325 bar", "pressure"),
+                                       (1 * u.kcal / u.mol, "4.184 kJ/mol", "energy"),
+                                       (0.005 * u.dimensionless, "0.5 %", "fraction"),
+                                       (1 / u.ps, "1 1/ps", "rate")):
+            expected = polhode.quantity(text, dimension)
+            self.assertAlmostEqual(polhode.quantity(value, dimension) / expected, 1, delta=1e-12)
+        self.assertEqual(polhode.settings(WATER, step=2 * u.fs).tables["integrator"]["step"], 2 * u.fs)
+        self.assertIn("length", message(polhode.settings, WATER, step=2 * u.nm))
+        message(polhode.settings, WATER, step=2 * u.tesla)
+
+    @unittest.skipUnless(openmm_unit, "openmm is not installed")
+    def test_openmm(self):
+        u = openmm_unit
+        for value, text, dimension in ((2 * u.femtoseconds, "2 fs", "time"),
+                                       (10 * u.angstroms, "1 nm", "length"),
+                                       (300 * u.kelvin, "300 K", "temperature"),
+                                       (1 * u.kilocalories_per_mole, "4.184 kJ/mol", "energy"),
+                                       (1 / u.picosecond, "1 1/ps", "rate")):
+            expected = polhode.quantity(text, dimension)
+            self.assertAlmostEqual(polhode.quantity(value, dimension) / expected, 1, delta=1e-12)
+        message(polhode.settings, WATER, step=2 * u.nanometers)
+
+
+class Pickling(unittest.TestCase):
+    def test_settings_schemes_molecules_and_reports(self):
+        settings = pickle.loads(pickle.dumps(polhode.settings(WATER, step="1 fs")))
+        self.assertEqual(settings.tables["integrator"]["step"], "1 fs")
+        for thing in (polhode.Scheme("hoa2"), polhode.molecules("tip4p"), polhode.energy(WATER)):
+            self.assertEqual(pickle.loads(pickle.dumps(thing)).data, thing.data)
+
+    def test_a_simulation_says_what_to_do_instead(self):
+        with self.assertRaises(TypeError) as caught:
+            pickle.dumps(polhode.Simulation(WATER))
+        self.assertIn("save()", str(caught.exception))
+
+
+class Version(unittest.TestCase):
+    def test_it_is_that_of_the_program(self):
+        self.assertEqual(program("--version").strip(), f"polhode {polhode.__version__}")
+
+
+if __name__ == "__main__":
+    package.main()
