@@ -132,4 +132,4 @@ TIP4P_2005 = {257: 0.995, 267: 0.999, 277: 1.000, 287: 0.9995, 298: 0.997, 308: 
 
 def densities():
     return [Point("density", "tip4p-2005", T, density, "constant pressure", scheme, step, 500)
-            for T, density in TIP4P_2005.items() for scheme, step in (("velocity-verlet", 2), ("velocity-verlet", 4), ("hoa2", 4))]
+            for T, density in TIP4P_2005.items() for scheme, step in (("velocity-verlet", 2), ("velocity-verlet", 4), ("hoa2", 4), ("gier4-fd", 4))]

@@ -92,15 +92,22 @@ def density(run):
 
 
 def density_bias(run):
-    """[kg/m³]: of the volume, with the other sign."""
-    volume = run["step_bias"]["volume_nm3"]["value"]
-    return -density(run) * volume / run["volume_nm3"]["value"]
+    """[kg/m³]: of the volume, with the other sign; None for a scheme of fourth order, which has no prediction at constant pressure."""
+    if not run["step_bias"]:
+        return None
+    return -density(run) * run["step_bias"]["volume_nm3"]["value"] / run["volume_nm3"]["value"]
+
+
+def unbiased_density(run):
+    """What is left of the density without the predicted bias; None where that is not known."""
+    bias = density_bias(run)
+    return None if bias is None else density(run) - bias
 
 
 def densities(points):
     head = ["T [K]", "scheme", "step [fs]", "density [kg/m³]", "predicted bias [kg/m³]", "without it [kg/m³]"]
     return table(head, [[f"{p.temperature:g}", p.scheme, f"{p.step:g}", cell(of_runs(runs, density), 2), cell(of_runs(runs, density_bias), 2),
-                         cell(of_runs(runs, lambda run: density(run) - density_bias(run)), 2)] for p, runs in points.items()])
+                         cell(of_runs(runs, unbiased_density), 2)] for p, runs in points.items()])
 
 
 LIMIT = "limit of short steps"
@@ -108,18 +115,24 @@ LIMIT = "limit of short steps"
 
 def density_curves(points):
     """By scheme and step: [(T, density, error)], with the same density without the error of the step for all: that of all runs
-    corrected, to which the bias of each is added, so that curves differ by the biases alone, whose errors they have."""
+    corrected, to which the bias of each is added, so that curves differ by the biases alone, whose errors they have. A scheme
+    without a prediction has its own densities."""
     corrected = defaultdict(list)
     for p, runs in points.items():
-        corrected[p.temperature] += [density(run) - density_bias(run) for run in runs]
-    curves = {LIMIT: [(T, *mean(values)) for T, values in sorted(corrected.items())]}
+        corrected[p.temperature] += [unbiased_density(run) for run in runs if run["step_bias"]]
+    curves = {LIMIT: [(T, *mean(values)) for T, values in sorted(corrected.items()) if values]}
     limit = {T: value for T, value, _ in curves[LIMIT]}
     for p, runs in points.items():
-        bias, error = of_runs(runs, density_bias)
-        if error == inf:  # one run: its own estimate
+        bias = of_runs(runs, density_bias)
+        value, error = of_runs(runs, density) if bias is None else (limit[p.temperature] + bias[0], bias[1])
+        if error == inf and bias:  # one run: its own estimate
             error = density(runs[0]) * runs[0]["step_bias"]["volume_nm3"]["error"] / runs[0]["volume_nm3"]["value"]
-        curves.setdefault(f"{p.scheme}, {p.step:g} fs", []).append((p.temperature, limit[p.temperature] + bias, error))
+        curves.setdefault(name_of(p), []).append((p.temperature, value, error))
     return curves
+
+
+def name_of(p):
+    return f"{p.scheme}, {p.step:g} fs"
 
 
 def maximum(T, density):
@@ -135,21 +148,24 @@ def spread(drawn):
 
 
 def maxima(points, draws=2000):
-    """Temperatures of the maxima, and how far the step moves them, with errors from curves drawn within the errors of their points."""
+    """Temperatures of the maxima, how far the step moves them, and what it changes in the density, with errors from curves drawn within
+    the errors of their points. A predicted bias is added to the drawn limit; densities of their own do not depend on it."""
     curves, random = density_curves(points), np.random.default_rng(1)
+    own = {name_of(p) for p, runs in points.items() if of_runs(runs, density_bias) is None}
     T, limit, error = map(np.array, zip(*curves[LIMIT]))
     limits = limit + error * random.standard_normal((draws, len(T)))
-    at = {LIMIT: [maximum(T, drawn) for drawn in limits]}
-    rows = [[LIMIT, cell((maximum(T, limit), spread(at[LIMIT])), 1), ""]]
+    tops = np.array([maximum(T, drawn) for drawn in limits])
+    rows = [[LIMIT, cell((maximum(T, limit), spread(tops)), 1), "", ""]]
     for name, curve in curves.items():
         if name == LIMIT or len(curve) < len(T):
             continue
         value, error = np.array([c[1] for c in curve]), np.array([c[2] for c in curve])
-        drawn = [maximum(T, other + value - limit + error * random.standard_normal(len(T))) for other in limits]
-        shift = spread(np.array(drawn) - at[LIMIT])
-        top = maximum(T, value)
-        rows.append([name, cell((top, spread(drawn)), 1), cell((top - maximum(T, limit), shift), 1)])
-    return table(["", "maximum of the density [K]", "moved by the step [K]"], rows)
+        drawn = (value if name in own else limits + value - limit) + error * random.standard_normal((draws, len(T)))
+        moved = np.array([maximum(T, one) for one in drawn])
+        top, change = maximum(T, value), 100 * (drawn / limits - 1).mean(axis=1)
+        rows.append([name, cell((top, spread(moved)), 1), cell((top - maximum(T, limit), spread(moved - tops)), 1),
+                     cell((100 * float((value / limit - 1).mean()), spread(change)), 3)])
+    return table(["", "maximum of the density [K]", "moved by the step [K]", "density, mean over temperatures [%]"], rows)
 
 
 def cost_at(curve, bound):

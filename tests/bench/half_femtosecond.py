@@ -38,7 +38,23 @@ class Tables(unittest.TestCase):
     def test_bias_of_a_density(self):
         run = {"density_kg_per_m3": {"value": 1000}, "volume_nm3": {"value": 6.0}, "step_bias": {"volume_nm3": {"value": 0.003}}}
         self.assertAlmostEqual(tables.density_bias(run), -0.5)
+        self.assertAlmostEqual(tables.unbiased_density(run), 1000.5)
 
+    def test_maxima_with_and_without_a_prediction(self):
+        """The scheme with a prediction says that its density is 0.2 % too high; the other has 0.1 % more than the limit, and its
+        maximum 4 K above that. Runs that agree have no errors."""
+        true = lambda T: 1000 - 0.005 * (T - 277) ** 2
+        volume = {"value": 6.0}
+        runs = {}
+        for T in (257, 267, 277, 287, 297):
+            with_prediction = {"density_kg_per_m3": {"value": true(T) / 0.998}, "volume_nm3": volume, "step_bias": {"volume_nm3": {"value": -0.012}}}
+            own = {"density_kg_per_m3": {"value": 1.001 * true(T - 4)}, "volume_nm3": volume, "step_bias": None}
+            for scheme, run in (("hoa2", with_prediction), ("gier4-fd", own)):
+                runs[points.Point("density", "tip4p-2005", T, 1, "constant pressure", scheme, 4, 500)] = [run, run]
+        limit, hoa2, gier4 = tables.maxima(runs).splitlines()[2:]
+        self.assertEqual(limit, "| limit of short steps | 277.0 ± 0.0 |  |  |")
+        self.assertEqual(hoa2, "| hoa2, 4 fs | 277.0 ± 0.0 | -0.0 ± 0.0 | 0.200 ± 0.000 |")
+        self.assertEqual(gier4, "| gier4-fd, 4 fs | 281.0 ± 0.0 | 4.0 ± 0.0 | 0.092 ± 0.000 |")  # 0.1 % - 0.005 * 16 / 1000
 
     def test_slope_of_a_weighted_line(self):
         value, error = properties.slope([(0.98, 3 - 0.04, 0.1), (1, 3, 0.1), (1.02, 3 + 0.04, 0.1)])

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/force_program.hpp"
@@ -151,15 +152,15 @@ std::vector<std::string> export_to_lammps(const Config& config, const OutputOpti
   const System system = build_system(config);
   note_molecules(system, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
+  std::ostringstream tables;  // made before any file, since a law can be refused
   std::vector<std::string> sections;
   try {
-    write_file(files[1], [&](std::ostream& out) {
-      sections = write_lammps_tables(out, system.topology, system.forces, types,
-                                     system.forces.electrostatics != Electrostatics::pme);
-    });
+    sections = write_lammps_tables(tables, system.topology, system.forces, types,
+                                   system.forces.electrostatics != Electrostatics::pme);
   } catch (const Error& e) {
     throw e.at(config.source);
   }
+  write_file(files[1], [&](std::ostream& out) { out << tables.view(); });
   write_file(files[0], [&](std::ostream& out) {
     write_lammps_data(out, title_of(system.state), system.state, system.topology, types);
   });
