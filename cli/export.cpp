@@ -36,7 +36,7 @@ int export_run(const Options& o) {
 Action export_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command.add_option("PROGRAM", o->program, "lammps").required();
-  command.add_option("FILE", o->file, "run file (TOML)")->required();
+  command.add_option("FILE", o->file, "run file (TOML)").required();
   command.add_option("--output", o->output, "prefix of the files; default: the run file's");
   command.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
   command.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");

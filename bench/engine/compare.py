@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
@@ -52,7 +53,7 @@ plot = "none"
 
 
 class Case(NamedTuple):
-    forces: str
+    forces: str  # or the path of a run file, which has its own precision and molecules
     precision: str
     molecules: int
     instruction_set: str
@@ -66,6 +67,8 @@ def arguments():
     p.add_argument("base", help="a commit, or the path of a program")
     p.add_argument("--polhode", default="polhode", help="the current program")
     p.add_argument("--forces", type=words, default=list(FORCES), help=",".join(FORCES))
+    p.add_argument("--run-files", type=lambda text: [Path(word).resolve() for word in text.split(",")], default=[], metavar="FILE,...",
+                   help="runs of these files in place of water: without equilibration, trajectory and figure")
     p.add_argument("--precisions", type=words, default=["mixed", "double"], help="mixed,double")
     p.add_argument("--sizes", type=numbers, default=[512], help="waters, 512 n³ (512)")
     p.add_argument("--sets", type=words, default=[""], help="instruction sets (the best one of the processor)")
@@ -79,6 +82,10 @@ def arguments():
     for size in o.sizes:
         if 512 * copies(size) ** 3 != size:
             p.error(f"--sizes: {size} is not 512 n³; use 512, 4096, 13824, 32768, ...")
+    if missing := [path for path in o.run_files if not path.is_file()]:
+        p.error(f"--run-files: {missing[0]} does not exist")
+    if o.figures and o.run_files:
+        p.error("--figures are of water: leave out --run-files")
     if o.figures and len(o.precisions) * len(o.sets) > 1:
         p.error("--figures: give one precision and one instruction set")
     o.json, o.figures = o.json and o.json.resolve(), o.figures and o.figures.resolve()
@@ -129,11 +136,24 @@ def replicate(source, target, n):
         print(*(f"{n * edge:.9f}" for edge in edges), file=out)
 
 
-def seconds(program, case, steps, cpu_time):
+def run_options(case, steps):
+    """The run file of a case, and options."""
+    if Path(case.forces).is_file():
+        return [case.forces, "--length", f"{steps * file_step(case.forces):.17g} ps", "--output", "out"]
     Path("run.toml").write_text(run_file(case, steps), encoding="utf-8")
+    return ["run.toml"]
+
+
+def file_step(path):
+    """[ps]"""
+    number, unit = tomllib.loads(Path(path).read_text(encoding="utf-8"))["integrator"]["step"].split()
+    return float(number) * {"fs": 1e-3, "ps": 1}[unit]
+
+
+def seconds(program, case, steps, cpu_time):
     environment = {**os.environ, **({"POLHODE_INSTRUCTION_SET": case.instruction_set} if case.instruction_set else {})}
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime, time.perf_counter()
-    run = subprocess.run([program, "run", "run.toml", "--force", "--json", "--threads", str(case.threads)], env=environment,
+    run = subprocess.run([program, "run", *run_options(case, steps), "--force", "--json", "--threads", str(case.threads)], env=environment,
                          check=False, text=True, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     if run.returncode != 0:
         sys.exit(f"'{program} run' ended with {run.returncode}: {run.stderr}")
@@ -166,6 +186,11 @@ def compared(o, case):
             "faster": statistics.median(gains), "range": [min(gains), max(gains)]}
 
 
+def cases(o):
+    kinds = [(str(path), "", 0) for path in o.run_files] or itertools.product(o.forces, o.precisions, o.sizes)
+    return [Case(*kind, *how) for kind, how in itertools.product(kinds, itertools.product(o.sets, o.threads))]
+
+
 def main():
     o = arguments()
     result = {"date": datetime.date.today().isoformat(), "processor": machine.processor(), "base": Path(o.base).name,
@@ -173,11 +198,12 @@ def main():
     print(f"{'forces':>14} {'precision':>9} {'waters':>7} {'set':>7} {'threads':>7} | ms a step: base, now | times faster (range of {o.rounds})")
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        Path("w512.gro").write_text(liquid(o), encoding="utf-8")
-        for case in itertools.starmap(Case, itertools.product(o.forces, o.precisions, o.sizes, o.sets, o.threads)):
-            r = compared(o, case)
+        if not o.run_files:
+            Path("w512.gro").write_text(liquid(o), encoding="utf-8")
+        for case in cases(o):
+            r = {**compared(o, case), "forces": Path(case.forces).name}
             result["cases"].append(r)
-            print(f"{case.forces:>14} {case.precision:>9} {case.molecules:>7} {case.instruction_set or 'best':>7} {case.threads:>7} | "
+            print(f"{r['forces']:>14} {case.precision:>9} {case.molecules or '':>7} {case.instruction_set or 'best':>7} {case.threads:>7} | "
                   f"{r['base_ms']:.4g}, {r['now_ms']:.4g} | {r['faster']:.3f} ({r['range'][0]:.3f} to {r['range'][1]:.3f})", flush=True)
         os.chdir(ROOT)
     if o.json:

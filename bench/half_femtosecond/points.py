@@ -10,6 +10,7 @@ MOLECULES = {SMALL: 64}  # 216 in all others
 CUTOFF = {SMALL: 0.6}  # 0.85 nm
 # Of one step, in force evaluations: what points are compared by.
 EVALUATIONS = {"velocity-verlet": 1, "hoa2": 2, "bcss3": 3, "gier4-fd": 3, "4mn5fv": 5, "baoab": 1, "obabo": 1}
+FOURTH_ORDER = ("gier4-fd", "4mn5fv")  # without a shadow energy to be sampled
 RESCALING = '[thermostat]\ntype = "rescaling"\ntime_constant = "1 ps"\n'
 BAROSTAT = '[barostat]\ntype = "cell-rescaling"\npressure = "1 bar"\ncompressibility = "4.5e-5 1/bar"\ntime_constant = "1 ps"\n'
 
@@ -87,7 +88,7 @@ def run_file(point, run):
     noise a common seed would share among points, every run has a seed of its own."""
     constant_energy = point.ensemble.startswith("constant energy")
     seed = run if constant_energy else zlib.crc32(repr((*point, run)).encode())
-    with_brackets = point.ensemble in ("rescaling", "constant pressure")
+    with_brackets = point.ensemble in ("rescaling", "constant pressure") and point.scheme not in FOURTH_ORDER
     return RUN_FILE.format(**{**point._asdict(), "ensemble": ENSEMBLES[point.ensemble]}, seed=seed,
                            molecules=MOLECULES.get(point.ensemble, 216), cutoff=CUTOFF.get(point.ensemble, 0.85),
                            frames=FRAMES if point.group == "properties" else 0,

@@ -10,6 +10,19 @@ from pathlib import Path
 
 import built_program
 
+ARGON = """[system]
+molecules = [{ model = "argon", count = 27 }]
+box = "2.5 nm"
+temperature = "100 K"
+[forces]
+cutoff = "1.0 nm"
+[integrator]
+scheme = "velocity-verlet"
+step = "2 fs"
+[output]
+trajectory_every = "0 fs"
+plot = "none"
+"""
 ENGINE = Path(__file__).resolve().parents[2] / "bench/engine"
 sys.path.append(str(ENGINE))
 import compare  # noqa: E402
@@ -37,6 +50,22 @@ class Compare(unittest.TestCase):
                 self.assertIn("reaction field, before", (Path(folder) / f"figure-{name}.svg").read_text(encoding="utf-8"))
             for case in cases:
                 self.assertGreater(case["steps"], 0)
+
+    def test_run_files_in_place_of_water(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "argon.toml").write_text(ARGON, encoding="utf-8")
+            compared = lambda *files: subprocess.run(
+                [sys.executable, "-B", ENGINE / "compare.py", built_program.PROGRAM, "--polhode", built_program.PROGRAM, "--run-files", ",".join(files),
+                 "--rounds", "1", "--seconds", "0.05", "--json", "numbers.json"], cwd=folder, text=True, capture_output=True, check=False)
+            run = compared("argon.toml")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            (case,) = json.loads((folder / "numbers.json").read_text(encoding="utf-8"))["cases"]
+            self.assertEqual(case["forces"], "argon.toml")
+            self.assertGreater(case["steps"], 20)
+            refused = compared("argon.toml", "nowhere.toml")
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn("nowhere.toml", refused.stderr)
 
     def test_copies_have_the_energy_of_the_liquid_each(self):
         with tempfile.TemporaryDirectory() as name:
