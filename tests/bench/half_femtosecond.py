@@ -74,8 +74,9 @@ class Record(unittest.TestCase):
                 points.Point("friction", *water, points.langevin(20), "baoab", 4, 1),
                 points.Point("properties", *water, "constant energy", "velocity-verlet", 4, 1),
                 points.Point("density", *water, "constant pressure", "velocity-verlet", 4, 1)]
-        every, points.points = points.points, lambda quick: some
-        self.addCleanup(setattr, points, "points", every)
+        for name, short in ("points", lambda quick: some), ("equilibrate", lambda point: 1):
+            self.addCleanup(setattr, points, name, getattr(points, name))
+            setattr(points, name, short)
         with tempfile.TemporaryDirectory() as folder:
             Options.record = Path(folder) / "record.jsonl"
             study.complete(Options, study.known(Options.record))
