@@ -20,8 +20,12 @@ namespace polhode {
 template <class T>
 class PairEngine {
  public:
+  /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts: copies of
+  ///                     bodies that another engine computes. Ghosts do not interact with each
+  ///                     other, the forces on them are not computed, and of the energy and the
+  ///                     virial of a pair with a ghost half is counted.
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
-             Workers& workers);
+             Workers& workers, std::size_t ghost_parts = 0);
 
   /// Sets another box, with the topology and settings of the constructor, of which only the mesh
   /// may differ.
