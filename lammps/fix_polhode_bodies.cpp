@@ -2,7 +2,6 @@
 // fix polhode: which atoms form bodies, and where the bodies are.
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "assembly.hpp"
 #include "atom.h"
@@ -10,8 +9,8 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_polhode.hpp"
+#include "guarded.hpp"
 #include "lammps_vectors.hpp"
-#include "polhode/base/error.hpp"
 
 namespace polhode::lammps {
 
@@ -56,14 +55,12 @@ void FixPolhode::recognise() {
          owner ? record(info(i).body) : BodyRecord{}});
   }
   std::vector<SiteMessage> sites;
-  try {
+  guarded(error, "fix polhode", [&] {
     sites = assemble(
         messages, kinds_,
         {settings_.tolerance, phase_ != 0, [&](const Vec3<double>& r) { return minimum_image(r); }},
         world);
-  } catch (const Error& e) {
-    error->all(FLERR, std::string("fix polhode: ") + e.what());
-  }
+  });
   columns_ = std::make_unique<BodyColumns>(Topology{});
   arrivals_.clear();
   std::fill(info_.begin(), info_.end(), AtomInfo{});
@@ -71,12 +68,11 @@ void FixPolhode::recognise() {
   recognised_ = true;
   LAMMPS_NS::bigint inside = static_cast<LAMMPS_NS::bigint>(sites.size()), all = 0;
   MPI_Allreduce(&inside, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  holds_momentum_ = all == atom->natoms;
+  has_all_atoms_ = all == atom->natoms;
   if (all == 0)
     error->all(FLERR,
                "fix polhode: the group has no atoms; it must have the atoms of at least one "
                "molecule, so define the fix after they are created");
-  check_communication();
 }
 
 void FixPolhode::accept(const SiteMessage& site) {
@@ -108,6 +104,7 @@ void FixPolhode::check_communication() const {
 void FixPolhode::pre_neighbor() {
   rebuild_columns();
   find_owners();
+  ++arrangement_;
 }
 
 /// The bodies of the atoms that are now here, those of a kind together.

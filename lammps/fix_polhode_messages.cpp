@@ -61,6 +61,12 @@ void FixPolhode::add_arrival(int i, const BodyRecord& body) {
   arrivals_.push_back(body);
 }
 
+// The kind of the body that an owner has, which may be a ghost that is sent on.
+int FixPolhode::kind_of_body(int owner) {
+  const int body = info(owner).body;
+  return is_ghost_body(body) ? ghost(body).kind : info(owner).kind;
+}
+
 void FixPolhode::forward(Message message, int size) {
   message_ = message;
   comm->forward_comm(this, size);
@@ -79,7 +85,7 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
   }
   for (int k = 0; k < count; ++k) {
     const int body = info(list[k]).body;
-    if (message_ == Message::owners) *to++ = body >= 0 ? 1 : 0;
+    if (message_ == Message::owners) *to++ = body >= 0 ? kind_of_body(list[k]) + 1 : 0;
     if (message_ == Message::owners || body < 0) continue;
     if (message_ == Message::poses) {
       const Pose p = pose(body);
@@ -98,9 +104,10 @@ void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
   for (int i = first; i < first + count; ++i) {
     if (message_ == Message::owners) {
       info(i).body = -1;
-      if (*buffer++ == 0) continue;
+      const int kind = static_cast<int>(*buffer++) - 1;
+      if (kind < 0) continue;
       info(i).body = static_cast<int>(columns_->size() + ghosts_.size());
-      ghosts_.emplace_back();
+      ghosts_.push_back({.kind = kind});
       continue;
     }
     const int body = info(i).body;

@@ -235,4 +235,13 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
 template class PairEngine<double>;
 template class PairEngine<float>;
 
+AnyPairEngine pair_engine(const Topology& topology, const ForceSettings& settings, const Box& box,
+                          Workers& workers, std::size_t ghost_parts) {
+  const auto in = [&]<class T>(std::in_place_type_t<PairEngine<T>> type) {
+    return AnyPairEngine(type, topology, settings, box, workers, ghost_parts);
+  };
+  return settings.precision == Precision::mixed ? in(std::in_place_type<PairEngine<float>>)
+                                                : in(std::in_place_type<PairEngine<double>>);
+}
+
 }  // namespace polhode

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
@@ -73,5 +74,11 @@ class PairEngine {
   std::vector<ChunkSums<T>> sums_;                 // of each chunk
   std::vector<double> moved2_;                     // of each task of place()
 };
+
+using AnyPairEngine = std::variant<PairEngine<double>, PairEngine<float>>;
+
+/// The engine in the precision of the settings; arguments as those of PairEngine.
+AnyPairEngine pair_engine(const Topology& topology, const ForceSettings& settings, const Box& box,
+                          Workers& workers, std::size_t ghost_parts = 0);
 
 }  // namespace polhode
