@@ -42,7 +42,7 @@ struct BodyColumns {
   Load displaced_load;  ///< of the last evaluation at displaced positions
   Vec3Column kept_q;    ///< of a gradient kick in progress
   QuaternionColumn kept_attitude;
-  Vec3Column pair_f, pair_tau;  ///< from pair_style polhode, until they become part of a load
+  Vec3Column pair_f, pair_tau;    ///< from pair_style polhode, until they become part of a load
   Column<std::uint64_t> numbers;  ///< which select random numbers: the ids of the owner atoms
 
   explicit BodyColumns(const Topology& topology)

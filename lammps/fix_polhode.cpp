@@ -238,7 +238,7 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
   const int bit = 1 << group;
   LAMMPS_NS::bigint removed = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (info(i).body < 0 || (atom->mask[i] & bit) == 0) continue;
+    if (body_of(i) < 0 || (atom->mask[i] & bit) == 0) continue;
     const Molecule& molecule = kind(i).molecule;
     const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
     removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);
@@ -255,7 +255,7 @@ double FixPolhode::compute_scalar() { return -heat_; }
 double FixPolhode::compute_vector(int n) {
   double sum = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
-    const int body = info(i).body;
+    const int body = body_of(i);
     if (body < 0) continue;
     const BodyRecord b = record(body);
     const Kind& k = kind(i);
@@ -270,8 +270,8 @@ double FixPolhode::compute_vector(int n) {
 
 double FixPolhode::memory_usage() {
   constexpr std::size_t of_body = sizeof(BodyRecord) + 14 * sizeof(double);
-  return static_cast<double>(info_.size() * sizeof(AtomInfo) + columns_->size() * of_body +
-                             ghosts_.size() * sizeof(GhostBody));
+  return static_cast<double>(info_.size() * (sizeof(AtomInfo) + sizeof(int)) +
+                             columns_->size() * of_body + ghosts_.size() * sizeof(GhostBody));
 }
 
 }  // namespace polhode::lammps

@@ -93,13 +93,12 @@ class FixPolhode : public LAMMPS_NS::Fix {
   struct AtomInfo {
     int kind = -1, site = 0;  ///< kind −1: it belongs to none
     std::int64_t owner = 0;   ///< id of the atom that owns the body
-    int body = -1;  ///< of owners: its index in the columns, behind them in arrivals_ or, for ghost
-                    ///< owners, in ghosts_
   };
   enum class Message { owners, poses, motions, loads };
   struct Flows;
 
   AtomInfo& info(int i) { return info_[static_cast<std::size_t>(i)]; }
+  int& body_of(int i) { return body_of_[static_cast<std::size_t>(i)]; }
   Kind& kind(int i) { return kinds_[static_cast<std::size_t>(info(i).kind)]; }
   bool is_ghost_body(int body) const { return static_cast<std::size_t>(body) >= columns_->size(); }
   GhostBody& ghost(int body) { return ghosts_[static_cast<std::size_t>(body) - columns_->size()]; }
@@ -137,8 +136,11 @@ class FixPolhode : public LAMMPS_NS::Fix {
   double heat_ = 0;           // from the bath, of all processes [energy]
   bool recognised_ = false;
   bool has_all_atoms_ = false;  // all atoms are in bodies, and the bath keeps their momentum
-  bool virial_is_old_ = false;   // forces were computed without a call of setup()
-  std::vector<AtomInfo> info_;   // of local atoms; of ghosts only `body`
+  bool virial_is_old_ = false;  // forces were computed without a call of setup()
+  std::vector<AtomInfo> info_;  // of local atoms
+  // Of each atom: of owners the index of the body in the columns, behind them in arrivals_ or, for
+  // ghosts, in ghosts_; of others −1.
+  std::vector<int> body_of_;
   std::vector<Kind> kinds_;
   std::unique_ptr<BodyColumns> columns_;
   std::vector<BodyRecord> arrivals_;  // of atoms that came since the columns were built

@@ -40,8 +40,8 @@ using KindCharges = std::vector<std::vector<double>>;
 
 /// Conversion of the units of LAMMPS.
 struct PairUnits {
-  double nm = 1;         ///< the unit of length [nm]
-  double coulomb = 1;    ///< the energy of two unit charges at a unit distance
+  double nm = 1;          ///< the unit of length [nm]
+  double coulomb = 1;     ///< the energy of two unit charges at a unit distance
   double charge() const;  ///< of a unit charge, so that the library's K q q is the energy
 };
 

@@ -19,7 +19,9 @@ bool excludes_other_pairs(const LAMMPS_NS::Neighbor* neighbor) {
                      [](int intra) { return intra == 0; });
 }
 
-bool is_zero(const double* special) { return std::all_of(special + 1, special + 4, [](double x) { return x == 0; }); }
+bool is_zero(const double* special) {
+  return std::all_of(special + 1, special + 4, [](double x) { return x == 0; });
+}
 
 }  // namespace
 
@@ -29,8 +31,9 @@ void PairPolhode::check_inputs() const {
                "pair_style polhode computes all pairs of all molecules and cannot be part of a "
                "hybrid style; use it alone");
   if (atom->tag_enable == 0)
-    error->all(FLERR, "pair_style polhode finds molecules by the ids of their atoms; remove "
-                      "'atom_modify id no'");
+    error->all(FLERR,
+               "pair_style polhode finds molecules by the ids of their atoms; remove "
+               "'atom_modify id no'");
   if (offset_flag != 0 || tail_flag != 0)
     error->all(FLERR,
                "pair_style polhode has no 'pair_modify shift' or 'tail'; its energies are smooth "

@@ -86,9 +86,10 @@ void PairPolhode::init_style() {
   check_inputs();
   fix_->recognise();
   if (!fix_->has_all_atoms())
-    error->all(FLERR,
-               "pair_style polhode computes forces on the bodies of fix polhode, and some atoms are "
-               "in none; put all atoms into the group of the fix");
+    error->all(
+        FLERR,
+        "pair_style polhode computes forces on the bodies of fix polhode, and some atoms are "
+        "in none; put all atoms into the group of the fix");
   guarded(error, style, [&] { charges_ = charges_of_kinds(); });
   find_range();
   units_.coulomb = force->qqrd2e;

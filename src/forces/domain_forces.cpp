@@ -45,8 +45,8 @@ DomainForces::DomainForces(const Topology& own, const Topology& ghosts,
       reach_(reach_of(topology_, settings_)),
       constant_(constant_energy(own, settings_)),
       state_(topology_.size(), box_around({}, reach_)),
-      engine_(pair_engine(topology_, settings_, state_.box, Workers::serial(),
-                          ghosts.parts.size())) {
+      engine_(
+          pair_engine(topology_, settings_, state_.box, Workers::serial(), ghosts.parts.size())) {
   check_tables(topology_, settings_);
 }
 

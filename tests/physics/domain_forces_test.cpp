@@ -17,7 +17,7 @@ namespace {
 // A part of the box, and which bodies it has.
 struct Domain {
   Topology own, ghosts;
-  std::vector<std::size_t> bodies;  // of the scene, in the order of the domain's: own, then ghosts
+  std::vector<std::size_t> bodies;   // of the scene, in the order of the domain's: own, then ghosts
   std::vector<Vec3<double>> shifts;  // of their images
 };
 
@@ -179,7 +179,8 @@ TEST_CASE("the smooth part of Ewald's split is a polynomial") {
     const double bound = x <= 4 ? 1e-12 : 1e-9;
     for (double r = 0.05; r < cutoff; r += 0.01) {
       CHECK(std::abs(polynomial.smooth(r).u - split.smooth(r).u) < bound / cutoff);
-      CHECK(std::abs(polynomial.smooth(r).s - split.smooth(r).s) < 1e3 * bound / (cutoff * cutoff * cutoff));
+      CHECK(std::abs(polynomial.smooth(r).s - split.smooth(r).s) <
+            1e3 * bound / (cutoff * cutoff * cutoff));
     }
   }
   CHECK_THROWS_AS(gaussian_smooth_part(1, 1.01 * max_gaussian), Error);

@@ -88,7 +88,8 @@ class NeighbourList {
  public:
   /// @param topology     its sites determine the extent of each molecule type about its centre
   /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts
-  /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules, or
+  /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules,
+  /// or
   ///                     has more bodies than the list can address
   NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
                 std::size_t ghost_parts = 0);
