@@ -96,6 +96,9 @@ function(polhode_make_shareable target)
   target_compile_options(${target} PRIVATE -fvisibility=hidden $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
 endfunction()
 
+add_library(polhode_pocketfft INTERFACE)
+target_include_directories(polhode_pocketfft SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/third_party/pocketfft)
+
 function(polhode_compile_kernels library)
   # The loops over pairs unroll into several hundred operations, more than a processor looks ahead; by itself g++ orders
   # them only after it has assigned registers.

@@ -15,8 +15,6 @@ if(POLHODE_HDF5)
                         "or set POLHODE_HDF5=OFF, which leaves out the format H5MD")
   endif()
 endif()
-add_library(polhode_pocketfft INTERFACE)
-target_include_directories(polhode_pocketfft SYSTEM INTERFACE ${PROJECT_SOURCE_DIR}/third_party/pocketfft)
 include(cmake/kernels.cmake)
 include(cmake/embed.cmake)
 

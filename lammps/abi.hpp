@@ -5,14 +5,21 @@
 namespace LAMMPS_NS {
 class Fix;
 class LAMMPS;
+class Pair;
 }  // namespace LAMMPS_NS
 
 extern "C" {
 
-/// A fix style of a plugin.
+/// Makes an object of a style; which one is called depends on the kind of style.
+union LammpsFactory {
+  LAMMPS_NS::Pair* (*pair)(LAMMPS_NS::LAMMPS* lammps);
+  LAMMPS_NS::Fix* (*fix)(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments);
+};
+
+/// A style of a plugin: "fix" or "pair", and its name.
 struct LammpsPlugin {
   const char *version, *style, *name, *info, *author;
-  LAMMPS_NS::Fix* (*create)(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments);
+  LammpsFactory create;
   void* handle;
 };
 

@@ -42,6 +42,7 @@ struct BodyColumns {
   Load displaced_load;  ///< of the last evaluation at displaced positions
   Vec3Column kept_q;    ///< of a gradient kick in progress
   QuaternionColumn kept_attitude;
+  Vec3Column pair_f, pair_tau;    ///< from pair_style polhode, until they become part of a load
   Column<std::uint64_t> numbers;  ///< which select random numbers: the ids of the owner atoms
 
   explicit BodyColumns(const Topology& topology)
@@ -51,6 +52,8 @@ struct BodyColumns {
         displaced_load(topology.size()),
         kept_q(topology.size()),
         kept_attitude(topology.size()),
+        pair_f(topology.size()),
+        pair_tau(topology.size()),
         numbers(topology.size()) {}
   std::size_t size() const { return state.size(); }
 
@@ -69,6 +72,9 @@ struct BodyColumns {
   void shift(std::size_t i, const Vec3<double>& by) {
     state.q.add(i, by);
     kept_q.add(i, by);
+  }
+  void clear_pair_load() {
+    for (std::size_t i = 0; i < size(); ++i) pair_f.set(i, {}), pair_tau.set(i, {});
   }
   Vec3<double> velocity(std::size_t i) const { return bodies.inverse_m[i] * state.p[i]; }
   /// ω = Sᵀ J⁻¹ S ℓ, lab.

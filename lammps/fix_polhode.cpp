@@ -2,17 +2,16 @@
 #include "fix_polhode.hpp"
 
 #include <algorithm>
-#include <string>
+#include <utility>
 
 #include "assembly.hpp"
 #include "atom.h"
 #include "checks.hpp"
 #include "comm.h"
 #include "domain.h"
-#include "error.h"
 #include "force.h"
+#include "guarded.hpp"
 #include "lammps_vectors.hpp"
-#include "polhode/base/error.hpp"
 #include "polhode/ensemble/langevin.hpp"
 #include "polhode/ensemble/random_streams.hpp"
 #include "polhode/integrate/flows.hpp"
@@ -24,19 +23,9 @@ namespace polhode::lammps {
 
 using LAMMPS_NS::Atom;
 
-/// An error of this fix becomes one of LAMMPS; all processes must meet it together.
-template <class Work>
-void FixPolhode::guarded(const Work& work) {
-  try {
-    work();
-  } catch (const Error& e) {
-    error->all(FLERR, std::string("fix polhode: ") + e.what());
-  }
-}
-
 FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
     : Fix(lammps, count, arguments), settings_(default_settings()) {
-  guarded([&] {
+  guarded(error, "fix polhode", [&] {
     settings_ = fix_settings(count - 3, arguments + 3, lammps);
     program_ = force_program(settings_.scheme);
   });
@@ -69,11 +58,12 @@ void FixPolhode::init() {
     error->all(FLERR,
                "fix polhode finds the atoms of a molecule by their ids; have LAMMPS keep a "
                "map of them by 'atom_modify map yes'");
-  guarded([&] { check_system(lmp, this, program_.size()); });
+  guarded(error, "fix polhode", [&] { check_system(lmp, this, program_.size()); });
 }
 
 void FixPolhode::setup_pre_exchange() {
   recognise();
+  check_communication();
   virial_is_old_ = true;
 }
 
@@ -118,7 +108,7 @@ void FixPolhode::play_stages(std::size_t first, std::size_t end) {
 void FixPolhode::initial_integrate(int vflag) {
   v_init(vflag);
   if (update->ntimestep == update->firststep + 1)
-    guarded([&] { check_intervals(lmp, program_.size(), phase_); });
+    guarded(error, "fix polhode", [&] { check_intervals(lmp, program_.size(), phase_); });
   const ForceEvaluation& evaluation = program_[phase_];
   play_stages(evaluation.first, evaluation.use);
   if (evaluation.xi != 0) begin_displacement(evaluation.xi);
@@ -164,7 +154,7 @@ void FixPolhode::bath(double t, StageNumber at) {
   double sums[] = {heat, P.x, P.y, P.z, c.size() > 0 ? total_mass(c.bodies) : 0.0};
   MPI_Allreduce(MPI_IN_PLACE, sums, 5, MPI_DOUBLE, MPI_SUM, world);
   heat = sums[0];
-  if (holds_momentum_ && sums[4] > 0) {
+  if (has_all_atoms_ && sums[4] > 0) {
     const Vec3<double> all{sums[1], sums[2], sums[3]};
     subtract_velocity(c.state, c.bodies, all / sums[4]);
     heat -= norm2(all) / (2 * sums[4]);
@@ -180,10 +170,12 @@ void FixPolhode::place_atoms() {
   }
 }
 
-/// Σ f and Σ s × f of the sites of every body.
+/// Σ f and Σ s × f of the sites of every body, and what a pair style has added to bodies.
 void FixPolhode::collect_forces(Load& load) {
   for (GhostBody& body : ghosts_) body.f = body.tau = {};
-  for (std::size_t i = 0; i < columns_->size(); ++i) load.f.set(i, {}), load.tau.set(i, {});
+  std::swap(load.f, columns_->pair_f);
+  std::swap(load.tau, columns_->pair_tau);
+  columns_->clear_pair_load();
   collecting_ = &load;
   for (int i = 0; i < atom->nlocal; ++i) {
     const int body = owner_body_[static_cast<std::size_t>(i)];
@@ -246,7 +238,7 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
   const int bit = 1 << group;
   LAMMPS_NS::bigint removed = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
-    if (info(i).body < 0 || (atom->mask[i] & bit) == 0) continue;
+    if (body_of(i) < 0 || (atom->mask[i] & bit) == 0) continue;
     const Molecule& molecule = kind(i).molecule;
     const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
     removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);
@@ -263,7 +255,7 @@ double FixPolhode::compute_scalar() { return -heat_; }
 double FixPolhode::compute_vector(int n) {
   double sum = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
-    const int body = info(i).body;
+    const int body = body_of(i);
     if (body < 0) continue;
     const BodyRecord b = record(body);
     const Kind& k = kind(i);
@@ -278,8 +270,8 @@ double FixPolhode::compute_vector(int n) {
 
 double FixPolhode::memory_usage() {
   constexpr std::size_t of_body = sizeof(BodyRecord) + 14 * sizeof(double);
-  return static_cast<double>(info_.size() * sizeof(AtomInfo) + columns_->size() * of_body +
-                             ghosts_.size() * sizeof(GhostBody));
+  return static_cast<double>(info_.size() * (sizeof(AtomInfo) + sizeof(int)) +
+                             columns_->size() * of_body + ghosts_.size() * sizeof(GhostBody));
 }
 
 }  // namespace polhode::lammps

@@ -4,6 +4,7 @@
 //
 // Every atom knows its site and the id of the atom that owns its body; the process of the owner
 // advances the body. Poses travel forward from owners to their ghosts, forces and torques back.
+// Pair styles that compute forces on bodies themselves read the bodies and add to their forces.
 #pragma once
 
 #include <cstdint>
@@ -61,27 +62,43 @@ class FixPolhode : public LAMMPS_NS::Fix {
   double compute_vector(int n) override;
   double memory_usage() override;
 
+  struct Motion {
+    Vec3<double> velocity{}, angular_velocity{};
+  };
+  /// The kind and the site of an atom; kind −1: it belongs to no body.
+  struct SitePlace {
+    int kind, site;
+  };
+  /// The body of a ghost owner.
+  struct GhostBody {
+    int kind;
+    Pose pose;
+    Motion motion;
+    Vec3<double> f{}, tau{};
+  };
+  /// Finds the molecules; all processes call it together. Each run does so at its beginning.
+  void recognise();
+  const std::vector<Kind>& kinds() const { return kinds_; }
+  bool has_all_atoms() const { return has_all_atoms_; }  ///< in bodies
+  SitePlace site_of(int i) const {
+    return {info_[static_cast<std::size_t>(i)].kind, info_[static_cast<std::size_t>(i)].site};
+  }
+  BodyColumns& columns() { return *columns_; }
+  const std::vector<GhostBody>& ghosts() const { return ghosts_; }
+  /// A number that changes whenever bodies or ghosts come or go.
+  std::uint64_t arrangement() const { return arrangement_; }
+
  private:
   /// What an atom knows of its body.
   struct AtomInfo {
     int kind = -1, site = 0;  ///< kind −1: it belongs to none
     std::int64_t owner = 0;   ///< id of the atom that owns the body
-    int body = -1;  ///< of owners: its index in the columns, behind them in arrivals_ or, for ghost
-                    ///< owners, in ghosts_
-  };
-  struct Motion {
-    Vec3<double> velocity{}, angular_velocity{};
-  };
-  /// The body of a ghost owner.
-  struct GhostBody {
-    Pose pose;
-    Motion motion;
-    Vec3<double> f{}, tau{};
   };
   enum class Message { owners, poses, motions, loads };
   struct Flows;
 
   AtomInfo& info(int i) { return info_[static_cast<std::size_t>(i)]; }
+  int& body_of(int i) { return body_of_[static_cast<std::size_t>(i)]; }
   Kind& kind(int i) { return kinds_[static_cast<std::size_t>(info(i).kind)]; }
   bool is_ghost_body(int body) const { return static_cast<std::size_t>(body) >= columns_->size(); }
   GhostBody& ghost(int body) { return ghosts_[static_cast<std::size_t>(body) - columns_->size()]; }
@@ -91,18 +108,16 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void add_arrival(int i, const BodyRecord& body);
   void add_load(int body, const Vec3<double>& f, const Vec3<double>& tau);
 
-  template <class Work>
-  void guarded(const Work& work);
   double mass_of_atom(int i) const;
   double mass_in_body(int i) const;
   Vec3<double> minimum_image(Vec3<double> r) const;
   double step() const;  // h, of the whole scheme
-  void recognise();
   void accept(const SiteMessage& site);
   void check_communication() const;
   void rebuild_columns();
   void wrap_to_owner(int owner);
   void find_owners();
+  int kind_of_body(int owner);
   void forward(Message message, int size);
 
   void play_stages(std::size_t first, std::size_t end);
@@ -120,13 +135,17 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::uint64_t cycles_ = 0;  // steps of the scheme so far
   double heat_ = 0;           // from the bath, of all processes [energy]
   bool recognised_ = false;
-  bool holds_momentum_ = false;  // all atoms are in bodies, and the bath keeps their momentum
-  bool virial_is_old_ = false;   // forces were computed without a call of setup()
-  std::vector<AtomInfo> info_;   // of local atoms; of ghosts only `body`
+  bool has_all_atoms_ = false;  // all atoms are in bodies, and the bath keeps their momentum
+  bool virial_is_old_ = false;  // forces were computed without a call of setup()
+  std::vector<AtomInfo> info_;  // of local atoms
+  // Of each atom: of owners the index of the body in the columns, behind them in arrivals_ or, for
+  // ghosts, in ghosts_; of others −1.
+  std::vector<int> body_of_;
   std::vector<Kind> kinds_;
   std::unique_ptr<BodyColumns> columns_;
   std::vector<BodyRecord> arrivals_;  // of atoms that came since the columns were built
   std::vector<GhostBody> ghosts_;
+  std::uint64_t arrangement_ = 0;
   std::vector<int> owner_body_;  // of each local atom: the body in the image next to it, or −1
   Message message_ = Message::owners;
   Load* collecting_ = nullptr;  // of the columns, during collect_forces()

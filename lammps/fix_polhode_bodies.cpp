@@ -2,7 +2,6 @@
 // fix polhode: which atoms form bodies, and where the bodies are.
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "assembly.hpp"
 #include "atom.h"
@@ -10,8 +9,8 @@
 #include "domain.h"
 #include "error.h"
 #include "fix_polhode.hpp"
+#include "guarded.hpp"
 #include "lammps_vectors.hpp"
-#include "polhode/base/error.hpp"
 
 namespace polhode::lammps {
 
@@ -46,44 +45,42 @@ void FixPolhode::recognise() {
     const std::int64_t molecule = atom->molecule != nullptr ? atom->molecule[i] : 0;
     const bool inside = (atom->mask[i] & groupbit) != 0;
     if (molecule == 0 && !inside) continue;
-    const bool owner = info(i).body >= 0;
+    const bool owner = body_of(i) >= 0;
     messages.push_back(
         {molecule > 0 ? molecule : -static_cast<std::int64_t>(atom->tag[i]),
          {atom->tag[i], atom->type[i], mass_in_body(i), vector(atom->x[i]), vector(atom->v[i])},
          i,
          inside,
          owner,
-         owner ? record(info(i).body) : BodyRecord{}});
+         owner ? record(body_of(i)) : BodyRecord{}});
   }
   std::vector<SiteMessage> sites;
-  try {
+  guarded(error, "fix polhode", [&] {
     sites = assemble(
         messages, kinds_,
         {settings_.tolerance, phase_ != 0, [&](const Vec3<double>& r) { return minimum_image(r); }},
         world);
-  } catch (const Error& e) {
-    error->all(FLERR, std::string("fix polhode: ") + e.what());
-  }
+  });
   columns_ = std::make_unique<BodyColumns>(Topology{});
   arrivals_.clear();
   std::fill(info_.begin(), info_.end(), AtomInfo{});
+  std::fill(body_of_.begin(), body_of_.end(), -1);
   for (const SiteMessage& site : sites) accept(site);
   recognised_ = true;
   LAMMPS_NS::bigint inside = static_cast<LAMMPS_NS::bigint>(sites.size()), all = 0;
   MPI_Allreduce(&inside, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
-  holds_momentum_ = all == atom->natoms;
+  has_all_atoms_ = all == atom->natoms;
   if (all == 0)
     error->all(FLERR,
                "fix polhode: the group has no atoms; it must have the atoms of at least one "
                "molecule, so define the fix after they are created");
-  check_communication();
 }
 
 void FixPolhode::accept(const SiteMessage& site) {
   const int i = site.place;
-  info(i) = {site.kind, site.site, site.owner, -1};
+  info(i) = {site.kind, site.site, site.owner};
   if (atom->tag[i] == site.owner) {
-    info(i).body = static_cast<int>(arrivals_.size());
+    body_of(i) = static_cast<int>(arrivals_.size());
     arrivals_.push_back(site.body);
   }
   const Vec3<double> x = vector(atom->x[i]);
@@ -108,13 +105,14 @@ void FixPolhode::check_communication() const {
 void FixPolhode::pre_neighbor() {
   rebuild_columns();
   find_owners();
+  ++arrangement_;
 }
 
 /// The bodies of the atoms that are now here, those of a kind together.
 void FixPolhode::rebuild_columns() {
   std::vector<std::pair<int, BodyRecord>> owners;
   for (int i = 0; i < atom->nlocal; ++i)
-    if (info(i).body >= 0) owners.emplace_back(i, record(info(i).body));
+    if (body_of(i) >= 0) owners.emplace_back(i, record(body_of(i)));
   std::stable_sort(owners.begin(), owners.end(), [&](const auto& a, const auto& b) {
     return info(a.first).kind < info(b.first).kind;
   });
@@ -128,14 +126,14 @@ void FixPolhode::rebuild_columns() {
     const auto& [i, body] = owners[k];
     columns_->set(k, body);
     columns_->numbers[k] = static_cast<std::uint64_t>(atom->tag[i]);
-    info(i).body = static_cast<int>(k);
+    body_of(i) = static_cast<int>(k);
     wrap_to_owner(i);
   }
 }
 
 /// Moves a body by whole edges of the box to where its owner atom was wrapped.
 void FixPolhode::wrap_to_owner(int owner) {
-  const auto body = static_cast<std::size_t>(info(owner).body);
+  const auto body = static_cast<std::size_t>(body_of(owner));
   const Vec3<double> difference =
       vector(atom->x[owner]) - position(kind(owner), kind(owner).owner, columns_->pose(body));
   const Vec3<double> shift = difference - minimum_image(difference);
@@ -146,7 +144,7 @@ void FixPolhode::wrap_to_owner(int owner) {
 void FixPolhode::find_owners() {
   ghosts_.clear();
   const int all = atom->nlocal + atom->nghost;
-  for (int i = atom->nlocal; i < all; ++i) info(i).body = -1;
+  for (int i = atom->nlocal; i < all; ++i) body_of(i) = -1;
   forward(Message::owners, 1);
   owner_body_.assign(static_cast<std::size_t>(atom->nlocal), -1);
   for (int i = 0; i < atom->nlocal; ++i) {
@@ -154,13 +152,13 @@ void FixPolhode::find_owners() {
     const int any_image = atom->map(static_cast<LAMMPS_NS::tagint>(info(i).owner));
     const int owner = any_image < 0 ? -1 : domain->closest_image(i, any_image);
     const double span = 1.001 * kind(i).span;  // more than rounding
-    if (owner < 0 || info(owner).body < 0 ||
+    if (owner < 0 || body_of(owner) < 0 ||
         norm2(vector(atom->x[i]) - vector(atom->x[owner])) > span * span)
       error->one(FLERR,
                  "fix polhode: atom {} is not within {:.4g} of atom {}, which owns its rigid "
                  "molecule; atoms of a molecule were deleted or moved during the run",
                  atom->tag[i], span, info(i).owner);
-    owner_body_[static_cast<std::size_t>(i)] = info(owner).body;
+    owner_body_[static_cast<std::size_t>(i)] = body_of(owner);
   }
   forward(Message::poses, 7);
 }

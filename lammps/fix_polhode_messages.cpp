@@ -28,27 +28,37 @@ Vec3<double> take(double*& from) {
 
 }  // namespace
 
-void FixPolhode::grow_arrays(int atoms) { info_.resize(static_cast<std::size_t>(atoms)); }
+void FixPolhode::grow_arrays(int atoms) {
+  info_.resize(static_cast<std::size_t>(atoms));
+  body_of_.resize(info_.size(), -1);
+}
 
-void FixPolhode::copy_arrays(int from, int to, int) { info(to) = info(from); }
+void FixPolhode::copy_arrays(int from, int to, int) {
+  info(to) = info(from);
+  body_of(to) = body_of(from);
+}
 
-void FixPolhode::set_arrays(int i) { info(i) = {}; }
+void FixPolhode::set_arrays(int i) {
+  info(i) = {};
+  body_of(i) = -1;
+}
 
 int FixPolhode::pack_exchange(int i, double* buffer) {
   const AtomInfo& of = info(i);
   buffer[0] = ubuf(of.kind).d;
   buffer[1] = ubuf(of.site).d;
   buffer[2] = ubuf(of.owner).d;
-  buffer[3] = ubuf(of.body >= 0 ? 1 : 0).d;
-  if (of.body < 0) return 4;
-  const BodyRecord body = record(of.body);
+  buffer[3] = ubuf(body_of(i) >= 0 ? 1 : 0).d;
+  if (body_of(i) < 0) return 4;
+  const BodyRecord body = record(body_of(i));
   std::memcpy(buffer + 4, &body, sizeof body);
   return 4 + static_cast<int>(record_size);
 }
 
 int FixPolhode::unpack_exchange(int i, double* buffer) {
   info(i) = {static_cast<int>(ubuf(buffer[0]).i), static_cast<int>(ubuf(buffer[1]).i),
-             ubuf(buffer[2]).i, -1};
+             ubuf(buffer[2]).i};
+  body_of(i) = -1;
   if (ubuf(buffer[3]).i == 0) return 4;
   BodyRecord body;
   std::memcpy(static_cast<void*>(&body), buffer + 4, sizeof body);
@@ -57,8 +67,14 @@ int FixPolhode::unpack_exchange(int i, double* buffer) {
 }
 
 void FixPolhode::add_arrival(int i, const BodyRecord& body) {
-  info(i).body = static_cast<int>(columns_->size() + arrivals_.size());
+  body_of(i) = static_cast<int>(columns_->size() + arrivals_.size());
   arrivals_.push_back(body);
+}
+
+// The kind of the body that an owner has, which may be a ghost that is sent on.
+int FixPolhode::kind_of_body(int owner) {
+  const int body = body_of(owner);
+  return is_ghost_body(body) ? ghost(body).kind : info(owner).kind;
 }
 
 void FixPolhode::forward(Message message, int size) {
@@ -78,8 +94,8 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
     }
   }
   for (int k = 0; k < count; ++k) {
-    const int body = info(list[k]).body;
-    if (message_ == Message::owners) *to++ = body >= 0 ? 1 : 0;
+    const int body = body_of(list[k]);
+    if (message_ == Message::owners) *to++ = body >= 0 ? kind_of_body(list[k]) + 1 : 0;
     if (message_ == Message::owners || body < 0) continue;
     if (message_ == Message::poses) {
       const Pose p = pose(body);
@@ -97,13 +113,14 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
 void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
   for (int i = first; i < first + count; ++i) {
     if (message_ == Message::owners) {
-      info(i).body = -1;
-      if (*buffer++ == 0) continue;
-      info(i).body = static_cast<int>(columns_->size() + ghosts_.size());
-      ghosts_.emplace_back();
+      body_of(i) = -1;
+      const int kind = static_cast<int>(*buffer++) - 1;
+      if (kind < 0) continue;
+      body_of(i) = static_cast<int>(columns_->size() + ghosts_.size());
+      ghosts_.push_back({.kind = kind});
       continue;
     }
-    const int body = info(i).body;
+    const int body = body_of(i);
     if (body < 0) continue;
     if (message_ == Message::poses) {
       Pose& p = ghost(body).pose;
@@ -122,13 +139,13 @@ void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
 int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
   double* to = buffer;
   for (int i = first; i < first + count; ++i)
-    if (info(i).body >= 0) to = put(put(to, ghost(info(i).body).f), ghost(info(i).body).tau);
+    if (body_of(i) >= 0) to = put(put(to, ghost(body_of(i)).f), ghost(body_of(i)).tau);
   return static_cast<int>(to - buffer);
 }
 
 void FixPolhode::unpack_reverse_comm(int count, int* list, double* buffer) {
   for (int k = 0; k < count; ++k) {
-    const int body = info(list[k]).body;
+    const int body = body_of(list[k]);
     if (body < 0) continue;
     const Vec3<double> f = take(buffer), tau = take(buffer);
     add_load(body, f, tau);
@@ -139,7 +156,7 @@ int FixPolhode::pack_restart(int i, double* buffer) {
   const int size = size_restart(i);
   buffer[0] = size;
   if (size == 1) return size;
-  const BodyRecord body = record(info(i).body);
+  const BodyRecord body = record(body_of(i));
   std::memcpy(buffer + 1, &body, stored_size * sizeof(double));
   return size;
 }
@@ -147,7 +164,7 @@ int FixPolhode::pack_restart(int i, double* buffer) {
 void FixPolhode::unpack_restart(int i, int nth) {
   const double* from = atom->extra[i];
   for (int k = 0; k < nth; ++k) from += static_cast<int>(from[0]);
-  info(i) = {};
+  set_arrays(i);
   if (from[0] == 1) return;
   BodyRecord body;
   std::memcpy(static_cast<void*>(&body), from + 1, stored_size * sizeof(double));
@@ -155,7 +172,7 @@ void FixPolhode::unpack_restart(int i, int nth) {
 }
 
 int FixPolhode::size_restart(int i) {
-  return info(i).body >= 0 ? 1 + static_cast<int>(stored_size) : 1;
+  return body_of(i) >= 0 ? 1 + static_cast<int>(stored_size) : 1;
 }
 
 int FixPolhode::maxsize_restart() { return 1 + static_cast<int>(stored_size); }

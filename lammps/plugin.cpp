@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The plugin: `plugin load polhodeplugin.so` adds the fix style polhode to LAMMPS.
+// The plugin: `plugin load polhodeplugin.so` adds the fix and pair styles polhode to LAMMPS.
 #include <string>
 
 #include "abi.hpp"
@@ -7,6 +7,7 @@
 #include "fix_polhode.hpp"
 #include "lammps.h"
 #include "library.h"
+#include "pair_polhode.hpp"
 #include "polhode/base/version.hpp"
 
 namespace {
@@ -16,6 +17,8 @@ using LAMMPS_NS::LAMMPS;
 LAMMPS_NS::Fix* create_fix(LAMMPS* lammps, int count, char** arguments) {
   return new polhode::lammps::FixPolhode(lammps, count, arguments);
 }
+
+LAMMPS_NS::Pair* create_pair(LAMMPS* lammps) { return new polhode::lammps::PairPolhode(lammps); }
 
 // Classes of LAMMPS differ from version to version; with other ones the plugin would crash.
 void check_version(LAMMPS* lammps) {
@@ -37,12 +40,12 @@ void check_version(LAMMPS* lammps) {
 void lammpsplugin_init(void* lammps, void* handle, void* add) {
   auto* const instance = static_cast<LAMMPS*>(lammps);
   check_version(instance);
-  LammpsPlugin plugin{instance->version,
-                      "fix",
-                      "polhode",
-                      "rigid molecules: exact free rotation and optimized splitting schemes",
-                      "polhode",
-                      &create_fix,
-                      handle};
-  reinterpret_cast<RegisterLammpsPlugin>(add)(&plugin, lammps);
+  const auto add_style = [&](const char* style, const char* info, const LammpsFactory& create) {
+    LammpsPlugin plugin{instance->version, style, "polhode", info, "polhode", create, handle};
+    reinterpret_cast<RegisterLammpsPlugin>(add)(&plugin, lammps);
+  };
+  add_style("fix", "rigid molecules: exact free rotation and optimized splitting schemes",
+            {.fix = &create_fix});
+  add_style("pair", "forces on the molecules of fix polhode, truncated smoothly",
+            {.pair = &create_pair});
 }

@@ -44,14 +44,6 @@ ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s
   return terms;
 }
 
-using Engine = std::variant<PairEngine<double>, PairEngine<float>>;
-Engine engine(const Topology& topology, const ForceSettings& settings, const Box& box,
-              Workers& workers) {
-  if (settings.precision == Precision::mixed)
-    return Engine(std::in_place_type<PairEngine<float>>, topology, settings, box, workers);
-  return Engine(std::in_place_type<PairEngine<double>>, topology, settings, box, workers);
-}
-
 }  // namespace
 
 ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
@@ -63,7 +55,7 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
       box_(box),
       tail_(settings_.dispersion_correction ? dispersion_tail(topology, settings_) : 0),
       constant_(constant_terms_of(topology, settings_, box, tail_)),
-      engine_(engine(topology, settings_, box, workers)) {}
+      engine_(pair_engine(topology, settings_, box, workers)) {}
 
 /// Recomputes what depends on the box if the box has changed.
 void ForceField::set_box(const Box& box) {

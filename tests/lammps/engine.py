@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """LAMMPS with the plugin: its environment, the build of the plugin, and runs of input scripts on some ranks."""
 
+import argparse
 import os
 import subprocess
 import sys
@@ -31,7 +32,8 @@ class Engine:
         self.headers, self.mpi_headers, self.lmp, self.mpiexec = map(Path, made.stdout.split("\n")[:4])
         build = self.build / "lammps-plugin"
         options = {"CMAKE_BUILD_TYPE": "Release", "POLHODE_LIBRARY": "OFF", "POLHODE_EXAMPLES": "OFF",
-                   "POLHODE_LAMMPS": "ON", "POLHODE_DEVELOPER": "ON", "POLHODE_INSTRUCTION_SETS": "native",
+                   "POLHODE_LAMMPS": "ON", "POLHODE_DEVELOPER": "ON", "POLHODE_INSTRUCTION_SETS": self.instruction_sets(),
+                   "POLHODE_LAMMPS_LIBRARY": self.build / "libpolhode.a",
                    "POLHODE_LAMMPS_HEADERS": self.headers, "POLHODE_MPI_HEADERS": self.mpi_headers}
         for command in (["cmake", "-G", "Ninja", "-S", ROOT, "-B", build,
                          *(f"-D{name}={value}" for name, value in options.items())],
@@ -40,6 +42,11 @@ class Engine:
             if done.returncode != 0:
                 sys.exit(done.stdout + done.stderr)
         self.plugin = build / "lammps/polhodeplugin.so"
+
+    def instruction_sets(self):
+        """Those of the library, which the plugin is linked with."""
+        cache = (self.build / "CMakeCache.txt").read_text()
+        return next(line.partition("=")[2] for line in cache.splitlines() if line.startswith("POLHODE_INSTRUCTION_SETS:"))
 
     def environment(self):
         return {**os.environ, "LD_LIBRARY_PATH": str(self.folder / "lib"), "OMP_NUM_THREADS": "1"}
@@ -111,3 +118,15 @@ def tables(output):
             for name, number in zip(names, numbers):
                 found[-1][name].append(number)
     return found
+
+
+def main(description):
+    """Runs the tests of the script that calls it."""
+    global ENGINE
+    parser = argparse.ArgumentParser(description=description)
+    parser.add_argument("--program", type=Path, required=True)
+    parser.add_argument("--build", type=Path, required=True)
+    options, rest = parser.parse_known_args()
+    ENGINE = Engine(options.program, options.build)
+    ENGINE.prepare()
+    unittest.main(argv=[sys.argv[0], *rest])

@@ -4,12 +4,9 @@
 Systems are small: LAMMPS takes longer to start than to run them.
 """
 
-import argparse
 import csv
 import json
 import math
-import unittest
-from pathlib import Path
 
 import engine
 from engine import LammpsTest
@@ -252,15 +249,5 @@ run {steps}
         self.refused(base, ["molecule 7: atom ", "rigid shape of its kind"], 2)
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", type=Path, required=True)
-    parser.add_argument("--build", type=Path, required=True)
-    options, rest = parser.parse_known_args()
-    engine.ENGINE = engine.Engine(options.program, options.build)
-    engine.ENGINE.prepare()
-    unittest.main(argv=[__file__, *rest])
-
-
 if __name__ == "__main__":
-    main()
+    engine.main(__doc__)

@@ -97,7 +97,7 @@ class ForceField {
   std::optional<Box> box_;  // of all that follows; none after an Error
   double tail_ = 0;         // of the dispersion, in any box [kJ/mol nm³]
   ConstantTerms constant_;
-  std::variant<PairEngine<double>, PairEngine<float>> engine_;
+  AnyPairEngine engine_;
   std::uint64_t evaluations_ = 0;
   std::size_t earlier_rebuilds_ = 0;
 };

@@ -40,12 +40,12 @@ void check_box(const Topology& topology, const ForceSettings& settings, const Bo
 // The work is divided by the number of bodies alone, so that sums do not depend on the number of
 // threads. Chunks are large enough that their own rows outnumber those of neighbouring chunks they
 // add to.
-std::vector<ListChunk> chunks_of(const Slots& slots) {
+std::vector<ListChunk> chunks_of(const Slots& slots, std::size_t parts) {
   std::vector<ListChunk> chunks;
   const std::size_t all = slots.size();
   const std::size_t min_chunks = all < 1000 ? 8 : all < 400000 ? 16 : 32;
   const std::size_t blocks = std::max<std::size_t>(1, all / slot_block / min_chunks);
-  for (std::uint32_t part = 0; part < slots.parts.size(); ++part) {
+  for (std::uint32_t part = 0; part < parts; ++part) {
     const Slots::Part& p = slots.parts[part];
     for (std::uint32_t s = p.first; s < p.end();) {
       const auto end =
@@ -87,8 +87,11 @@ void check_edges(const Box& box) {
 }
 
 NeighbourList::NeighbourList(const Topology& topology, const ForceSettings& settings,
-                             const Box& box)
-    : slots_((check_count(topology), topology)), tree_(slots_), chunks_(chunks_of(slots_)) {
+                             const Box& box, std::size_t ghost_parts)
+    : own_parts_(topology.parts.size() - ghost_parts),
+      slots_((check_count(topology), topology)),
+      tree_(slots_),
+      chunks_(chunks_of(slots_, own_parts_)) {
   set_box(topology, settings, box);
 }
 
@@ -144,7 +147,7 @@ void NeighbourList::build(const State& state, std::size_t width, Workers& worker
   const Stopwatch watch;
   slots_.sort(state, workers);
   tree_.update(slots_, box_, workers);
-  const ListJob job{box_, slots_, tree_, ranges_, width};
+  const ListJob job{box_, slots_, tree_, ranges_, width, own_parts_};
   const auto find = POLHODE_CURRENT_LOOPS(find_partners);
   workers.each(chunks_.size(), [&](std::size_t c) { find(job, chunks_[c]); });
   width_ = width;

@@ -26,16 +26,23 @@ std::size_t lanes() {
   return POLHODE_CURRENT_OVERLOAD(pair_lanes, std::size_t(*)(const PairJob<T>*))(nullptr);
 }
 
+template <class T>
+void halve_energies(ChunkSums<T>& sums) {
+  sums.van_der_waals /= 2;
+  sums.coulomb /= 2;
+  for (std::size_t d = 0; d < 3; ++d) sums.virial[d] = 0.5 * sums.virial[d];
+}
+
 }  // namespace
 
 template <class T>
 PairEngine<T>::PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
-                          Workers& workers)
+                          Workers& workers, std::size_t ghost_parts)
     : workers_(workers),
       treatment_(cutoff_treatment(settings)),
       tables_(topology, settings.mixing),
       laws_(settings),
-      list_(topology, settings, box),
+      list_(topology, settings, box, ghost_parts),
       records_(list_.slots().size(), max_sites_of(topology)),
       sums_(list_.chunks().size()) {
   for (const auto& part : topology.parts) {
@@ -181,9 +188,16 @@ void PairEngine<T>::sum_chunk(std::size_t c, PairLoop loop, bool energies,
   std::fill_n(sums.values.data(), sums.values.size(), T{});
   sums.van_der_waals = sums.coulomb = 0;
   sums.virial = {};
-  for (std::size_t partner = chunk.part; partner < sites_.size(); ++partner)
+  const auto sum_partners = [&](std::size_t partner) {
     loop({tables_(chunk.part, partner), laws_, treatment_, energies, list_, chunk, partner,
           records_, sums, displacements});
+  };
+  const std::size_t parts = sites_.size();
+  for (std::size_t partner = parts; partner > 0 && list_.is_ghost(partner - 1); --partner)
+    sum_partners(partner - 1);
+  halve_energies(sums);  // so far those of pairs with ghosts
+  for (std::size_t partner = chunk.part; partner < parts && !list_.is_ghost(partner); ++partner)
+    sum_partners(partner);
 }
 
 /// Adds the contributions of all chunks to the slots of one of them, in the order of the chunks.
@@ -220,5 +234,14 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
 
 template class PairEngine<double>;
 template class PairEngine<float>;
+
+AnyPairEngine pair_engine(const Topology& topology, const ForceSettings& settings, const Box& box,
+                          Workers& workers, std::size_t ghost_parts) {
+  const auto in = [&]<class T>(std::in_place_type_t<PairEngine<T>> type) {
+    return AnyPairEngine(type, topology, settings, box, workers, ghost_parts);
+  };
+  return settings.precision == Precision::mixed ? in(std::in_place_type<PairEngine<float>>)
+                                                : in(std::in_place_type<PairEngine<double>>);
+}
 
 }  // namespace polhode

@@ -9,6 +9,7 @@
 
 #include "polhode/forces/laws/damped_shifted_force.hpp"
 #include "polhode/forces/laws/ewald_split.hpp"
+#include "polhode/forces/laws/gaussian_smooth_part.hpp"
 #include "polhode/forces/laws/pair_value.hpp"
 #include "polhode/forces/laws/settings.hpp"
 
@@ -98,10 +99,11 @@ struct SmoothPart {
 };
 
 /// The polynomial that the force field subtracts from 1/r, if any: the smooth part of the PME
-/// split, or that of the damped shifted force.
+/// split, that of Ewald's, or that of the damped shifted force.
 inline std::optional<SmoothPolynomial> smooth_polynomial(const ForceSettings& settings) {
   if (settings.electrostatics == Electrostatics::damped_shifted_force)
     return damped_shifted_force(settings.cutoff, settings.damping, settings.smoothness);
+  if (settings.ewald_alpha) return gaussian_smooth_part(settings.cutoff, *settings.ewald_alpha);
   if (settings.mesh)
     return CompactSplit(settings.mesh->cutoff, settings.mesh->exponent).polynomial();
   return std::nullopt;

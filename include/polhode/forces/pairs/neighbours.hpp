@@ -9,6 +9,9 @@
 // would be partly empty hands the surplus pairs to the rows of those partners, if they come later,
 // so that nearly all lanes are used. Partners that are certain to stay inside the switching
 // distance while the list is valid come first in a row: their pairs need no truncation.
+//
+// Bodies of the last parts of a topology may be ghosts, copies of bodies that another list belongs
+// to: they are partners of other bodies and have no rows.
 #pragma once
 
 #include <cstdint>
@@ -68,7 +71,8 @@ struct ListChunk {
   std::vector<Row> rows;                       ///< [slot − first, partner part − part]
   std::vector<std::uint32_t> entries;          ///< words of Neighbour
   std::uint32_t max_row = 0;                   ///< entries in the longest row
-  std::vector<SlotWindow> windows;             ///< per part: the slots that occur in this chunk
+  std::vector<SlotWindow> windows;             ///< per part: the slots that occur in this chunk;
+                                               ///< empty for ghosts
   const Row& row(std::size_t slot, std::size_t partner_part, std::size_t parts) const {
     return rows[(slot - first) * (parts - part) + (partner_part - part)];
   }
@@ -82,10 +86,13 @@ struct PairRange {
 
 class NeighbourList {
  public:
-  /// @param topology  its sites determine the extent of each molecule type about its centre
-  /// @throws Error    if the box is too small for the cutoff plus the extent of the molecules, or
-  ///                  has more bodies than the list can address
-  NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box);
+  /// @param topology     its sites determine the extent of each molecule type about its centre
+  /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts
+  /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules,
+  /// or
+  ///                     has more bodies than the list can address
+  NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
+                std::size_t ghost_parts = 0);
 
   /// Sets another box, with the topology and settings of the constructor. The list has to be built
   /// before it is used again.
@@ -99,6 +106,8 @@ class NeighbourList {
   const Box& box() const { return box_; }
   const Slots& slots() const { return slots_; }
   const std::vector<ListChunk>& chunks() const { return chunks_; }
+  /// Whether the bodies of a part are ghosts.
+  bool is_ghost(std::size_t part) const { return part >= own_parts_; }
 
   /// Squared displacement since the last build up to which the list is valid [nm²].
   double allowed2() const { return allowed2_; }
@@ -115,6 +124,7 @@ class NeighbourList {
   Box box_{};
   std::vector<PairRange> ranges_;  // [part a, part b]
   double allowed2_ = 0;
+  std::size_t own_parts_;  // the others are ghosts
   Slots slots_;
   SlotTree tree_;
   std::vector<ListChunk> chunks_;
@@ -130,6 +140,7 @@ struct ListJob {
   const SlotTree& tree;                  ///< of these slots
   const std::vector<PairRange>& ranges;  ///< [part a, part b]
   std::size_t width;                     ///< pairs per pack
+  std::size_t own_parts;                 ///< the parts after these are ghosts
 };
 
 POLHODE_DECLARE_LOOPS(

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 #include "polhode/base/workers.hpp"
@@ -20,8 +21,12 @@ namespace polhode {
 template <class T>
 class PairEngine {
  public:
+  /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts: copies of
+  ///                     bodies that another engine computes. Ghosts do not interact with each
+  ///                     other, the forces on them are not computed, and of the energy and the
+  ///                     virial of a pair with a ghost half is counted.
   PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
-             Workers& workers);
+             Workers& workers, std::size_t ghost_parts = 0);
 
   /// Sets another box, with the topology and settings of the constructor, of which only the mesh
   /// may differ.
@@ -69,5 +74,11 @@ class PairEngine {
   std::vector<ChunkSums<T>> sums_;                 // of each chunk
   std::vector<double> moved2_;                     // of each task of place()
 };
+
+using AnyPairEngine = std::variant<PairEngine<double>, PairEngine<float>>;
+
+/// The engine in the precision of the settings; arguments as those of PairEngine.
+AnyPairEngine pair_engine(const Topology& topology, const ForceSettings& settings, const Box& box,
+                          Workers& workers, std::size_t ghost_parts = 0);
 
 }  // namespace polhode

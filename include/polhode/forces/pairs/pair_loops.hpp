@@ -28,8 +28,8 @@ struct SiteRecords {
 };
 
 /// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in its
-/// windows. They have the precision of the pairs: each sum has a few hundred terms, whose own
-/// rounding outweighs that of the sum. Sums over chunks are in double.
+/// windows, so not for ghosts. They have the precision of the pairs: each sum has a few hundred
+/// terms, whose own rounding outweighs that of the sum. Sums over chunks are in double.
 template <class T>
 struct ChunkSums {
   static constexpr std::size_t stride = 8;  ///< force, torque, and two numbers that stay 0

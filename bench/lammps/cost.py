@@ -1,0 +1,147 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Time of a step of water in LAMMPS on one process: pair_style polhode with fix polhode, and fix rigid/nve/small with
+lj/cut/coul/cut, against a step of polhode itself. All with a reaction field or a plain cutoff of 1 nm, at 2 fs.
+
+    bench/lammps/cost.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so
+
+It prints a table. Times are user time, the difference of two runs of different lengths, and the shortest of the rounds: they
+hardly depend on how busy the computer is. FOLDER is what lammps/environment.py makes.
+"""
+
+import argparse
+import datetime
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path += [str(ROOT / "bench"), str(ROOT / "bench/engine")]
+import compare  # noqa: E402
+import machine  # noqa: E402
+
+RUN = """[system]
+molecules = [{{ model = "tip4p", count = {waters} }}]
+initial_configuration = "{start}"
+temperature = "297 K"
+[forces]
+truncation = "{truncation}"
+electrostatics = "reaction-field"
+cutoff = "1 nm"
+precision = "{precision}"
+[integrator]
+scheme = "velocity-verlet"
+step = "2 fs"
+[run]
+length = "{length} fs"
+sample = "200 fs"
+shadow_sample = "0 fs"
+[output]
+prefix = "{prefix}"
+trajectory_every = "0 ps"
+plot = "none"
+"""
+
+SCRIPT = """plugin load {plugin}
+units real
+atom_style full
+neighbor 1.0 bin
+pair_style {style}
+bond_style zero
+special_bonds lj/coul 0 0 0
+read_data water.data nocoeff
+bond_coeff *
+pair_coeff 1 1 0.155 3.1536
+pair_coeff 2*3 2*3 0 0
+replicate {copies} {copies} {copies}
+fix rigid all {fix}
+timestep 2
+thermo 100
+run {steps}
+"""
+
+STYLES = {
+    "pair_style polhode, double": ("polhode 10 electrostatics reaction-field", "polhode massless 3"),
+    "pair_style polhode, mixed": ("polhode 10 electrostatics reaction-field precision mixed", "polhode massless 3"),
+    "rigid/nve/small, lj/cut/coul/cut": ("lj/cut/coul/cut 10", "rigid/nve/small molecule"),
+}
+
+
+def arguments():
+    p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    p.add_argument("--polhode", default="polhode", help="the program")
+    p.add_argument("--environment", type=Path, required=True, help="with LAMMPS")
+    p.add_argument("--plugin", type=Path, required=True)
+    p.add_argument("--copies", type=lambda text: [int(word) for word in text.split(",")], default=[1, 2],
+                   help="of 512 waters along each edge (1,2)")
+    p.add_argument("--rounds", type=int, default=3)
+    p.add_argument("--steps", type=int, default=1000, help="of 512 waters; fewer of more (1000)")
+    return p.parse_args()
+
+
+def user_time(command, folder, environment):
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    done = subprocess.run(command, cwd=folder, env=environment, text=True, capture_output=True)
+    if done.returncode != 0:
+        sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+class Bench:
+    def __init__(self, options, folder):
+        self.options, self.folder = options, folder
+        self.program = machine.program(options.polhode)
+        self.lmp = next(options.environment.resolve().glob("lib/python3*/site-packages/lammps/lmp"))
+        self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
+                            "LD_LIBRARY_PATH": str(options.environment.resolve() / "lib")}
+        self.write("start.toml", self.run_file(1, 1000, truncation="site-switch", prefix="water"))
+        self.run([self.program, "export", "lammps", "start.toml"])
+
+    def write(self, name, text):
+        (self.folder / name).write_text(text)
+
+    def run(self, command):
+        return user_time(command, self.folder, self.environment)
+
+    def run_file(self, copies, steps, truncation="molecule-switch", precision="double", prefix="run"):
+        start = f"w{512 * copies**3}.gro" if copies > 1 else "w512"
+        if copies > 1:
+            compare.replicate(ROOT / "data/start/w512.gro", self.folder / start, copies)
+        return RUN.format(waters=512 * copies**3, start=start, truncation=truncation, precision=precision, length=2 * steps,
+                          prefix=prefix)
+
+    def polhode(self, copies, precision, steps):
+        self.write("run.toml", self.run_file(copies, steps, precision=precision))
+        return self.run([self.program, "run", "run.toml", "--force", "--threads", "1"])
+
+    def lammps(self, copies, style, fix, steps):
+        self.write("run.in", SCRIPT.format(plugin=self.options.plugin.resolve(), style=style, fix=fix, copies=copies, steps=steps))
+        return self.run([self.lmp, "-in", "run.in", "-log", "none"])
+
+    def step(self, work, copies):
+        """Milliseconds."""
+        steps = max(40, self.options.steps // copies**3)
+        return min(1e3 * (work(steps + 20) - work(20)) / steps for _ in range(self.options.rounds))
+
+
+def main():
+    options = arguments()
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(options, Path(folder))
+        print(f"{datetime.date.today()}, {machine.processor()}\n")
+        print("| waters | program | ms per step | against polhode in the same precision |\n| --- | --- | --- | --- |")
+        for copies in options.copies:
+            own = {precision: bench.step(lambda steps, p=precision: bench.polhode(copies, p, steps), copies)
+                   for precision in ("double", "mixed")}
+            rows = [(f"polhode, {precision}", time, precision) for precision, time in own.items()]
+            rows += [(name, bench.step(lambda steps, s=style: bench.lammps(copies, *s, steps), copies),
+                      "mixed" if "mixed" in name else "double") for name, style in STYLES.items()]
+            for name, time, precision in rows:
+                print(f"| {512 * copies**3} | {name} | {time:.3f} | {time / own[precision]:.2f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// The forces on the bodies of one domain of a larger system, for engines that divide space among
+// processes and have the periodic images themselves.
+#pragma once
+
+#include "polhode/forces/pairs/pair_engine.hpp"
+
+namespace polhode {
+
+/// Forces on the bodies of a domain, from each other and from ghosts: copies of bodies of other
+/// domains, or periodic images, at explicit positions. Space is not periodic here. Pairs of two
+/// ghosts are left out, and the forces on ghosts are not computed. Of a pair of an own body with a
+/// ghost half of the energy and of the virial is counted, because the domain of the other body
+/// counts the other half.
+///
+/// All ghosts that interact with an own body must be there: those whose centres are within the
+/// cutoff of its own and, unless the cutoff is that of centres, the extents of both molecules.
+/// Terms that do not depend on positions are included for own bodies, except the self-energy of
+/// charges that belongs to the mesh of another program, see ForceSettings::ewald_alpha.
+class DomainForces {
+ public:
+  /// @param own, ghosts  kinds and numbers of bodies; some numbers may be 0
+  /// @param settings     without a mesh
+  /// @throws Error       if a setting is out of its domain
+  DomainForces(const Topology& own, const Topology& ghosts, const ForceSettings& settings);
+
+  /// Where the bodies are: own ones, then ghosts, each in the order of their topology. Set q and
+  /// attitude before each evaluation; the rest is not used.
+  State& state() { return state_; }
+  std::size_t own_bodies() const { return own_bodies_; }
+
+  /// Forces and torques of the own bodies, the first ones of the Load; energies and virial too if
+  /// `energies`, otherwise 0. Does not allocate, except when the list grows.
+  void operator()(Load& load, bool energies);
+
+ private:
+  void enclose();
+
+  std::size_t own_bodies_;
+  Topology topology_;  // own parts, then those of ghosts
+  ForceSettings settings_;
+  double reach_;         // bodies farther apart do not interact and are not listed [nm]
+  double constant_ = 0;  // of the own bodies [kJ/mol]
+  State state_;
+  AnyPairEngine engine_;
+};
+
+}  // namespace polhode

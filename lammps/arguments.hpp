@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// The words behind a style in an input script: values in order, and keywords with theirs.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace polhode::lammps {
+
+class Arguments {
+ public:
+  Arguments(int count, char** words, LAMMPS_NS::LAMMPS* lammps)
+      : words_(words, static_cast<std::size_t>(count)), lammps_(lammps) {}
+
+  /// The next word.
+  /// @param meaning  for messages: "the temperature"
+  /// @throws Error   if there is none
+  std::string_view word(std::string_view meaning);
+  double number(std::string_view meaning);
+  /// @throws Error  if it is not above 0
+  double positive(std::string_view meaning);
+  /// Calls the reader of each keyword, which takes the values behind it.
+  /// @throws Error  if there is no such keyword
+  void each_keyword(const std::map<std::string, std::function<void()>, std::less<>>& readers);
+
+ private:
+  std::span<char*> words_;
+  LAMMPS_NS::LAMMPS* lammps_;
+  std::string keyword_ = "style";
+};
+
+}  // namespace polhode::lammps

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+// The kinds of molecules with the charges and Lennard-Jones parameters of an input of LAMMPS, as
+// the library needs them: lengths in nm, energies in the unit of the input.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "kinds.hpp"
+#include "polhode/forces/laws/mixing.hpp"
+
+namespace polhode::lammps {
+
+/// Parameters of all pairs of atom types, in the units of LAMMPS.
+class PairCoefficients {
+ public:
+  struct Values {
+    double epsilon = 0, sigma = 0;
+  };
+  PairCoefficients() = default;
+  explicit PairCoefficients(int types)
+      : types_(static_cast<std::size_t>(types) + 1), values_(types_ * types_) {}
+  Values& operator()(int i, int j) { return values_[at(i) * types_ + at(j)]; }
+  const Values& operator()(int i, int j) const { return values_[at(i) * types_ + at(j)]; }
+  /// Whether a type has a Lennard-Jones interaction with any type.
+  bool is_used(int type) const {
+    for (std::size_t j = 1; j < types_; ++j)
+      if (values_[at(type) * types_ + j].epsilon != 0) return true;
+    return false;
+  }
+
+ private:
+  static std::size_t at(int type) { return static_cast<std::size_t>(type); }
+  std::size_t types_ = 0;
+  std::vector<Values> values_;
+};
+
+/// Charges of the sites of each kind [e].
+using KindCharges = std::vector<std::vector<double>>;
+
+/// Conversion of the units of LAMMPS.
+struct PairUnits {
+  double nm = 1;          ///< the unit of length [nm]
+  double coulomb = 1;     ///< the energy of two unit charges at a unit distance
+  double charge() const;  ///< of a unit charge, so that the library's K q q is the energy
+};
+
+/// The kinds as molecules with interactions. The Lennard-Jones parameters of pairs are those of
+/// explicit_pairs(), in place of any that sites have.
+std::vector<Molecule> interacting_molecules(const std::vector<Kind>& kinds,
+                                            const KindCharges& charges,
+                                            const PairCoefficients& coefficients,
+                                            const PairUnits& units);
+
+/// The parameters of all pairs of sites with Lennard-Jones interactions.
+Mixing explicit_pairs(const std::vector<Kind>& kinds, const PairCoefficients& coefficients,
+                      const PairUnits& units);
+
+}  // namespace polhode::lammps

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What pair_style polhode refuses in an input of LAMMPS.
+#include <algorithm>
+
+#include "atom.h"
+#include "error.h"
+#include "fix_polhode.hpp"
+#include "force.h"
+#include "neighbor.h"
+#include "pair_polhode.hpp"
+
+namespace polhode::lammps {
+namespace {
+
+// Pairs within molecules are excluded anyway.
+bool excludes_other_pairs(const LAMMPS_NS::Neighbor* neighbor) {
+  return neighbor->nex_type > 0 || neighbor->nex_group > 0 ||
+         std::any_of(neighbor->ex_mol_intra, neighbor->ex_mol_intra + neighbor->nex_mol,
+                     [](int intra) { return intra == 0; });
+}
+
+bool is_zero(const double* special) {
+  return std::all_of(special + 1, special + 4, [](double x) { return x == 0; });
+}
+
+}  // namespace
+
+void PairPolhode::check_inputs() const {
+  if (force->pair != this)
+    error->all(FLERR,
+               "pair_style polhode computes all pairs of all molecules and cannot be part of a "
+               "hybrid style; use it alone");
+  if (atom->tag_enable == 0)
+    error->all(FLERR,
+               "pair_style polhode finds molecules by the ids of their atoms; remove "
+               "'atom_modify id no'");
+  if (offset_flag != 0 || tail_flag != 0)
+    error->all(FLERR,
+               "pair_style polhode has no 'pair_modify shift' or 'tail'; its energies are smooth "
+               "at the cutoff without a shift, so remove these");
+  if (!is_zero(force->special_lj) || !is_zero(force->special_coul))
+    error->all(FLERR,
+               "pair_style polhode leaves out all pairs within a rigid molecule, and special_bonds "
+               "is not 0 for some; set 'special_bonds lj/coul 0 0 0'");
+  if (excludes_other_pairs(neighbor))
+    error->all(FLERR,
+               "pair_style polhode computes all pairs of molecules and neigh_modify exclude leaves "
+               "some out; remove it");
+  if (atom->firstgroupname != nullptr)
+    error->all(FLERR,
+               "pair_style polhode needs all molecules near a process, and 'atom_modify first {}' "
+               "is for inputs that communicate a part of them; remove it",
+               atom->firstgroupname);
+  if (settings_.electrostatics == Electrostatics::pme && force->kspace == nullptr)
+    error->all(FLERR,
+               "pair_style polhode with electrostatics pme computes the pairs of Ewald's sum and "
+               "needs a kspace style for the rest; add for example 'kspace_style pppm 1e-5'");
+}
+
+}  // namespace polhode::lammps

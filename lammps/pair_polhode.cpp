@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: MIT
+#include "pair_polhode.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "atom.h"
+#include "comm.h"
+#include "fix_polhode.hpp"
+#include "force.h"
+#include "guarded.hpp"
+#include "kspace.h"
+#include "memory.h"
+#include "modify.h"
+#include "neighbor.h"
+#include "pair_settings.hpp"
+#include "polhode/forces/pairs/cutoff_treatment.hpp"
+#include "utils.h"
+
+namespace polhode::lammps {
+
+constexpr const char* style = "pair_style polhode";
+
+PairPolhode::PairPolhode(LAMMPS_NS::LAMMPS* lammps) : Pair(lammps) {
+  single_enable = restartinfo = respa_enable = writedata = 0;
+  no_virial_fdotr_compute = 1;
+}
+
+PairPolhode::~PairPolhode() {
+  if (allocated == 0) return;
+  memory->destroy(setflag);
+  memory->destroy(cutsq);
+}
+
+void PairPolhode::allocate() {
+  const int types = atom->ntypes;
+  memory->create(setflag, types + 1, types + 1, "pair:setflag");
+  memory->create(cutsq, types + 1, types + 1, "pair:cutsq");
+  for (int i = 1; i <= types; ++i) std::fill_n(setflag[i], types + 1, 0);
+  coefficients_ = PairCoefficients(types);
+  allocated = 1;
+}
+
+void PairPolhode::settings(int count, char** arguments) {
+  guarded(error, style, [&] {
+    settings_ = pair_settings(count, arguments, lmp);
+    units_.nm = length_unit(lmp);
+  });
+  cutoff_of_charges_ = settings_.cutoff / units_.nm;
+  ewaldflag = pppmflag = settings_.electrostatics == Electrostatics::pme ? 1 : 0;
+}
+
+void PairPolhode::coeff(int count, char** arguments) {
+  if (allocated == 0) allocate();
+  if (count != 4)
+    error->all(FLERR,
+               "pair_style polhode: pair_coeff has {} values; it needs 4: two atom types or ranges "
+               "of types, epsilon and sigma",
+               count);
+  int i_low = 0, i_high = 0, j_low = 0, j_high = 0;
+  LAMMPS_NS::utils::bounds(FLERR, arguments[0], 1, atom->ntypes, i_low, i_high, error);
+  LAMMPS_NS::utils::bounds(FLERR, arguments[1], 1, atom->ntypes, j_low, j_high, error);
+  const double epsilon = LAMMPS_NS::utils::numeric(FLERR, arguments[2], false, lmp);
+  const double sigma = LAMMPS_NS::utils::numeric(FLERR, arguments[3], false, lmp);
+  if (!(epsilon >= 0 && sigma >= 0) || (epsilon > 0 && sigma == 0))
+    error->all(FLERR,
+               "pair_style polhode: pair_coeff {} {} has epsilon = {} and sigma = {}; both must be "
+               "above 0, or epsilon 0 for no interaction",
+               arguments[0], arguments[1], epsilon, sigma);
+  for (int i = i_low; i <= i_high; ++i)
+    for (int j = std::max(i, j_low); j <= j_high; ++j) {
+      coefficients_(i, j) = coefficients_(j, i) = {epsilon, sigma};
+      setflag[i][j] = 1;
+    }
+}
+
+void PairPolhode::init_style() {
+  const auto fixes = modify->get_fix_by_style("^polhode$");
+  if (fixes.empty())
+    error->all(FLERR,
+               "pair_style polhode computes forces on the bodies of fix polhode, and there is no "
+               "such fix; define 'fix ID all polhode' before the run");
+  fix_ = dynamic_cast<FixPolhode*>(fixes.front());
+  check_inputs();
+  fix_->recognise();
+  if (!fix_->has_all_atoms())
+    error->all(
+        FLERR,
+        "pair_style polhode computes forces on the bodies of fix polhode, and some atoms are "
+        "in none; put all atoms into the group of the fix");
+  guarded(error, style, [&] { charges_ = charges_of_kinds(); });
+  find_range();
+  units_.coulomb = force->qqrd2e;
+  if (settings_.electrostatics == Electrostatics::pme)
+    settings_.ewald_alpha = force->kspace->g_ewald / units_.nm;
+  forces_.reset();
+}
+
+/// Atoms that own interacting bodies are at most this far apart.
+void PairPolhode::find_range() {
+  double extent = 0, owner = 0;
+  for (const Kind& kind : fix_->kinds()) {
+    extent = std::max(extent, kind.extent);
+    owner = std::max(owner, norm(kind.site(kind.owner)));
+  }
+  const bool by_centres = cutoff_treatment(settings_) == CutoffTreatment::molecule_switch;
+  range_ = settings_.cutoff / units_.nm + 2 * owner + (by_centres ? 0 : 2 * extent);
+  range_ *= 1 + 1e-9;  // rounding
+}
+
+double PairPolhode::init_one(int i, int j) {
+  if (setflag[i][j] == 0) {
+    const auto a = coefficients_(i, i), b = coefficients_(j, j);
+    PairCoefficients::Values mixed;
+    if (a.epsilon > 0 && b.epsilon > 0)
+      mixed = {mix_energy(a.epsilon, b.epsilon, a.sigma, b.sigma), mix_distance(a.sigma, b.sigma)};
+    coefficients_(i, j) = coefficients_(j, i) = mixed;
+  }
+  return range_;
+}
+
+void* PairPolhode::extract(const char* name, int& dimension) {
+  dimension = 0;
+  return std::strcmp(name, "cut_coul") == 0 ? &cutoff_of_charges_ : nullptr;
+}
+
+/// The charges of each kind, which must be those of all its molecules.
+KindCharges PairPolhode::charges_of_kinds() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const std::vector<Kind>& kinds = fix_->kinds();
+  std::vector<std::size_t> first;
+  std::size_t sites = 0;
+  for (const Kind& kind : kinds) first.push_back(sites), sites += kind.types.size();
+  std::vector<double> low(sites, infinity), high(sites, -infinity);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    const auto place = fix_->site_of(i);
+    const std::size_t k =
+        first[static_cast<std::size_t>(place.kind)] + static_cast<std::size_t>(place.site);
+    const double q = atom->q_flag != 0 ? atom->q[i] : 0;
+    low[k] = std::min(low[k], q), high[k] = std::max(high[k], q);
+  }
+  const auto count = static_cast<int>(sites);
+  MPI_Allreduce(MPI_IN_PLACE, low.data(), count, MPI_DOUBLE, MPI_MIN, world);
+  MPI_Allreduce(MPI_IN_PLACE, high.data(), count, MPI_DOUBLE, MPI_MAX, world);
+  KindCharges charges;
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
+    std::vector<double>& of_kind = charges.emplace_back();
+    for (std::size_t s = 0; s < kinds[k].types.size(); ++s) {
+      const std::size_t at = first[k] + s;
+      if (low[at] != high[at])
+        throw Error("atom " + std::to_string(s + 1) + " of molecules like molecule " +
+                    std::to_string(kinds[k].first) + " has charges from " +
+                    std::to_string(low[at]) + " to " + std::to_string(high[at]) +
+                    "; molecules of a kind have the same charges, so give the others atom types of "
+                    "their own");
+      of_kind.push_back(low[at]);
+    }
+  }
+  return charges;
+}
+
+/// The bodies that are here now, those of a kind together, as the fix has its own.
+void PairPolhode::arrange() {
+  if (comm->get_comm_cutoff() < range_ + neighbor->skin)
+    error->all(FLERR,
+               "pair_style polhode: the communication cutoff is {}; molecules at the cutoff of the "
+               "forces would be missing, so set it by 'comm_modify cutoff {:.4g}' or more",
+               comm->get_comm_cutoff(), range_ + neighbor->skin);
+  const std::vector<Kind>& kinds = fix_->kinds();
+  Topology own, ghosts;
+  for (Molecule& molecule : interacting_molecules(kinds, charges_, coefficients_, units_)) {
+    own.parts.push_back({molecule, 0});
+    ghosts.parts.push_back({std::move(molecule), 0});
+  }
+  for (const std::size_t kind : fix_->columns().bodies.part) ++own.parts[kind].count;
+  ghost_order_.clear();
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+    for (std::size_t g = 0; g < fix_->ghosts().size(); ++g)
+      if (fix_->ghosts()[g].kind == static_cast<int>(kind)) {
+        ++ghosts.parts[kind].count;
+        ghost_order_.push_back(g);
+      }
+  settings_.mixing = explicit_pairs(kinds, coefficients_, units_);
+  forces_.emplace(own, ghosts, settings_);
+  arrangement_ = fix_->arrangement();
+}
+
+void PairPolhode::place_bodies() {
+  const double nm = units_.nm;
+  const State& own = fix_->columns().state;
+  State& state = forces_->state();
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    state.q.set(i, nm * own.q[i]);
+    state.attitude.set(i, own.attitude[i]);
+  }
+  for (std::size_t g = 0; g < ghost_order_.size(); ++g) {
+    const Pose& pose = fix_->ghosts()[ghost_order_[g]].pose;
+    state.q.set(own.size() + g, nm * pose.q);
+    state.attitude.set(own.size() + g, pose.attitude);
+  }
+}
+
+void PairPolhode::add_loads() {
+  BodyColumns& columns = fix_->columns();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    columns.pair_f.add(i, force->ftm2v * units_.nm * load_.f[i]);
+    columns.pair_tau.add(i, force->ftm2v * load_.tau[i]);
+  }
+}
+
+void PairPolhode::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  if (eflag_atom != 0 || vflag_atom != 0 || cvflag_atom != 0)
+    error->all(FLERR,
+               "pair_style polhode has no energies and virials of single atoms, since it computes "
+               "forces on molecules; remove computes such as pe/atom and stress/atom");
+  guarded(error, style, [&] {
+    if (!forces_ || arrangement_ != fix_->arrangement()) arrange();
+    place_bodies();
+    (*forces_)(load_, evflag != 0);
+  });
+  add_loads();
+  eng_vdwl = load_.van_der_waals;
+  eng_coul = load_.coulomb;
+  constexpr std::size_t index[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}};
+  for (std::size_t k = 0; k < 6; ++k) {
+    const auto [a, b] = index[k];
+    virial[k] = (load_.virial[a][b] + load_.virial[b][a]) / 2;
+  }
+}
+
+}  // namespace polhode::lammps

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// pair_style polhode: the forces of the library, molecule by molecule, on the bodies of fix
+// polhode. Each process computes its bodies with all bodies near them; forces on ghosts are those
+// that the processes of their owners compute.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "interactions.hpp"
+#include "pair.h"
+#include "polhode/forces/domain_forces.hpp"
+
+namespace polhode::lammps {
+
+class FixPolhode;
+
+class PairPolhode : public LAMMPS_NS::Pair {
+ public:
+  explicit PairPolhode(LAMMPS_NS::LAMMPS* lammps);
+  ~PairPolhode() override;
+  PairPolhode(const PairPolhode&) = delete;
+  PairPolhode& operator=(const PairPolhode&) = delete;
+
+  void settings(int count, char** arguments) override;
+  void coeff(int count, char** arguments) override;
+  void init_style() override;
+  double init_one(int i, int j) override;
+  void compute(int eflag, int vflag) override;
+  void* extract(const char* name, int& dimension) override;
+
+ private:
+  void allocate();
+  void check_inputs() const;
+  void find_range();
+  KindCharges charges_of_kinds() const;
+  void arrange();
+  void place_bodies();
+  void add_loads();
+
+  ForceSettings settings_;
+  PairUnits units_;
+  PairCoefficients coefficients_;
+  double cutoff_of_charges_ = 0;  // [length], for the kspace style
+  double range_ = 0;              // of atoms: beyond, no owners of interacting bodies [length]
+  FixPolhode* fix_ = nullptr;
+  KindCharges charges_;
+  std::optional<DomainForces> forces_;  // of the present arrangement of bodies
+  std::uint64_t arrangement_ = 0;
+  std::vector<std::size_t> ghost_order_;  // ghosts of the fix by their kinds
+  Load load_;
+};
+
+}  // namespace polhode::lammps

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "pair_settings.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+
+#include "arguments.hpp"
+#include "lammps.h"
+#include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
+#include "polhode/forces/laws/check_settings.hpp"
+#include "polhode/forces/laws/setting_names.hpp"
+#include "polhode/forces/pairs/cutoff_treatment.hpp"
+#include "update.h"
+
+namespace polhode::lammps {
+namespace {
+
+template <NamedEnum Enum>
+Enum one_of(Arguments& arguments, const std::string& keyword) {
+  const std::string_view name = arguments.word("a value");
+  if (const auto value = value_of<Enum>(name)) return *value;
+  throw Error(keyword + " is '" + std::string(name) + "'; it " +
+              must_be_one_of(enum_names<Enum>, name));
+}
+
+double dielectric(Arguments& arguments) {
+  const std::string word(arguments.word("a number, or infinite,"));
+  if (word == "infinite") return std::numeric_limits<double>::infinity();
+  try {
+    return std::stod(word);
+  } catch (const std::exception&) {
+    throw Error("dielectric is '" + word + "'; it must be a number of 1 or more, or infinite");
+  }
+}
+
+}  // namespace
+
+double length_unit(LAMMPS_NS::LAMMPS* lammps) {
+  struct Unit {
+    std::string_view style;
+    double nm;
+  };
+  constexpr Unit units[] = {
+      {"real", 0.1}, {"metal", 0.1}, {"nano", 1}, {"lj", 1}, {"electron", 0.0529177249}};
+  const std::string style = lammps->update->unit_style;
+  for (const Unit& unit : units)
+    if (unit.style == style) return unit.nm;
+  throw Error("the units are " + style +
+              ", in which molecules are very small numbers; use units real, metal, nano, electron "
+              "or lj");
+}
+
+ForceSettings pair_settings(int count, char** words, LAMMPS_NS::LAMMPS* lammps) {
+  Arguments arguments(count, words, lammps);
+  const double nm = length_unit(lammps);
+  ForceSettings s;
+  const double switched_share = s.switch_from / s.cutoff;
+  s.cutoff = nm * arguments.positive("the cutoff");
+  s.switch_from = switched_share * s.cutoff;
+  std::optional<Truncation> truncation;
+  std::optional<Electrostatics> electrostatics;
+  arguments.each_keyword(
+      {{"switch", [&] { s.switch_from = nm * arguments.positive("the start of the switch"); }},
+       {"smoothness",
+        [&] { s.smoothness = static_cast<int>(std::lround(arguments.number("smoothness"))); }},
+       {"truncation", [&] { truncation = one_of<Truncation>(arguments, "truncation"); }},
+       {"electrostatics",
+        [&] { electrostatics = one_of<Electrostatics>(arguments, "electrostatics"); }},
+       {"dielectric", [&] { s.dielectric = dielectric(arguments); }},
+       {"damping", [&] { s.damping = arguments.number("damping") / nm; }},
+       {"precision", [&] { s.precision = one_of<Precision>(arguments, "precision"); }}});
+  // As in run files, the default of each of the two depends on the other.
+  s.truncation = truncation.value_or(electrostatics && vanishes_at_cutoff(*electrostatics)
+                                         ? Truncation::site_switch
+                                         : s.truncation);
+  s.electrostatics = electrostatics.value_or(s.truncation == Truncation::molecule_switch
+                                                 ? s.electrostatics
+                                                 : Electrostatics::reaction_field);
+  if (const auto fault = find_fault(s))
+    throw Error(fault->message() + (nm == 1 ? "" : " (lengths of this message are in nm)"));
+  return s;
+}
+
+}  // namespace polhode::lammps

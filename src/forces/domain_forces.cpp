@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/forces/domain_forces.hpp"
+
+#include <algorithm>
+
+#include "polhode/forces/laws/check_settings.hpp"
+#include "polhode/forces/laws/law_range.hpp"
+#include "polhode/forces/mesh/self_interaction.hpp"
+
+namespace polhode {
+namespace {
+
+Topology joined(const Topology& own, const Topology& ghosts) {
+  Topology all = own;
+  all.parts.insert(all.parts.end(), ghosts.parts.begin(), ghosts.parts.end());
+  return all;
+}
+
+double reach_of(const Topology& topology, const ForceSettings& settings) {
+  double extent = 0;
+  for (const auto& part : topology.parts) extent = std::max(extent, part.molecule.extent());
+  return std::max(settings.cutoff, cutoff_of_charges(settings)) + 2 * extent + settings.skin;
+}
+
+double constant_energy(const Topology& own, const ForceSettings& settings) {
+  const auto smooth = smooth_polynomial(settings);
+  if (!smooth) return 0;
+  const SelfInteraction of_own(own, *smooth);
+  return of_own.intramolecular + (settings.ewald_alpha ? 0 : of_own.self);
+}
+
+// A box in which no two images of bodies interact while they stay within an extent of its edges
+// minus the reach.
+Box box_around(const Vec3<double>& extent, double reach) {
+  return {extent + Vec3<double>{2 * reach, 2 * reach, 2 * reach}};
+}
+
+}  // namespace
+
+DomainForces::DomainForces(const Topology& own, const Topology& ghosts,
+                           const ForceSettings& settings)
+    : own_bodies_(own.size()),
+      topology_(joined(own, ghosts)),
+      settings_(checked(settings)),
+      reach_(reach_of(topology_, settings_)),
+      constant_(constant_energy(own, settings_)),
+      state_(topology_.size(), box_around({}, reach_)),
+      engine_(
+          pair_engine(topology_, settings_, state_.box, Workers::serial(), ghosts.parts.size())) {
+  check_tables(topology_, settings_);
+}
+
+/// Sets a larger box if bodies could interact with images of others in the present one.
+void DomainForces::enclose() {
+  Vec3<double> extent;
+  bool fits = true;
+  const Component* const columns[] = {&state_.q.x, &state_.q.y, &state_.q.z};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const auto q = columns[d]->values();
+    const auto [low, high] = std::minmax_element(q.begin(), q.end());
+    extent[d] = *high - *low;
+    fits = fits && extent[d] + reach_ <= state_.box.edge[d];
+  }
+  if (fits) return;
+  state_.box = box_around(extent, reach_);
+  std::visit([&](auto& engine) { engine.set_box(topology_, settings_, state_.box); }, engine_);
+}
+
+void DomainForces::operator()(Load& load, bool energies) {
+  if (own_bodies_ == 0) {
+    load = Load(state_.size());
+    return;
+  }
+  enclose();
+  std::visit([&](auto& engine) { engine(state_, load, energies); }, engine_);
+  if (energies) load.coulomb += constant_;
+}
+
+}  // namespace polhode
