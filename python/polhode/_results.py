@@ -47,7 +47,7 @@ class EnergySeries:
 
     @property
     def ratio(self) -> float:
-        """R: the rms fluctuation of the conserved energy divided by that of the potential energy."""
+        """R, the rms fluctuation of the conserved energy divided by that of the potential energy."""
         if len(self) < 3:
             raise Error(f"R needs at least 3 samples of the energies, and there are {len(self)}")
         return float(self["conserved"].std() / self["potential"].std())
@@ -111,7 +111,7 @@ class Report(Mapping):
         return report_html(self)
 
     def plot(self, ax=None):
-        """Draws the results with matplotlib, where the job has a figure: a study, an analysis.
+        """Draws the results with matplotlib, where the job has a figure: a study.
 
         Returns:
             matplotlib.axes.Axes, or an array of them.
@@ -146,7 +146,7 @@ class Run:
 
     @property
     def ratio(self) -> float:
-        """R of these samples: rms fluctuation of the conserved energy over that of the potential."""
+        """R of these samples, the rms fluctuation of the conserved energy over that of the potential."""
         return self.energies.ratio
 
     def to_pandas(self):

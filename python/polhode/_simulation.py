@@ -58,7 +58,7 @@ class State:
 
     @property
     def attitudes(self) -> np.ndarray:
-        """Attitudes (n, 4): unit quaternions (w, x, y, z) that rotate body to lab."""
+        """Attitudes (n, 4), unit quaternions (w, x, y, z) that rotate body to lab."""
         return self._core.attitudes
 
     @property
@@ -188,8 +188,8 @@ class Simulation:
 
     @property
     def forces(self) -> tuple[np.ndarray, np.ndarray]:
-        """(force, torque) at the present positions: (n, 3) [kJ/mol/nm] and (n, 3) about the
-        centres of mass [kJ/mol], lab frame."""
+        """Forces (n, 3) [kJ/mol/nm], and torques (n, 3) about the centres of mass [kJ/mol], at the
+        present positions; lab frame."""
         return self._core.forces()
 
     @property
