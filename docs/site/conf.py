@@ -34,7 +34,7 @@ suppress_warnings = ["misc.highlighting_failure", "myst.header"]  # the bibliogr
 
 autodoc_mock_imports = ["polhode._core"]  # docstrings need no compiled module
 autodoc_member_order = "bysource"
-autodoc_typehints = "signature"
+autodoc_typehints = "none"  # docstrings name the types
 python_use_unqualified_type_names = True
 
 html_theme = "furo"

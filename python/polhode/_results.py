@@ -127,7 +127,7 @@ class Run:
     Attributes:
         energies (EnergySeries): samples of the energies.
         frames (list): (time [ps], box (3) [nm], positions of all sites (m, 3) [nm]), if requested.
-        simulation (Simulation): that it is of.
+        simulation (Simulation): that it is of; None in a copy that was pickled, which keeps the summary.
     """
 
     def __init__(self, simulation):
@@ -142,7 +142,11 @@ class Run:
     @property
     def summary(self) -> Report:
         """Report: statistics of the whole trajectory of the simulation, until now."""
-        return self.simulation.summary
+        return self._summary if self.simulation is None else self.simulation.summary
+
+    def __getstate__(self):
+        return {"energies": self.energies, "frames": self.frames, "simulation": None,
+                "_summary": self.summary}
 
     @property
     def ratio(self) -> float:
