@@ -19,17 +19,19 @@ std::string estimate_text(const std::optional<Estimate>& e) {
 
 /// A bias, marked if it is known to be above its bounds.
 std::string bias_text(const CanonicalPoint& point, std::size_t quantity) {
-  const auto above = [&](Criterion criterion) {
+  const auto above = [&](BiasCriterion criterion) {
     return point.accuracy(quantity, criterion) == Accuracy::above;
   };
-  const char* mark = above(Criterion::loose) ? "**" : above(Criterion::strict) ? "* " : "  ";
+  const char* mark = above(BiasCriterion::loose)    ? "**"
+                     : above(BiasCriterion::strict) ? "* "
+                                                    : "  ";
   return estimate_text(point.bias[quantity]) + mark;
 }
 
 std::string note_on(const CanonicalPoint& p) {
   if (!p.stable) return "blew up";
-  std::string text = fmt::format("{}, loosely {}", in_words(p.accuracy(Criterion::strict)),
-                                 in_words(p.accuracy(Criterion::loose)));
+  std::string text = fmt::format("{}, loosely {}", in_words(p.accuracy(BiasCriterion::strict)),
+                                 in_words(p.accuracy(BiasCriterion::loose)));
   if (p.method.hybrid)
     text += fmt::format(", acceptance {:.0f} %, <exp(-dH/kT)> {}", 100 * p.acceptance.value,
                         with_error(p.weight.value, p.weight.error));

@@ -2,12 +2,14 @@
 """Coordinate files and trajectories of every format, as arrays."""
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import reals
+from ._types import Path
 from .errors import Error
 
 __all__ = ["Frame", "read", "read_frames", "write"]
@@ -26,8 +28,10 @@ class Frame:
         molecules (numpy.ndarray): number of the molecule of each atom (n)
     """
 
-    def __init__(self, positions, velocities=None, box=(0, 0, 0), time=0.0, names=None,
-                 residues=None, elements=None, molecules=None, title=""):
+    def __init__(self, positions: np.ndarray, velocities: np.ndarray | None = None,
+                 box: ArrayLike = (0, 0, 0), time: float = 0.0, names: list[str] | None = None,
+                 residues: list[str] | None = None, elements: list[str] | None = None,
+                 molecules: np.ndarray | None = None, title: str = "") -> None:
         self.positions, self.velocities = positions, velocities
         self.box, self.time, self.title = np.asarray(box, dtype=float), float(time), title
         n = len(positions)
@@ -51,7 +55,7 @@ def _frame(core):
                  core.time, molecules=core.molecules, title=core.title, **of)
 
 
-def read_frames(path, names=None) -> Iterator[Frame]:
+def read_frames(path: Path, names: Path | None = None) -> Iterator[Frame]:
     """Yields the frames of a file one after the other; never more than one is in memory.
 
     Args:
@@ -66,7 +70,7 @@ def read_frames(path, names=None) -> Iterator[Frame]:
         yield _frame(core)
 
 
-def read(path, names=None) -> Frame:
+def read(path: Path, names: Path | None = None) -> Frame:
     """The first frame of a file; arguments and errors as of read_frames().
 
     Returns:
@@ -96,7 +100,7 @@ def _writable(frame):
     return _core.FrameToWrite(*columns, index, molecules)
 
 
-def write(path, frames, force=False) -> None:
+def write(path: Path, frames: Frame | Iterable[Frame], force: bool = False) -> None:
     """Writes frames to a file, whose extension selects the format.
 
     Args:

@@ -4,6 +4,8 @@
 import json
 import os
 import pathlib
+from collections.abc import Mapping, Sequence
+from typing import SupportsIndex
 
 from . import _core
 from .errors import Error
@@ -11,6 +13,7 @@ from ._progress import hooks
 from ._quantities import optional_text
 from ._results import Report
 from ._settings import settings
+from ._types import Messages, Path, Progress, Quantity, Source, Texts
 
 __all__ = ["advise", "analyze", "bench", "convert", "energy", "export", "minimise", "new", "prepare", "run",
            "study", "tune_scheme"]
@@ -65,7 +68,7 @@ def _settings(source, output, keywords):
     return config
 
 
-def new(kind, path=None) -> pathlib.Path:
+def new(kind: str, path: Path | None = None) -> pathlib.Path:
     """Writes a commented run file to start from, as ``polhode new``.
 
     Args:
@@ -87,8 +90,9 @@ def new(kind, path=None) -> pathlib.Path:
     return path
 
 
-def run(source=None, *, output=None, resume=False, force=False, threads=None, progress=None,
-        messages=None, **keywords) -> Report:
+def run(source: Source = None, *, output: Path | None = None, resume: bool = False,
+        force: bool = False, threads: int | None = None, progress: Progress = None,
+        messages: Messages = None, **keywords: object) -> Report:
     """Simulates with all output files, as ``polhode run``: energies, trajectories, checkpoints.
 
     Args:
@@ -113,7 +117,8 @@ def run(source=None, *, output=None, resume=False, force=False, threads=None, pr
     return Report("run", json.loads(text) or {}, files, complete)
 
 
-def energy(source=None, *, derivative=False, messages=None, **keywords) -> Report:
+def energy(source: Source = None, *, derivative: bool = False, messages: Messages = None,
+           **keywords: object) -> Report:
     """Energies and pressure of an initial configuration, as ``polhode energy``.
 
     Args:
@@ -127,8 +132,10 @@ def energy(source=None, *, derivative=False, messages=None, **keywords) -> Repor
                                                     messages)), [])
 
 
-def prepare(source=None, *, pressure=None, nvt=None, npt=None, output=None, resume=False,
-            force=False, threads=None, progress=None, messages=None, **keywords) -> Report:
+def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Quantity | None = None,
+            npt: Quantity | None = None, output: Path | None = None, resume: bool = False,
+            force: bool = False, threads: int | None = None, progress: Progress = None,
+            messages: Messages = None, **keywords: object) -> Report:
     """Prepares an equilibrated start, as ``polhode prepare``: minimises, NVT, NPT.
 
     Args:
@@ -148,8 +155,10 @@ def prepare(source=None, *, pressure=None, nvt=None, npt=None, output=None, resu
     return Report("prepare", data, data.get("files") or [])
 
 
-def minimise(source=None, *, max_force=None, max_torque=None, max_steps=20000, output=None,
-             force=False, threads=None, progress=None, messages=None, **keywords) -> Report:
+def minimise(source: Source = None, *, max_force: Quantity | None = None,
+             max_torque: Quantity | None = None, max_steps: SupportsIndex = 20000,
+             output: Path | None = None, force: bool = False, threads: int | None = None,
+             progress: Progress = None, messages: Messages = None, **keywords: object) -> Report:
     """Minimises the energy of an initial configuration, as ``polhode minimise``.
 
     Args:
@@ -170,10 +179,16 @@ def minimise(source=None, *, max_force=None, max_torque=None, max_steps=20000, o
     return Report("minimise", data, [data["file"]] if data.get("file") else [])
 
 
-def analyze(trajectory, *, run=None, molecules=None, names=None, what=None, start=None,
-            interval=None, window=None, fit=None, pairs=None, cutoff=None, bin=None, viscosity=None,
-            temperature=None, electrostatics=None, energies=None, output="polhode-analysis", plot="none",
-            force=False, threads=None, progress=None, messages=None) -> Report:
+def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int] | None = None,
+            names: Path | None = None, what: Texts | None = None, start: Quantity | None = None,
+            interval: Quantity | None = None, window: Quantity | None = None,
+            fit: Sequence[Quantity] | None = None, pairs: Texts | None = None,
+            cutoff: Quantity | None = None, bin: Quantity | None = None,
+            viscosity: Quantity | None = None, temperature: Quantity | None = None,
+            electrostatics: str | None = None, energies: Path | None = None,
+            output: Path = "polhode-analysis", plot: str = "none", force: bool = False,
+            threads: int | None = None, progress: Progress = None,
+            messages: Messages = None) -> Report:
     """Structure and dynamics from a trajectory, as ``polhode analyze``.
 
     Args:
@@ -217,8 +232,9 @@ def analyze(trajectory, *, run=None, molecules=None, names=None, what=None, star
     return Report("analyze", json.loads(text), files)
 
 
-def convert(source, target, *, names=None, every=1, start=None, stop=None, force=False,
-            progress=None, messages=None) -> int:
+def convert(source: Path, target: Path, *, names: Path | None = None, every: SupportsIndex = 1,
+            start: Quantity | None = None, stop: Quantity | None = None, force: bool = False,
+            progress: Progress = None, messages: Messages = None) -> int:
     """Converts coordinates and trajectories, as ``polhode convert``.
 
     Args:
@@ -239,8 +255,9 @@ def convert(source, target, *, names=None, every=1, start=None, stop=None, force
                              optional_text(stop, "time", "stop"), options)
 
 
-def export(program, source=None, *, output=None, force=False, progress=None, messages=None,
-           **keywords) -> list[pathlib.Path]:
+def export(program: str, source: Source = None, *, output: Path | None = None, force: bool = False,
+           progress: Progress = None, messages: Messages = None,
+           **keywords: object) -> list[pathlib.Path]:
     """Writes a run as input of another program, as ``polhode export``.
 
     Args:
@@ -259,8 +276,11 @@ def export(program, source=None, *, output=None, force=False, progress=None, mes
         return [pathlib.Path(file) for file in _core.export_lammps(config, options)]
 
 
-def study(source=None, *, schemes=None, steps=None, quick=False, from_record=None, output="study",
-          force=False, threads=None, progress=None, messages=None, **keywords) -> Report:
+def study(source: Source = None, *, schemes: Texts | None = None,
+          steps: Sequence[Quantity] | Quantity | None = None, quick: bool = False,
+          from_record: Path | None = None, output: Path = "study", force: bool = False,
+          threads: int | None = None, progress: Progress = None, messages: Messages = None,
+          **keywords: object) -> Report:
     """Accuracy against cost of each scheme, as ``polhode study``: the figure of the paper.
 
     A study that was interrupted resumes from its record of runs.
@@ -288,9 +308,12 @@ def study(source=None, *, schemes=None, steps=None, quick=False, from_record=Non
     return Report("study", json.loads(text), files, complete)
 
 
-def advise(source=None, *, accuracy=None, drift=None, temperature_bias=None, bias=None,
-           schemes=None, ensemble="nve", evaluations=5000, time=60, output="advice", force=False,
-           threads=None, progress=None, messages=None, **keywords) -> Report:
+def advise(source: Source = None, *, accuracy: Quantity | None = None,
+           drift: Quantity | None = None, temperature_bias: Quantity | None = None,
+           bias: str | None = None, schemes: Texts | None = None, ensemble: str = "nve",
+           evaluations: SupportsIndex = 5000, time: float = 60, output: Path = "advice",
+           force: bool = False, threads: int | None = None, progress: Progress = None,
+           messages: Messages = None, **keywords: object) -> Report:
     """Chooses scheme and step for a required accuracy, as ``polhode advise``.
 
     Args:
@@ -329,8 +352,11 @@ def advise(source=None, *, accuracy=None, drift=None, temperature_bias=None, bia
     return Report("advise", {**json.loads(text), "answer": answer}, files)
 
 
-def tune_scheme(source=None, *, scheme=None, step=None, runs=4, length=None, decorrelate=None,
-                sample=None, threads=None, progress=None, messages=None, **keywords) -> Report:
+def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quantity | None = None,
+                runs: SupportsIndex = 4, length: Quantity | None = None,
+                decorrelate: Quantity | None = None, sample: Quantity | None = None,
+                threads: int | None = None, progress: Progress = None, messages: Messages = None,
+                **keywords: object) -> Report:
     """Optimizes the parameters of a scheme for a system and step, as ``polhode tune-scheme``.
 
     Args:
@@ -361,7 +387,9 @@ def _processor():
     return "unknown processor"
 
 
-def bench(*, quick=False, sizes=None, precision=None, threads=None, progress=None, messages=None) -> Report:
+def bench(*, quick: bool = False, sizes: Sequence[SupportsIndex] | None = None,
+          precision: str | None = None, threads: int | None = None, progress: Progress = None,
+          messages: Messages = None) -> Report:
     """Measures the speed of this computer on water, as ``polhode bench``.
 
     Args:

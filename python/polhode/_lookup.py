@@ -4,6 +4,7 @@
 import json
 import os
 from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from . import _core
 from .errors import Error
 from ._results import Report
 from ._settings import toml_text
+from ._types import Path
 
 __all__ = ["Molecule", "Scheme", "molecules", "schemes", "verify"]
 
@@ -29,7 +31,7 @@ class Scheme:
         text (str): the stages as text.
     """
 
-    def __init__(self, text):
+    def __init__(self, text: str) -> None:
         if not isinstance(text, str):
             raise Error(f"a scheme is a text, a name or stages, not of type {type(text).__name__}")
         self._take(json.loads(_core.scheme_json(text)))
@@ -65,7 +67,7 @@ def _scheme(data):
     return Scheme.__new__(Scheme)._take(data)
 
 
-def schemes(name=None) -> Scheme | dict[str, Scheme]:
+def schemes(name: str | None = None) -> Scheme | dict[str, Scheme]:
     """The splitting schemes, as ``polhode schemes``.
 
     Args:
@@ -79,7 +81,7 @@ def schemes(name=None) -> Scheme | dict[str, Scheme]:
     return {data["name"]: _scheme(data) for data in json.loads(_core.schemes_json())}
 
 
-def verify(scheme, *, order=0, lambda_=None) -> Report:
+def verify(scheme: Scheme | str, *, order: int = 0, lambda_: float | None = None) -> Report:
     """Measures the order of a scheme, as ``polhode verify``.
 
     Args:
@@ -129,7 +131,7 @@ class Molecule:
         sites (list of dict): in the principal frame; positions (3) [nm], masses [u], charges [e].
     """
 
-    def __init__(self, table):
+    def __init__(self, table: Mapping[str, Any]) -> None:
         if not isinstance(table, Mapping):
             raise Error("a molecule is a dict with the keys of a molecule file, not of type "
                         + type(table).__name__)
@@ -182,7 +184,7 @@ def _document(table):
     return text.partition("\n")[2]
 
 
-def molecules(name=None) -> Molecule | dict[str, Molecule]:
+def molecules(name: Path | None = None) -> Molecule | dict[str, Molecule]:
     """The molecule models, as ``polhode molecules``.
 
     Args:

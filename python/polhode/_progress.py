@@ -3,6 +3,8 @@
 
 import sys
 
+from ._types import Messages, Progress
+
 __all__ = ["hooks"]
 
 
@@ -57,7 +59,7 @@ class hooks:
         messages: a function called with each line of text, such as print; None: lines are dropped.
     """
 
-    def __init__(self, progress=None, messages=None):
+    def __init__(self, progress: Progress = None, messages: Messages = None) -> None:
         self.message, self._bar = messages, None
         if callable(progress):
             self.progress = progress

@@ -5,6 +5,7 @@ import math
 import numbers
 
 from . import _core
+from ._types import Quantity
 
 __all__ = ["text_of", "quantity"]
 
@@ -84,7 +85,7 @@ def optional_text(value, dimension, name):
     return None if value is None else quantity_text(value, dimension, name)
 
 
-def quantity(value, dimension, name="quantity") -> float:
+def quantity(value: Quantity, dimension: str, name: str = "quantity") -> float:
     """The number of a quantity in the units of the library: nm, ps, u, e, K, kJ/mol.
 
     Args:

@@ -47,7 +47,7 @@ class EnergySeries:
 
     @property
     def ratio(self) -> float:
-        """R: the rms fluctuation of the conserved energy divided by that of the potential energy."""
+        """R, the rms fluctuation of the conserved energy divided by that of the potential energy."""
         if len(self) < 3:
             raise Error(f"R needs at least 3 samples of the energies, and there are {len(self)}")
         return float(self["conserved"].std() / self["potential"].std())
@@ -111,7 +111,7 @@ class Report(Mapping):
         return report_html(self)
 
     def plot(self, ax=None):
-        """Draws the results with matplotlib, where the job has a figure: a study, an analysis.
+        """Draws the results with matplotlib, where the job has a figure: a study.
 
         Returns:
             matplotlib.axes.Axes, or an array of them.
@@ -127,7 +127,7 @@ class Run:
     Attributes:
         energies (EnergySeries): samples of the energies.
         frames (list): (time [ps], box (3) [nm], positions of all sites (m, 3) [nm]), if requested.
-        simulation (Simulation): that it is of.
+        simulation (Simulation): that it is of; None in a copy that was pickled, which keeps the summary.
     """
 
     def __init__(self, simulation):
@@ -142,11 +142,15 @@ class Run:
     @property
     def summary(self) -> Report:
         """Report: statistics of the whole trajectory of the simulation, until now."""
-        return self.simulation.summary
+        return self._summary if self.simulation is None else self.simulation.summary
+
+    def __getstate__(self):
+        return {"energies": self.energies, "frames": self.frames, "simulation": None,
+                "_summary": self.summary}
 
     @property
     def ratio(self) -> float:
-        """R of these samples: rms fluctuation of the conserved energy over that of the potential."""
+        """R of these samples, the rms fluctuation of the conserved energy over that of the potential."""
         return self.energies.ratio
 
     def to_pandas(self):

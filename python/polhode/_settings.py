@@ -8,6 +8,7 @@ from . import _core
 from .errors import Error
 from .forces import add_forces
 from ._quantities import text_of
+from ._types import Source
 
 __all__ = ["settings"]
 
@@ -178,7 +179,7 @@ def _merged(tables, words):
     return tables
 
 
-def settings(source=None, **keywords) -> "Settings":
+def settings(source: Source = None, **keywords: object) -> "Settings":
     """The settings of a run: those of a run file.
 
     Args:

@@ -4,6 +4,8 @@
 import json
 import math
 import os
+from collections.abc import Callable, Sequence
+from typing import SupportsIndex, TypeAlias
 
 import numpy as np
 
@@ -14,8 +16,12 @@ from ._progress import hooks
 from ._quantities import quantity
 from ._results import EnergySeries, Report, Run
 from ._settings import settings
+from ._types import Path, Progress, Quantity, Source
 
 __all__ = ["Simulation", "State"]
+
+Observers: TypeAlias = \
+    "Callable[[Simulation], object] | Sequence[Callable[[Simulation], object]] | None"
 
 
 def _steps_of(time, step, name):
@@ -58,7 +64,7 @@ class State:
 
     @property
     def attitudes(self) -> np.ndarray:
-        """Attitudes (n, 4): unit quaternions (w, x, y, z) that rotate body to lab."""
+        """Attitudes (n, 4), unit quaternions (w, x, y, z) that rotate body to lab."""
         return self._core.attitudes
 
     @property
@@ -138,7 +144,8 @@ class Simulation:
     A simulation is used by one thread at a time; several simulations can run in several threads.
     """
 
-    def __init__(self, source=None, *, threads=None, **keywords):
+    def __init__(self, source: Source = None, *, threads: int | None = None,
+                 **keywords: object) -> None:
         self.settings = settings(source, **keywords)
         self._core = _core.Simulation(self.settings._core, _core.threads(threads))
         #: Run: the last result of run(), also if it was interrupted.
@@ -188,8 +195,8 @@ class Simulation:
 
     @property
     def forces(self) -> tuple[np.ndarray, np.ndarray]:
-        """(force, torque) at the present positions: (n, 3) [kJ/mol/nm] and (n, 3) about the
-        centres of mass [kJ/mol], lab frame."""
+        """Forces (n, 3) [kJ/mol/nm], and torques (n, 3) about the centres of mass [kJ/mol], at the
+        present positions; lab frame."""
         return self._core.forces()
 
     @property
@@ -201,12 +208,12 @@ class Simulation:
         """
         return Report("run", json.loads(self._core.report()), [])
 
-    def sites(self, massless=True) -> tuple[np.ndarray, np.ndarray]:
+    def sites(self, massless: bool = True) -> tuple[np.ndarray, np.ndarray]:
         """Positions (m, 3) [nm] and velocities (m, 3) [nm/ps] of all sites, molecules whole and
         with their centres in the box."""
         return self._core.sites(massless)
 
-    def choose_step(self, progress=None) -> None:
+    def choose_step(self, progress: Progress = None) -> None:
         """Lets the adviser choose the step, if the settings ask for an accuracy.
 
         Raises:
@@ -215,7 +222,7 @@ class Simulation:
         with hooks(progress) as h:
             self._core.choose_step(h.progress, h.message)
 
-    def step(self, steps=1) -> None:
+    def step(self, steps: SupportsIndex = 1) -> None:
         """Advances by a number of steps, with the equilibration of the settings before the first.
 
         Raises:
@@ -229,7 +236,9 @@ class Simulation:
             raise Error(f"steps = {steps} must be from 0 to 2^53")
         self._core.step(steps.__index__(), False, None, None)
 
-    def run(self, length=None, *, observe=None, every=None, frames=None, progress=None) -> Run:
+    def run(self, length: Quantity | None = None, *,
+            observe: Observers = None, every: Quantity | None = None,
+            frames: Quantity | None = None, progress: Progress = None) -> Run:
         """Advances by a time, in memory; no file is written.
 
         Args:
@@ -263,11 +272,11 @@ class Simulation:
                 self.last_run._add(self._core.take_energies(), tasks)
         return self.last_run
 
-    def save(self, path) -> None:
+    def save(self, path: Path) -> None:
         """Writes a checkpoint, from which a simulation of the same settings resumes bit for bit."""
         self._core.save(os.fspath(path))
 
-    def resume(self, path) -> None:
+    def resume(self, path: Path) -> None:
         """Continues from a checkpoint of the same run.
 
         Raises:
@@ -275,7 +284,7 @@ class Simulation:
         """
         self._core.resume(os.fspath(path))
 
-    def write(self, path, massless=True, velocities=True) -> None:
+    def write(self, path: Path, massless: bool = True, velocities: bool = True) -> None:
         """Writes the state to a coordinate file, whose extension selects the format; an existing
         one is replaced."""
         self._core.write(os.fspath(path), massless, velocities)

@@ -4,11 +4,13 @@
 import os
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import reals
 from .errors import Error
 from ._progress import hooks
+from ._types import Messages, Path
 
 __all__ = ["free_rotation", "rotation_matrix", "top", "rotate_table"]
 
@@ -23,7 +25,8 @@ def _vectors(values, name):
     return array
 
 
-def free_rotation(J, L, t, method="series") -> tuple[np.ndarray, np.ndarray]:
+def free_rotation(J: ArrayLike, L: ArrayLike, t: ArrayLike,
+                  method: str = "series") -> tuple[np.ndarray, np.ndarray]:
     """The exact rotation of free rigid bodies over a time; all arguments are broadcast.
 
     Args:
@@ -54,7 +57,7 @@ def free_rotation(J, L, t, method="series") -> tuple[np.ndarray, np.ndarray]:
     return rotation.reshape(shape + (4,)), after.reshape(shape + (3,))
 
 
-def rotation_matrix(q) -> np.ndarray:
+def rotation_matrix(q: ArrayLike) -> np.ndarray:
     """The matrices (..., 3, 3) of quaternions (..., 4), (w, x, y, z), that rotate body to lab:
     r_lab = matrix @ r_body."""
     w, x, y, z = np.moveaxis(np.asarray(q, dtype=np.float64), -1, 0)
@@ -71,7 +74,8 @@ def _triple(values, name):
     return array.tolist()
 
 
-def top(J, L, step=0.0, length=0.0, *, output=None, force=False, messages=None) -> np.ndarray:
+def top(J: ArrayLike, L: ArrayLike, step: float = 0.0, length: float = 0.0, *,
+        output: Path | None = None, force: bool = False, messages: Messages = None) -> np.ndarray:
     """The trajectory of one free top, exactly and by two integrators, as ``polhode top``.
 
     Args:
@@ -104,6 +108,6 @@ def top(J, L, step=0.0, length=0.0, *, output=None, force=False, messages=None) 
     return table
 
 
-def rotate_table(path, method="series") -> str:
+def rotate_table(path: Path, method: str = "series") -> str:
     """Rotates the tops of a CSV file, as ``polhode top --table``; returns CSV text."""
     return _core.rotate_table(os.fspath(path), method)

@@ -10,6 +10,8 @@ ANGSTROM_PER_NM = 10
 
 def _sites(simulation):
     """(molecule name, index of the molecule, site) of each site."""
+    if simulation is None:
+        raise Error("a run that was pickled has no molecules; convert it before it is pickled")
     row, index = [], 0
     for kind, (_, count) in zip(simulation.kinds, simulation.molecules, strict=True):
         for _ in range(count):

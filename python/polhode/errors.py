@@ -14,7 +14,7 @@ class Error(ValueError):
         where (str): file, line and key, as far as known: ``"water.toml:9, forces.cutoff"``.
     """
 
-    def __init__(self, text, where=""):
+    def __init__(self, text: str, where: str = "") -> None:
         self.text = text
         self.where = re.sub(r"^(keywords|dict):\d+", r"\1", where)  # lines of a text nobody wrote
         super().__init__(f"{text}\n  in   {self.where}" if self.where else text)
@@ -30,7 +30,7 @@ class OutputError(Error):
         resumable (bool): whether ``resume=True`` would resume the earlier job.
     """
 
-    def __init__(self, text, where="", resumable=False):
+    def __init__(self, text: str, where: str = "", resumable: bool = False) -> None:
         super().__init__(text, where)
         self.resumable = resumable
         remedy = "resume=True, which resumes, or " if resumable else ""

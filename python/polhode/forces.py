@@ -19,6 +19,8 @@ gradient of the energy.
 """
 
 import inspect
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
@@ -37,7 +39,8 @@ class ExternalForces:
         virial (bool): whether it returns a virial, too.
     """
 
-    def __init__(self, function, name=None, virial=False):
+    def __init__(self, function: Callable[..., Any], name: str | None = None,
+                 virial: bool = False) -> None:
         if not callable(function):
             raise Error(f"forces must be a function, not of type {type(function).__name__}")
         self.function = function

@@ -29,6 +29,8 @@ no-such-command
 [one1990]: docs/bibliography.md#one1990
 """
 BIBLIOGRAPHY = "@book{one1990,\n  author = {A, B},\n  title = {C},\n  publisher = {D},\n  year = {1990}\n}\n"
+TREE = "# Start\n\n```{toctree}\n:hidden:\n\n%s\n```\n"
+PAGES = "docs/api/python\ndocs/bibliography\ndocs/theory\ndocs/theory-rotor"
 EQUATION = "```math\n1 = 1 \\tag{%s}\n```\n"
 FILES = {  # a sound project besides its README
     "docs/references.bib": BIBLIOGRAPHY,
@@ -36,6 +38,9 @@ FILES = {  # a sound project besides its README
                             "### one1990\n\nB. A, *C*, D (1990)\n",
     "docs/theory.md": EQUATION % 1 + EQUATION % 2,
     "docs/theory-rotor.md": EQUATION % "R1",
+    "docs/site/index.md": TREE % PAGES,
+    "docs/api/python.md": "# Python\n\n```{eval-rst}\n.. autofunction:: run\n```\n",
+    "python/polhode/__init__.py": "__all__ = [\"run\"]\n",
 }
 FAULTS = [  # test, text added to the document, what the output must name
     ("run_commands", "```sh\npolhode run\npolhode wrong\ntrue\n```\n", "README.md:22: exit code 1"),
@@ -62,6 +67,10 @@ FILE_FAULTS = [  # test, file, the whole of it, what the output must name
     ("bibliography", "docs/references.bib", BIBLIOGRAPHY.replace("{C}", "{E}"), "docs/bibliography.md lacks"),
     ("equations", "docs/theory.md", EQUATION % 2 + EQUATION % 1, "docs/theory.md: equations are not numbered"),
     ("equations", "src/a.hpp", "// By Eqs. (1)\n// and\n// (3).\n", "src/a.hpp:1: there is no Eq. (3)"),
+    ("site", "docs/new.md", "# New\n", "docs/new.md is not in docs/site/index.md"),
+    ("site", "docs/site/index.md", TREE % (PAGES + "\ndocs/nowhere"), "there is no page docs/nowhere.md"),
+    ("site", "docs/site/index.md", TREE % (PAGES + "\ndocs/theory"), "docs/theory is listed 2 times"),
+    ("site", "python/polhode/__init__.py", "__all__ = [\"run\", \"stop\"]\n", "differ in stop"),
     ("equations", "docs/theory.md", EQUATION % 1 + "```math\n1 = 1\n```\n", "docs/theory.md: equations are not numbered"),
 ]
 
@@ -71,12 +80,12 @@ def result(test, files):
     with tempfile.TemporaryDirectory() as folder:
         root = Path(folder)
         for name, text in files.items():
-            (root / name).parent.mkdir(exist_ok=True)
+            (root / name).parent.mkdir(parents=True, exist_ok=True)
             (root / name).write_text(text)
         program = root / "program"
         program.write_text(PROGRAM)
         program.chmod(0o755)
-        place = {"run_commands": ["--program", program, "--root", root], "links": [root]}.get(test, ["--root", root])
+        place = {"run_commands": ["--program", program, "--root", root], "links": [root], "site": [root]}.get(test, ["--root", root])
         run = subprocess.run([sys.executable, HERE / f"{test}.py", *place], text=True,
                              capture_output=True, check=False)
     return run.returncode, run.stdout + run.stderr
@@ -84,7 +93,7 @@ def result(test, files):
 
 wrong = []
 sound = {**FILES, "README.md": SOUND}
-for test in sorted({fault[0] for fault in FAULTS}):
+for test in sorted({fault[0] for fault in FAULTS + FILE_FAULTS}):
     code, output = result(test, sound)
     if code != 0:
         wrong.append(f"{test} is red on a sound document:\n{output}")

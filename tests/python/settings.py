@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Settings from files, dicts and keywords; quantities of other packages; errors with their texts."""
 
+import inspect
 import os
 import pickle
 import tempfile
@@ -199,6 +200,31 @@ class Pickling(unittest.TestCase):
         with self.assertRaises(TypeError) as caught:
             pickle.dumps(polhode.Simulation(WATER))
         self.assertIn("save()", str(caught.exception))
+
+    def test_pickled_results(self):
+        run = polhode.Simulation(WATER).run("40 fs", frames="20 fs")
+        again = pickle.loads(pickle.dumps(run))
+        self.assertEqual(again.ratio, run.ratio)
+        self.assertEqual(len(again.frames), len(run.frames))
+        self.assertEqual(again.summary["R"], run.summary["R"])
+        with self.assertRaisesRegex(polhode.Error, "pickled"):
+            again.to_mdanalysis()
+
+
+class Types(unittest.TestCase):
+    def test_arguments_of_public_functions_have_types(self):
+        for name in polhode.__all__:
+            thing = getattr(polhode, name)
+            members = vars(thing).items() if inspect.isclass(thing) else [(name, thing)]
+            for member, function in members:
+                if not inspect.isfunction(function) or member.startswith("_") and member != "__init__":
+                    continue
+                if name in ("State", "Run", "EnergySeries", "Report", "Settings") and member == "__init__":
+                    continue  # made by the package
+                signature = inspect.signature(function)
+                for parameter in signature.parameters.values():
+                    if parameter.name not in ("self", "ax"):  # ax: of matplotlib, which is optional
+                        self.assertIsNot(parameter.annotation, parameter.empty, f"{name}.{member}({parameter.name})")
 
 
 class Version(unittest.TestCase):

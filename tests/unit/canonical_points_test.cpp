@@ -132,7 +132,7 @@ TEST_CASE("a scheme is accurate only up to its first step that is not shown to b
   const std::vector<CanonicalPoint> points = {point_of("baoab", 0.006, 0, 0.5),
                                               point_of("baoab", 0.004, 0.05, 0.5),
                                               point_of("baoab", 0.002, 0, 0.5)};
-  const CanonicalFindings found(Criterion::strict, points);
+  const CanonicalFindings found(BiasCriterion::strict, points);
   REQUIRE(found.claims.size() == 1);
   CHECK(found.claims[0].accurate == 2);  // by step: 4 fs is undecided, 6 fs does not count
   CHECK(!found.claims[0].beyond);
@@ -144,7 +144,7 @@ TEST_CASE("points that cost as much as the cheapest, or may be cheaper, are name
       point_of("baoab", 0.004, 0, 0.4), point_of("obabo", 0.004, 0, 0.42),
       point_of("aboba", 0.004, 0, 0.5), point_of("hoa2", 0.008, 0.05, 0.4),
       point_of("hoa2", 0.004, 0.05, 0.4)};
-  const CanonicalFindings found(Criterion::strict, points);
+  const CanonicalFindings found(BiasCriterion::strict, points);
   CHECK(found.cheapest == 0);
   CHECK(found.as_cheap == std::vector<std::size_t>{1});
   CHECK(found.undecided == std::vector<std::size_t>{3});  // the last one costs twice as much
@@ -155,16 +155,16 @@ TEST_CASE("points that cost as much as the cheapest, or may be cheaper, are name
 
 TEST_CASE("one bias above its bound decides about a point, and a run that blew up does") {
   CanonicalPoint point = point_of("baoab", 0.002, 0, 0.5);
-  CHECK(point.accuracy(Criterion::strict) == Accuracy::below);
+  CHECK(point.accuracy(BiasCriterion::strict) == Accuracy::below);
   point.bias[2] = Estimate{-2, 0.1};  // between 1 K and 3 K
-  CHECK(point.accuracy(2, Criterion::strict) == Accuracy::above);
-  CHECK(point.accuracy(Criterion::strict) == Accuracy::above);
-  CHECK(point.accuracy(Criterion::loose) == Accuracy::below);
+  CHECK(point.accuracy(2, BiasCriterion::strict) == Accuracy::above);
+  CHECK(point.accuracy(BiasCriterion::strict) == Accuracy::above);
+  CHECK(point.accuracy(BiasCriterion::loose) == Accuracy::below);
   point.bias[2] = Estimate{2, 1};
-  CHECK(point.accuracy(Criterion::strict) == Accuracy::undecided);
-  CHECK(point.accuracy(Criterion::loose) == Accuracy::undecided);
+  CHECK(point.accuracy(BiasCriterion::strict) == Accuracy::undecided);
+  CHECK(point.accuracy(BiasCriterion::loose) == Accuracy::undecided);
   point.stable = false;
-  CHECK(point.accuracy(Criterion::loose) == Accuracy::above);
+  CHECK(point.accuracy(BiasCriterion::loose) == Accuracy::above);
 }
 
 TEST_CASE("the record of a canonical study is read back, and refused for another study") {

@@ -17,7 +17,7 @@ bool distinguishable(const Estimate& a, const Estimate& b) {
 }
 
 /// The points of a scheme, in the order of their steps.
-CanonicalClaim claim_of(const std::string& scheme, Criterion criterion,
+CanonicalClaim claim_of(const std::string& scheme, BiasCriterion criterion,
                         const std::vector<CanonicalPoint>& points) {
   std::vector<std::size_t> own;
   for (std::size_t k = 0; k < points.size(); ++k)
@@ -39,7 +39,7 @@ std::string step_text(const CanonicalPoint& point) {
   return fmt::format("{:g} fs", point.method.step * units::fs_per_ps);
 }
 
-std::string sentence(const CanonicalClaim& claim, Criterion criterion,
+std::string sentence(const CanonicalClaim& claim, BiasCriterion criterion,
                      const std::vector<CanonicalPoint>& points) {
   std::string text = claim.scheme;
   if (claim.accurate)
@@ -76,7 +76,8 @@ std::string names_of(const std::vector<std::size_t>& which,
 
 }  // namespace
 
-CanonicalFindings::CanonicalFindings(Criterion chosen, const std::vector<CanonicalPoint>& points)
+CanonicalFindings::CanonicalFindings(BiasCriterion chosen,
+                                     const std::vector<CanonicalPoint>& points)
     : criterion(chosen) {
   for (const CanonicalPoint& point : points)
     if (claims.empty() || claims.back().scheme != point.method.name)
@@ -103,8 +104,8 @@ CanonicalReport::CanonicalReport(const Config& config_used,
                                  const std::vector<CanonicalPoint>& points_found)
     : config(config_used),
       points(points_found),
-      findings{CanonicalFindings(Criterion::strict, points),
-               CanonicalFindings(Criterion::loose, points)} {}
+      findings{CanonicalFindings(BiasCriterion::strict, points),
+               CanonicalFindings(BiasCriterion::loose, points)} {}
 
 std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
                                              const std::vector<CanonicalPoint>& points) {

@@ -63,12 +63,13 @@ Estimate CanonicalPoint::evaluations_per_sample() const {
   return {factor * correlation_time.value, factor * correlation_time.error};
 }
 
-std::optional<Accuracy> CanonicalPoint::accuracy(std::size_t quantity, Criterion criterion) const {
+std::optional<Accuracy> CanonicalPoint::accuracy(std::size_t quantity,
+                                                 BiasCriterion criterion) const {
   if (!bias[quantity]) return std::nullopt;
   return accuracy_of(*bias[quantity], canonical_quantities[quantity].bound(criterion), runs);
 }
 
-Accuracy CanonicalPoint::accuracy(Criterion criterion) const {
+Accuracy CanonicalPoint::accuracy(BiasCriterion criterion) const {
   if (!stable) return Accuracy::above;
   bool any = false, all = true;
   for (std::size_t k = 0; k < bias.size(); ++k)
@@ -87,8 +88,8 @@ Accuracy accuracy_of(const Estimate& bias, double bound, int runs) {
   return size - doubt > bound ? Accuracy::above : Accuracy::undecided;
 }
 
-const char* in_words(Criterion criterion) {
-  return criterion == Criterion::strict ? "strict" : "loose";
+const char* in_words(BiasCriterion criterion) {
+  return criterion == BiasCriterion::strict ? "strict" : "loose";
 }
 
 const char* in_words(Accuracy accuracy) {

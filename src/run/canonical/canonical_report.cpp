@@ -43,8 +43,8 @@ Table point_table(const CanonicalReport& report) {
                              p.method.cost(),
                              static_cast<double>(p.runs),
                              p.stable ? 1.0 : 0.0,
-                             in_words(p.accuracy(Criterion::strict)),
-                             in_words(p.accuracy(Criterion::loose)),
+                             in_words(p.accuracy(BiasCriterion::strict)),
+                             in_words(p.accuracy(BiasCriterion::loose)),
                              p.correlation_time.value,
                              p.correlation_time.error,
                              sample.value,
@@ -77,8 +77,8 @@ nlohmann::json as_json(const CanonicalPoint& p) {
                       {"hybrid_monte_carlo", p.method.hybrid},
                       {"runs", p.runs},
                       {"stable", p.stable},
-                      {"accuracy", in_words(p.accuracy(Criterion::strict))},
-                      {"loose_accuracy", in_words(p.accuracy(Criterion::loose))},
+                      {"accuracy", in_words(p.accuracy(BiasCriterion::strict))},
+                      {"loose_accuracy", in_words(p.accuracy(BiasCriterion::loose))},
                       {"correlation_time_ps", as_json(p.correlation_time)},
                       {"force_evaluations_per_sample", as_json(p.evaluations_per_sample())}};
   if (p.method.hybrid)
@@ -90,8 +90,8 @@ nlohmann::json as_json(const CanonicalPoint& p) {
     if (p.mean[k]) one["mean"] = as_json(*p.mean[k]);
     if (p.bias[k]) one["bias"] = as_json(*p.bias[k]);
     if (!p.bias[k]) continue;
-    one["accuracy"] = in_words(*p.accuracy(k, Criterion::strict));
-    one["loose_accuracy"] = in_words(*p.accuracy(k, Criterion::loose));
+    one["accuracy"] = in_words(*p.accuracy(k, BiasCriterion::strict));
+    one["loose_accuracy"] = in_words(*p.accuracy(k, BiasCriterion::loose));
   }
   return json;
 }

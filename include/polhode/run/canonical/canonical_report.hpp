@@ -26,7 +26,7 @@ struct CanonicalClaim {
 
 /// What the points show by one criterion.
 struct CanonicalFindings {
-  Criterion criterion;
+  BiasCriterion criterion;
   std::vector<CanonicalClaim> claims{};  ///< of each scheme, in the order of the points
   /// Of the accurate points, by force evaluations per sample.
   std::optional<std::size_t> cheapest{};
@@ -35,7 +35,7 @@ struct CanonicalFindings {
   /// expensive than the cheapest, as far as can be distinguished.
   std::vector<std::size_t> undecided{};
 
-  CanonicalFindings(Criterion criterion, const std::vector<CanonicalPoint>& points);
+  CanonicalFindings(BiasCriterion criterion, const std::vector<CanonicalPoint>& points);
 };
 
 /// The results of the runs of a canonical study.

@@ -22,10 +22,10 @@ namespace polhode {
 /// Which bounds biases must be below: about 0.1 % of the energy of liquid water, 1 K and 1 % of the
 /// first peak of its g(r), chosen before any data; or 0.5 %, 1 % and 2 %, chosen when only the
 /// errors of first data were known.
-enum class Criterion { strict, loose };
+enum class BiasCriterion { strict, loose };
 
 /// "strict" or "loose".
-const char* in_words(Criterion criterion);
+const char* in_words(BiasCriterion criterion);
 
 /// A quantity whose bias is measured.
 struct CanonicalQuantity {
@@ -33,8 +33,8 @@ struct CanonicalQuantity {
   const char* label;
   const char* unit;
   double strict, loose;  ///< bounds on the bias, in that unit
-  constexpr double bound(Criterion criterion) const {
-    return criterion == Criterion::strict ? strict : loose;
+  constexpr double bound(BiasCriterion criterion) const {
+    return criterion == BiasCriterion::strict ? strict : loose;
   }
 };
 
@@ -94,9 +94,9 @@ struct CanonicalPoint {
   Estimate acceptance, weight;
   Estimate evaluations_per_sample() const;  ///< 2τ times the cost
   /// That of a quantity; nothing if its bias is unknown.
-  std::optional<Accuracy> accuracy(std::size_t quantity, Criterion criterion) const;
+  std::optional<Accuracy> accuracy(std::size_t quantity, BiasCriterion criterion) const;
   /// Above, if it is for any quantity; below, if it is for all; otherwise undecided.
-  Accuracy accuracy(Criterion criterion) const;
+  Accuracy accuracy(BiasCriterion criterion) const;
 };
 
 /// The schemes of a canonical study if the run file names none of its own.

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: MIT
+"""Types of arguments: paths, quantities with units, settings, progress."""
+
+import os
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
+
+if TYPE_CHECKING:
+    from ._settings import Settings
+
+__all__ = ["Messages", "Path", "Progress", "Quantity", "Source", "Texts"]
+
+
+class _WithUnits(Protocol):
+    """A quantity of pint."""
+    units: Any
+
+
+class _WithUnit(Protocol):
+    """A quantity of openmm.unit."""
+    unit: Any
+
+
+Path: TypeAlias = str | os.PathLike[str]
+Quantity: TypeAlias = str | _WithUnits | _WithUnit
+Texts: TypeAlias = str | list[str] | tuple[str, ...]
+Source: TypeAlias = "Settings | Mapping[str, Any] | str | os.PathLike[str] | None"
+Progress: TypeAlias = bool | Callable[[str, float | None, str], object] | None
+Messages: TypeAlias = Callable[[str], object] | None
