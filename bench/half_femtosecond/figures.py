@@ -65,7 +65,7 @@ def density_script(points, image):
 
 def draw(lines, folder, form="svg"):
     points = tables.by_point(lines)
-    energy = {p: runs for p, runs in points.items() if p.ensemble == "constant energy"}
+    energy = {p: runs for p, runs in points.items() if p.group in ("energy", "quick")}
     pressure = {p: runs for p, runs in points.items() if p.ensemble == "constant pressure"}
     for name, chosen, script in (("bias", energy, bias_script), ("density", pressure, density_script)):
         if len({p.temperature for p in chosen}) > 3 or name == "bias" and chosen:
