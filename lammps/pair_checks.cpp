@@ -53,7 +53,7 @@ void PairPolhode::check_inputs() const {
                atom->firstgroupname);
   if (settings_.electrostatics == Electrostatics::pme && force->kspace == nullptr)
     error->all(FLERR,
-               "pair_style polhode with electrostatics pme computes the pairs of Ewald's sum and "
+               "pair_style polhode with electrostatics pme computes the pairs of the Ewald sum and "
                "needs a kspace style for the rest; add for example 'kspace_style pppm 1e-5'");
 }
 

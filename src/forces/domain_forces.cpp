@@ -30,7 +30,7 @@ double constant_energy(const Topology& own, const ForceSettings& settings) {
 }
 
 // A box in which no two images of bodies interact while they stay within an extent of its edges
-// minus the reach.
+// minus the range beyond which nothing interacts.
 Box box_around(const Vec3<double>& extent, double reach) {
   return {extent + Vec3<double>{2 * reach, 2 * reach, 2 * reach}};
 }

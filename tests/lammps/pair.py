@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """pair_style polhode in LAMMPS: energies, pressures and trajectories of polhode for every law, any number of ranks, mixed
-precision, the pairs of Ewald's sum, and what it refuses.
+precision, the pairs of the Ewald sum, and what it refuses.
 
 Systems of polhode are given to LAMMPS in its units lj, with nm, ps, u and kJ/mol: no constant of nature of LAMMPS, which
 have 8 to 11 digits, takes part.

@@ -187,7 +187,7 @@ TEST_CASE("the smooth part of Ewald's split is a polynomial") {
   CHECK_THROWS_AS(gaussian_smooth_part(1, 0), Error);
 }
 
-TEST_CASE("pairs of Ewald's sum beside the mesh of another program") {
+TEST_CASE("pairs of the Ewald sum together with the mesh of another program") {
   const Molecule water = read_molecule("tip4p");
   ForceSettings settings{Truncation::site_switch, 0.9, 0.8};
   settings.electrostatics = Electrostatics::pme;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The smooth part of Ewald's split as a polynomial, for pairs beside the mesh of another program.
+// The smooth part of Ewald's split as a polynomial, for pairs next to the mesh of another program.
 #pragma once
 
 #include "polhode/forces/laws/smooth_polynomial.hpp"

@@ -55,7 +55,7 @@ struct ForceSettings {
   /// cutoff are chosen together. `cutoff` is that of the short-range laws.
   std::optional<double> coulomb_cutoff{};
   double damping = 2;  ///< of the damped shifted force: α [1/nm]
-  /// For PME beside the mesh of another program, which splits 1/r by Ewald's Gaussian: its α
+  /// For PME with the mesh of another program, which splits 1/r by Ewald's Gaussian: its α
   /// [1/nm]. There is no mesh here then, and pairs are summed up to the cutoff.
   std::optional<double> ewald_alpha{};
   /// For PME: the mesh; if not set, the cheapest one of that accuracy is chosen for each box.
