@@ -11,7 +11,7 @@ import xml.etree.ElementTree as ElementTree
 from collections import defaultdict
 from pathlib import Path
 
-# What a signature begins with. Sphinx does not parse it: its parser takes a minute for all headers.
+# What a signature begins with. Sphinx does not parse it: its parser takes a minute for these headers.
 KINDS = {"function": "", "variable": "", "typedef": "using ", "enum": "enum class ", "struct": "struct ", "class": "class ",
          "concept": "concept "}
 
