@@ -23,8 +23,7 @@ include_patterns = ["index.md", "docs/**", "ARCHITECTURE.md", "CHANGELOG.md", "C
                     "LICENSES.md", "bench/**.md", "tests/**.md", "data/**.md", "python/*.md"]
 exclude_patterns = ["docs/site"]
 nitpicky = True
-nitpick_ignore_regex = [("cpp:.*", ".*"),  # types of the standard library, parameters of templates
-                        ("py:class", r"(?!polhode\.[^_]).*")]  # types of other packages
+nitpick_ignore_regex = [("py:class", r"(?!polhode\.[^_]).*")]  # types of other packages
 
 # Documents are those that are read on the web: links to headings, formulas between dollars.
 myst_enable_extensions = ["dollarmath", "amsmath", "colon_fence"]

@@ -11,7 +11,9 @@ import xml.etree.ElementTree as ElementTree
 from collections import defaultdict
 from pathlib import Path
 
-KINDS = {"function": "function", "variable": "member", "typedef": "type", "enum": "enum-class"}
+# What a signature begins with. Sphinx does not parse it: its parser takes a minute for these headers.
+KINDS = {"function": "", "variable": "", "typedef": "using ", "enum": "enum class ", "struct": "struct ", "class": "class ",
+         "concept": "concept "}
 
 
 # Text of comments.
@@ -87,8 +89,14 @@ def description(node):
 
 # Declarations.
 
+def spaced(code):
+    """Code with the spaces of this project: Vec3<double>& J."""
+    code = re.sub(r"\s+", " ", code).replace("< ", "<").replace(" >", ">")
+    return re.sub(r" ([&*]+) ?(?=\w)", r"\1 ", code).strip()
+
+
 def plain(node):
-    return re.sub(r"\s+", " ", "".join(node.itertext())).strip() if node is not None else ""
+    return spaced("".join(node.itertext())) if node is not None else ""
 
 
 def template(node):
@@ -105,35 +113,37 @@ def template(node):
     return f"template<{', '.join(names)}> " + (f"requires {requires} " if requires else "")
 
 
-def signature(node):
+def signature(node, inside=False):
+    """The declaration on one line; inside its class a member has its own name alone."""
     kind = node.get("kind")
-    name = node.findtext("qualifiedname") or node.findtext("compoundname") or node.findtext("name")
+    word = KINDS[kind]
+    qualified = node.findtext("qualifiedname") or node.findtext("compoundname")
+    name = node.findtext("name") if inside else qualified.removeprefix("polhode::")
     if kind == "function":
-        arguments = re.sub(r"\s*=\s*(default|delete)$", "", node.findtext("argsstring"))
+        arguments = spaced(node.findtext("argsstring"))
         words = [w for w in ("static", "explicit") if node.get(w) == "yes"]
-        return " ".join([template(node) + " ".join([*words, plain(node.find("type"))]), name + arguments])
+        return f"{template(node)}{' '.join([*words, plain(node.find('type'))])} {name}{arguments}".replace("  ", " ")
     if kind == "variable":
         value = plain(node.find("initializer"))
         shown = f" {value}" if len(value) < 60 and value.startswith("=") else ""
         return f"{template(node)}{plain(node.find('type'))} {name}{plain(node.find('argsstring'))}{shown}"
     if kind == "typedef":
-        return f"{template(node)}{name} = {plain(node.find('type'))}"
-    return template(node) + name
+        return f"{template(node)}{word}{name} = {plain(node.find('type'))}"
+    return template(node) + word + name
 
 
 def indented(lines, by="   "):
     return [by + line if line else "" for line in lines]
 
 
-def entity(node, members=()):
+def entity(node, members=(), inside=False):
     """The directive of a declaration, with those of its public members."""
-    kind = KINDS.get(node.get("kind"), node.get("kind"))
     body = description(node)
     for value in node.findall("enumvalue"):
-        body += [f".. cpp:enumerator:: {value.findtext('name')}", "", *indented(description(value)), ""]
+        body += [f".. describe:: {value.findtext('name')}", "", *indented(description(value)), ""]
     for member in members:
-        body += entity(member)
-    return [f".. cpp:{kind}:: {signature(node)}", "", *indented(body), ""]
+        body += entity(member, inside=True)
+    return [f".. describe:: {signature(node, inside).strip()}", "", *indented(body), ""]
 
 
 def shown(node):

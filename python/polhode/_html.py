@@ -3,6 +3,8 @@
 
 from html import escape
 
+import numpy as np
+
 _STYLE = "style='text-align:left;padding:0.15em 0.8em 0.15em 0'"
 
 
@@ -23,7 +25,7 @@ def table(rows, head=None, caption=""):
     top = f"<caption style='text-align:left;font-weight:bold'>{escape(caption)}</caption>" \
         if caption else ""
     heading = f"<thead>{line(head, 'th')}</thead>" if head else ""
-    return f"<table>{top}{heading}<tbody>{''.join(line(r, 'td') for r in rows)}</tbody></table>"
+    return f"<table style='margin:0 0 0.6em'>{top}{heading}<tbody>{''.join(line(r, 'td') for r in rows)}</tbody></table>"
 
 
 def _flat(data, prefix=""):
@@ -84,13 +86,20 @@ def simulation_html(s):
                   ("steps done", s.steps), ("time [ps]", s.time)], caption="Simulation")
 
 
+def _fluctuation(values):
+    """The rms fluctuation with three digits; 0 where it is rounding alone."""
+    rms = values.std()
+    return "0" if rms <= 1e-14 * np.abs(values).max() * len(values)**0.5 else f"{float(f'{rms:.3g}'):g}"
+
+
 def run_html(run):
     """A run: mean energies of its samples, and R."""
     e = run.energies
     if not len(e):
         return table([], caption="Run without samples")
     units = e.units()
-    rows = [(name.replace("_", " "), f"{e[name].mean():.6g}", f"{e[name].std():.3g}", units[name])
+    rows = [(name.replace("_", " "), f"{e[name].mean():.6g}", _fluctuation(e[name]),
+             units[name].replace("nm3", "nm³"))
             for name in e.names() if name != "time" and (name != "external" or e[name].any())]
     ratio = f", R = {100 * e.ratio:.3g} %" if len(e) >= 3 else ""
     caption = f"{len(e)} samples, {e['time'][0]:g} to {e['time'][-1]:g} ps{ratio}"

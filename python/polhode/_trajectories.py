@@ -10,8 +10,6 @@ ANGSTROM_PER_NM = 10
 
 def _sites(simulation):
     """(molecule name, index of the molecule, site) of each site."""
-    if simulation is None:
-        raise Error("a run that was pickled has no molecules; convert it before it is pickled")
     row, index = [], 0
     for kind, (_, count) in zip(simulation.kinds, simulation.molecules, strict=True):
         for _ in range(count):
@@ -22,16 +20,22 @@ def _sites(simulation):
     return row
 
 
+def _check(simulation, frames):
+    if simulation is None:
+        raise Error("a run that was pickled has no molecules; convert it before it is pickled")
+    if not frames:
+        raise Error("the run kept no frames; call run(..., frames=\"0.1 ps\")")
+
+
 def universe(simulation, frames):
     """MDAnalysis.Universe; lengths in Å, as it has them."""
+    _check(simulation, frames)
     try:
         import MDAnalysis
         from MDAnalysis.coordinates.memory import MemoryReader
     except ImportError:
         raise Error("this needs MDAnalysis, which is not installed; pip install MDAnalysis") \
             from None
-    if not frames:
-        raise Error("the run kept no frames; call run(..., frames=\"0.1 ps\")")
     sites = _sites(simulation)
     residue_of = np.array([index for _, index, _ in sites])
     u = MDAnalysis.Universe.empty(len(sites), n_residues=residue_of[-1] + 1,
@@ -54,12 +58,11 @@ def universe(simulation, frames):
 
 def mdtraj_trajectory(simulation, frames):
     """mdtraj.Trajectory; lengths in nm."""
+    _check(simulation, frames)
     try:
         import mdtraj
     except ImportError:
         raise Error("this needs mdtraj, which is not installed; pip install mdtraj") from None
-    if not frames:
-        raise Error("the run kept no frames; call run(..., frames=\"0.1 ps\")")
     top = mdtraj.Topology()
     chain, residue, last = top.add_chain(), None, -1
     for name, index, site in _sites(simulation):

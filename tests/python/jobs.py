@@ -246,8 +246,11 @@ class Results(unittest.TestCase):
         self.assertEqual(s.summary.steps, 20)
         for thing in (s, run, s.summary, polhode.Scheme("gier4"), polhode.molecules("tip4p")):
             html = thing._repr_html_()
-            self.assertIn("<table>", html)
+            self.assertIn("<table", html)
             self.assertEqual(html.count("<tr>"), html.count("</tr>"))
+        volume = run._repr_html_().rpartition("volume")[2]  # constant but for rounding
+        self.assertIn(">0</td>", volume)
+        self.assertIn("nm³", volume)
         self.assertIn("vanzon2008", s.cite())
         self.assertIn("jorgensen1983", s.cite())
         with self.assertRaises(AttributeError) as caught:
