@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/force_field.hpp"
 
+#include "polhode/base/error.hpp"
 #include "polhode/forces/laws/check_settings.hpp"
 #include "polhode/forces/laws/law_range.hpp"
 #include "polhode/forces/laws/tail.hpp"
@@ -44,6 +45,14 @@ ConstantTerms constant_terms_of(const Topology& topology, const ForceSettings& s
   return terms;
 }
 
+const ForceSettings& without_other_mesh(const ForceSettings& settings) {
+  if (settings.ewald_alpha)
+    throw Error(
+        "ewald_alpha is for pairs beside the mesh of another program (DomainForces); a force field "
+        "has a mesh of its own, so leave it out");
+  return settings;
+}
+
 }  // namespace
 
 ForceField::ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
@@ -51,7 +60,7 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
     : workers_(workers),
       topology_(topology),
       bodies_(topology),
-      settings_(with_mesh(checked(settings), topology, box, mesh_choice_)),
+      settings_(with_mesh(checked(without_other_mesh(settings)), topology, box, mesh_choice_)),
       box_(box),
       tail_(settings_.dispersion_correction ? dispersion_tail(topology, settings_) : 0),
       constant_(constant_terms_of(topology, settings_, box, tail_)),

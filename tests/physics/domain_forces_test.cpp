@@ -9,6 +9,7 @@
 #include "physics/force_laws.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/forces/domain_forces.hpp"
+#include "polhode/forces/force_field.hpp"
 
 using namespace polhode;
 
@@ -208,4 +209,8 @@ TEST_CASE("pairs of the Ewald sum together with the mesh of another program") {
     }
   // Half of the pair with the ghost; the mesh has the self-energy, but not this correction.
   CHECK(load.coulomb == doctest::Approx(pairs / 2 + within).epsilon(1e-11));
+  // A force field has its own mesh.
+  Workers& workers = Workers::serial();
+  CHECK_THROWS_WITH_AS(ForceField({{{water, 1}}}, settings, Box{{3, 3, 3}}, workers),
+                       doctest::Contains("ewald_alpha"), Error);
 }
