@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pair_settings.hpp"
 
-#include <cmath>
+#include <charconv>
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 
 #include "arguments.hpp"
 #include "lammps.h"
@@ -27,13 +29,21 @@ Enum one_of(Arguments& arguments, const std::string& keyword) {
 }
 
 double dielectric(Arguments& arguments) {
-  const std::string word(arguments.word("a number, or infinite,"));
+  const std::string_view word = arguments.word("a number, or infinite,");
   if (word == "infinite") return std::numeric_limits<double>::infinity();
-  try {
-    return std::stod(word);
-  } catch (const std::exception&) {
-    throw Error("dielectric is '" + word + "'; it must be a number of 1 or more, or infinite");
-  }
+  double value = 0;
+  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (status != std::errc() || end != word.data() + word.size())
+    throw Error("dielectric is '" + std::string(word) +
+                "'; it must be a number of 1 or more, or infinite");
+  return value;
+}
+
+int smoothness(Arguments& arguments) {
+  const double value = arguments.number("smoothness");
+  if (value != 1 && value != 2 && value != 3)
+    throw Error("smoothness is " + std::to_string(value) + "; it must be 1, 2 or 3");
+  return static_cast<int>(value);
 }
 
 }  // namespace
@@ -64,8 +74,7 @@ ForceSettings pair_settings(int count, char** words, LAMMPS_NS::LAMMPS* lammps) 
   std::optional<Electrostatics> electrostatics;
   arguments.each_keyword(
       {{"switch", [&] { s.switch_from = nm * arguments.positive("the start of the switch"); }},
-       {"smoothness",
-        [&] { s.smoothness = static_cast<int>(std::lround(arguments.number("smoothness"))); }},
+       {"smoothness", [&] { s.smoothness = smoothness(arguments); }},
        {"truncation", [&] { truncation = one_of<Truncation>(arguments, "truncation"); }},
        {"electrostatics",
         [&] { electrostatics = one_of<Electrostatics>(arguments, "electrostatics"); }},

@@ -95,6 +95,25 @@ class LammpsTest(unittest.TestCase):
         for word in words:
             self.assertIn(word, message, done.stdout[-2000:])
 
+    def compare_ranks(self, script, names, **more):
+        """The columns of a script that ends with `run 60` do not depend on how space is divided; `more` has further variants."""
+        variants = {
+            "2 ranks": (2, script),
+            "4 ranks": (4, script),
+            "newton off": (2, script.replace("\natom_style", "\nnewton off\natom_style")),
+            "balanced": (4, script.replace("run 60", "balance 1.0 shift xyz 10 1.05\nrun 60")),
+            "tiled": (4, script.replace("run 60", "comm_style tiled\nbalance 1.0 rcb\nrun 60")),
+            **more,
+        }
+        one = self.lammps(script)[0]
+        for title, (ranks, text) in variants.items():
+            if title != "2 ranks" and title != "4 ranks":
+                self.assertNotEqual(text, script, title)
+            other = self.lammps(text, ranks)[0]
+            for name in names:
+                # Sums in another order, grown over 60 force evaluations.
+                self.assert_close(one[name], other[name], 1e-11, f"{title}: {name}")
+
     def assert_close(self, a, b, relative, what=""):
         self.assertEqual(len(a), len(b), what)
         for x, y in zip(a, b):

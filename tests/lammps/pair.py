@@ -176,21 +176,9 @@ run {evaluations * round(values["length"] / values["step"])}
     def test_ranks(self):
         values, types = self.system(scheme="gier4-fd", step=1.5, length=30)
         script = self.script(values, types, every=10)
-        variants = {
-            "2 ranks": (2, script),
-            "4 ranks": (4, script),
-            "newton off": (2, script.replace("units lj", "units lj\nnewton off")),
-            "balanced": (4, script.replace("run 60", "balance 1.0 shift xyz 10 1.05\nrun 60")),
-            "tiled": (4, script.replace("run 60", "comm_style tiled\nbalance 1.0 rcb\nrun 60")),
-            "long lists": (2, script.replace("neighbor 0.1", "neighbor 0.3")),
-            "a short communication cutoff": (2, script.replace("run 60", "comm_modify cutoff 0.2\nrun 60")),
-        }
-        one = self.lammps(script)[0]
-        for title, (ranks, text) in variants.items():
-            other = self.lammps(text, ranks)[0]
-            for name in ("E_vdwl", "E_coul", "KinEng", "Press"):
-                # Sums in another order, grown over 60 force evaluations.
-                self.assert_close(one[name], other[name], 1e-11, f"{title}: {name}")
+        self.compare_ranks(script, ("E_vdwl", "E_coul", "KinEng", "Press"),
+                           long_lists=(2, script.replace("neighbor 0.1", "neighbor 0.3")),
+                           short_communication=(2, script.replace("run 60", "comm_modify cutoff 0.2\nrun 60")))
 
     def test_a_tilt_of_a_whole_edge_changes_nothing(self):
         values, types = self.system()
@@ -282,6 +270,9 @@ run {evaluations * round(values["length"] / values["step"])}
             (base.replace("molecule-switch", "molecule-swich"), ["truncation is 'molecule-swich'", "must be one of"]),
             (base.replace("switch 0.45", "switch 0.6"), ["switch = 0.6 nm"]),
             (base.replace("polhode 0.58", "polhode -0.58"), ["the cutoff = -0.58"]),
+            (base.replace("switch 0.45", "switch 0.45 dielectric 80x"), ["dielectric is '80x'"]),
+            (base.replace("switch 0.45", "switch 0.45 dielectric nan"), ["dielectric"]),
+            (base.replace("switch 0.45", "switch 0.45 smoothness 2.5"), ["smoothness is 2.5"]),
             (base.replace("pair_coeff 1 1", "pair_coeff 1 1 0.5"), ["needs 4"]),
             (base.replace("units lj", "units si"), ["use units real"]),
             (base.replace("pair_style polhode", "pair_style hybrid/overlay zero 0.5 polhode").replace(

@@ -109,20 +109,7 @@ run {steps}
                 self.assert_close([point[key]], [before[key]], 1e-12, key)
 
     def test_ranks(self):
-        script = self.water("gier4-fd", every=30, h=0.5)
-        variants = {
-            "2 ranks": (2, script),
-            "4 ranks": (4, script),
-            "newton off": (2, script.replace("units real", "units real\nnewton off")),
-            "balanced": (4, script.replace("run 60", "balance 1.0 shift xyz 10 1.05\nrun 60")),
-            "tiled": (4, script.replace("run 60", "comm_style tiled\nbalance 1.0 rcb\nrun 60")),
-        }
-        one = self.lammps(script)[0]
-        for title, (ranks, text) in variants.items():
-            other = self.lammps(text, ranks)[0]
-            for name in ("E_pair", "KinEng", "Press"):
-                # Sums in another order, grown over 60 force evaluations.
-                self.assert_close(one[name], other[name], 1e-11, f"{title}: {name}")
+        self.compare_ranks(self.water("gier4-fd", every=30, h=0.5), ("E_pair", "KinEng", "Press"))
 
     def test_a_tilt_of_a_whole_edge_changes_nothing(self):
         script = self.water(every=30)
