@@ -6,31 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <new>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "polhode/base/aligned_allocator.hpp"
 #include "polhode/base/quaternion.hpp"
 #include "polhode/base/vec3.hpp"
 
 namespace polhode {
-
-/// Bytes of the widest pack; columns start and end at multiples of it.
-inline constexpr std::size_t pack_bytes = 64;
-
-template <class T>
-struct AlignedAllocator {
-  using value_type = T;
-  AlignedAllocator() = default;
-  template <class U>
-  AlignedAllocator(const AlignedAllocator<U>&) {}
-  T* allocate(std::size_t n) {
-    return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{pack_bytes}));
-  }
-  void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{pack_bytes}); }
-  friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
-};
 
 template <class T>
 class Column {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "polhode/base/blocks.hpp"
 #include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode {
@@ -11,12 +12,15 @@ namespace {
 
 constexpr std::size_t slots_at_once = 4 * slot_block;  // placed per task
 
-/// Slabs of at least order − 1 planes; several of four, so that a few threads share them evenly.
+/// Slabs are at least order − 1 points thick, and whole tiles of any shape. Their number is even,
+/// as the last one is next to the first, or a multiple of four, so that a few threads share them
+/// evenly.
 std::size_t number_of_slabs(const MeshSettings& settings) {
   constexpr std::size_t max_slabs = 64;
-  const std::size_t thin =
-      std::min(settings.points[2] / static_cast<std::size_t>(settings.order - 1), max_slabs);
-  return thin < 4 ? thin : thin / 4 * 4;
+  const std::size_t tiles = settings.points[1] / mesh_multiple,
+                    thickness = blocks(static_cast<std::size_t>(settings.order - 1), mesh_multiple),
+                    thin = std::min(tiles / thickness, max_slabs);
+  return thin < 2 ? 1 : thin < 4 ? 2 : thin / 4 * 4;
 }
 
 }  // namespace
@@ -29,8 +33,9 @@ MeshCharges<T>::MeshCharges(const Topology& topology, const MeshSettings& settin
     parts_.emplace_back();
     for (std::size_t k = 0; k < sites.charged; ++k) parts_.back().push_back(sites.sites[k].charge);
   }
-  for (std::size_t z = 0; z < settings.points[2]; ++z)
-    slab_of_.push_back(static_cast<std::uint8_t>(z * slabs_ / settings.points[2]));
+  const std::size_t tiles = settings.points[1] / mesh_multiple;
+  for (std::size_t y = 0; y < settings.points[1]; ++y)
+    slab_of_.push_back(static_cast<std::uint8_t>(y / mesh_multiple * slabs_ / tiles));
 }
 
 template <class T>
@@ -47,7 +52,7 @@ void MeshCharges<T>::make_blocks(const Slots& slots) {
     }
   }
   records_ = Column<T>(numbers_ * ChargeRecord::stride);
-  plane_.resize(numbers_);
+  row_.resize(numbers_);
   next_.resize(blocks_.size() * slabs_);
   order_.resize(charges);
 }
@@ -76,13 +81,13 @@ void MeshCharges<T>::place(const Slots& slots, const SiteRecords<T>& records,
                    {parts_[block.part], block.first, block.end},
                    settings_.points,
                    &records_[block.charge * ChargeRecord::stride],
-                   &plane_[block.charge],
+                   &row_[block.charge],
                    displacements,
                    displacements ? &moves_[block.charge * ChargeRecord::stride] : nullptr});
     std::uint32_t* const count = &next_[b * slabs_];
     std::fill_n(count, slabs_, 0);
     each_charge(block,
-                [&](std::size_t n) { ++count[slab_of_[static_cast<std::size_t>(plane_[n])]]; });
+                [&](std::size_t n) { ++count[slab_of_[static_cast<std::size_t>(row_[n])]]; });
   });
   std::uint32_t at = 0;
   for (std::size_t slab = 0; slab < slabs_; ++slab) {
@@ -95,7 +100,7 @@ void MeshCharges<T>::place(const Slots& slots, const SiteRecords<T>& records,
   workers.each(blocks_.size(), [&](std::size_t b) {
     std::uint32_t* const next = &next_[b * slabs_];
     each_charge(blocks_[b], [&](std::size_t n) {
-      order_[next[slab_of_[static_cast<std::size_t>(plane_[n])]]++] = static_cast<std::uint32_t>(n);
+      order_[next[slab_of_[static_cast<std::size_t>(row_[n])]]++] = static_cast<std::uint32_t>(n);
     });
   });
 }

@@ -19,7 +19,7 @@ CellGrid::CellGrid(const Box& box, std::size_t bodies) : edge(box.edge) {
   const auto count = [](double pieces) {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::round(pieces)));
   };
-  cells = {count(edge.x / width), count(slices * edge.y / width), count(edge.z / width)};
+  cells = {count(edge.x / width), count(edge.y / width), count(slices * edge.z / width)};
 }
 
 Slots::Slots(const Topology& topology) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The charges on a mesh, divided into slabs: ranges of planes of the grid.
+// The charges on a mesh, divided into slabs: ranges of the grid along y.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 namespace polhode {
 
 /// The charges of all bodies, sorted by slabs. A slab is at least as thick as a spline is wide,
-/// less one plane, so that charges of slabs that are not adjacent never touch the same grid point:
+/// less one point, so that charges of slabs that are not adjacent never touch the same grid point:
 /// all even slabs can be processed at the same time, then all odd ones. Within a slab, charges are
 /// in the order of slots.
 template <class T>
@@ -46,11 +46,11 @@ class MeshCharges {
   MeshSettings settings_;
   std::vector<std::vector<double>> parts_;
   std::size_t slabs_;
-  std::vector<std::uint8_t> slab_of_;  // of each plane
+  std::vector<std::uint8_t> slab_of_;  // of each point along y
   std::vector<Block> blocks_;
   std::size_t numbers_ = 0;  // of charges, those of unused slots included
   Column<T> records_, moves_;
-  std::vector<std::int32_t> plane_;  // of each charge
+  std::vector<std::int32_t> row_;    // of each charge: the grid point below it along y
   std::vector<std::uint32_t> next_;  // [block, slab]: place in the order
   std::vector<std::uint32_t> slab_end_;
   std::vector<std::uint32_t> order_;

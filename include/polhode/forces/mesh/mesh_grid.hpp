@@ -39,6 +39,8 @@ struct MeshGrid {
 
   std::size_t stacks() const { return points[0] / tile.columns; }
   std::size_t rows() const { return points[1] / tile.rows; }
+  /// Whether it is larger than a second-level cache, so that it helps to prefetch tiles.
+  bool is_large() const { return values.size() * sizeof(T) > (std::size_t{1} << 20); }
 };
 
 /// Points along x and y are multiples of this number, so that tiles of any shape fill the grid.

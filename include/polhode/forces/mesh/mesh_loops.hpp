@@ -32,8 +32,8 @@ struct PlaceChargesJob {
   const SiteRecords<T>& records;
   MeshBodies bodies;
   std::array<std::size_t, 3> points;
-  T* charges;           ///< records, also for the slots that fill the last block
-  std::int32_t* plane;  ///< of each charge
+  T* charges;         ///< records, also for the slots that fill the last block
+  std::int32_t* row;  ///< of each charge: the grid point below it along y
   /// For derivatives: displacements laid out as `records`, and for each charge a record of its own
   /// displacement in grid spacings.
   const SiteRecords<T>* displacements = nullptr;

@@ -15,7 +15,8 @@
 namespace polhode {
 
 /// Cells of equal size that fill the box, numbered so that consecutive bodies fill compact blocks:
-/// columns along y, cut into thin cells, are swept up and down in turn, layer by layer along z.
+/// columns along z, cut into thin cells, are swept up and down in turn, layer by layer along y,
+/// which is also how the points of a mesh are stored.
 struct CellGrid {
   static constexpr double block = 16;  ///< bodies in a piece of a column that is as long as wide
   static constexpr double slices = 8;  ///< cells along this piece
@@ -35,8 +36,8 @@ struct CellGrid {
     return std::min(c, cells[d] - 1);
   }
   std::size_t index(std::size_t x, std::size_t y, std::size_t z) const {
-    const std::size_t column = z * cells[0] + (z % 2 == 0 ? x : cells[0] - 1 - x);
-    return column * cells[1] + (column % 2 == 0 ? y : cells[1] - 1 - y);
+    const std::size_t column = y * cells[0] + (y % 2 == 0 ? x : cells[0] - 1 - x);
+    return column * cells[2] + (column % 2 == 0 ? z : cells[2] - 1 - z);
   }
 };
 

@@ -53,21 +53,32 @@ template <class T, std::size_t order>
 void gather(const GatherJob<T>& job) {
   using Real = Pack<T>;
   constexpr std::size_t width = Real::width;
-  GridPositions<T> places(job.box, job.grid.points, job.bodies.charges.size());
+  const std::size_t sites = job.bodies.charges.size();
+  GridPositions<T> packs[2] = {{job.box, job.grid.points, sites},
+                               {job.box, job.grid.points, sites}};
+  packs[0].load(job.records, job.bodies.first);
+  std::size_t pack = 0;
   ChargeWeights<T, order, 1> weights;
   TileSums<T, 1> sums;
-  GridIndex<T> index;
-  for (std::size_t slot = job.bodies.first; slot < job.bodies.end; slot += width) {
-    places.load(job.records, slot);
+  GridIndex<T> index, later;
+  for (std::size_t slot = job.bodies.first; slot < job.bodies.end; slot += width, ++pack) {
+    const GridPositions<T>& places = packs[pack % 2];
+    GridPositions<T>& following = packs[(pack + 1) % 2];
+    const bool more = slot + width < job.bodies.end, prefetching = more && job.grid.is_large();
+    if (more) following.load(job.records, slot + width);
     const Mask<Real> present = first_lanes<T>(std::min(width, job.bodies.end - slot));
     Vec3<Real> f, tau;
     Mat3<Real> arms;
-    for (std::size_t site = 0; site < job.bodies.charges.size(); ++site) {
+    for (std::size_t site = 0; site < sites; ++site) {
       Vec3<Real> u;
       for (std::size_t d = 0; d < 3; ++d) u[d] = places.beyond(site, d, index[d]);
+      if (prefetching)
+        for (std::size_t d = 0; d < 3; ++d) following.beyond(site, d, later[d]);
       weights.set(u);
-      for (std::size_t lane = 0; lane < width; ++lane)
+      for (std::size_t lane = 0; lane < width; ++lane) {
+        if (prefetching) prefetch_tiles<T, order, false>(job.grid, later, lane);
         sums.set(0, lane, sum_over_tiles<T, order>(job.grid, index, lane, weights));
+      }
       const Vec3<Real> force = force_of(sums(0), job, site, present), arm = places.arm(site);
       f += force;
       tau += cross(arm, force);

@@ -10,7 +10,7 @@ void place(const PlaceChargesJob<T>& job) {
   using Real = Pack<T>;
   constexpr std::size_t stride = ChargeRecord::stride;
   const std::size_t sites = job.bodies.charges.size();
-  const auto planes = static_cast<std::int32_t>(job.points[2]);
+  const auto rows = static_cast<std::int32_t>(job.points[1]);
   GridPositions<T> places(job.box, job.points, sites), moves(job.box, job.points, sites);
   for (std::size_t slot = job.bodies.first; slot < job.bodies.end; slot += Real::width) {
     places.load(job.records, slot);
@@ -21,7 +21,7 @@ void place(const PlaceChargesJob<T>& job) {
       const std::size_t first = block * sites + site * slot_block + (in_range - block);
       Real numbers[4] = {places.place(site, 0), places.place(site, 1), places.place(site, 2),
                          Real(static_cast<T>(job.bodies.charges[site]))};
-      beyond_point(numbers[2], planes, job.plane + first);
+      beyond_point(numbers[1], rows, job.row + first);
       store_four<T>(numbers,
                     [&](std::size_t lane) { return job.charges + (first + lane) * stride; });
       if (!job.moves) continue;

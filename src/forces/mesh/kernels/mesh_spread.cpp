@@ -23,6 +23,11 @@ class ListedCharges {
       u[d] = beyond_point(number[d], static_cast<std::int32_t>(job.grid.points[d]), index[d]);
     q = number[3];
   }
+  // The records that are loaded later.
+  static void prefetch(const SpreadJob<T>& job, const std::uint32_t* from) {
+    const auto record = record_of(job, job.charges, from);
+    for (std::size_t lane = 0; lane < Real::width; ++lane) __builtin_prefetch(record(lane));
+  }
   static Vec3<Real> move(const SpreadJob<T>& job, const std::uint32_t* from) {
     Real number[4];
     load_four<T>(record_of(job, job.moves, from), number);
@@ -61,14 +66,22 @@ template <class T, std::size_t order>
 template <class T, std::size_t order>
 void spread(const SpreadJob<T>& job) {
   constexpr std::size_t width = Pack<T>::width;
-  ListedCharges<T> charges;
+  if (job.order == job.end) return;
+  ListedCharges<T> packs[2];
   ChargeWeights<T, order, 0> weights;
-  for (const std::uint32_t* from = job.order; from < job.end; from += width) {
-    charges.load(job, from);
+  packs[0].load(job, job.order);
+  std::size_t pack = 0;
+  for (const std::uint32_t* from = job.order; from < job.end; from += width, ++pack) {
+    const ListedCharges<T>& charges = packs[pack % 2];
+    ListedCharges<T>& following = packs[(pack + 1) % 2];
+    following.load(job, from + width);
+    if (job.grid.is_large()) following.prefetch(job, from + 4 * width);
     weights.set(charges.u, charges.q);
     const std::size_t lanes = std::min(width, static_cast<std::size_t>(job.end - from));
-    for (std::size_t lane = 0; lane < lanes; ++lane)
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      if (job.grid.is_large()) prefetch_tiles<T, order, true>(job.grid, following.index, lane);
       add_charge<T, order>(job.grid, charges.index, lane, weights);
+    }
   }
 }
 

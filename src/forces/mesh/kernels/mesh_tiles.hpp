@@ -115,5 +115,18 @@ struct TilesAround {
   }
 };
 
+// Prefetches the tiles around a charge that comes later.
+template <class T, std::size_t order, bool write>
+[[gnu::always_inline]] inline void prefetch_tiles(const MeshGrid<T>& grid,
+                                                  const GridIndex<T>& index, std::size_t lane) {
+  const TilesAround<T, order> tiles(grid, index, lane);
+  tiles.each_row([&](std::size_t j) {
+    tiles.each_column([&](std::size_t i) __attribute__((always_inline)) {
+      const T* const stack = grid.values.data() + tiles.stack(i, j);
+      for (std::size_t k = 0; k < order; ++k) __builtin_prefetch(stack + k * Pack<T>::width, write);
+    });
+  });
+}
+
 }  // namespace
 }  // namespace polhode::POLHODE_LOOPS

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// Memory for packs, on large pages where there is much of it: the addresses of many small pages do
+// not fit into the processor's tables.
+#pragma once
+
+#include <cstddef>
+#include <new>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
+namespace polhode {
+
+/// Bytes of the widest pack; columns start and end at multiples of it.
+inline constexpr std::size_t pack_bytes = 64;
+
+/// Bytes of a large page of common processors; memory of at least two of them starts at one.
+inline constexpr std::size_t large_page_bytes = std::size_t{1} << 21;
+
+template <class T>
+struct AlignedAllocator {
+  using value_type = T;
+  AlignedAllocator() = default;
+  template <class U>
+  AlignedAllocator(const AlignedAllocator<U>&) {}
+  T* allocate(std::size_t n) {
+    void* const memory = ::operator new(n * sizeof(T), alignment(n));
+#ifdef __linux__
+    if (is_large(n)) madvise(memory, n * sizeof(T), MADV_HUGEPAGE);  // may be refused
+#endif
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* p, std::size_t n) { ::operator delete(p, alignment(n)); }
+  friend bool operator==(const AlignedAllocator&, const AlignedAllocator&) { return true; }
+
+ private:
+  static bool is_large(std::size_t n) { return n * sizeof(T) >= 2 * large_page_bytes; }
+  static std::align_val_t alignment(std::size_t n) {
+    return std::align_val_t{is_large(n) ? large_page_bytes : pack_bytes};
+  }
+};
+
+}  // namespace polhode
