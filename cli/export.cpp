@@ -16,7 +16,7 @@ namespace polhode::cli {
 namespace {
 
 struct Options {
-  std::string program, file, output, scheme, step;
+  std::string program, file, pair_style = "table", output, scheme, step;
   bool force = false;
 };
 
@@ -27,7 +27,9 @@ int export_run(const Options& o) {
   if (!o.output.empty()) config.output.prefix = o.output;
   if (!o.scheme.empty()) config.integrator.scheme = o.scheme;
   if (!o.step.empty()) config.integrator.step = quantity(o.step, Dimension::time, "--step");
-  print_files(export_to_lammps(config, {.existing = existing_files(false, o.force)}, console()));
+  const auto style = named_option<LammpsPairStyle>(o.pair_style, "--pair-style");
+  print_files(
+      export_to_lammps(config, style, {.existing = existing_files(false, o.force)}, console()));
   return 0;
 }
 
@@ -37,6 +39,9 @@ Action export_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command.add_option("PROGRAM", o->program, "lammps").required();
   command.add_option("FILE", o->file, "run file (TOML)").required();
+  command.add_option(
+      "--pair-style", o->pair_style,
+      "table: the pair laws as tables; polhode: pair_style polhode of the plugin; default: table");
   command.add_option("--output", o->output, "prefix of the files; default: the run file's");
   command.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
   command.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");

@@ -4,11 +4,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <system_error>
 
+#include "polhode/base/from_chars.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 
@@ -83,7 +83,7 @@ std::uint64_t whole_number(const std::string& text, const std::string& option, s
                            const std::string& remedy) {
   std::uint64_t value = 0;
   const char* const end = text.data() + text.size();
-  const auto [last, status] = std::from_chars(text.data(), end, value);
+  const auto [last, status] = from_chars(text.data(), end, value);
   if (status != std::errc() || last != end || value > max)
     throw Error(fmt::format("{} = \"{}\" must be a whole number from 0 to {}; {}", option, text,
                             max, remedy));

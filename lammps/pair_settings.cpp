@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pair_settings.hpp"
 
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <string>
@@ -11,6 +10,7 @@
 #include "arguments.hpp"
 #include "lammps.h"
 #include "polhode/base/error.hpp"
+#include "polhode/base/from_chars.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/forces/laws/check_settings.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
@@ -32,7 +32,7 @@ double dielectric(Arguments& arguments) {
   const std::string_view word = arguments.word("a number, or infinite,");
   if (word == "infinite") return std::numeric_limits<double>::infinity();
   double value = 0;
-  const auto [end, status] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, status] = from_chars(word.data(), word.data() + word.size(), value);
   if (status != std::errc() || end != word.data() + word.size())
     throw Error("dielectric is '" + std::string(word) +
                 "'; it must be a number of 1 or more, or infinite");

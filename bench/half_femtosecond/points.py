@@ -20,7 +20,8 @@ def langevin(friction):
     return "Langevin" if friction == 1 else f"Langevin, {friction:g}/ps"
 
 
-FRAMES = 40  # fs between frames, of which those with a thermostat are samples of the shadow energy
+# fs between frames; those of "properties" with a thermostat are samples of the shadow energy, those of hybrid Monte Carlo end its trajectories
+FRAMES = {"properties": 40, "structure": 100}
 LANGEVIN = '[thermostat]\ntype = "langevin"\nfriction = "{} 1/ps"\n'
 FRICTIONS = (0.1, 1, 5, 20)  # [1/ps]
 ENSEMBLES = {
@@ -80,7 +81,7 @@ def equilibrate(point):
     """[ps]"""
     if point.ensemble == LATE:
         return 100
-    return 30 if point.group in ("canonical", "density") else 10
+    return 30 if point.group in ("canonical", "density", "structure") else 10
 
 
 def run_file(point, run):
@@ -91,7 +92,7 @@ def run_file(point, run):
     with_brackets = point.ensemble in ("rescaling", "constant pressure") and point.scheme not in FOURTH_ORDER
     return RUN_FILE.format(**{**point._asdict(), "ensemble": ENSEMBLES[point.ensemble]}, seed=seed,
                            molecules=MOLECULES.get(point.ensemble, 216), cutoff=CUTOFF.get(point.ensemble, 0.85),
-                           frames=FRAMES if point.group == "properties" else 0,
+                           frames=FRAMES.get(point.group, 0),
                            equilibrate=equilibrate(point),
                            correction="dispersion_correction = true" if point.ensemble == "constant pressure" else "",
                            shadow='shadow_sample = "40 fs"' if with_brackets else "")
@@ -118,6 +119,7 @@ GROUPS += [("friction", langevin(friction), 250, {"obabo": (4, 8), "baoab": (4, 
 GROUPS += [("starts", ensemble, 400, {"gier4-fd": (5,)}) for ensemble in ("constant energy", LATE, SMALL)]
 GROUPS += [("properties", "constant energy", 100, {"velocity-verlet": (0.5, 1, 2, 4), "hoa2": (4,), "gier4-fd": (5,)}),
            ("properties", "rescaling", 100, {"velocity-verlet": (2, 4), "hoa2": (4, 6)})]
+GROUPS += [("structure", "hybrid Monte Carlo", 250, {"hoa2": (4,)}), ("structure", "Langevin", 250, {"baoab": (2, 4, 6, 8), "obabo": (4,)})]
 QUICK = [("quick", "constant energy", 30, {"velocity-verlet": (0.5, 1, 2, 4), "hoa2": (2, 4, 6), "gier4-fd": (3, 4, 5)})]
 
 

@@ -33,6 +33,20 @@ def structure(points):
                          cell(biases(runs, peak(0, "peak_height")), 4), cell(biases(runs, peak(1, "peak_height")), 4)] for p, runs in points.items()])
 
 
+def estimate(of):
+    """The value, or the estimate of a run that is too short for one: the mean over several runs may determine it."""
+    return of["value"] if of["value"] is not None else of["unconverged_estimate"]
+
+
+def structure_seen(points):
+    """Averages over frames themselves."""
+    height = lambda pair: lambda run: run["analysis"]["rdf"][pair]["peak_height"]["value"]
+    dielectric = lambda run: estimate(run["analysis"]["dielectric"]["constant"])
+    head = ["ensemble", "scheme", "step [fs]", "force evaluations per ps", "ε", "first peak of g(r), O–O", "first peak of g(r), O–H"]
+    return table(head, [[p.ensemble, p.scheme, f"{p.step:g}", f"{p.evaluations_per_ps:.0f}", cell(of_runs(runs, dielectric), 0),
+                         cell(of_runs(runs, height(0)), 3), cell(of_runs(runs, height(1)), 3)] for p, runs in points.items()])
+
+
 def slope(curve):
     """(slope, error) of the weighted line through (x, y, error)."""
     weights = [1 / error**2 for _, _, error in curve]

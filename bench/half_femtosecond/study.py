@@ -23,7 +23,7 @@ ENERGIES = ("potential_kJ_per_mol", "temperature_K", "temperature_translation_K"
             "temperature_configurational_K", "step_bias", "half_steps", "force_evaluations", "degrees_of_freedom_rotation")
 
 
-GROUPS = ["energy", "starts", "canonical", "friction", "properties", "compression", "density"]
+GROUPS = ["energy", "starts", "canonical", "friction", "properties", "structure", "compression", "density"]
 
 
 def arguments():
@@ -53,9 +53,9 @@ def known(record):
     return {json.dumps([*line["point"], line["seed"]]): line for line in map(json.loads, lines)}
 
 
-def analysis(program, folder):
-    """g(r) and dielectric constant, with the bias of the step."""
-    done = subprocess.run([program, "analyze", "run-trajectory.trr", "--run", "run.toml", "--names", "run-final.gro", "--energies", "run-energies.csv",
+def analysis(program, folder, energies):
+    """g(r) and dielectric constant; with the energies also the bias of the step."""
+    done = subprocess.run([program, "analyze", "run-trajectory.trr", "--run", "run.toml", "--names", "run-final.gro", *energies,
                            "--what", "rdf,dielectric", "--pairs", "OW-OW, OW-HW", "--cutoff", "0.6 nm", "--plot", "none", "--threads", "1", "--json"],
                           cwd=folder, text=True, capture_output=True, check=True)
     report = json.loads(done.stdout)
@@ -70,7 +70,8 @@ def run(program, point, seed):
         if done.returncode:
             raise RuntimeError(f"{point}, seed {seed}: {done.stderr}")
         report = json.loads(done.stdout)
-        found = analysis(program, folder) if point.group == "properties" else None
+        energies = {"properties": ["--energies", "run-energies.csv"], "structure": []}
+        found = analysis(program, folder, energies[point.group]) if point.group in energies else None
     line = {"point": list(point), "seed": seed, **{name: report.get(name) for name in ENERGIES}, "seconds": report["seconds"]["all"]}
     if found:
         line["analysis"] = found
@@ -100,6 +101,7 @@ def report(lines):
                                 ("Force evaluations per ps for a required bias", tables.costs, of("energy", "quick")),
                                 ("Starts", properties.starts, of("starts")), ("Constant temperature", tables.controlled, of("canonical")),
                                 ("Friction", properties.friction, of("friction")), ("Structure", properties.structure, of("properties")),
+                                ("Structure with Langevin thermostats", properties.structure_seen, of("structure")),
                                 ("Compressibility", properties.compressibilities, of("compression")),
                                 ("Compressibility from volumes", properties.from_volumes, of("density")),
                                 ("Density", tables.densities, of("density")), ("Temperature of maximum density", tables.maxima, several)):

@@ -255,25 +255,27 @@ def convert(source: Path, target: Path, *, names: Path | None = None, every: Sup
                              optional_text(stop, "time", "stop"), options)
 
 
-def export(program: str, source: Source = None, *, output: Path | None = None, force: bool = False,
-           progress: Progress = None, messages: Messages = None,
+def export(program: str, source: Source = None, *, pair_style: str = "table",
+           output: Path | None = None, force: bool = False, progress: Progress = None,
+           messages: Messages = None,
            **keywords: object) -> list[pathlib.Path]:
     """Writes a run as input of another program, as ``polhode export``.
 
     Args:
         program (str): "lammps".
         source, **keywords: as in settings().
+        pair_style (str): "table", the pair laws as tables, or "polhode", that of the plugin.
         output: prefix of the files; default: that of the settings.
         force (bool): overwrite existing files.
 
     Returns:
-        list of Path: data file, tables of the pair laws, input script.
+        list of Path: data file, tables of the pair laws if there are any, input script.
     """
     if program != "lammps":
         raise Error(f"there is no export to {program!r}; the program must be \"lammps\"")
     config = _settings(source, output, keywords)
     with _Job("export", False, force, 1, progress, messages) as options:
-        return [pathlib.Path(file) for file in _core.export_lammps(config, options)]
+        return [pathlib.Path(file) for file in _core.export_lammps(config, pair_style, options)]
 
 
 def study(source: Source = None, *, schemes: Texts | None = None,

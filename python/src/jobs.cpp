@@ -177,9 +177,11 @@ std::size_t convert_file(const std::string& from, const std::string& to, const s
   });
 }
 
-std::vector<std::string> export_lammps(const Config& config, const JobOptions& options) {
+std::vector<std::string> export_lammps(const Config& config, const std::string& pair_style,
+                                       const JobOptions& options) {
+  const auto style = named<LammpsPairStyle>(pair_style, "pair_style");
   return options.run([&](const Callbacks& callbacks, Workers&) {
-    return export_to_lammps(config, options.output, callbacks);
+    return export_to_lammps(config, style, options.output, callbacks);
   });
 }
 

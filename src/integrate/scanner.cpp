@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 
 #include <cctype>
-#include <charconv>
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/from_chars.hpp"
 
 namespace polhode {
 namespace {
@@ -57,7 +57,7 @@ std::string_view Scanner::word() {
 double Scanner::decimal() {
   skip_space();
   double value = 0;
-  const auto [end, error] = std::from_chars(text_.data() + at_, text_.data() + text_.size(), value);
+  const auto [end, error] = from_chars(text_.data() + at_, text_.data() + text_.size(), value);
   if (error != std::errc() || !std::isfinite(value)) refuse("a finite number like 0.25 or 1/4");
   at_ = static_cast<std::size_t>(end - text_.data());
   return value;

@@ -50,8 +50,9 @@ std::optional<Scheme> built_in_with_bath(std::string_view name) {
 }
 
 bool is_flow(std::string_view word) {
-  return word.size() == 1 &&
-         std::ranges::any_of(all_flows, [&](Flow flow) { return letter_of(flow) == word.front(); });
+  return word.size() == 1 && std::any_of(all_flows.begin(), all_flows.end(), [&](Flow flow) {
+           return letter_of(flow) == word.front();
+         });
 }
 
 /// The name before the colon of "mine: B(1/2) A(1) B(1/2)"; empty without one.
@@ -65,7 +66,8 @@ std::string_view own_name(std::string_view text) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
            c == '_' || c == '.';
   };
-  if (name.empty() || name.size() > Scheme::max_name || !std::ranges::all_of(name, good))
+  if (name.empty() || name.size() > Scheme::max_name ||
+      !std::all_of(name.begin(), name.end(), good))
     throw Error(
         fmt::format("scheme name '{}' must have 1 to {} letters, digits, '-', '_' or '.', "
                     "since tables and figures use it; write for example \"mine: {}\"",

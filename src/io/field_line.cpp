@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/from_chars.hpp"
 #include "split_words.hpp"
 
 namespace polhode {
@@ -51,7 +51,7 @@ double FieldLine::number(std::size_t k, std::string_view what) const {
   if (field.size() > 1 && field.front() == '+' && field[1] != '-') field.remove_prefix(1);
   double value = 0;
   const char* const last = field.data() + field.size();
-  const auto [end, status] = std::from_chars(field.data(), last, value);
+  const auto [end, status] = from_chars(field.data(), last, value);
   if (status == std::errc::result_out_of_range || (status == std::errc() && !std::isfinite(value)))
     refuse(fmt::format("the {} is {}; it must be a finite number", what, abbreviate(field)));
   if (status != std::errc() || end != last)
@@ -64,7 +64,7 @@ std::int64_t FieldLine::integer(std::size_t k, std::string_view what, std::int64
   const std::string_view field = fields_[k];
   std::int64_t value = 0;
   const char* const last = field.data() + field.size();
-  const auto [end, status] = std::from_chars(field.data(), last, value);
+  const auto [end, status] = from_chars(field.data(), last, value);
   if (status != std::errc() || end != last || value < minimum || value > maximum)
     refuse(fmt::format("found '{}' where the {} must be a whole number from {} to {}",
                        abbreviate(field), what, minimum, maximum));

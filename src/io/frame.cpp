@@ -33,10 +33,9 @@ std::string element_of(const AtomKind& kind) {
       break;
   const bool alone =
       kind.residue_name.size() >= word.size() && !word.empty() &&
-      std::ranges::equal(word, kind.residue_name.substr(0, word.size()), [](char a, char b) {
-        return a == std::toupper(static_cast<unsigned char>(b));
-      });
-  if (alone && std::ranges::find(ions, word) != ions.end())
+      std::equal(word.begin(), word.end(), kind.residue_name.begin(),
+                 [](char a, char b) { return a == std::toupper(static_cast<unsigned char>(b)); });
+  if (alone && std::find(ions.begin(), ions.end(), word) != ions.end())
     return {word[0], static_cast<char>(std::tolower(static_cast<unsigned char>(word[1])))};
   if (word.empty() || organic.find(word[0]) == organic.npos) return {};
   return {word[0]};

@@ -51,7 +51,8 @@ constexpr std::array formats = {
 // clang-format on
 
 const Format& format_named(std::string_view extension, const std::string& file) {
-  const auto format = std::ranges::find(formats, extension, &Format::extension);
+  const auto format = std::find_if(formats.begin(), formats.end(),
+                                   [&](const Format& f) { return f.extension == extension; });
   if (format != formats.end()) return *format;
   std::vector<std::string> known;
   for (const Format& f : formats) known.emplace_back(f.extension);

@@ -4,12 +4,12 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/from_chars.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
 #include "split_words.hpp"
@@ -158,7 +158,7 @@ double number(std::string_view& rest, const QuantityText& source) {
   rest = trimmed(rest);
   if (!rest.empty() && rest.front() == '+') rest.remove_prefix(1);
   double value = 0;
-  const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), value);
+  const auto [end, status] = from_chars(rest.data(), rest.data() + rest.size(), value);
   if (status == std::errc::invalid_argument) source.refuse(" has no number where one is expected");
   if (status == std::errc::result_out_of_range || !std::isfinite(value))
     source.refuse(" is not a number in the range of double precision; it must be a finite number");
@@ -171,7 +171,7 @@ double number(std::string_view& rest, const QuantityText& source) {
 /// The value of a text that is a number and nothing else.
 std::optional<double> parsed_number(std::string_view text) {
   double value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, status] = from_chars(text.data(), text.data() + text.size(), value);
   if (status != std::errc() || end != text.data() + text.size()) return std::nullopt;
   return value;
 }

@@ -4,12 +4,12 @@
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 
+#include "polhode/base/from_chars.hpp"
 #include "polhode/base/output_error.hpp"
 #include "polhode/base/printable.hpp"
 #include "polhode/io/checksum.hpp"
@@ -130,7 +130,7 @@ void read_row(const std::string& path, std::size_t number, const std::string& li
   row.clear();
   for (const char *at = line.data(), *const end = at + line.size(); at <= end; ++at) {
     double value = std::numeric_limits<double>::quiet_NaN();
-    const auto [next, status] = std::from_chars(at, end, value);
+    const auto [next, status] = from_chars(at, end, value);
     if (next != end && *next != ',')
       refuse_line(path, number, fmt::format("'{}' is not a row of numbers", line));
     row.push_back(value);

@@ -66,13 +66,14 @@ class Tables(unittest.TestCase):
 class Record(unittest.TestCase):
     def test_runs_that_are_recorded_are_not_repeated(self):
         class Options:
-            quick, groups, jobs, runs, polhode = True, ["quick", "canonical", "friction", "properties", "density"], 2, 1, built_program.PROGRAM
+            quick, groups, jobs, runs, polhode = True, ["quick", "canonical", "friction", "properties", "structure", "density"], 2, 1, built_program.PROGRAM
 
         water = ("spce", 298.15, 0.998)
         some = [points.Point("quick", *water, "constant energy", "velocity-verlet", 4, 1),
                 points.Point("canonical", *water, "rescaling", "velocity-verlet", 4, 1),
                 points.Point("friction", *water, points.langevin(20), "baoab", 4, 1),
                 points.Point("properties", *water, "constant energy", "velocity-verlet", 4, 1),
+                points.Point("structure", *water, "hybrid Monte Carlo", "hoa2", 4, 1),
                 points.Point("density", *water, "constant pressure", "velocity-verlet", 4, 1)]
         for name, short in ("points", lambda quick: some), ("equilibrate", lambda point: 1):
             self.addCleanup(setattr, points, name, getattr(points, name))
@@ -81,14 +82,14 @@ class Record(unittest.TestCase):
             Options.record = Path(folder) / "record.jsonl"
             study.complete(Options, study.known(Options.record))
             first = Options.record.read_text(encoding="utf-8")
-            self.assertEqual(len(first.splitlines()), 5)
+            self.assertEqual(len(first.splitlines()), 6)
             Options.runs = 2
             study.complete(Options, study.known(Options.record))
             both = Options.record.read_text(encoding="utf-8")
             self.assertTrue(both.startswith(first))
-            self.assertEqual(len(both.splitlines()), 10)
+            self.assertEqual(len(both.splitlines()), 12)
             text = study.report(study.known(Options.record).values())
-        for word in ("Constant energy", "Constant temperature", "Friction", "Structure", "Density", "| velocity-verlet | 4 | 250 |", "| baoab | 4 | 20/ps |"):
+        for word in ("Constant energy", "Constant temperature", "Friction", "Structure", "Structure with Langevin thermostats", "| hybrid Monte Carlo | hoa2 |", "Density", "| velocity-verlet | 4 | 250 |", "| baoab | 4 | 20/ps |"):
             self.assertIn(word, text)
 
 

@@ -5,6 +5,8 @@
 
 #include <doctest/doctest.h>
 
+#include <set>
+
 #include "instruction_sets.hpp"
 #include "physics/mesh_scene.hpp"
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr MeshSettings fine{{40, 44, 48}, 8, 9, 0.7};
 constexpr MeshSettings coarse{{16, 20, 12}, 5, 6, 0.7};
+constexpr MeshSettings large{{60, 64, 68}, 6, 6, 0.7};  // tiles are prefetched
 
 double largest_distance(const std::vector<Vec3<double>>& a, const std::vector<Vec3<double>>& b) {
   double m = 0;
@@ -173,7 +176,7 @@ TEST_CASE("the virial of a mesh is the derivative of its energy with respect to 
 TEST_CASE("the mesh gives the same bits for any number of threads") {
   const scenes::Scene scene = charged_mixture();
   const auto check = [&]<class T>(T) {
-    for (const MeshSettings& settings : {coarse, fine}) {
+    for (const MeshSettings& settings : {coarse, fine, large}) {
       BodyLoads one;
       const MeshLoad load = mesh_load<T>(scene.topology, scene.state, settings, one);
       for (const int threads : {2, 3, 7}) {
@@ -192,11 +195,39 @@ TEST_CASE("the mesh gives the same bits for any number of threads") {
   check(float());
 }
 
+// Threads fill all even slabs, or all odd ones, at the same time.
+TEST_CASE("charges of slabs that are not adjacent have no tile of the grid in common") {
+  const scenes::Scene scene = charged_mixture();
+  const MeshScene<double> records(scene.topology, scene.state);
+  for (int order = MeshSettings::min_order; order <= MeshSettings::max_order; ++order)
+    for (std::size_t ny = MeshSettings::max_order; ny <= 60; ny += mesh_multiple) {
+      CAPTURE(order);
+      CAPTURE(ny);
+      MeshCharges<double> charges(scene.topology, {{16, ny, 16}, order, 6, 0.7});
+      charges.place(records.list.slots(), records.records, nullptr, scene.state.box,
+                    Workers::serial());
+      std::vector<std::set<std::size_t>> tiles(charges.slabs());
+      std::size_t placed = 0;
+      for (std::size_t slab = 0; slab < charges.slabs(); ++slab)
+        for (const std::uint32_t number : charges.in_slab(slab)) {
+          ++placed;
+          const double y = charges.records()[number * ChargeRecord::stride + 1];
+          const auto point = static_cast<std::size_t>(std::floor(y) + double(ny)) % ny;
+          for (std::size_t k = 0; k < static_cast<std::size_t>(order); ++k)
+            tiles[slab].insert((point + k) % ny / mesh_multiple);
+        }
+      CHECK(placed == 30 * 3 + 3 + 9 * 3 + 2);
+      for (std::size_t a = 0; a < tiles.size(); ++a)
+        for (std::size_t b = a + 2; b < tiles.size(); b += 2)
+          for (const std::size_t tile : tiles[a]) CHECK(!tiles[b].contains(tile));
+    }
+}
+
 // A body just outside of the box, on either side, as before a rebuild of the list.
 TEST_CASE(
     "the energy of a mesh does not depend on the position of the bodies relative to the box") {
   const scenes::Scene scene = charged_mixture();
-  for (const MeshSettings& settings : {coarse, fine}) {
+  for (const MeshSettings& settings : {coarse, fine, large}) {
     BodyLoads here;
     const double energy = mesh_load<double>(scene.topology, scene.state, settings, here).energy;
     // Displacements by whole grid spacings change nothing except rounding.

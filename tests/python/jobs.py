@@ -98,6 +98,10 @@ class Verbs(InFolder):
         program("export", "lammps", "w.toml", "--output", "b")
         self.assertEqual([file.suffix for file in files], [".data", ".table", ".in"])
         self.assertEqual(Path("a.data").read_text(), Path("b.data").read_text())
+        files = polhode.export("lammps", WATER, pair_style="polhode", output="c")
+        self.assertEqual([file.suffix for file in files], [".data", ".in"])
+        with self.assertRaisesRegex(polhode.Error, "pair_style"):
+            polhode.export("lammps", WATER, pair_style="lj/cut")
         with self.assertRaisesRegex(polhode.Error, "no export to 'gromacs'"):
             polhode.export("gromacs", WATER)
 

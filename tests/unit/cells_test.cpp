@@ -21,7 +21,7 @@ TEST_CASE("cells fill the box, and their number is bounded by that of the bodies
       const double block = std::cbrt(16 * edge.x * edge.y * edge.z / std::max(1.0, double(bodies)));
       double bound = 1;
       for (std::size_t d = 0; d < 3; ++d) {
-        const double slices = d == 1 ? 8 : 1;
+        const double slices = d == 2 ? 8 : 1;
         CHECK(grid.cells[d] >= 1);
         CHECK(grid.width(d) * double(grid.cells[d]) == doctest::Approx(edge[d]).epsilon(1e-15));
         CHECK(std::abs(double(grid.cells[d]) - slices * edge[d] / block) <= 1);

@@ -58,7 +58,8 @@ struct NestedScheme {
  private:
   /// Inner steps per step of the outer scheme.
   int inner_steps() const {
-    const auto drifts = std::ranges::count(outer.stages(), Flow::drift, &Stage::flow);
+    const auto drifts = std::count_if(outer.stages().begin(), outer.stages().end(),
+                                      [](const Stage& stage) { return stage.flow == Flow::drift; });
     return inner->steps * static_cast<int>(drifts);
   }
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A system as LAMMPS reads it: a data file of atom_style full in units real, and the pair laws as
-// tables.
+// tables or as commands for pair_style polhode.
 #pragma once
 
 #include <iosfwd>
@@ -61,5 +61,17 @@ inline constexpr double lammps_table_start = 0.03;
 std::vector<std::string> write_lammps_tables(std::ostream& out, const Topology& topology,
                                              const ForceSettings& settings,
                                              const LammpsTypes& types, bool charges);
+
+/// The settings as a line of an input script, for pair_style polhode in units real.
+std::string lammps_pair_style(const ForceSettings& settings);
+
+/// The Lennard-Jones parameters of all pairs of types, as lines of an input script in units real.
+/// @throws Error  if a pair has another law
+void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
+                                    const ForceSettings& settings, const LammpsTypes& types);
+
+/// By what LAMMPS has to divide its Coulomb constant in units real, 332.06371 kcal/mol Å, so that
+/// it is that of polhode: its command `dielectric`.
+double lammps_dielectric();
 
 }  // namespace polhode

@@ -26,7 +26,7 @@ template <class T>
 T decode(const std::uint8_t* from, std::endian order) {
   std::array<std::uint8_t, sizeof(T)> bytes;
   std::copy_n(from, sizeof(T), bytes.begin());
-  if (order != std::endian::native) std::ranges::reverse(bytes);
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
   return std::bit_cast<T>(bytes);
 }
 
@@ -82,13 +82,13 @@ class BinaryOutput {
   template <class T>
   void put(T number) {
     auto bytes = std::bit_cast<std::array<std::uint8_t, sizeof(T)>>(number);
-    if (order_ != std::endian::native) std::ranges::reverse(bytes);
+    if (order_ != std::endian::native) std::reverse(bytes.begin(), bytes.end());
     put(std::span<const std::uint8_t>(bytes));
   }
   void put(std::span<const std::uint8_t> bytes) {
     const std::size_t before = bytes_.size();
     bytes_.resize(before + bytes.size());
-    std::ranges::copy(bytes, bytes_.begin() + static_cast<std::ptrdiff_t>(before));
+    std::copy(bytes.begin(), bytes.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(before));
   }
   void text(std::string_view text, std::size_t width) {
     for (std::size_t k = 0; k < width; ++k)

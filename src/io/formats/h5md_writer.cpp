@@ -268,7 +268,8 @@ class H5mdWriter : public FrameWriter {
     for (const std::string& text : texts) width = std::max(width, text.size());
     std::vector<char> letters(width * texts.size());
     for (std::size_t k = 0; k < texts.size(); ++k)
-      std::ranges::copy(texts[k], letters.begin() + static_cast<std::ptrdiff_t>(k * width));
+      std::copy(texts[k].begin(), texts[k].end(),
+                letters.begin() + static_cast<std::ptrdiff_t>(k * width));
     const Handle type = make_handle(H5Tcopy(H5T_C_S1), H5Tclose);
     check(H5Tset_size(type, width));
     check(H5Tset_strpad(type, H5T_STR_NULLPAD));

@@ -4,7 +4,6 @@
 
 #include <fmt/core.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <istream>
@@ -16,6 +15,7 @@
 #include "../split_words.hpp"
 #include "../text_file.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/base/from_chars.hpp"
 
 namespace polhode {
 
@@ -26,7 +26,7 @@ std::optional<Number> parsed(std::string_view field) {
   if (field.starts_with('+')) field.remove_prefix(1);
   Number value{};
   const auto end = field.data() + field.size();
-  const auto [last, status] = std::from_chars(field.data(), end, value);
+  const auto [last, status] = from_chars(field.data(), end, value);
   if (field.empty() || status != std::errc() || last != end) return std::nullopt;
   return value;
 }

@@ -47,7 +47,7 @@ struct Layout {
       single_bits[k] = static_cast<unsigned>(std::bit_width(sizes[k]));
       all *= sizes[k];
     }
-    if (std::ranges::max(sizes) > largest_joint) return;
+    if (*std::max_element(sizes.begin(), sizes.end()) > largest_joint) return;
     while (all >> joint_bits) ++joint_bits;
   }
 };

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // TRR, the trajectories of GROMACS in full precision: positions and velocities, as float or double.
+#include <algorithm>
+
 #include "format.hpp"
 #include "gromacs_binary.hpp"
 
@@ -58,7 +60,8 @@ class TrrReader : public FrameReader {
     const auto three = 3 * static_cast<std::uint64_t>(count_);
     double_ = length_[box] == 9 * sizeof(double) ||
               (length_[box] == 0 && count_ > 0 &&
-               std::ranges::max(length_) == static_cast<std::int64_t>(three * sizeof(double)));
+               *std::max_element(length_.begin(), length_.end()) ==
+                   static_cast<std::int64_t>(three * sizeof(double)));
     const std::uint64_t real = double_ ? sizeof(double) : sizeof(float);
     for (std::size_t part = 0; part < parts; ++part) {
       const std::uint64_t all = part == box || part == virial || part == pressure ? 9 * real

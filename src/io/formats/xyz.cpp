@@ -93,8 +93,9 @@ std::optional<Pair> take_pair(std::string_view& text) {
 }
 
 bool same_word(std::string_view a, std::string_view b) {
-  return std::ranges::equal(
-      a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](unsigned char x, unsigned char y) {
+    return std::tolower(x) == std::tolower(y);
+  });
 }
 
 class XyzReader : public FrameReader {
@@ -142,7 +143,8 @@ class XyzReader : public FrameReader {
   }
 
   bool has(Property::What what) const {
-    return std::ranges::find(properties_, what, &Property::what) != properties_.end();
+    return std::any_of(properties_.begin(), properties_.end(),
+                       [what](const Property& p) { return p.what == what; });
   }
 
   void check_periodic(std::string_view text) const {
@@ -188,7 +190,8 @@ class XyzReader : public FrameReader {
                         "they are triples such as species:S:1",
                         part[2], part[0]));
       const auto any_of = [&](std::initializer_list<std::string_view> names) {
-        return std::ranges::any_of(names, [&](auto name) { return same_word(part[0], name); });
+        return std::any_of(names.begin(), names.end(),
+                           [&](auto name) { return same_word(part[0], name); });
       };
       const What what = any_of({"species", "element"})                      ? What::species
                         : any_of({"pos", "position", "positions"})          ? What::position

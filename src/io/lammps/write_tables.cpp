@@ -39,7 +39,8 @@ class PairLaw {
       default:
         throw Error(
             "forces.truncation = \"molecule-switch\" depends on the distance between centres of "
-            "mass, which no pair style of LAMMPS does; choose \"site-switch\" or \"site-shift\"");
+            "mass, which no pair style of LAMMPS does; use --pair-style polhode, or choose "
+            "\"site-switch\" or \"site-shift\"");
     }
   }
 

@@ -62,13 +62,42 @@ Scheme lammps_scheme(const Config& config, const Callbacks& callbacks) {
   return Scheme(stages, scheme.order());
 }
 
+bool has_mesh(const ForceSettings& settings) {
+  return settings.electrostatics == Electrostatics::pme;
+}
+
+// The pair laws as the script has them.
+struct PairCommands {
+  std::string style, coefficients;
+};
+
+PairCommands table_commands(const ForceSettings& settings, const LammpsTypes& types,
+                            const std::string& file, const std::vector<std::string>& sections) {
+  const bool mesh = has_mesh(settings);
+  PairCommands commands{fmt::format("pair_style hybrid/overlay table spline {}", lammps_table_size),
+                        mesh ? "pair_coeff * * coul/long\n" : ""};
+  if (mesh)
+    commands.style += fmt::format(" coul/long {:.17g}\npair_modify pair coul/long table 0",
+                                  cutoff_of_charges(settings) / unit("A", Dimension::length));
+  commands.style += '\n';
+  std::size_t pair = 0;
+  for (std::size_t i = 1; i <= types.types().size(); ++i)
+    for (std::size_t j = i; j <= types.types().size(); ++j, ++pair)
+      if (!sections[pair].empty())
+        commands.coefficients +=
+            fmt::format("pair_coeff {} {} table \"{}\" {}\n", i, j, file, sections[pair]);
+      else if (!mesh)
+        commands.coefficients += fmt::format("pair_coeff {} {} none\n", i, j);
+  return commands;
+}
+
 // The input script.
 class Script {
  public:
   Script(std::ostream& out, const Config& config, const System& system, const LammpsTypes& types)
       : out_(out), config_(config), system_(system), types_(types) {}
 
-  void write(const Scheme& scheme, const std::vector<std::string>& sections) const {
+  void write(const Scheme& scheme, const PairCommands& pairs) const {
     const std::string& prefix = config_.output.prefix;
     fmt::print(out_,
                "# Written by polhode export from {}; fix polhode is in the plugin of polhode.\n"
@@ -76,40 +105,24 @@ class Script {
                "plugin load ${{plugin}}\n"
                "units real\natom_style full\n{}"
                "read_data \"{}.data\" nocoeff\n",
-               config_.source, styles(), prefix);
-    pair_coefficients(sections);
+               config_.source, pairs.style + molecule_styles(), prefix);
+    out_ << pairs.coefficients;
     if (molecules_have_sites()) fmt::print(out_, "bond_coeff *\n");
-    if (pme()) fmt::print(out_, "kspace_style pppm {:g}\n", kspace_accuracy);
+    if (has_mesh(system_.forces)) fmt::print(out_, "kspace_style pppm {:g}\n", kspace_accuracy);
     integrate(scheme);
   }
 
  private:
-  bool pme() const { return system_.forces.electrostatics == Electrostatics::pme; }
   bool molecules_have_sites() const {
     return std::any_of(system_.topology.parts.begin(), system_.topology.parts.end(),
                        [](const auto& part) { return part.molecule.sites.size() > 1; });
   }
 
-  std::string styles() const {
-    std::string text = fmt::format("pair_style hybrid/overlay table spline {}", lammps_table_size);
-    if (pme())
-      text += fmt::format(" coul/long {:.17g}\npair_modify pair coul/long table 0",
-                          cutoff_of_charges(system_.forces) / unit("A", Dimension::length));
-    text += '\n';
+  std::string molecule_styles() const {
+    std::string text;
     if (molecules_have_sites()) text += "bond_style zero\nspecial_bonds lj/coul 0 0 0\n";
-    return text;
-  }
-
-  void pair_coefficients(const std::vector<std::string>& sections) const {
-    if (pme()) fmt::print(out_, "pair_coeff * * coul/long\n");
-    std::size_t pair = 0;
-    for (std::size_t i = 1; i <= types_.types().size(); ++i)
-      for (std::size_t j = i; j <= types_.types().size(); ++j, ++pair)
-        if (!sections[pair].empty())
-          fmt::print(out_, "pair_coeff {} {} table \"{}.table\" {}\n", i, j, config_.output.prefix,
-                     sections[pair]);
-        else if (!pme())
-          fmt::print(out_, "pair_coeff {} {} none\n", i, j);
+    return text + fmt::format("dielectric {:.17g} # the Coulomb constant of polhode\n",
+                              lammps_dielectric());
   }
 
   void integrate(const Scheme& scheme) const {
@@ -141,32 +154,41 @@ class Script {
 
 }  // namespace
 
-std::vector<std::string> export_to_lammps(const Config& config, const OutputOptions& options,
+std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle style,
+                                          const OutputOptions& options,
                                           const Callbacks& callbacks) {
   check(config);
   const std::string& prefix = config.output.prefix;
   check_prefix(prefix);
-  std::vector<std::string> files = {prefix + ".data", prefix + ".table", prefix + ".in"};
+  const std::string data = prefix + ".data", table = prefix + ".table", input = prefix + ".in";
+  std::vector<std::string> files = {data, table, input};
+  if (style == LammpsPairStyle::kernel) std::erase(files, table);
   check_outputs(files, options.existing);
   const Scheme scheme = lammps_scheme(config, callbacks);
   const System system = build_system(config);
   note_molecules(system, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
-  std::ostringstream tables;  // made before any file, since a law can be refused
-  std::vector<std::string> sections;
+  std::ostringstream text;  // made before any file, since a law can be refused
+  PairCommands pairs;
   try {
-    sections = write_lammps_tables(tables, system.topology, system.forces, types,
-                                   system.forces.electrostatics != Electrostatics::pme);
+    if (style == LammpsPairStyle::table) {
+      pairs = table_commands(system.forces, types, table,
+                             write_lammps_tables(text, system.topology, system.forces, types,
+                                                 !has_mesh(system.forces)));
+    } else {
+      write_lammps_pair_coefficients(text, system.topology, system.forces, types);
+      pairs = {lammps_pair_style(system.forces), text.str()};
+    }
   } catch (const Error& e) {
     throw e.at(config.source);
   }
-  write_file(files[1], [&](std::ostream& out) { out << tables.view(); });
-  write_file(files[0], [&](std::ostream& out) {
+  if (style == LammpsPairStyle::table)
+    write_file(table, [&](std::ostream& out) { out << text.str(); });
+  write_file(data, [&](std::ostream& out) {
     write_lammps_data(out, title_of(system.state), system.state, system.topology, types);
   });
-  write_file(files[2], [&](std::ostream& out) {
-    Script(out, config, system, types).write(scheme, sections);
-  });
+  write_file(input,
+             [&](std::ostream& out) { Script(out, config, system, types).write(scheme, pairs); });
   return files;
 }
 

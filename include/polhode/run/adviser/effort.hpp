@@ -11,7 +11,11 @@ namespace polhode {
 /// thread.
 class Effort {
  public:
-  void add(double work) { done_.fetch_add(work, std::memory_order_relaxed); }
+  void add(double work) {
+    double before = done();
+    while (!done_.compare_exchange_weak(before, before + work, std::memory_order_relaxed)) {
+    }
+  }
   /// Replaces the work that is still expected: the fraction may become smaller, as when a step is
   /// rejected and another one is tried.
   void expect(double left) { planned_.store(done() + left, std::memory_order_relaxed); }
