@@ -13,6 +13,18 @@
 #include "lammps_vectors.hpp"
 
 namespace polhode::lammps {
+namespace {
+
+// Until 2024 the function did not take the place of the call.
+template <class Domain>
+void to_minimum_image(const Domain& domain, Vec3<double>& r) {
+  if constexpr (requires { domain.minimum_image_big(FLERR, r.x, r.y, r.z); })
+    domain.minimum_image_big(FLERR, r.x, r.y, r.z);
+  else
+    domain.minimum_image_big(r.x, r.y, r.z);
+}
+
+}  // namespace
 
 double FixPolhode::mass_of_atom(int i) const {
   return atom->rmass != nullptr ? atom->rmass[i] : atom->mass[atom->type[i]];
@@ -24,7 +36,7 @@ double FixPolhode::mass_in_body(int i) const {
 }
 
 Vec3<double> FixPolhode::minimum_image(Vec3<double> r) const {
-  domain->minimum_image_big(FLERR, r.x, r.y, r.z);
+  to_minimum_image(*domain, r);
   return r;
 }
 

