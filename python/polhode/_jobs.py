@@ -62,7 +62,9 @@ class _Job:
 
 def _settings(source, output, keywords):
     """The library's settings, with the prefix of the outputs."""
-    config = _core.Config(settings(source, **keywords)._core)
+    given = settings(source, **keywords)._core
+    config = _core.Config(given)
+    config.own_forces = given.own_forces
     if output is not None:
         config.prefix = os.fspath(output)
     return config

@@ -233,6 +233,7 @@ class Settings:
                               else _core.default_text())
             self.tables = _merged(dict(base), dict(words))
             self._core = _core.parse_config(toml_text(self.tables), name)
+        self._core.own_forces = None
         if own_forces is not None:
             add_forces(self._core, own_forces)
 

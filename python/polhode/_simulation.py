@@ -49,8 +49,9 @@ class State:
     Rows are molecules, in the order of the topology.
     """
 
-    def __init__(self, core):
+    def __init__(self, core, settings):
         self._core = core
+        self._settings = settings  # which have the forces of one's own
 
     @property
     def positions(self) -> np.ndarray:
@@ -100,7 +101,7 @@ class State:
             Error: at the end, naming the molecule, if a number is not finite or an angular momentum
                 has a component along an axis without inertia.
         """
-        return _Change(self._core)
+        return _Change(self._core, self._settings)
 
     def _set(self, **arrays):
         with self.change() as state:
@@ -111,8 +112,8 @@ class State:
 class _Change:
     """The target of State.change()."""
 
-    def __init__(self, core):
-        self._core, self._arrays = core, ()
+    def __init__(self, core, settings):
+        self._core, self._settings, self._arrays = core, settings, ()
 
     def __enter__(self):
         self._arrays = self._core.begin_change()
@@ -154,7 +155,7 @@ class Simulation:
     @property
     def state(self) -> State:
         """State: views of positions, momenta, attitudes and angular momenta."""
-        return State(self._core)
+        return State(self._core, self.settings)
 
     @property
     def steps(self) -> int:

@@ -95,3 +95,4 @@ def add_forces(config, function):
     """Adds a function, or ExternalForces, to the settings of the library."""
     external = function if isinstance(function, ExternalForces) else ExternalForces(function)
     config.set_forces(external, external.name, external.virial)
+    config.own_forces = external  # the reference of the library is weak

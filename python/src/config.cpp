@@ -16,7 +16,7 @@ namespace nb = nanobind;
 using namespace nb::literals;
 
 void bind_config(nb::module_& m) {
-  nb::class_<Config>(m, "Config")
+  nb::class_<Config>(m, "Config", nb::dynamic_attr())
       .def(nb::init<const Config&>())
       .def_ro("source", &Config::source)
       .def_ro("text", &Config::text)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <fmt/core.h>
 #include <nanobind/ndarray.h>
 
 #include <algorithm>
@@ -6,6 +7,7 @@
 #include <memory>
 
 #include "config.hpp"
+#include "polhode/base/error.hpp"
 
 namespace polhode::python {
 namespace {
@@ -13,19 +15,21 @@ namespace {
 namespace nb = nanobind;
 using Array = nb::ndarray<const double, nb::c_contig, nb::device::cpu>;
 
-/// A Python object that may be dropped by any thread.
-struct Kept {
-  nb::object object;
-  explicit Kept(nb::object kept) : object(std::move(kept)) {}
-  Kept(const Kept&) = delete;
-  Kept& operator=(const Kept&) = delete;
-  ~Kept() {
+/// A weak reference to a Python object, which any thread may drop. The strong one is an attribute
+/// of a Python object: a function may refer to the simulation that calls it, and Python's garbage
+/// collector finds only cycles of its objects.
+struct Reference {
+  nb::object weak;
+  explicit Reference(const nb::object& object) : weak(nb::weakref(object)) {}
+  Reference(const Reference&) = delete;
+  Reference& operator=(const Reference&) = delete;
+  ~Reference() {
     if (!Py_IsInitialized()) {
-      object.release();
+      weak.release();
       return;
     }
     const nb::gil_scoped_acquire acquired;
-    object.reset();
+    weak.reset();
   }
 };
 
@@ -59,13 +63,17 @@ void add_result(const nb::tuple& result, Load& load) {
 
 std::shared_ptr<const ExternalForces> external_forces(const nb::callable& function,
                                                       const std::string& name, bool has_virial) {
-  const auto kept = std::make_shared<Kept>(function);
+  const auto reference = std::make_shared<Reference>(function);
   ExternalForces forces{.name = name, .has_virial = has_virial};
-  forces.add = [kept](const State& state, Load& load) {
+  forces.add = [reference, name](const State& state, Load& load) {
     const nb::gil_scoped_acquire acquired;
+    const nb::object called = reference->weak();
+    if (called.is_none())
+      throw Error(
+          fmt::format("the forces '{}' no longer exist; keep the settings that have them", name));
     const Vec3<double>& edge = state.box.edge;
-    const nb::object result = kept->object(rows_of(state.q), rows_of(state.attitude),
-                                           nb::make_tuple(edge.x, edge.y, edge.z));
+    const nb::object result =
+        called(rows_of(state.q), rows_of(state.attitude), nb::make_tuple(edge.x, edge.y, edge.z));
     add_result(nb::cast<nb::tuple>(result), load);
   };
   return std::make_shared<const ExternalForces>(std::move(forces));

@@ -251,6 +251,36 @@ print("dropped")
         result = python(code)
         self.assertEqual(result.stdout.strip(), "dropped", result.stderr)
 
+    def test_functions_that_refer_to_their_simulation_are_dropped_with_it(self):
+        # As in every script, whose functions refer to its global names.
+        code = """
+import gc, weakref, numpy as np, polhode
+settings = {"molecules": "argon", "count": 8, "box": "3 nm", "cutoff": "1 nm"}
+def make():
+    def f(q, attitude):
+        return np.zeros(q.shape), None, float(s.steps if s else 0)
+    s = None
+    s = polhode.Simulation(polhode.settings(forces=f, **settings), step="2 fs")
+    s.step(2)
+    polhode.energy(s.settings)
+    return weakref.ref(f), weakref.ref(s)
+watched = make()
+gc.collect()
+print([w() for w in watched])
+
+def f(q, attitude):
+    return np.zeros(q.shape), None, 0.0
+s = polhode.Simulation(forces=f, **settings)
+state, settings = s.state, s.settings
+del s
+gc.collect()
+with state.change() as change:
+    change.momenta[0] += 1
+momenta = state.momenta
+"""
+        result = python(code)
+        self.assertEqual((result.stdout.strip(), result.stderr), ("[None, None]", ""))
+
 
 if __name__ == "__main__":
     package.main()
