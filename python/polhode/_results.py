@@ -175,6 +175,13 @@ class Run:
 
         return mdtraj_trajectory(self.simulation, self.frames)
 
+    def view_3d(self, width: int = 640, height: int = 480, js: str | None = None):
+        """An animation of the frames in three dimensions for notebooks, with the box of the first; see
+        Simulation.view_3d()."""
+        from ._viewer import view_3d
+
+        return view_3d(self.simulation, self.frames, width, height, js)
+
     def __repr__(self):
         return f"<Run: {self.energies!r}, {len(self.frames)} frames>"
 

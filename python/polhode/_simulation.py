@@ -308,6 +308,26 @@ class Simulation:
 
         return mdtraj_trajectory(self, [self._frame()])
 
+    def view_3d(self, width: int = 640, height: int = 480, js: str | None = None):
+        """A view of the atoms in three dimensions for notebooks, to turn and zoom; of a Run: an
+        animation of its frames.
+
+        The browser of the notebook loads the script 3Dmol.js from the network.
+
+        Args:
+            width, height: in pixels.
+            js: the address of 3Dmol.js, such as that of a copy; default: that of py3Dmol.
+
+        Returns:
+            py3Dmol.view, whose methods change style and labels; lengths in Å, as it has them.
+
+        Raises:
+            Error: if py3Dmol is not installed, or there are more than 200,000 atoms.
+        """
+        from ._viewer import view_3d
+
+        return view_3d(self, [self._frame()], width, height, js)
+
     def _frame(self):
         return self.time, self.state.box, self.sites()[0]
 

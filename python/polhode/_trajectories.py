@@ -8,7 +8,7 @@ from .errors import Error
 ANGSTROM_PER_NM = 10
 
 
-def _sites(simulation):
+def sites_of(simulation):
     """(molecule name, index of the molecule, site) of each site."""
     row, index = [], 0
     for kind, (_, count) in zip(simulation.kinds, simulation.molecules, strict=True):
@@ -20,7 +20,7 @@ def _sites(simulation):
     return row
 
 
-def _check(simulation, frames):
+def check_frames(simulation, frames):
     if simulation is None:
         raise Error("a run that was pickled has no molecules; convert it before it is pickled")
     if not frames:
@@ -29,14 +29,14 @@ def _check(simulation, frames):
 
 def universe(simulation, frames):
     """MDAnalysis.Universe; lengths in Å, as it has them."""
-    _check(simulation, frames)
+    check_frames(simulation, frames)
     try:
         import MDAnalysis
         from MDAnalysis.coordinates.memory import MemoryReader
     except ImportError:
         raise Error("this needs MDAnalysis, which is not installed; pip install MDAnalysis") \
             from None
-    sites = _sites(simulation)
+    sites = sites_of(simulation)
     residue_of = np.array([index for _, index, _ in sites])
     u = MDAnalysis.Universe.empty(len(sites), n_residues=residue_of[-1] + 1,
                                   atom_resindex=residue_of, trajectory=False)
@@ -58,14 +58,14 @@ def universe(simulation, frames):
 
 def mdtraj_trajectory(simulation, frames):
     """mdtraj.Trajectory; lengths in nm."""
-    _check(simulation, frames)
+    check_frames(simulation, frames)
     try:
         import mdtraj
     except ImportError:
         raise Error("this needs mdtraj, which is not installed; pip install mdtraj") from None
     top = mdtraj.Topology()
     chain, residue, last = top.add_chain(), None, -1
-    for name, index, site in _sites(simulation):
+    for name, index, site in sites_of(simulation):
         if index != last:
             residue, last = top.add_residue(name, chain), index
         element = mdtraj.element.get_by_symbol(site["element"]) if site["element"] else \

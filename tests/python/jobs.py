@@ -3,8 +3,10 @@
 
 import json
 import os
+import re
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 
 import numpy as np
@@ -298,6 +300,52 @@ class Results(unittest.TestCase):
         t = s.run("20 fs", frames="10 fs").to_mdtraj()
         self.assertEqual((t.n_frames, t.n_atoms, t.n_residues), (3, 256, 64))
         self.assertLess(np.abs(t.xyz[-1] - s.sites()[0]).max(), 1e-6)
+
+    def atoms_of(self, html, call):
+        """The frames of a view: (elements, positions [Å]) of the text in format XYZ that its HTML passes to 3Dmol."""
+        text = json.loads(re.search(rf'{call}\(("(?:[^"\\]|\\.)*"),"xyz"\)', html)[1])
+        lines, frames = text.split("\n"), []
+        while lines[0]:
+            n = int(lines[0])
+            rows = [line.split() for line in lines[2:2 + n]]
+            frames.append(([r[0] for r in rows], np.array([[float(x) for x in r[1:]] for r in rows])))
+            lines = lines[2 + n:]
+        return frames
+
+    def test_a_view_has_the_atoms_and_the_box(self):
+        s = polhode.Simulation(WATER)
+        html = s.view_3d(width=300).write_html()
+        (elements, positions), = self.atoms_of(html, "addModel")
+        self.assertEqual(elements, 64 * ["O", "H", "H"])  # without the massless site of TIP4P
+        self.assertLess(np.abs(positions / 10 - s.sites(False)[0]).max(), 0.00006)
+        box = {round(float(x) / 10, 6) for x in re.findall(r'"[xyz]": ([0-9.]+)', html)} - {0}
+        self.assertEqual((html.count("addLine("), box), (12, {round(float(s.state.box[0]), 6)}))
+        self.assertIn("width: 300px", html)
+
+    def test_a_view_of_a_run_has_its_frames(self):
+        s = polhode.Simulation(WATER)
+        run = s.run("20 fs", frames="10 fs")
+        frames = self.atoms_of(run.view_3d(js="copy.js").write_html(), "addModelsAsFrames")
+        self.assertEqual(len(frames), 3)
+        self.assertLess(np.abs(frames[-1][1] / 10 - s.sites(False)[0]).max(), 0.00006)
+        with self.assertRaises(polhode.Error) as caught:
+            s.run("4 fs").view_3d()
+        self.assertIn("kept no frames", str(caught.exception))
+
+    def test_a_view_that_is_too_large_or_without_py3dmol(self):
+        s = polhode.Simulation(WATER)
+        with unittest.mock.patch("polhode._viewer.MAX_ATOMS", 191), self.assertRaises(polhode.Error) as caught:
+            s.view_3d()
+        self.assertIn("192 atoms are too many", str(caught.exception))
+        with unittest.mock.patch.dict("sys.modules", {"py3Dmol": None}), self.assertRaises(polhode.Error) as caught:
+            s.view_3d()
+        self.assertIn("pip install py3Dmol", str(caught.exception))
+
+    def test_names_of_elements_in_a_view_are_not_markup(self):
+        s = polhode.Simulation(molecules={"name": "a", "source": "-", "site": [
+            {"name": "A", "element": "</", "position": "0 0 0 nm", "mass": "1 u"}]}, count=2, box="3 nm", cutoff="1 nm")
+        (elements, _), = self.atoms_of(s.view_3d().write_html(), "addModel")
+        self.assertEqual(elements, ["X", "X"])
 
     def test_figures(self):
         try:
