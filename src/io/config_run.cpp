@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "config_tables.hpp"
+#include "formats/format.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
@@ -117,10 +118,13 @@ void read_output(TomlTable table, OutputSettings& output) {
   take(output.formats, table.texts("formats"));
   std::vector<std::string> known;
   for (const std::string_view format : writable_formats()) known.emplace_back(format);
-  for (const std::string& format : output.formats)
+  for (const std::string& format : output.formats) {
     table.require(std::find(known.begin(), known.end(), format) != known.end(), "formats",
                   fmt::format("has the unknown format '{}'{}; there are: {}", format,
                               did_you_mean(format, known), join_names(known)));
+    table.require(format != "h5md" || h5md_missing.empty(), "formats",
+                  fmt::format("has the format 'h5md': {}", h5md_missing));
+  }
   take(output.massless_sites, table.boolean("massless_sites"));
   take(output.velocities, table.boolean("velocities"));
   output.plot = one_of(table, "plot", output.plot, plot_formats);

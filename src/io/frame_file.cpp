@@ -51,6 +51,7 @@ constexpr std::array formats = {
 // clang-format on
 
 const Format& format_named(std::string_view extension, const std::string& file) {
+  if (extension == "h5md" && !h5md_missing.empty()) throw Error(std::string(h5md_missing), file);
   const auto format = std::find_if(formats.begin(), formats.end(),
                                    [&](const Format& f) { return f.extension == extension; });
   if (format != formats.end()) return *format;

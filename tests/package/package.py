@@ -4,6 +4,7 @@
 import argparse
 import json
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -103,6 +104,31 @@ class Package(unittest.TestCase):
         self.assertNotIn("-Werror", (build / "compile_commands.json").read_text())
         presets = json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]
         self.assertEqual(presets[0]["cacheVariables"]["POLHODE_DEVELOPER"], "ON")
+
+
+class WithoutHdf5(unittest.TestCase):
+    def test_no_source_of_such_a_build_includes_its_header(self):
+        """A build takes minutes; what its sources include, directly or not, is known after it is configured."""
+        includes = {}
+
+        def included(path):
+            if path not in includes:
+                includes[path] = set()
+                for name in re.findall(r'^#include ["<]([^">]+)', path.read_text(encoding="utf-8"), re.M):
+                    files = (path.parent / name, ROOT / "include" / name, ROOT / "src" / name)
+                    found = next((file for file in files if file.exists()), None)
+                    includes[path] |= {name} if found is None else included(found.resolve())
+            return includes[path]
+
+        with tempfile.TemporaryDirectory() as folder:
+            command("cmake", "-S", ROOT, "-B", folder, "-DPOLHODE_HDF5=OFF", "-DPOLHODE_TESTS=OFF",
+                    "-DPOLHODE_BENCH=OFF", "-DPOLHODE_EXAMPLES=OFF", "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON")
+            entries = json.loads((Path(folder) / "compile_commands.json").read_text(encoding="utf-8"))
+            sources = {Path(e["file"]).resolve() for e in entries}
+        ours = {path for path in sources if path.is_relative_to(ROOT / "src")}
+        self.assertIn(ROOT / "src/io/formats/h5md_missing.cpp", ours)
+        self.assertIn("hdf5.h", included(ROOT / "src/io/formats/h5md_writer.cpp"))
+        self.assertEqual([str(path.relative_to(ROOT)) for path in sorted(ours) if "hdf5.h" in included(path)], [])
 
 
 if __name__ == "__main__":

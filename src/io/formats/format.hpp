@@ -90,6 +90,9 @@ std::unique_ptr<FrameWriter> stream_writer(Appending appending, const std::strin
                                            const Topology& topology, const FrameChoice& choice,
                                            const FileMark* mark);
 
+/// Why this build has no H5MD files; empty if it has them.
+extern const std::string_view h5md_missing;
+
 void check_h5md(const std::string& path, const FileMark& mark);
 std::unique_ptr<FrameWriter> h5md_writer(const std::string& path, const Topology& topology,
                                          const FrameChoice& choice, const FileMark* mark);

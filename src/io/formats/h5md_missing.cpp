@@ -4,14 +4,14 @@
 #include "polhode/base/error.hpp"
 
 namespace polhode {
+
+const std::string_view h5md_missing =
+    "this build of polhode has no HDF5, which H5MD files need; use the format trr, or a build "
+    "with HDF5";
+
 namespace {
 
-[[noreturn]] void refuse(const std::string& path) {
-  throw Error(
-      "this build of polhode has no HDF5, which H5MD files need; use the format trr, or a build "
-      "with HDF5",
-      path);
-}
+[[noreturn]] void refuse(const std::string& path) { throw Error(std::string(h5md_missing), path); }
 
 }  // namespace
 

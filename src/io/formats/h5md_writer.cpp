@@ -18,6 +18,9 @@
 #include "polhode/io/draft.hpp"
 
 namespace polhode {
+
+const std::string_view h5md_missing;
+
 namespace {
 
 using h5md::links;
