@@ -2,6 +2,7 @@
 """The documentation site: settings of Sphinx. Built by scripts/site, whose staging folder is the source."""
 
 import importlib.util
+import json
 import re
 import sys
 from pathlib import Path
@@ -64,6 +65,23 @@ def show_names_of_files(app, name, source):
                        flags=re.M)
 
 
+def show_outputs(app, name, source):
+    """Below each cell of a tutorial is what it shows, as docs/site/tutorials.py has written it."""
+    page = re.fullmatch(r"docs/tutorials/(?!README)(.+)", name)
+    if not page:
+        return
+    file = ROOT / f"build/site/tutorials/{page[1]}.json"
+    cells = iter(json.loads(file.read_text(encoding="utf-8"))[1])
+
+    def with_outputs(cell):
+        blocks = {"text": "````{{code-block}} none\n:class: output\n\n{}\n````",
+                  "html": "````{{raw}} html\n<div class='output'>{}</div>\n````",
+                  "image": "````{{raw}} html\n<img class='output' alt='the figure' src='data:image/png;base64,{}'>\n````"}
+        return "\n\n".join([cell[0], *(blocks[kind].format(shown) for kind, shown in next(cells))])
+
+    source[0] = re.sub(r"^```\{code-cell\} python\n.*?^```$", with_outputs, source[0], flags=re.M | re.S)
+
+
 def escape_stars(app, what, name, obj, options, lines):
     """The stars of `**keywords` in a docstring are no marks."""
     lines[:] = [line.replace("**keywords", r"\*\*keywords") for line in lines]
@@ -73,4 +91,5 @@ def setup(app):
     app.add_directive("code-cell", CodeCell)
     app.connect("source-read", add_readme)
     app.connect("source-read", show_names_of_files)
+    app.connect("source-read", show_outputs)
     app.connect("autodoc-process-docstring", escape_stars, priority=400)  # before napoleon
