@@ -22,66 +22,66 @@ set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
 
 $curve0 << EOD
-257 995.266 1.10428
-267 1000.8 0.385012
-277 1001.85 0.913667
-287 1000.41 0.455186
-298 998.193 0.71293
-308 994.173 0.610688
-318 991.028 0.221718
+257 997.372 1.27346
+267 1001.72 0.563636
+277 1001.17 0.693171
+287 1000.52 0.407076
+298 998.254 0.4769
+308 994.311 0.430856
+318 991.031 0.195107
 EOD
 $curve1 << EOD
-257 994.843 1.3849
-267 999.571 0.173155
-277 1001.29 1.31055
-287 999.73 0.517117
-298 996.816 0.251199
-308 994.302 0.85402
-318 989.349 0.904563
+257 994.984 0.812018
+267 998.784 0.792585
+277 1000.72 0.948051
+287 999.375 0.464021
+298 997.129 0.345749
+308 994.28 0.493529
+318 989.707 0.633076
 EOD
 $curve2 << EOD
-257 996.839 0.0644796
-267 1002.44 0.142349
-277 1003.23 0.554159
-287 1001.87 0.273995
-298 999.307 0.0817319
-308 995.314 0.0866717
-318 991.904 0.105752
+257 998.878 0.0766753
+267 1003.33 0.0871721
+277 1002.57 0.320587
+287 1001.87 0.194728
+298 999.384 0.0496675
+308 995.43 0.0544024
+318 991.934 0.0668753
 EOD
 $curve3 << EOD
-257 995.703 0.172142
-267 1001.05 0.177781
-277 1001.79 0.188848
-287 1000.21 0.247494
-298 997.397 0.131666
-308 993.539 0.194018
-318 990.401 0.155082
+257 997.559 0.269606
+267 1001.87 0.142974
+277 1001 0.148767
+287 1000.33 0.143094
+298 997.591 0.152739
+308 993.812 0.176172
+318 990.426 0.0920714
 EOD
 $curve4 << EOD
-257 997.586 0.726296
-267 1001.26 0.254875
-277 1000.26 0.183802
-287 998.261 0.131203
-298 996.148 1.04129
-308 990.891 0.586695
-318 988.02 0.108427
+257 999.092 0.732193
+267 1001.76 0.441393
+277 999.727 0.184528
+287 998.685 0.32362
+298 996.161 0.603146
+308 991.275 0.418816
+318 988.008 0.0643887
 EOD
 set grid
 set xlabel "temperature [K]"
 set ylabel "density [kg/m³]"
 set key bottom left
-set arrow from 281.0975, 1002.0986 to 281.0975, 1001.0986 linecolor "#0072B2" linewidth 1.6
-set arrow from 280.8802, 1001.3934 to 280.8802, 1000.3934 linecolor "#D55E00" linewidth 1.6
-set arrow from 280.4803, 1003.5354 to 280.4803, 1002.5354 linecolor "#009E73" linewidth 1.6
-set arrow from 279.5868, 1001.9035 to 279.5868, 1000.9035 linecolor "#CC79A7" linewidth 1.6
-set arrow from 272.4687, 1001.0554 to 272.4687, 1000.0554 linecolor "#E69F00" linewidth 1.6
-plot $curve0 using 1:2:3 with yerrorbars linecolor "#0072B2" pointtype 7 title "limit of short steps: maximum at 281.1 K", \
-  -0.0081090019*(x-287.429)**2 + -0.10267731*(x-287.429) + 1000.773602 with lines linewidth 1.6 linecolor "#0072B2" notitle, \
-  $curve1 using 1:2:3 with yerrorbars linecolor "#D55E00" pointtype 7 title "gier4-fd, 4 fs: maximum at 280.9 K", \
-  -0.0083347393*(x-287.429)**2 + -0.10915825*(x-287.429) + 1000.035975 with lines linewidth 1.6 linecolor "#D55E00" notitle, \
-  $curve2 using 1:2:3 with yerrorbars linecolor "#009E73" pointtype 7 title "hoa2, 4 fs: maximum at 280.5 K", \
-  -0.0082331137*(x-287.429)**2 + -0.1144114*(x-287.429) + 1002.137936 with lines linewidth 1.6 linecolor "#009E73" notitle, \
-  $curve3 using 1:2:3 with yerrorbars linecolor "#CC79A7" pointtype 7 title "velocity-verlet, 2 fs: maximum at 279.6 K", \
-  -0.0078246503*(x-287.429)**2 + -0.12271851*(x-287.429) + 1000.422286 with lines linewidth 1.6 linecolor "#CC79A7" notitle, \
-  $curve4 using 1:2:3 with yerrorbars linecolor "#E69F00" pointtype 7 title "velocity-verlet, 4 fs: maximum at 272.5 K", \
-  -0.0062303591*(x-287.429)**2 + -0.18641074*(x-287.429) + 998.6610716 with lines linewidth 1.6 linecolor "#E69F00" notitle
+set arrow from 277.9264, 1002.1788 to 277.9264, 1001.1788 linecolor "#0072B2" linewidth 1.6
+set arrow from 281.1157, 1000.9903 to 281.1157, 999.9903 linecolor "#D55E00" linewidth 1.6
+set arrow from 277.2907, 1003.6066 to 277.2907, 1002.6066 linecolor "#009E73" linewidth 1.6
+set arrow from 276.6138, 1002.0303 to 276.6138, 1001.0303 linecolor "#CC79A7" linewidth 1.6
+set arrow from 268.7215, 1001.5159 to 268.7215, 1000.5159 linecolor "#E69F00" linewidth 1.6
+plot $curve0 using 1:2:3 with yerrorbars linecolor "#0072B2" pointtype 7 title "limit of short steps: maximum at 277.9 K", \
+  -0.0067185459*(x-287.429)**2 + -0.12768198*(x-287.429) + 1000.572125 with lines linewidth 1.6 linecolor "#0072B2" notitle, \
+  $curve1 using 1:2:3 with yerrorbars linecolor "#D55E00" pointtype 7 title "gier4-fd, 4 fs: maximum at 281.1 K", \
+  -0.0077959894*(x-287.429)**2 + -0.098430577*(x-287.429) + 999.6795798 with lines linewidth 1.6 linecolor "#D55E00" notitle, \
+  $curve2 using 1:2:3 with yerrorbars linecolor "#009E73" pointtype 7 title "hoa2, 4 fs: maximum at 277.3 K", \
+  -0.0068250719*(x-287.429)**2 + -0.13838306*(x-287.429) + 1001.905131 with lines linewidth 1.6 linecolor "#009E73" notitle, \
+  $curve3 using 1:2:3 with yerrorbars linecolor "#CC79A7" pointtype 7 title "velocity-verlet, 2 fs: maximum at 276.6 K", \
+  -0.0065819563*(x-287.429)**2 + -0.14236416*(x-287.429) + 1000.260508 with lines linewidth 1.6 linecolor "#CC79A7" notitle, \
+  $curve4 using 1:2:3 with yerrorbars linecolor "#E69F00" pointtype 7 title "velocity-verlet, 4 fs: maximum at 268.7 K", \
+  -0.0053809274*(x-287.429)**2 + -0.2013228*(x-287.429) + 998.6328274 with lines linewidth 1.6 linecolor "#E69F00" notitle
