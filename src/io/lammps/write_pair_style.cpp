@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "lone_site.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
@@ -14,19 +15,6 @@
 #include "polhode/io/quantity.hpp"
 
 namespace polhode {
-namespace {
-
-// The molecule of a type with this site alone, so that a table of pairs has one pair.
-Molecule alone(const LammpsTypes::Type& type, const Topology& topology) {
-  Molecule molecule;
-  molecule.name = topology.parts[type.part].molecule.name;
-  molecule.sites = {type.site};
-  molecule.sites[0].charge = 1;  // so that it interacts
-  return molecule;
-}
-
-}  // namespace
-
 std::string lammps_pair_style(const ForceSettings& s) {
   const double angstrom = unit("A", Dimension::length);
   std::string text = fmt::format(
@@ -48,7 +36,10 @@ void write_lammps_pair_coefficients(std::ostream& out, const Topology& topology,
   const auto& all = types.types();
   for (std::size_t i = 0; i < all.size(); ++i)
     for (std::size_t j = i; j < all.size(); ++j) {
-      const PairTable table(alone(all[i], topology), alone(all[j], topology), settings.mixing);
+      constexpr double any =
+          1;  // sites without a charge may not interact, and are left out of tables
+      const PairTable table(lone_site(all[i], topology, any), lone_site(all[j], topology, any),
+                            settings.mixing);
       const ShortRange<double>& law = table.any_law<double>().law.front();
       if (!law.is_lennard_jones())
         throw Error(

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "lone_site.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
 #include "polhode/io/lammps_export.hpp"
@@ -46,12 +47,7 @@ class PairLaw {
 
  private:
   static Molecule alone(const LammpsTypes::Type& type, const Topology& topology, bool charges) {
-    Molecule molecule;
-    molecule.name = topology.parts[type.part].molecule.name;
-    molecule.sites = {type.site};
-    molecule.sites[0].r = {};
-    if (!charges) molecule.sites[0].charge = 0;
-    return molecule;
+    return lone_site(type, topology, charges ? type.site.charge : 0);
   }
 
   template <CutoffTreatment treatment>
