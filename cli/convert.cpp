@@ -17,7 +17,7 @@ namespace {
 
 struct Options {
   Conversion conversion;
-  std::string from, to;
+  std::string from, to, particles;
   bool force = false;
 };
 
@@ -25,6 +25,8 @@ int convert_frames(const Options& o) {
   Conversion conversion = o.conversion;
   if (!o.from.empty()) conversion.first = quantity(o.from, Dimension::time, "--from");
   if (!o.to.empty()) conversion.last = quantity(o.to, Dimension::time, "--to");
+  if (!o.particles.empty())
+    conversion.particles = molecules_of_run(read_config_option(o.particles));
   const ConversionResult result =
       convert(conversion, {.existing = existing_files(false, o.force)}, console());
   if (result.interrupted) {
@@ -42,14 +44,17 @@ Action convert_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command
       .add_option("IN", o->conversion.from,
-                  fmt::format("file to read: .{}, or a LAMMPS .data file",
+                  fmt::format("file to read: .{}, or a LAMMPS .data or .dump file",
                               fmt::join(writable_formats(), " .")))
       .required();
   command
-      .add_option("OUT", o->conversion.to, "file to write, in any of these formats except the last")
+      .add_option("OUT", o->conversion.to,
+                  "file to write, in any of these formats except those of LAMMPS")
       .required();
   command.add_option("--names", o->conversion.names,
                      "file with the atom names, if IN has none: XTC, TRR, DCD");
+  command.add_option("--particles", o->particles,
+                     "run file with the molecules that the particles of a LAMMPS dump file are");
   command.add_option("--every", o->conversion.every, "write every Nth frame only");
   command.add_option("--from", o->from, "ignore frames before this time: \"10 ps\"");
   command.add_option("--to", o->to, "ignore frames after this time");

@@ -39,9 +39,9 @@ Action export_verb(Command& command) {
   auto o = std::make_shared<Options>();
   command.add_option("PROGRAM", o->program, "lammps").required();
   command.add_option("FILE", o->file, "run file (TOML)").required();
-  command.add_option(
-      "--pair-style", o->pair_style,
-      "table: the pair laws as tables; polhode: pair_style polhode of the plugin; default: table");
+  command.add_option("--pair-style", o->pair_style,
+                     "table: the pair laws as tables; polhode: pair_style polhode of the plugin; "
+                     "polhode-particles: the same with one particle a molecule; default: table");
   command.add_option("--output", o->output, "prefix of the files; default: the run file's");
   command.add_option("--scheme", o->scheme, "a name, or stages as text; default: the run file's");
   command.add_option("--step", o->step, "time step: \"2 fs\"; default: the run file's");

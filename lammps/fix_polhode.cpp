@@ -58,6 +58,10 @@ void FixPolhode::init() {
     error->all(FLERR,
                "fix polhode finds the atoms of a molecule by their ids; have LAMMPS keep a "
                "map of them by 'atom_modify map yes'");
+  if (has_particles() && force->pair_match("^polhode$", 0) == nullptr)
+    error->all(FLERR,
+               "fix polhode: the sites of particles are not atoms, so pair styles of LAMMPS do not "
+               "compute their forces; use pair_style polhode");
   guarded(error, "fix polhode", [&] { check_system(lmp, this, program_.size()); });
 }
 
@@ -205,6 +209,7 @@ FixPolhode::Motion FixPolhode::motion(int body) {
 }
 
 void FixPolhode::set_velocities() {
+  set_particle_columns();
   forward(Message::motions, 6);
   for (int i = 0; i < atom->nlocal; ++i) {
     const int body = owner_body_[static_cast<std::size_t>(i)];
@@ -239,6 +244,7 @@ LAMMPS_NS::bigint FixPolhode::dof(int group) {
   LAMMPS_NS::bigint removed = 0;
   for (int i = 0; i < atom->nlocal; ++i) {
     if (body_of(i) < 0 || (atom->mask[i] & bit) == 0) continue;
+    if (kind(i).particle != 0) continue;  // an atom of LAMMPS, which does not rotate
     const Molecule& molecule = kind(i).molecule;
     const auto sites = static_cast<LAMMPS_NS::bigint>(molecule.sites.size());
     removed += 3 * sites - (molecule.top == Top::atom ? 3 : molecule.top == Top::linear ? 5 : 6);

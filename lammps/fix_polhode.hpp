@@ -7,6 +7,7 @@
 // Pair styles that compute forces on bodies themselves read the bodies and add to their forces.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -72,6 +73,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   /// The body of a ghost owner.
   struct GhostBody {
     int kind;
+    std::array<int, 3> image;  ///< by how many edges of the box it is shifted
     Pose pose;
     Motion motion;
     Vec3<double> f{}, tau{};
@@ -80,6 +82,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void recognise();
   const std::vector<Kind>& kinds() const { return kinds_; }
   bool has_all_atoms() const { return has_all_atoms_; }  ///< in bodies
+  bool has_particles() const { return !settings_.particles.empty(); }
   SitePlace site_of(int i) const {
     return {info_[static_cast<std::size_t>(i)].kind, info_[static_cast<std::size_t>(i)].site};
   }
@@ -113,6 +116,11 @@ class FixPolhode : public LAMMPS_NS::Fix {
   Vec3<double> minimum_image(Vec3<double> r) const;
   double step() const;  // h, of the whole scheme
   void accept(const SiteMessage& site);
+  void find_kinds_of_particles();
+  int kind_of_particle(int i) const;
+  BodyRecord body_of_particle(int i, const Kind& kind);
+  double** particle_column(const char* name, int length) const;
+  void set_particle_columns();
   void check_communication() const;
   void rebuild_columns();
   void wrap_to_owner(int owner);

@@ -53,7 +53,13 @@ Pose FixPolhode::pose(int body) {
 /// at their sites.
 void FixPolhode::recognise() {
   std::vector<AtomMessage> messages;
+  std::vector<std::pair<int, BodyRecord>> particles;
+  guarded(error, "fix polhode", [&] { find_kinds_of_particles(); });
   for (int i = 0; i < atom->nlocal; ++i) {
+    if (const int k = kind_of_particle(i); k >= 0) {
+      particles.emplace_back(i, body_of_particle(i, kinds_[static_cast<std::size_t>(k)]));
+      continue;
+    }
     const std::int64_t molecule = atom->molecule != nullptr ? atom->molecule[i] : 0;
     const bool inside = (atom->mask[i] & groupbit) != 0;
     if (molecule == 0 && !inside) continue;
@@ -78,8 +84,13 @@ void FixPolhode::recognise() {
   std::fill(info_.begin(), info_.end(), AtomInfo{});
   std::fill(body_of_.begin(), body_of_.end(), -1);
   for (const SiteMessage& site : sites) accept(site);
+  for (const auto& [i, body] : particles) {
+    info(i) = {kind_of_particle(i), 0, static_cast<std::int64_t>(atom->tag[i])};
+    add_arrival(i, body);
+  }
   recognised_ = true;
-  LAMMPS_NS::bigint inside = static_cast<LAMMPS_NS::bigint>(sites.size()), all = 0;
+  LAMMPS_NS::bigint inside = static_cast<LAMMPS_NS::bigint>(sites.size() + particles.size());
+  LAMMPS_NS::bigint all = 0;
   MPI_Allreduce(&inside, &all, 1, MPI_LMP_BIGINT, MPI_SUM, world);
   has_all_atoms_ = all == atom->natoms;
   if (all == 0)
@@ -157,7 +168,7 @@ void FixPolhode::find_owners() {
   ghosts_.clear();
   const int all = atom->nlocal + atom->nghost;
   for (int i = atom->nlocal; i < all; ++i) body_of(i) = -1;
-  forward(Message::owners, 1);
+  forward(Message::owners, 4);
   owner_body_.assign(static_cast<std::size_t>(atom->nlocal), -1);
   for (int i = 0; i < atom->nlocal; ++i) {
     if (info(i).kind < 0) continue;

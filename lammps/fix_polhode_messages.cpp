@@ -95,7 +95,12 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
   }
   for (int k = 0; k < count; ++k) {
     const int body = body_of(list[k]);
-    if (message_ == Message::owners) *to++ = body >= 0 ? kind_of_body(list[k]) + 1 : 0;
+    if (message_ == Message::owners) {
+      *to++ = body >= 0 ? kind_of_body(list[k]) + 1 : 0;
+      if (body < 0) continue;
+      for (std::size_t d = 0; d < 3; ++d)
+        *to++ = (is_ghost_body(body) ? ghost(body).image[d] : 0) + (pbc_flag != 0 ? pbc[d] : 0);
+    }
     if (message_ == Message::owners || body < 0) continue;
     if (message_ == Message::poses) {
       const Pose p = pose(body);
@@ -118,6 +123,7 @@ void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
       if (kind < 0) continue;
       body_of(i) = static_cast<int>(columns_->size() + ghosts_.size());
       ghosts_.push_back({.kind = kind});
+      for (int& edges : ghosts_.back().image) edges = static_cast<int>(*buffer++);
       continue;
     }
     const int body = body_of(i);

@@ -16,7 +16,8 @@ void guarded(LAMMPS_NS::Error* error, const char* style, const Work& work) {
   try {
     work();
   } catch (const Error& e) {
-    error->all(FLERR, std::string(style) + ": " + e.what());
+    const std::string place = e.where().empty() ? "" : ' ' + e.where() + ':';
+    error->all(FLERR, std::string(style) + ':' + place + ' ' + e.what());
   } catch (const RunError& e) {
     error->one(FLERR, std::string(style) + ": " + e.what());
   }

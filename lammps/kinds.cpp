@@ -34,6 +34,15 @@ Vec3<double> over_J(const Molecule& molecule, Vec3<double> L) {
   return L;
 }
 
+// No angular momentum about an axis without inertia.
+Vec3<double> with_inertia(const Molecule& molecule, const Quaternion<double>& attitude,
+                          const Vec3<double>& ell) {
+  Vec3<double> L = to_body(attitude, ell);
+  for (std::size_t d = 0; d < 3; ++d)
+    if (molecule.J[d] == 0) L[d] = 0;
+  return to_lab(attitude, L);
+}
+
 // straighten() has its limit in nm, so the shape is scaled until this limit is ours.
 Shape straight(Shape shape) {
   double size = 0;
@@ -46,19 +55,14 @@ Shape straight(Shape shape) {
   return shape;
 }
 
-}  // namespace
-
-Kind kind_of(std::int64_t number, const std::vector<SiteAtom>& atoms) {
-  Kind kind{.first = number};
-  Shape shape;
-  for (const SiteAtom& atom : atoms) shape.push_back(atom.x - atoms.front().x);
-  shape = straight(std::move(shape));
+// The kind with a shape; its owner is the site nearest to the centre.
+Kind kind_with_shape(const std::string& name, const Shape& shape,
+                     const std::vector<double>& masses) {
+  Kind kind;
   std::vector<Site> sites;
-  for (std::size_t k = 0; k < atoms.size(); ++k) {
-    kind.types.push_back(atoms[k].type);
-    sites.push_back({.name = std::to_string(k + 1), .r = shape[k], .mass = atoms[k].mass});
-  }
-  kind.molecule = rigid_molecule(name_of(number), std::move(sites));
+  for (std::size_t k = 0; k < shape.size(); ++k)
+    sites.push_back({.name = std::to_string(k + 1), .r = shape[k], .mass = masses[k]});
+  kind.molecule = rigid_molecule(name, std::move(sites));
   const std::vector<Site>& all = kind.molecule.sites;
   for (std::size_t k = 0; k < all.size(); ++k) {
     kind.extent = std::max(kind.extent, norm(all[k].r));
@@ -69,8 +73,41 @@ Kind kind_of(std::int64_t number, const std::vector<SiteAtom>& atoms) {
   return kind;
 }
 
+}  // namespace
+
+Kind kind_of(std::int64_t number, const std::vector<SiteAtom>& atoms) {
+  Shape shape;
+  std::vector<int> types;
+  std::vector<double> masses;
+  for (const SiteAtom& atom : atoms) {
+    shape.push_back(atom.x - atoms.front().x);
+    types.push_back(atom.type);
+    masses.push_back(atom.mass);
+  }
+  Kind kind = kind_with_shape(name_of(number), straight(std::move(shape)), masses);
+  kind.first = number;
+  kind.types = std::move(types);
+  return kind;
+}
+
+Kind kind_of_particles(int type, const MoleculeFile& file, const std::vector<double>& masses) {
+  for (const double mass : masses)
+    if (!(mass >= 0))
+      throw Error("a site has a mass of " + four_digits(mass) + "; it must be 0 or more");
+  Kind kind =
+      kind_with_shape("particles of type " + std::to_string(type), straight(file.r), masses);
+  kind.types = file.types;
+  kind.charges = file.charges;
+  kind.particle = type;
+  kind.span = 0;
+  Shape principal;
+  for (const Site& site : kind.molecule.sites) principal.push_back(site.r);
+  if (kind.molecule.top != Top::atom) kind.frame = best_rotation(principal, file.r, masses);
+  return kind;
+}
+
 bool matches(const Kind& kind, const std::vector<SiteAtom>& atoms) {
-  if (atoms.size() != kind.types.size()) return false;
+  if (kind.particle != 0 || atoms.size() != kind.types.size()) return false;
   for (std::size_t k = 0; k < atoms.size(); ++k)
     if (atoms[k].type != kind.types[k] || atoms[k].mass != kind.molecule.sites[k].mass)
       return false;
@@ -80,11 +117,13 @@ bool matches(const Kind& kind, const std::vector<SiteAtom>& atoms) {
 void append(std::vector<double>& numbers, const Kind& kind) {
   const Molecule& m = kind.molecule;
   const auto add = [&](auto... x) { (numbers.push_back(static_cast<double>(x)), ...); };
-  add(kind.types.size(), kind.first, kind.owner, kind.span, kind.extent, m.mass, m.J.x, m.J.y,
-      m.J.z, static_cast<int>(m.top));
+  add(kind.types.size(), kind.particle, kind.first, kind.owner, kind.span, kind.extent, m.mass,
+      m.J.x, m.J.y, m.J.z, static_cast<int>(m.top), kind.frame.w, kind.frame.x, kind.frame.y,
+      kind.frame.z);
   for (std::size_t k = 0; k < kind.types.size(); ++k) {
     const Vec3<double> r = kind.site(k);
     add(kind.types[k], m.sites[k].mass, r.x, r.y, r.z);
+    if (kind.particle != 0) add(kind.charges[k]);
   }
 }
 
@@ -93,6 +132,7 @@ Kind read_kind(const double*& numbers) {
   Molecule& m = kind.molecule;
   const auto next = [&] { return *numbers++; };
   const auto sites = static_cast<std::size_t>(next());
+  kind.particle = static_cast<int>(next());
   kind.first = static_cast<std::int64_t>(next());
   kind.owner = static_cast<std::size_t>(next());
   kind.span = next(), kind.extent = next();
@@ -100,10 +140,13 @@ Kind read_kind(const double*& numbers) {
   m.mass = next();
   m.J.x = next(), m.J.y = next(), m.J.z = next();
   m.top = static_cast<Top>(static_cast<int>(next()));
+  kind.frame.w = next();
+  kind.frame.x = next(), kind.frame.y = next(), kind.frame.z = next();
   for (std::size_t k = 0; k < sites; ++k) {
     kind.types.push_back(static_cast<int>(next()));
     Site site{.name = std::to_string(k + 1), .mass = next()};
     site.r.x = next(), site.r.y = next(), site.r.z = next();
+    if (kind.particle != 0) kind.charges.push_back(next());
     m.sites.push_back(std::move(site));
   }
   return kind;
@@ -127,21 +170,18 @@ BodyRecord fitted_body(const Kind& kind, const std::vector<SiteAtom>& atoms) {
     body.ell += atoms[k].mass * cross(lab.back(), atoms[k].v);
   }
   body.pose.attitude = best_rotation(own, lab, mass);
-  Vec3<double> L = to_body(body.pose.attitude, body.ell);
-  for (std::size_t d = 0; d < 3; ++d)
-    if (m.J[d] == 0) L[d] = 0;  // no angular momentum about an axis without inertia
-  body.ell = to_lab(body.pose.attitude, L);
+  body.ell = with_inertia(m, body.pose.attitude, body.ell);
   return body;
 }
 
-Vec3<double> position(const Kind& kind, std::size_t site, const Pose& pose) {
-  return pose.q + to_lab(pose.attitude, kind.site(site));
+Vec3<double> position(const Kind& kind, std::size_t atom, const Pose& pose) {
+  return pose.q + to_lab(pose.attitude, kind.atom(atom));
 }
 
-Vec3<double> velocity(const Kind& kind, std::size_t site, const BodyRecord& body) {
+Vec3<double> velocity(const Kind& kind, std::size_t atom, const BodyRecord& body) {
   const Quaternion<double> a = body.pose.attitude;
   const Vec3<double> omega = to_lab(a, over_J(kind.molecule, to_body(a, body.ell)));
-  return body.p / kind.molecule.mass + cross(omega, to_lab(a, kind.site(site)));
+  return body.p / kind.molecule.mass + cross(omega, to_lab(a, kind.atom(atom)));
 }
 
 double rotational_energy(const Kind& kind, const BodyRecord& body) {
@@ -177,6 +217,36 @@ BodyRecord updated_body(const Kind& kind, const std::vector<SiteAtom>& atoms,
   BodyRecord fitted = fitted_body(kind, atoms);
   if (same_pose) fitted.pose = before.pose;
   return fitted;
+}
+
+BodyRecord body_of_particle(const Kind& kind, const Particle& particle, const BodyRecord* before,
+                            std::int64_t id) {
+  const double length = std::sqrt(norm2(particle.attitude));
+  if (!(std::abs(length - 1) < 1e-3))
+    throw Error("particle " + std::to_string(id) + " has an attitude of length " +
+                four_digits(length) +
+                "; it must be a unit quaternion (w, x, y, z), so give d2_attitude a value for each "
+                "particle");
+  const Molecule& m = kind.molecule;
+  BodyRecord body;
+  body.pose = {particle.x, normalized(particle.attitude) * kind.frame};
+  body.p = m.mass * particle.v;
+  body.ell = with_inertia(m, body.pose.attitude, particle.ell);
+  if (before == nullptr) return body;
+  const auto same = [](const Vec3<double>& x, const Vec3<double>& y, double scale) {
+    return norm(x - y) <= unchanged * scale;
+  };
+  const Quaternion<double> turn = conjugate(before->pose.attitude) * body.pose.attitude;
+  BodyRecord joined = *before;
+  if (!same(body.pose.q, before->pose.q, kind.extent)) joined.pose.q = body.pose.q;
+  if (norm(turn.vector()) > unchanged) joined.pose.attitude = body.pose.attitude;
+  if (!same(body.p, before->p, norm(body.p))) joined.p = body.p;
+  if (!same(body.ell, before->ell, norm(body.ell))) joined.ell = body.ell;
+  return joined;
+}
+
+Quaternion<double> attitude_of_particle(const Kind& kind, const Pose& pose) {
+  return pose.attitude * conjugate(kind.frame);
 }
 
 }  // namespace polhode::lammps

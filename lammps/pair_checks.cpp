@@ -51,7 +51,13 @@ void PairPolhode::check_inputs() const {
                "pair_style polhode needs all molecules near a process, and 'atom_modify first {}' "
                "is for inputs that communicate a part of them; remove it",
                atom->firstgroupname);
-  if (settings_.electrostatics == Electrostatics::pme && force->kspace == nullptr)
+  const bool mesh = settings_.electrostatics == Electrostatics::pme;
+  if (mesh && fix_->has_particles())
+    error->all(FLERR,
+               "pair_style polhode with electrostatics pme needs a mesh for all charges, and the "
+               "mesh of LAMMPS knows no charges within particles; use reaction-field, or molecules "
+               "of atoms");
+  if (mesh && force->kspace == nullptr)
     error->all(FLERR,
                "pair_style polhode with electrostatics pme computes the pairs of the Ewald sum and "
                "needs a kspace style for the rest; add for example 'kspace_style pppm 1e-5'");

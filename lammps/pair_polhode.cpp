@@ -8,6 +8,7 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "domain.h"
 #include "fix_polhode.hpp"
 #include "force.h"
 #include "guarded.hpp"
@@ -103,7 +104,7 @@ void PairPolhode::find_range() {
   double extent = 0, owner = 0;
   for (const Kind& kind : fix_->kinds()) {
     extent = std::max(extent, kind.extent);
-    owner = std::max(owner, norm(kind.site(kind.owner)));
+    owner = std::max(owner, norm(kind.atom(kind.owner)));
   }
   const bool by_centres = cutoff_treatment(settings_) == CutoffTreatment::molecule_switch;
   range_ = settings_.cutoff / units_.nm + 2 * owner + (by_centres ? 0 : 2 * extent);
@@ -136,6 +137,7 @@ KindCharges PairPolhode::charges_of_kinds() const {
   std::vector<double> low(sites, infinity), high(sites, -infinity);
   for (int i = 0; i < atom->nlocal; ++i) {
     const auto place = fix_->site_of(i);
+    if (kinds[static_cast<std::size_t>(place.kind)].particle != 0) continue;
     const std::size_t k =
         first[static_cast<std::size_t>(place.kind)] + static_cast<std::size_t>(place.site);
     const double q = atom->q_flag != 0 ? atom->q[i] : 0;
@@ -146,7 +148,8 @@ KindCharges PairPolhode::charges_of_kinds() const {
   MPI_Allreduce(MPI_IN_PLACE, high.data(), count, MPI_DOUBLE, MPI_MAX, world);
   KindCharges charges;
   for (std::size_t k = 0; k < kinds.size(); ++k) {
-    std::vector<double>& of_kind = charges.emplace_back();
+    std::vector<double>& of_kind = charges.emplace_back(kinds[k].charges);
+    if (kinds[k].particle != 0) continue;
     for (std::size_t s = 0; s < kinds[k].types.size(); ++s) {
       const std::size_t at = first[k] + s;
       if (low[at] != high[at])
@@ -159,6 +162,22 @@ KindCharges PairPolhode::charges_of_kinds() const {
     }
   }
   return charges;
+}
+
+/// The edges of the box in directions with one process, where the images of its bodies need not be
+/// ghosts [nm]; 0 in others.
+Vec3<double> PairPolhode::period(const Topology& topology) const {
+  Vec3<double> edges;
+  if (domain->triclinic != 0) return edges;
+  const bool grid = comm->layout != LAMMPS_NS::Comm::LAYOUT_TILED;
+  for (std::size_t d = 0; d < 3; ++d) {
+    const bool alone = comm->nprocs == 1 || (grid && comm->procgrid[d] == 1);
+    const double edge = units_.nm * domain->prd[d];
+    if (alone && domain->periodicity[d] != 0 &&
+        DomainForces::is_long_enough(edge, topology, settings_))
+      edges[d] = edge;
+  }
+  return edges;
 }
 
 /// The bodies that are here now, those of a kind together, as the fix has its own.
@@ -174,17 +193,28 @@ void PairPolhode::arrange() {
     own.parts.push_back({molecule, 0});
     ghosts.parts.push_back({std::move(molecule), 0});
   }
+  const Vec3<double> edges = period(own);
+  const auto is_needed = [&](const FixPolhode::GhostBody& ghost) {
+    for (std::size_t d = 0; d < 3; ++d)
+      if (edges[d] > 0 && ghost.image[d] != 0) return false;
+    return true;
+  };
   for (const std::size_t kind : fix_->columns().bodies.part) ++own.parts[kind].count;
   ghost_order_.clear();
   for (std::size_t kind = 0; kind < kinds.size(); ++kind)
     for (std::size_t g = 0; g < fix_->ghosts().size(); ++g)
-      if (fix_->ghosts()[g].kind == static_cast<int>(kind)) {
+      if (fix_->ghosts()[g].kind == static_cast<int>(kind) && is_needed(fix_->ghosts()[g])) {
         ++ghosts.parts[kind].count;
         ghost_order_.push_back(g);
       }
-  settings_.mixing = explicit_pairs(kinds, coefficients_, units_);
-  forces_.emplace(own, ghosts, settings_);
   arrangement_ = fix_->arrangement();
+  std::vector<std::size_t> counts;
+  for (const Topology* const each : {&own, &ghosts})
+    for (const auto& part : each->parts) counts.push_back(part.count);
+  if (forces_ && counts == counts_) return;  // its list notices where the bodies are
+  counts_ = std::move(counts);
+  settings_.mixing = explicit_pairs(kinds, coefficients_, units_);
+  forces_.emplace(own, ghosts, settings_, edges);
 }
 
 void PairPolhode::place_bodies() {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // pair_style polhode: the forces of the library, molecule by molecule, on the bodies of fix
 // polhode. Each process computes its bodies with all bodies near them; forces on ghosts are those
-// that the processes of their owners compute.
+// that the processes of their owners compute. Images in directions that are not divided among
+// processes are those of a periodic box, without ghosts.
 #pragma once
 
 #include <cstdint>
@@ -35,6 +36,7 @@ class PairPolhode : public LAMMPS_NS::Pair {
   void check_inputs() const;
   void find_range();
   KindCharges charges_of_kinds() const;
+  Vec3<double> period(const Topology& topology) const;
   void arrange();
   void place_bodies();
   void add_loads();
@@ -48,6 +50,7 @@ class PairPolhode : public LAMMPS_NS::Pair {
   KindCharges charges_;
   std::optional<DomainForces> forces_;  // of the present arrangement of bodies
   std::uint64_t arrangement_ = 0;
+  std::vector<std::size_t> counts_;       // of own bodies and ghosts of each kind in forces_
   std::vector<std::size_t> ghost_order_;  // ghosts of the fix by their kinds
   Load load_;
 };

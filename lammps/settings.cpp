@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "settings.hpp"
 
+#include <mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
 #include <string>
 
 #include "arguments.hpp"
@@ -15,6 +21,26 @@
 namespace polhode::lammps {
 namespace {
 
+constexpr int largest_molecule_file = 1 << 20;  // bytes
+
+// The text of a file, which one process reads for all.
+std::string text_of_file(const std::string& path, MPI_Comm world) {
+  int process = 0;
+  MPI_Comm_rank(world, &process);
+  std::ostringstream text;
+  if (process == 0) text << std::ifstream(path).rdbuf();
+  std::string all = text.str();
+  auto size = static_cast<int>(std::min<std::size_t>(all.size(), largest_molecule_file + 1));
+  MPI_Bcast(&size, 1, MPI_INT, 0, world);
+  if (size == 0) throw Error("the molecule file '" + path + "' cannot be read, or is empty");
+  if (size > largest_molecule_file)
+    throw Error("'" + path + "' is larger than " + std::to_string(largest_molecule_file) +
+                " bytes; a molecule file of a rigid molecule has a few lines");
+  all.resize(static_cast<std::size_t>(size));
+  MPI_Bcast(all.data(), size, MPI_CHAR, 0, world);
+  return all;
+}
+
 class Reader {
  public:
   Reader(int count, char** words, LAMMPS_NS::LAMMPS* lammps)
@@ -24,6 +50,8 @@ class Reader {
  private:
   void massless();
   void langevin();
+  void particle();
+  int type_number(std::string_view meaning);
   void check(const Scheme& scheme) const;
 
   Arguments arguments_;
@@ -56,6 +84,32 @@ void Reader::langevin() {
   settings_.langevin = bath;
 }
 
+int Reader::type_number(std::string_view meaning) {
+  const double number = arguments_.number(meaning);
+  const int types = lammps_->atom->ntypes;
+  if (!(number >= 1 && number <= types) || number != std::floor(number))
+    throw Error(std::string(meaning) + " must be a number from 1 to " + std::to_string(types) +
+                ", the number of atom types");
+  return static_cast<int>(number);
+}
+
+void Reader::particle() {
+  ParticleArguments particle;
+  particle.type = type_number("the type of the particles");
+  particle.path = arguments_.word("the molecule file of the particles");
+  for (const ParticleArguments& other : settings_.particles)
+    if (other.type == particle.type)
+      throw Error("particles of type " + std::to_string(particle.type) +
+                  " are given twice; each type is one kind of molecule");
+  particle.file = parse_molecule_file(text_of_file(particle.path, lammps_->world), particle.path);
+  for (const int type : particle.file.types)
+    if (type > lammps_->atom->ntypes)
+      throw Error("'" + particle.path + "' has sites of type " + std::to_string(type) +
+                  ", and the simulation has " + std::to_string(lammps_->atom->ntypes) +
+                  " atom types; raise their number in the data file or by 'extra/atom/types'");
+  settings_.particles.push_back(std::move(particle));
+}
+
 // Forces are known at the end of a step of LAMMPS, where a step of the scheme must end.
 void Reader::check(const Scheme& scheme) const {
   if (scheme.has(Flow::bath))
@@ -77,6 +131,7 @@ FixSettings Reader::settings() {
        {"lambda", [&] { settings_.lambda = arguments_.positive("lambda"); }},
        {"tolerance", [&] { settings_.tolerance = arguments_.positive("tolerance"); }},
        {"massless", [&] { massless(); }},
+       {"particle", [&] { particle(); }},
        {"langevin", [&] { langevin(); }}});
   const Scheme scheme = scheme_of(scheme_);
   check(scheme);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "kinds.hpp"
@@ -22,12 +23,20 @@ struct LangevinArguments {
   std::uint64_t seed = 0;
 };
 
+/// Particles of a type, each a molecule with the sites of a molecule file.
+struct ParticleArguments {
+  int type = 0;
+  MoleculeFile file;
+  std::string path;
+};
+
 struct FixSettings {
   Scheme scheme;      ///< with the stages of the bath, if there is one
   double lambda = 1;  ///< of finite differences: forces of other pair styles are not smooth
   double tolerance = default_tolerance;
   std::vector<bool> massless;  ///< [type]
   std::optional<LangevinArguments> langevin;
+  std::vector<ParticleArguments> particles;
 };
 
 /// Settings without arguments.

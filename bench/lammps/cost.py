@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Time of a step of water in LAMMPS on one process: pair_style polhode with fix polhode, and fix rigid/nve/small with
-lj/cut/coul/cut, against a step of polhode itself. All with a reaction field or a plain cutoff of 1 nm, at 2 fs.
+"""Time of a step of water in LAMMPS on one process: pair_style polhode with fix polhode, with atoms or with one particle a
+molecule, and fix rigid/nve/small with lj/cut/coul/cut, against a step of polhode itself. All with a reaction field or a plain cutoff of 1 nm, at 2 fs.
 
     bench/lammps/cost.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so
 
@@ -63,9 +63,29 @@ thermo 100
 run {steps}
 """
 
+PARTICLES = """plugin load {plugin}
+units real
+atom_style atomic
+atom_modify map yes
+neighbor 1.0 bin
+pair_style {style}
+fix attitudes all property/atom d2_attitude 4 d2_angular_momentum 3
+read_data particles.data fix attitudes NULL Attitudes nocoeff
+pair_coeff 1 1 0.155 3.1536
+pair_coeff 2*4 2*4 0 0
+fix rigid all {fix}
+timestep 2
+thermo 100
+run {steps}
+"""
+
 STYLES = {
     "pair_style polhode, double": ("polhode 10 electrostatics reaction-field", "polhode massless 3"),
     "pair_style polhode, mixed": ("polhode 10 electrostatics reaction-field precision mixed", "polhode massless 3"),
+    "one particle a molecule, double": ("polhode 10 electrostatics reaction-field",
+                                        "polhode massless 3 particle 4 particles-1.molecule"),
+    "one particle a molecule, mixed": ("polhode 10 electrostatics reaction-field precision mixed",
+                                       "polhode massless 3 particle 4 particles-1.molecule"),
     "rigid/nve/small, lj/cut/coul/cut": ("lj/cut/coul/cut 10", "rigid/nve/small molecule"),
 }
 
@@ -118,7 +138,8 @@ class Bench:
         return self.run([self.program, "run", "run.toml", "--force", "--threads", "1"])
 
     def lammps(self, copies, style, fix, steps):
-        self.write("run.in", SCRIPT.format(plugin=self.options.plugin.resolve(), style=style, fix=fix, copies=copies, steps=steps))
+        script = PARTICLES if "particle" in fix else SCRIPT
+        self.write("run.in", script.format(plugin=self.options.plugin.resolve(), style=style, fix=fix, copies=copies, steps=steps))
         return self.run([self.lmp, "-in", "run.in", "-log", "none"])
 
     def step(self, work, copies):
@@ -134,6 +155,8 @@ def main():
         print(f"{datetime.date.today()}, {machine.processor()}\n")
         print("| waters | program | ms per step | against polhode in the same precision |\n| --- | --- | --- | --- |")
         for copies in options.copies:
+            bench.write("start.toml", bench.run_file(copies, 1000, prefix="particles"))
+            bench.run([bench.program, "export", "lammps", "start.toml", "--pair-style", "polhode-particles", "--force"])
             own = {precision: bench.step(lambda steps, p=precision: bench.polhode(copies, p, steps), copies)
                    for precision in ("double", "mixed")}
             rows = [(f"polhode, {precision}", time, precision) for precision, time in own.items()]

@@ -234,7 +234,8 @@ def analyze(trajectory: Path, *, run: Source = None, molecules: Mapping[str, int
     return Report("analyze", json.loads(text), files)
 
 
-def convert(source: Path, target: Path, *, names: Path | None = None, every: SupportsIndex = 1,
+def convert(source: Path, target: Path, *, names: Path | None = None,
+            particles: Source = None, every: SupportsIndex = 1,
             start: Quantity | None = None, stop: Quantity | None = None, force: bool = False,
             progress: Progress = None, messages: Messages = None) -> int:
     """Converts coordinates and trajectories, as ``polhode convert``.
@@ -242,6 +243,7 @@ def convert(source: Path, target: Path, *, names: Path | None = None, every: Sup
     Args:
         source, target: files; their extensions select the formats.
         names: file with the atom names, if the source has none.
+        particles: settings of the run whose molecules the particles of a LAMMPS dump file are.
         every (int): write every n-th frame.
         start, stop: times between which frames are taken: "10 ps".
         force (bool): overwrite the target.
@@ -249,9 +251,10 @@ def convert(source: Path, target: Path, *, names: Path | None = None, every: Sup
     Returns:
         int: number of frames written.
     """
+    config = None if particles is None else settings(particles)._core
     with _Job("convert", False, force, 1, progress, messages) as options:
         return _core.convert(os.fspath(source), os.fspath(target),
-                             "" if names is None else os.fspath(names),
+                             "" if names is None else os.fspath(names), config,
                              _number(every, "every", 1, 2**40),
                              optional_text(start, "time", "start"),
                              optional_text(stop, "time", "stop"), options)
@@ -266,7 +269,8 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
     Args:
         program (str): "lammps".
         source, **keywords: as in settings().
-        pair_style (str): "table", the pair laws as tables, or "polhode", that of the plugin.
+        pair_style (str): "table", the pair laws as tables; "polhode", that of the plugin; or
+            "polhode-particles", the same with one particle a molecule.
         output: prefix of the files; default: that of the settings.
         force (bool): overwrite existing files.
 

@@ -167,9 +167,10 @@ nb::tuple analyze_trajectory(const std::string& trajectory, const Config* config
 }
 
 std::size_t convert_file(const std::string& from, const std::string& to, const std::string& names,
-                         std::size_t every, const Text& first, const Text& last,
-                         const JobOptions& options) {
+                         const Config* particles, std::size_t every, const Text& first,
+                         const Text& last, const JobOptions& options) {
   Conversion conversion{.from = from, .to = to, .names = names, .every = every};
+  if (particles != nullptr) conversion.particles = molecules_of_run(*particles);
   if (first) conversion.first = quantity(*first, Dimension::time, "start");
   if (last) conversion.last = quantity(*last, Dimension::time, "stop");
   return options.run([&](const Callbacks& callbacks, Workers&) {
@@ -291,7 +292,8 @@ void bind_jobs(nb::module_& m) {
   m.def("minimise", &minimise_start);
   m.def("analyze", &analyze_trajectory, "trajectory"_a, "config"_a.none(), "molecules"_a, "names"_a,
         "analysis"_a, "prefix"_a, "plot"_a, "options"_a);
-  m.def("convert", &convert_file);
+  m.def("convert", &convert_file, "source"_a, "target"_a, "names"_a, "particles"_a.none(),
+        "every"_a, "first"_a.none(), "last"_a.none(), "options"_a);
   m.def("export_lammps", &export_lammps);
   m.def("advise", &advise);
   m.def("advise_nvt", &advise_nvt);

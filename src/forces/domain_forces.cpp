@@ -29,22 +29,32 @@ double constant_energy(const Topology& own, const ForceSettings& settings) {
   return of_own.intramolecular + (settings.ewald_alpha ? 0 : of_own.self);
 }
 
-// A box in which no two images of bodies interact while they stay within an extent of its edges
-// minus the range beyond which nothing interacts.
-Box box_around(const Vec3<double>& extent, double reach) {
-  return {extent + Vec3<double>{2 * reach, 2 * reach, 2 * reach}};
+// The periodic box; in other directions one in which no two images of bodies interact while they
+// stay within an extent of its edges minus the range beyond which nothing interacts.
+Box box_around(const Vec3<double>& extent, double reach, const Vec3<double>& period) {
+  Box box;
+  for (std::size_t d = 0; d < 3; ++d)
+    box.edge[d] = period[d] > 0 ? period[d] : extent[d] + 2 * reach;
+  return box;
 }
 
 }  // namespace
 
+bool DomainForces::is_long_enough(double edge, const Topology& topology,
+                                  const ForceSettings& settings) {
+  return edge >= reach_of(topology, settings) &&
+         edge >= 2 * std::max(settings.cutoff, cutoff_of_charges(settings));
+}
+
 DomainForces::DomainForces(const Topology& own, const Topology& ghosts,
-                           const ForceSettings& settings)
+                           const ForceSettings& settings, const Vec3<double>& period)
     : own_bodies_(own.size()),
       topology_(joined(own, ghosts)),
       settings_(checked(settings)),
       reach_(reach_of(topology_, settings_)),
+      period_(period),
       constant_(constant_energy(own, settings_)),
-      state_(topology_.size(), box_around({}, reach_)),
+      state_(topology_.size(), box_around({}, reach_, period_)),
       engine_(
           pair_engine(topology_, settings_, state_.box, Workers::serial(), ghosts.parts.size())) {
   check_tables(topology_, settings_);
@@ -56,13 +66,14 @@ void DomainForces::enclose() {
   bool fits = true;
   const Component* const columns[] = {&state_.q.x, &state_.q.y, &state_.q.z};
   for (std::size_t d = 0; d < 3; ++d) {
+    if (period_[d] > 0) continue;
     const auto q = columns[d]->values();
     const auto [low, high] = std::minmax_element(q.begin(), q.end());
     extent[d] = *high - *low;
     fits = fits && extent[d] + reach_ <= state_.box.edge[d];
   }
   if (fits) return;
-  state_.box = box_around(extent, reach_);
+  state_.box = box_around(extent, reach_, period_);
   std::visit([&](auto& engine) { engine.set_box(topology_, settings_, state_.box); }, engine_);
 }
 

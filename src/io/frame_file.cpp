@@ -47,6 +47,8 @@ constexpr std::array formats = {
     Format{"h5md", false, true,  h5md_reader, h5md_writer, check_h5md, open_h5md, h5md_limits},
     Format{"data", true,  true,  lammps_data_reader, nullptr, nullptr},
     Format{"lmp",  true,  true,  lammps_data_reader, nullptr, nullptr},
+    Format{"dump", true,  true,  lammps_dump_reader, nullptr, nullptr, nullptr, {}, true},
+    Format{"lammpstrj", true, true, lammps_dump_reader, nullptr, nullptr, nullptr, {}, true},
 };
 // clang-format on
 
@@ -149,15 +151,17 @@ class NamedReader : public FrameReader {
 
 std::unique_ptr<FrameReader> with_names(std::unique_ptr<FrameReader> frames, const Format& format,
                                         const Frame* names) {
-  if (names == nullptr || format.has_names) return frames;
+  if (names == nullptr || (format.has_names && !format.may_lack_names)) return frames;
   return std::make_unique<NamedReader>(std::move(frames), *names);
 }
 
 // A reader together with the stream that it reads from.
 class FileReader : public FrameReader {
  public:
-  FileReader(const Format& format, const std::string& path)
-      : stream_(open_text_file(path)), frames_(format.read(stream_, path)) {
+  /// @param read  makes the reader of the stream
+  template <class Read>
+  FileReader(const std::string& path, const Read& read)
+      : stream_(open_text_file(path)), frames_(read(stream_, path)) {
     std::error_code unknown;
     bytes_ = static_cast<double>(std::filesystem::file_size(path, unknown));
   }
@@ -183,7 +187,19 @@ std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* n
   const Format& format = format_of(path);
   open_text_file(path);  // throws a precise error if the file cannot be opened
   if (format.open != nullptr) return with_names(format.open(path), format, names);
-  return with_names(std::make_unique<FileReader>(format, path), format, names);
+  return with_names(std::make_unique<FileReader>(path, format.read), format, names);
+}
+
+std::unique_ptr<FrameReader> open_particle_frames(const std::string& path,
+                                                  const Topology& topology) {
+  if (format_of(path).read != lammps_dump_reader)
+    throw Error(
+        fmt::format("'{}' is no dump file of LAMMPS, which has particles; its extension "
+                    "must be .dump or .lammpstrj",
+                    path));
+  return std::make_unique<FileReader>(path, [&](std::istream& in, const std::string& file) {
+    return lammps_particle_reader(in, file, topology);
+  });
 }
 
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,
@@ -241,6 +257,12 @@ Frame read_start(const std::string& name_or_path) {
   Frame frame;
   if (!open_frames(name_or_path)->next(frame))
     throw Error("the file ends where its first frame must be", name_or_path + ":1");
+  if (!frame.atoms.empty() && frame.kind(frame.atoms.front()).name.empty())
+    throw Error(
+        "the dump file has no column 'element', and an initial configuration needs the elements of "
+        "atoms; write it with 'dump ID group custom N FILE id mol element x y z vx vy vz' and "
+        "'dump_modify ID element ...'",
+        name_or_path);
   return frame;
 }
 

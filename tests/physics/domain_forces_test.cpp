@@ -29,8 +29,10 @@ double range_of(const Topology& topology, const ForceSettings& settings) {
   return settings.cutoff + 2 * extent;
 }
 
-// Space from x = `low` to `high`, in edges of the box, with the bodies wrapped into the box.
-Domain domain(const scenes::Scene& scene, double low, double high, double range) {
+// Space from x = `low` to `high`, in edges of the box, with the bodies wrapped into the box; no
+// ghosts are images in directions with a period.
+Domain domain(const scenes::Scene& scene, double low, double high, double range,
+              const Vec3<double>& period) {
   Domain d;
   for (const auto& part : scene.topology.parts) {
     d.own.parts.push_back({part.molecule, 0});
@@ -53,9 +55,11 @@ Domain domain(const scenes::Scene& scene, double low, double high, double range)
         d.shifts.push_back(shift);
         continue;
       }
-      const bool near = at.x > low * edge.x - range && at.x < high * edge.x + range &&
-                        at.y > -range && at.y < edge.y + range && at.z > -range &&
-                        at.z < edge.z + range;
+      const Vec3<double> first{low * edge.x, 0, 0}, last{high * edge.x, edge.y, edge.z};
+      bool near = true;
+      for (std::size_t e = 0; e < 3; ++e)
+        near = near &&
+               (period[e] > 0 ? cell[e] == 0 : at[e] > first[e] - range && at[e] < last[e] + range);
       if (!near) continue;
       ++d.ghosts.parts[part].count;
       ghosts.push_back(i);
@@ -69,12 +73,12 @@ Domain domain(const scenes::Scene& scene, double low, double high, double range)
 
 // Sums over the domains of the forces of each.
 Load sum_of_domains(const scenes::Scene& scene, const ForceSettings& settings,
-                    const std::vector<double>& bounds) {
+                    const std::vector<double>& bounds, const Vec3<double>& period = {}) {
   const double range = range_of(scene.topology, settings);
   Load sum(scene.state.size());
   for (std::size_t k = 0; k + 1 < bounds.size(); ++k) {
-    const Domain d = domain(scene, bounds[k], bounds[k + 1], range);
-    DomainForces forces(d.own, d.ghosts, settings);
+    const Domain d = domain(scene, bounds[k], bounds[k + 1], range, period);
+    DomainForces forces(d.own, d.ghosts, settings, period);
     for (std::size_t i = 0; i < d.bodies.size(); ++i) {
       forces.state().q.set(i, scene.state.q[d.bodies[i]] + d.shifts[i]);
       forces.state().attitude.set(i, scene.state.attitude[d.bodies[i]]);
@@ -125,6 +129,29 @@ TEST_CASE("domains with ghosts have the forces and the energies of the periodic 
       check_same(sum_of_domains(scene, law.settings, bounds), whole, scene.state.box.edge.x);
     }
   }
+}
+
+TEST_CASE("images in periodic directions need no ghosts") {
+  const scenes::Scene scene = mixture();
+  const Vec3<double> edge = scene.state.box.edge;
+  for (const NamedLaw& law : all_laws()) {
+    CAPTURE(law.name);
+    const Load whole = load_of(scene.topology, law.settings, scene.state);
+    check_same(sum_of_domains(scene, law.settings, {0, 1}, edge), whole, edge.x);
+    for (const Vec3<double>& period : {Vec3<double>{0, edge.y, edge.z}, Vec3<double>{0, 0, edge.z}})
+      for (const auto& bounds : divisions)
+        check_same(sum_of_domains(scene, law.settings, bounds, period), whole, edge.x);
+  }
+}
+
+TEST_CASE("a period must be long enough for one image of each body") {
+  const Topology argon{{{read_molecule("argon"), 2}}};
+  const ForceSettings settings{Truncation::site_switch, 0.9, 0.8};
+  const double shortest = 2 * settings.cutoff;
+  CHECK(DomainForces::is_long_enough(shortest, argon, settings));
+  CHECK(!DomainForces::is_long_enough(shortest * (1 - 1e-12), argon, settings));
+  CHECK_THROWS_WITH_AS(DomainForces(argon, argon, settings, {0, 0, 0.99 * shortest}),
+                       doctest::Contains("half of the shortest box edge"), Error);
 }
 
 TEST_CASE("domains of water agree for every instruction set, also in mixed precision") {

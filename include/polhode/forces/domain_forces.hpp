@@ -8,7 +8,8 @@
 namespace polhode {
 
 /// Forces on the bodies of a domain, from each other and from ghosts: copies of bodies of other
-/// domains, or periodic images, at explicit positions. Space is not periodic here. Pairs of two
+/// domains, or periodic images, at explicit positions. Space is periodic in the directions in which
+/// the domain extends over the whole box, if the caller says so, and in no others. Pairs of two
 /// ghosts are left out, and the forces on ghosts are not computed. Of a pair of an own body with a
 /// ghost half of the energy and of the virial is counted, because the domain of the other body
 /// counts the other half.
@@ -21,8 +22,15 @@ class DomainForces {
  public:
   /// @param own, ghosts  kinds and numbers of bodies; some numbers may be 0
   /// @param settings     without a mesh
-  /// @throws Error       if a setting is out of its domain
-  DomainForces(const Topology& own, const Topology& ghosts, const ForceSettings& settings);
+  /// @param period       edges of the box [nm] in periodic directions, 0 in others
+  /// @throws Error       if a setting is out of its domain, or a period too short: see
+  ///                     is_long_enough()
+  DomainForces(const Topology& own, const Topology& ghosts, const ForceSettings& settings,
+               const Vec3<double>& period = {});
+
+  /// Whether each body interacts with one image of another at most, and with none of itself, where
+  /// an edge of the box is this long.
+  static bool is_long_enough(double edge, const Topology& topology, const ForceSettings& settings);
 
   /// Where the bodies are: own ones, then ghosts, each in the order of their topology. Set q and
   /// attitude before each evaluation; the rest is not used.
@@ -40,6 +48,7 @@ class DomainForces {
   Topology topology_;  // own parts, then those of ghosts
   ForceSettings settings_;
   double reach_;         // bodies farther apart do not interact and are not listed [nm]
+  Vec3<double> period_;  // [nm], 0 where space is not periodic
   double constant_ = 0;  // of the own bodies [kJ/mol]
   State state_;
   AnyPairEngine engine_;

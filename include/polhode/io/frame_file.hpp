@@ -36,7 +36,13 @@ class FrameReader {
 /// @throws Error  if the file cannot be read or its extension is not that of a format
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names = nullptr);
 
-/// The same from a stream, which must outlive the reader.
+/// Opens a dump file of LAMMPS with particles, each of which is a molecule of the topology, in the
+/// order of ids. The frames have all sites.
+/// @throws Error  as open_frames(), or if it is a file of another format
+std::unique_ptr<FrameReader> open_particle_frames(const std::string& path,
+                                                  const Topology& topology);
+
+/// As open_frames(), from a stream, which must outlive the reader.
 /// @param format  its extension, such as "gro"
 /// @param file    its name in errors
 std::unique_ptr<FrameReader> read_frames(std::istream& in, std::string_view format,

@@ -5,6 +5,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "polhode/forces/laws/settings.hpp"
@@ -40,6 +41,17 @@ class LammpsTypes {
 /// between them. Lennard-Jones parameters are in it if all sites have that law.
 void write_lammps_data(std::ostream& out, const std::string& title, const State& state,
                        const Topology& topology, const LammpsTypes& types);
+
+/// The data file of the same system with one particle a molecule, of atom_style atomic: particles
+/// have types of their own, behind those of the sites, and their attitudes and angular momenta are
+/// in a section for `fix property/atom`.
+void write_lammps_particles(std::ostream& out, const std::string& title, const State& state,
+                            const Topology& topology, const LammpsTypes& types);
+inline constexpr std::string_view lammps_particle_section = "Attitudes";
+
+/// The molecule file of a part's molecule, in its principal frame.
+void write_lammps_molecule(std::ostream& out, const Topology& topology, std::size_t part,
+                           const LammpsTypes& types);
 
 /// Energy and force between two types at a distance r [nm], truncated as in the settings.
 struct TabulatedPair {

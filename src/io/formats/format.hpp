@@ -33,6 +33,7 @@ struct Format {
   std::unique_ptr<FrameReader> (*open)(const std::string& path) = nullptr;
 
   FormatLimits limits = {};
+  bool may_lack_names = false;  ///< although files of the format can have them
 };
 
 // Eight columns for a coordinate and nine for an edge, in Å with three decimals; serials of five
@@ -60,6 +61,10 @@ std::unique_ptr<FrameReader> trr_reader(std::istream& in, const std::string& fil
 std::unique_ptr<FrameReader> dcd_reader(std::istream& in, const std::string& file);
 std::unique_ptr<FrameReader> h5md_reader(std::istream& in, const std::string& file);
 std::unique_ptr<FrameReader> lammps_data_reader(std::istream& in, const std::string& file);
+std::unique_ptr<FrameReader> lammps_dump_reader(std::istream& in, const std::string& file);
+/// Of particles, each of which is a molecule: the frames have its sites.
+std::unique_ptr<FrameReader> lammps_particle_reader(std::istream& in, const std::string& file,
+                                                    const Topology& topology);
 
 std::unique_ptr<FrameReader> open_h5md(const std::string& path);
 

@@ -9,6 +9,7 @@
 #include "polhode/io/frame.hpp"
 #include "polhode/io/lammps_export.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/model/wrap.hpp"
 
 namespace polhode {
 namespace {
@@ -27,6 +28,19 @@ void write_header(std::ostream& out, const std::string& title, const Box& box, s
   for (std::size_t d = 0; d < 3; ++d)
     fmt::print(out, "{}0 {:.17g} {}lo {}hi\n", d == 0 ? "\n" : "", box.edge[d] / angstrom, "xyz"[d],
                "xyz"[d]);
+}
+
+void write_masses(std::ostream& out, const LammpsTypes& types) {
+  fmt::print(out, "\nMasses\n\n");
+  int number = 0;
+  for (const LammpsTypes::Type& type : types.types())
+    fmt::print(out, "{} {:.17g} # {}\n", ++number,
+               type.site.mass > 0 ? type.site.mass : lammps_massless, type.name);
+}
+
+// A velocity in Å/fs.
+Vec3<double> in_real_units(const Vec3<double>& v) {
+  return v / (unit("A", Dimension::length) / unit("fs", Dimension::time));
 }
 
 void write_pair_coefficients(std::ostream& out, const LammpsTypes& types) {
@@ -65,11 +79,7 @@ void write_lammps_data(std::ostream& out, const std::string& title, const State&
   for (const auto& part : topology.parts) bonds += part.count * (part.molecule.sites.size() - 1);
   const Frame frame = frame_of(state, topology);
   write_header(out, title, state.box, frame.atoms.size(), bonds, types.types().size());
-  fmt::print(out, "\nMasses\n\n");
-  int number = 0;
-  for (const LammpsTypes::Type& type : types.types())
-    fmt::print(out, "{} {:.17g} # {}\n", ++number,
-               type.site.mass > 0 ? type.site.mass : lammps_massless, type.name);
+  write_masses(out, types);
   write_pair_coefficients(out, types);
 
   // The atoms of all bodies in order, with the part and the site of each.
@@ -89,7 +99,7 @@ void write_lammps_data(std::ostream& out, const std::string& title, const State&
   });
   fmt::print(out, "\nVelocities\n\n");
   for (std::size_t atom = 0; atom < frame.atoms.size(); ++atom) {
-    const Vec3<double> v = frame.atoms[atom].v / (angstrom / unit("fs", Dimension::time));
+    const Vec3<double> v = in_real_units(frame.atoms[atom].v);
     fmt::print(out, "{} {:.17g} {:.17g} {:.17g}\n", atom + 1, v.x, v.y, v.z);
   }
   if (bonds == 0) return;
@@ -98,6 +108,58 @@ void write_lammps_data(std::ostream& out, const std::string& title, const State&
   each_atom([&](std::size_t atom, std::size_t, std::size_t, std::size_t k) {
     if (k > 0) fmt::print(out, "{} 1 {} {}\n", ++bond, atom + 1 - k, atom + 1);
   });
+}
+
+void write_lammps_particles(std::ostream& out, const std::string& title, const State& state,
+                            const Topology& topology, const LammpsTypes& types) {
+  const Bodies bodies(topology);
+  const double angstrom = unit("A", Dimension::length);
+  const std::size_t sites = types.types().size();
+  write_header(out, title, state.box, state.size(), 0, sites + topology.parts.size());
+  write_masses(out, types);
+  for (std::size_t part = 0; part < topology.parts.size(); ++part)
+    fmt::print(out, "{} {:.17g} # {}\n", sites + part + 1, topology.parts[part].molecule.mass,
+               topology.parts[part].molecule.name);
+  fmt::print(out, "\nAtoms # atomic\n\n");
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Vec3<double> q = wrapped(state.q[i], state.box) / angstrom;
+    fmt::print(out, "{} {} {:.17g} {:.17g} {:.17g}\n", i + 1, sites + bodies.part[i] + 1, q.x, q.y,
+               q.z);
+  }
+  fmt::print(out, "\nVelocities\n\n");
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Vec3<double> v = in_real_units(bodies.inverse_m[i] * state.p[i]);
+    fmt::print(out, "{} {:.17g} {:.17g} {:.17g}\n", i + 1, v.x, v.y, v.z);
+  }
+  fmt::print(out, "\n{}\n\n", lammps_particle_section);
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    const Quaternion<double> a = state.attitude[i];
+    const Vec3<double> ell = in_real_units(state.ell[i] / angstrom);
+    fmt::print(out, "{} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n", i + 1, a.w, a.x,
+               a.y, a.z, ell.x, ell.y, ell.z);
+  }
+}
+
+void write_lammps_molecule(std::ostream& out, const Topology& topology, std::size_t part,
+                           const LammpsTypes& types) {
+  const Molecule& molecule = topology.parts[part].molecule;
+  fmt::print(out, "{}\n\n{} atoms\n", molecule.name, molecule.sites.size());
+  const auto section = [&](const char* name, const auto& write) {
+    fmt::print(out, "\n{}\n\n", name);
+    for (std::size_t k = 0; k < molecule.sites.size(); ++k) {
+      fmt::print(out, "{} ", k + 1);
+      write(k, molecule.sites[k]);
+    }
+  };
+  section("Coords", [&](std::size_t, const Site& site) {
+    const Vec3<double> r = site.r / unit("A", Dimension::length);
+    fmt::print(out, "{:.17g} {:.17g} {:.17g}\n", r.x, r.y, r.z);
+  });
+  section("Types", [&](std::size_t k, const Site& site) {
+    fmt::print(out, "{} # {}\n", types.number(part, k), site.name);
+  });
+  section("Charges",
+          [&](std::size_t, const Site& site) { fmt::print(out, "{:.17g}\n", site.charge); });
 }
 
 }  // namespace polhode

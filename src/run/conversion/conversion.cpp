@@ -10,6 +10,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/draft.hpp"
 #include "polhode/io/frame_file.hpp"
+#include "polhode/run/simulation/system.hpp"
 
 namespace polhode {
 namespace {
@@ -74,11 +75,14 @@ Written write_frames(FrameReader& reader, const std::string& path, const Convers
 
 }  // namespace
 
+Topology molecules_of_run(const Config& config) { return build_system(config).topology; }
+
 ConversionResult convert(const Conversion& c, const OutputOptions& options,
                          const Callbacks& callbacks) {
   check_selection(c);
   const std::optional<Frame> names = read_names(c.names);
-  const auto reader = open_frames(c.from, names ? &*names : nullptr);
+  const auto reader = c.particles ? open_particle_frames(c.from, *c.particles)
+                                  : open_frames(c.from, names ? &*names : nullptr);
   check_outputs({c.to}, options.existing);
   Draft draft(c.to, Draft::Name::unique);
   const Written written = [&] {

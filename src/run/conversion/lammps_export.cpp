@@ -66,6 +66,11 @@ bool has_mesh(const ForceSettings& settings) {
   return settings.electrostatics == Electrostatics::pme;
 }
 
+// The molecule file of a part.
+std::string molecule_file(const std::string& prefix, std::size_t part) {
+  return fmt::format("{}-{}.molecule", prefix, part + 1);
+}
+
 // The pair laws as the script has them.
 struct PairCommands {
   std::string style, coefficients;
@@ -94,8 +99,9 @@ PairCommands table_commands(const ForceSettings& settings, const LammpsTypes& ty
 // The input script.
 class Script {
  public:
-  Script(std::ostream& out, const Config& config, const System& system, const LammpsTypes& types)
-      : out_(out), config_(config), system_(system), types_(types) {}
+  Script(std::ostream& out, const Config& config, const System& system, const LammpsTypes& types,
+         bool particles)
+      : out_(out), config_(config), system_(system), types_(types), particles_(particles) {}
 
   void write(const Scheme& scheme, const PairCommands& pairs) const {
     const std::string& prefix = config_.output.prefix;
@@ -103,9 +109,10 @@ class Script {
                "# Written by polhode export from {}; fix polhode is in the plugin of polhode.\n"
                "variable plugin index polhodeplugin.so\n"
                "plugin load ${{plugin}}\n"
-               "units real\natom_style full\n{}"
-               "read_data \"{}.data\" nocoeff\n",
-               config_.source, pairs.style + molecule_styles(), prefix);
+               "units real\natom_style {}\n{}"
+               "read_data \"{}.data\" {}\n",
+               config_.source, particles_ ? "atomic" : "full", pairs.style + molecule_styles(),
+               prefix, particles_ ? attitudes() : "nocoeff");
     out_ << pairs.coefficients;
     if (molecules_have_sites()) fmt::print(out_, "bond_coeff *\n");
     if (has_mesh(system_.forces)) fmt::print(out_, "kspace_style pppm {:g}\n", kspace_accuracy);
@@ -114,15 +121,24 @@ class Script {
 
  private:
   bool molecules_have_sites() const {
-    return std::any_of(system_.topology.parts.begin(), system_.topology.parts.end(),
+    return !particles_ &&
+           std::any_of(system_.topology.parts.begin(), system_.topology.parts.end(),
                        [](const auto& part) { return part.molecule.sites.size() > 1; });
   }
 
   std::string molecule_styles() const {
     std::string text;
     if (molecules_have_sites()) text += "bond_style zero\nspecial_bonds lj/coul 0 0 0\n";
+    if (particles_)
+      text +=
+          "atom_modify map yes\n"
+          "fix attitudes all property/atom d2_attitude 4 d2_angular_momentum 3\n";
     return text + fmt::format("dielectric {:.17g} # the Coulomb constant of polhode\n",
                               lammps_dielectric());
+  }
+
+  static std::string attitudes() {
+    return fmt::format("fix attitudes NULL {} nocoeff", lammps_particle_section);
   }
 
   void integrate(const Scheme& scheme) const {
@@ -131,25 +147,39 @@ class Script {
     fmt::print(out_, "fix rigid all polhode scheme \"{}\"", text_of(scheme));
     for (std::size_t k = 0; k < types_.types().size(); ++k)
       if (types_.types()[k].site.mass == 0) fmt::print(out_, " massless {}", k + 1);
+    if (particles_)
+      for (std::size_t part = 0; part < system_.topology.parts.size(); ++part)
+        fmt::print(out_, " particle {} \"{}\"", types_.types().size() + part + 1,
+                   molecule_file(config_.output.prefix, part));
     if (config_.ensemble.thermostat)
       fmt::print(out_, " langevin {:.17g} {:.17g} {}", config_.ensemble.temperature,
                  1 / (config_.ensemble.thermostat->friction * fs), config_.system.seed);
     const double samples = std::max(1.0, std::round(config_.run.sample / h));
     fmt::print(out_,
                "\ntimestep {:.17g} # one force evaluation: {} in a step of the scheme\n"
-               "thermo_style custom step time temp epair ke etotal econserve press\n"
+               "{}"
                "thermo_modify format float %.15g\n"
                "thermo {:.0f}\n"
                "run {:.0f}\n",
-               h / fs / static_cast<double>(evaluations), evaluations,
+               h / fs / static_cast<double>(evaluations), evaluations, thermo(),
                samples * static_cast<double>(evaluations),
                std::round(config_.run.length / h) * static_cast<double>(evaluations));
+  }
+
+  // LAMMPS does not know that particles rotate.
+  std::string thermo() const {
+    const std::string columns =
+        "thermo_style custom step time temp epair ke etotal econserve press";
+    return particles_
+               ? "variable total equal etotal+f_rigid[2]\n" + columns + " f_rigid[2] v_total\n"
+               : columns + '\n';
   }
 
   std::ostream& out_;
   const Config& config_;
   const System& system_;
   const LammpsTypes& types_;
+  bool particles_;
 };
 
 }  // namespace
@@ -161,16 +191,24 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   const std::string& prefix = config.output.prefix;
   check_prefix(prefix);
   const std::string data = prefix + ".data", table = prefix + ".table", input = prefix + ".in";
-  std::vector<std::string> files = {data, table, input};
-  if (style == LammpsPairStyle::kernel) std::erase(files, table);
-  check_outputs(files, options.existing);
+  const bool particles = style == LammpsPairStyle::particles;
   const Scheme scheme = lammps_scheme(config, callbacks);
   const System system = build_system(config);
+  std::vector<std::string> files = {data, input};
+  if (style == LammpsPairStyle::table) files.push_back(table);
+  if (particles)
+    for (std::size_t part = 0; part < system.topology.parts.size(); ++part)
+      files.push_back(molecule_file(prefix, part));
+  check_outputs(files, options.existing);
   note_molecules(system, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
   std::ostringstream text;  // made before any file, since a law can be refused
   PairCommands pairs;
   try {
+    if (particles && has_mesh(system.forces))
+      throw Error(
+          "the mesh of LAMMPS knows no charges within particles; use --pair-style polhode, or "
+          "electrostatics without a mesh");
     if (style == LammpsPairStyle::table) {
       pairs = table_commands(system.forces, types, table,
                              write_lammps_tables(text, system.topology, system.forces, types,
@@ -182,13 +220,23 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   } catch (const Error& e) {
     throw e.at(config.source);
   }
+  if (particles)
+    for (std::size_t k = 0; k < system.topology.parts.size(); ++k)
+      pairs.coefficients += fmt::format("pair_coeff {0} {0} 0 0\n", types.types().size() + k + 1);
   if (style == LammpsPairStyle::table)
     write_file(table, [&](std::ostream& out) { out << text.str(); });
+  if (particles)
+    for (std::size_t part = 0; part < system.topology.parts.size(); ++part)
+      write_file(molecule_file(prefix, part), [&](std::ostream& out) {
+        write_lammps_molecule(out, system.topology, part, types);
+      });
   write_file(data, [&](std::ostream& out) {
-    write_lammps_data(out, title_of(system.state), system.state, system.topology, types);
+    (particles ? write_lammps_particles : write_lammps_data)(out, title_of(system.state),
+                                                             system.state, system.topology, types);
   });
-  write_file(input,
-             [&](std::ostream& out) { Script(out, config, system, types).write(scheme, pairs); });
+  write_file(input, [&](std::ostream& out) {
+    Script(out, config, system, types, particles).write(scheme, pairs);
+  });
   return files;
 }
 

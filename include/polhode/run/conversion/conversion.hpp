@@ -4,8 +4,11 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 
+#include "polhode/io/config.hpp"
+#include "polhode/model/topology.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode {
@@ -14,7 +17,8 @@ struct Conversion {
   std::string from, to;  ///< files, whose extensions are those of their formats
   std::string names;  ///< file with the names of the atoms; empty: `from` has them, or `to` needs
                       ///< none
-  std::size_t every = 1;  ///< n: every n-th of the selected frames is written
+  std::optional<Topology> particles;  ///< each particle of `from` is one of these molecules
+  std::size_t every = 1;              ///< n: every n-th of the selected frames is written
   double first = -std::numeric_limits<double>::infinity();  ///< earlier frames are skipped [ps]
   double last = std::numeric_limits<double>::infinity();    ///< later frames are skipped [ps]
 };
@@ -23,6 +27,9 @@ struct ConversionResult {
   std::size_t frames = 0;    ///< that were written
   bool interrupted = false;  ///< and no file was written
 };
+
+/// The molecules of a run file, for Conversion::particles.
+Topology molecules_of_run(const Config& config);
 
 /// Writes the selected frames to a file, whole or not at all. A message says if velocities are
 /// lost.

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+// fix polhode: particles, each of which is a whole molecule. LAMMPS has their centres and
+// velocities as those of atoms, and their attitudes and angular momenta as columns of fix
+// property/atom.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "atom.h"
+#include "error.h"
+#include "fix_polhode.hpp"
+#include "guarded.hpp"
+#include "lammps_vectors.hpp"
+
+namespace polhode::lammps {
+namespace {
+
+constexpr const char* attitude_name = "attitude";
+constexpr const char* angular_momentum_name = "angular_momentum";
+// How accurately the mass of a particle must be that of its sites, which input files round.
+constexpr double same_mass = 1e-6;
+
+// Whether two kinds of particles are the same, to the rounding of files.
+bool same_kind(const Kind& a, const Kind& b) {
+  if (a.types != b.types || a.charges != b.charges) return false;
+  for (std::size_t k = 0; k < a.types.size(); ++k)
+    if (norm(a.site(k) - b.site(k)) > 1e-9 * a.extent) return false;
+  return a.molecule.mass == b.molecule.mass;
+}
+
+}  // namespace
+
+/// The kinds of the molecule files, in front of those that are found among molecules of atoms.
+void FixPolhode::find_kinds_of_particles() {
+  for (const ParticleArguments& particle : settings_.particles) {
+    std::vector<double> masses = particle.file.masses;
+    if (masses.empty())
+      for (const int type : particle.file.types) {
+        const auto t = static_cast<std::size_t>(type);
+        const bool massless = t < settings_.massless.size() && settings_.massless[t];
+        masses.push_back(massless ? 0 : atom->mass[type]);
+      }
+    const Kind kind = [&] {
+      try {
+        return kind_of_particles(particle.type, particle.file, masses);
+      } catch (const Error& e) {
+        throw e.at(particle.path);
+      }
+    }();
+    const double mass = atom->mass[particle.type];
+    if (std::abs(mass - kind.molecule.mass) > same_mass * mass)
+      throw Error("particles of type " + std::to_string(particle.type) + " have a mass of " +
+                  std::to_string(mass) + ", and the sites in '" + particle.path + "' of " +
+                  std::to_string(kind.molecule.mass) +
+                  "; both must be the same, so set it by 'mass'");
+    const auto known = std::find_if(kinds_.begin(), kinds_.end(),
+                                    [&](const Kind& k) { return k.particle == particle.type; });
+    if (known == kinds_.end()) {
+      kinds_.push_back(kind);
+    } else if (!same_kind(*known, kind)) {
+      throw Error("the sites in '" + particle.path +
+                  "' differ from those of the restart file or of an earlier run; bodies cannot "
+                  "change their shape, so use the file that they were made with");
+    }
+  }
+}
+
+/// The kind of an atom that is a particle in the group; otherwise −1.
+int FixPolhode::kind_of_particle(int i) const {
+  if ((atom->mask[i] & groupbit) == 0) return -1;
+  for (std::size_t k = 0; k < kinds_.size(); ++k)
+    if (kinds_[k].particle == atom->type[i]) return static_cast<int>(k);
+  return -1;
+}
+
+/// The body of a particle as LAMMPS has it, in its periodic image.
+BodyRecord FixPolhode::body_of_particle(int i, const Kind& kind) {
+  const double* const a = particle_column(attitude_name, 4)[i];
+  const Vec3<double> x = vector(atom->x[i]);
+  const Particle particle{x,
+                          vector(atom->v[i]),
+                          {a[0], a[1], a[2], a[3]},
+                          vector(particle_column(angular_momentum_name, 3)[i])};
+  BodyRecord body;
+  const bool known = body_of(i) >= 0;
+  if (known) {
+    body = record(body_of(i));
+    const Vec3<double> shift = x - body.pose.q - minimum_image(x - body.pose.q);
+    body.pose.q += shift;
+    body.kept_pose.q += shift;
+    if (phase_ != 0) return body;  // a particle may be displaced within a step
+  }
+  try {
+    return lammps::body_of_particle(kind, particle, known ? &body : nullptr, atom->tag[i]);
+  } catch (const Error& e) {
+    error->one(FLERR, std::string("fix polhode: ") + e.what());
+  }
+  return body;
+}
+
+/// A column of fix property/atom.
+double** FixPolhode::particle_column(const char* name, int length) const {
+  int is_double = 0, columns = 0;
+  const int index = atom->find_custom(name, is_double, columns);
+  if (index < 0 || is_double == 0 || columns != length)
+    error->all(FLERR,
+               "fix polhode: particles have attitudes and angular momenta, for which atoms have no "
+               "place; define 'fix ID all property/atom d2_{} 4 d2_{} 3' before them",
+               attitude_name, angular_momentum_name);
+  return atom->darray[index];
+}
+
+/// Attitudes and angular momenta as LAMMPS has them.
+void FixPolhode::set_particle_columns() {
+  if (settings_.particles.empty()) return;
+  double** const attitude = particle_column(attitude_name, 4);
+  double** const angular_momentum = particle_column(angular_momentum_name, 3);
+  for (int i = 0; i < atom->nlocal; ++i) {
+    if (body_of(i) < 0 || kind(i).particle == 0) continue;
+    const auto body = static_cast<std::size_t>(body_of(i));
+    const Quaternion<double> a = attitude_of_particle(kind(i), columns_->pose(body));
+    attitude[i][0] = a.w;
+    set(attitude[i] + 1, a.vector());
+    set(angular_momentum[i], columns_->state.ell[body]);
+  }
+}
+
+}  // namespace polhode::lammps

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+// Dump files of LAMMPS, as text: styles atom and custom.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "../lammps/unit_styles.hpp"
+#include "atom_kinds.hpp"
+#include "format.hpp"
+#include "lines.hpp"
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+// What a column of the atoms is, and which coordinate.
+struct DumpColumn {
+  enum class What {
+    id,
+    molecule,
+    element,
+    position,
+    scaled,
+    velocity,
+    attitude,
+    angular_momentum,
+    other
+  } what = What::other;
+  std::size_t d = 0;
+};
+
+DumpColumn column(std::string_view name) {
+  using What = DumpColumn::What;
+  if (name == "id") return {What::id};
+  if (name == "mol") return {What::molecule};
+  if (name == "element") return {What::element};
+  for (std::size_t d = 0; d < 3; ++d) {
+    const std::string letter(1, "xyz"[d]);
+    if (name == letter || name == letter + 'u') return {What::position, d};
+    if (name == letter + 's' || name == letter + "su") return {What::scaled, d};
+    if (name == 'v' + letter) return {What::velocity, d};
+  }
+  for (std::size_t d = 0; d < 4; ++d) {
+    if (name == fmt::format("d2_attitude[{}]", d + 1)) return {What::attitude, d};
+    if (d < 3 && name == fmt::format("d2_angular_momentum[{}]", d + 1))
+      return {What::angular_momentum, d};
+  }
+  return {};
+}
+
+// What the columns of a particle have besides those of an atom.
+struct ParticleColumns {
+  Quaternion<double> attitude;
+  Vec3<double> ell;
+};
+
+class LammpsDumpReader : public FrameReader {
+ public:
+  /// @param topology  of particles, each of which is a molecule; null if the file has atoms
+  LammpsDumpReader(std::istream& in, const std::string& file, const Topology* topology = nullptr)
+      : lines_(in, file) {
+    if (topology != nullptr) topology_ = *topology;
+  }
+
+  bool next(Frame& frame) override {
+    auto line = lines_.next();
+    while (line && trimmed(*line).empty()) line = lines_.next();
+    if (!line) return false;
+    begin(frame);
+    std::optional<std::size_t> count;
+    for (;; line = lines_.next([] { return "a section of the frame, such as ITEM: ATOMS"; })) {
+      const std::string_view item = trimmed(*line);
+      if (item == "ITEM: UNITS") {
+        set_units(value());
+      } else if (item == "ITEM: TIME") {
+        frame.time = lines_.number(value(), "time") * units_.time;
+        has_time_ = true;
+      } else if (item == "ITEM: TIMESTEP") {
+        value();
+      } else if (item == "ITEM: NUMBER OF ATOMS") {
+        count = atoms_in(value());
+      } else if (item.starts_with("ITEM: BOX BOUNDS")) {
+        read_box(frame, item.substr(16));
+      } else if (item.starts_with("ITEM: ATOMS")) {
+        if (!count) lines_.refuse("the number of atoms must be before the atoms");
+        read_atoms(frame, *count, item.substr(11));
+        return true;
+      } else {
+        lines_.refuse(
+            fmt::format("found '{}' where a section of a dump file of LAMMPS must begin, "
+                        "such as ITEM: TIMESTEP",
+                        item));
+      }
+    }
+  }
+
+ private:
+  void begin(Frame& frame) {
+    if (++frames_ > 1 && !has_time_)
+      lines_.refuse(
+          "a second frame begins, and the first has no time; LAMMPS writes it after 'dump_modify "
+          "ID time yes'");
+    frame.source = lines_.file();
+    frame.title.clear();
+    frame.time = 0;
+    frame.box = {};
+    has_time_ = false;
+  }
+
+  std::string_view value() {
+    return trimmed(lines_.next([] { return "the value of this section"; }));
+  }
+
+  void set_units(std::string_view name) {
+    if (const auto units = lammps_units(name)) {
+      units_ = *units;
+      return;
+    }
+    lines_.refuse(fmt::format(
+        "the units are {}; they must be real, metal or nano, whose lengths are known", name));
+  }
+
+  std::size_t atoms_in(std::string_view text) const {
+    const auto count = parsed<std::size_t>(text);
+    if (!count) lines_.refuse(fmt::format("found '{}' where the number of atoms must be", text));
+    return *count;
+  }
+
+  // "pp pp pp"; a triclinic box has other words in front of these.
+  void read_box(Frame& frame, std::string_view boundaries) {
+    for (auto word = take_word(boundaries); !word.empty(); word = take_word(boundaries))
+      if (word != "pp")
+        lines_.refuse(fmt::format(
+            "the box has '{}'; it must be rectangular and periodic: ITEM: BOX BOUNDS pp pp pp",
+            word));
+    for (std::size_t d = 0; d < 3; ++d) {
+      std::string_view rest = lines_.next([] { return "the bounds of the box"; });
+      const double low = lines_.number(take_word(rest), "lower bound of the box");
+      const double high = lines_.number(take_word(rest), "upper bound of the box");
+      if (!(high > low))
+        lines_.refuse(
+            fmt::format("the box extends from {} to {}; it must be longer than 0", low, high));
+      low_[d] = units_.length * low;
+      frame.box.edge[d] = units_.length * (high - low);
+    }
+  }
+
+  void set_columns(std::string_view names) {
+    using What = DumpColumn::What;
+    columns_.clear();
+    std::array<bool, 3> position{};
+    std::size_t velocities = 0, attitudes = 0, angular_momenta = 0;
+    has_ids_ = false;
+    for (auto name = take_word(names); !name.empty(); name = take_word(names)) {
+      columns_.push_back(column(name));
+      const DumpColumn& c = columns_.back();
+      has_ids_ = has_ids_ || c.what == What::id;
+      velocities += c.what == What::velocity ? 1 : 0;
+      attitudes += c.what == What::attitude ? 1 : 0;
+      angular_momenta += c.what == What::angular_momentum ? 1 : 0;
+      if (c.what == What::position || c.what == What::scaled) position[c.d] = true;
+    }
+    for (std::size_t d = 0; d < 3; ++d)
+      if (!position[d])
+        lines_.refuse(
+            fmt::format("the atoms have no coordinate {0}; a column must be {0}, {0}u, "
+                        "{0}s or {0}su",
+                        "xyz"[d]));
+    has_velocities_ = velocities == 3 && (!topology_ || angular_momenta == 3);
+    if (topology_ && attitudes != 4)
+      lines_.refuse(
+          "particles have attitudes, in the columns d2_attitude[1] to d2_attitude[4] of 'dump "
+          "custom'");
+  }
+
+  void read_atoms(Frame& frame, std::size_t count, std::string_view names) {
+    if (frame.box.volume() == 0) lines_.refuse("the bounds of the box must be before the atoms");
+    set_columns(names);
+    frame.has_velocities = has_velocities_;
+    frame.atoms.clear();
+    ids_.clear();
+    particles_.clear();
+    AtomKinds kinds(frame.kinds);
+    for (std::size_t i = 0; i < count; ++i) read_atom(frame, kinds, i, count);
+    if (has_ids_) sort_by_ids(frame);
+    if (topology_) place_sites(frame);
+  }
+
+  void read_atom(Frame& frame, AtomKinds& kinds, std::size_t i, std::size_t count) {
+    using What = DumpColumn::What;
+    std::string_view rest = lines_.next(
+        [&] { return fmt::format("atom {} of the {} that the frame has", i + 1, count); });
+    Atom& atom = frame.atoms.emplace_back();
+    std::string_view element;
+    ParticleColumns particle;
+    for (const DumpColumn& c : columns_) {
+      const std::string_view word = take_word(rest);
+      if (word.empty())
+        lines_.refuse("the atom line is too short; it must have all columns of ITEM: ATOMS");
+      if (c.what == What::id) ids_.push_back(whole(word));
+      if (c.what == What::molecule) atom.residue = static_cast<int>(whole(word));
+      if (c.what == What::element) element = word;
+      if (c.what == What::position)
+        atom.r[c.d] = units_.length * lines_.number(word, "position") - low_[c.d];
+      if (c.what == What::scaled)
+        atom.r[c.d] = frame.box.edge[c.d] * lines_.number(word, "position");
+      if (c.what == What::velocity && has_velocities_)
+        atom.v[c.d] = units_.length / units_.time * lines_.number(word, "velocity");
+      if (c.what == What::attitude) {
+        double* const part[] = {&particle.attitude.w, &particle.attitude.x, &particle.attitude.y,
+                                &particle.attitude.z};
+        *part[c.d] = lines_.number(word, "attitude");
+      }
+      if (c.what == What::angular_momentum)
+        particle.ell[c.d] =
+            units_.length * units_.length / units_.time * lines_.number(word, "angular momentum");
+    }
+    if (topology_) particles_.push_back(checked(particle));
+    atom.kind = kinds.of(element, [&] {
+      const std::string name(element);
+      return AtomKind{{}, name, name == "X" ? "" : name};
+    });
+  }
+
+  ParticleColumns checked(const ParticleColumns& particle) const {
+    const double length2 = norm2(particle.attitude);
+    if (!(std::abs(length2 - 1) < 1e-3))
+      lines_.refuse(
+          fmt::format("the attitude has the length {:g}; it must be a quaternion of length 1",
+                      std::sqrt(length2)));
+    return {normalized(particle.attitude), particle.ell};
+  }
+
+  // The sites of the molecules that the particles are.
+  void place_sites(Frame& frame) const {
+    if (frame.atoms.size() != topology_->size())
+      lines_.refuse(fmt::format(
+          "the frame has {} particles, and the run file {} molecules; both must be the same system",
+          frame.atoms.size(), topology_->size()));
+    State state(topology_->size(), frame.box);
+    state.time = frame.time;
+    const Bodies bodies(*topology_);
+    for (std::size_t i = 0; i < state.size(); ++i) {
+      state.q.set(i, frame.atoms[i].r);
+      state.attitude.set(i, particles_[i].attitude);
+      if (!frame.has_velocities) continue;
+      state.p.set(i, bodies.m[i] * frame.atoms[i].v);
+      state.ell.set(i, particles_[i].ell);
+    }
+    const bool has_velocities = frame.has_velocities;
+    frame = frame_of(state, *topology_);
+    frame.has_velocities = has_velocities;
+    frame.source = lines_.file();
+  }
+
+  int whole(std::string_view word) const {
+    const auto number = parsed<int>(word);
+    if (!number) lines_.refuse(fmt::format("found '{}' where a number must be", word));
+    return *number;
+  }
+
+  void sort_by_ids(Frame& frame) {
+    order_.resize(ids_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
+    const auto sort = [&](auto& items) {
+      auto sorted = items;
+      for (std::size_t k = 0; k < order_.size(); ++k) sorted[k] = items[order_[k]];
+      items = std::move(sorted);
+    };
+    sort(frame.atoms);
+    if (topology_) sort(particles_);
+  }
+
+  Lines lines_;
+  LammpsUnits units_ = *lammps_units("real");
+  Vec3<double> low_{};  // corner of the box [nm], which becomes the origin
+  std::size_t frames_ = 0;
+  bool has_time_ = false, has_ids_ = false, has_velocities_ = false;
+  std::vector<DumpColumn> columns_;
+  std::vector<int> ids_;
+  std::vector<std::size_t> order_;
+  std::optional<Topology> topology_;
+  std::vector<ParticleColumns> particles_;
+};
+
+}  // namespace
+
+std::unique_ptr<FrameReader> lammps_dump_reader(std::istream& in, const std::string& file) {
+  return std::make_unique<LammpsDumpReader>(in, file);
+}
+
+std::unique_ptr<FrameReader> lammps_particle_reader(std::istream& in, const std::string& file,
+                                                    const Topology& topology) {
+  return std::make_unique<LammpsDumpReader>(in, file, &topology);
+}
+
+}  // namespace polhode

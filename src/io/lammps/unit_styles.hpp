@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Units of LAMMPS that are those of molecules.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "polhode/io/quantity.hpp"
+
+namespace polhode {
+
+struct LammpsUnits {
+  double length;  ///< [nm]
+  double time;    ///< [ps]
+};
+
+/// @param style  of the command `units`
+inline std::optional<LammpsUnits> lammps_units(std::string_view style) {
+  const double angstrom = unit("A", Dimension::length), fs = unit("fs", Dimension::time);
+  if (style == "real") return LammpsUnits{angstrom, fs};
+  if (style == "metal") return LammpsUnits{angstrom, 1};
+  if (style == "nano") return LammpsUnits{1, 1e3};
+  return std::nullopt;
+}
+
+}  // namespace polhode
