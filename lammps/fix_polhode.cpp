@@ -168,9 +168,8 @@ void FixPolhode::bath(double t, StageNumber at) {
 
 void FixPolhode::place_atoms() {
   for (int i = 0; i < atom->nlocal; ++i) {
-    const int body = owner_body_[static_cast<std::size_t>(i)];
-    if (body < 0) continue;
-    set(atom->x[i], position(kind(i), static_cast<std::size_t>(info(i).site), pose(body)));
+    if (owner(i).body < 0) continue;
+    set(atom->x[i], position(kind(i), static_cast<std::size_t>(info(i).site), pose(owner(i))));
   }
 }
 
@@ -182,13 +181,12 @@ void FixPolhode::collect_forces(Load& load) {
   columns_->clear_pair_load();
   collecting_ = &load;
   for (int i = 0; i < atom->nlocal; ++i) {
-    const int body = owner_body_[static_cast<std::size_t>(i)];
-    if (body < 0) continue;
+    if (owner(i).body < 0) continue;
     const Vec3<double> f = force->ftm2v * vector(atom->f[i]);
-    add_load(body, f, cross(vector(atom->x[i]) - pose(body).q, f));
+    add_load(owner(i).body, f, cross(vector(atom->x[i]) - pose(owner(i)).q, f));
   }
   message_ = Message::loads;
-  comm->reverse_comm(this, 6);
+  if (comm->nprocs > 1) comm->reverse_comm(this, 6);
   virial_is_old_ = false;
 }
 
@@ -202,9 +200,9 @@ void FixPolhode::add_load(int body, const Vec3<double>& f, const Vec3<double>& t
   }
 }
 
-FixPolhode::Motion FixPolhode::motion(int body) {
-  if (is_ghost_body(body)) return ghost(body).motion;
-  const auto i = static_cast<std::size_t>(body);
+FixPolhode::Motion FixPolhode::motion(int body) const {
+  if (is_ghost_body(body) && !is_own(ghost(body))) return ghost(body).motion;
+  const auto i = static_cast<std::size_t>(is_ghost_body(body) ? ghost(body).body : body);
   return {columns_->velocity(i), columns_->angular_velocity(i)};
 }
 
@@ -212,10 +210,10 @@ void FixPolhode::set_velocities() {
   set_particle_columns();
   forward(Message::motions, 6);
   for (int i = 0; i < atom->nlocal; ++i) {
-    const int body = owner_body_[static_cast<std::size_t>(i)];
-    if (body < 0) continue;
-    const Motion m = motion(body);
-    set(atom->v[i], m.velocity + cross(m.angular_velocity, vector(atom->x[i]) - pose(body).q));
+    if (owner(i).body < 0) continue;
+    const Motion m = motion(owner(i).body);
+    const Vec3<double> s = vector(atom->x[i]) - pose(owner(i)).q;
+    set(atom->v[i], m.velocity + cross(m.angular_velocity, s));
   }
 }
 
@@ -225,10 +223,9 @@ void FixPolhode::tally_virial() {
   std::fill_n(virial, 6, 0.0);
   forward(Message::motions, 6);
   for (int i = 0; i < atom->nlocal; ++i) {
-    const int body = owner_body_[static_cast<std::size_t>(i)];
-    if (body < 0) continue;
-    const Vec3<double> s = vector(atom->x[i]) - pose(body).q, f = vector(atom->f[i]);
-    const Vec3<double> u = vector(atom->v[i]) - motion(body).velocity;
+    if (owner(i).body < 0) continue;
+    const Vec3<double> s = vector(atom->x[i]) - pose(owner(i)).q, f = vector(atom->f[i]);
+    const Vec3<double> u = vector(atom->v[i]) - motion(owner(i).body).velocity;
     const double m = force->mvv2e * mass_of_atom(i);
     const auto term = [&](std::size_t a, std::size_t b) {
       return (s[a] * f[b] + s[b] * f[a]) / 2 + m * u[a] * u[b];

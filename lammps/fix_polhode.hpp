@@ -72,10 +72,13 @@ class FixPolhode : public LAMMPS_NS::Fix {
   };
   /// The body of a ghost owner.
   struct GhostBody {
-    int kind;
-    std::array<int, 3> image;  ///< by how many edges of the box it is shifted
-    Pose pose;
-    Motion motion;
+    int kind = 0;
+    int process = 0, body = 0;   ///< whose body it is, and which one there
+    std::array<int, 3> image{};  ///< by how many edges of the box it is shifted
+    Vec3<double> shift{};        ///< by these edges
+    // Of bodies of other processes:
+    Pose pose{};
+    Motion motion{};
     Vec3<double> f{}, tau{};
   };
   /// Finds the molecules; all processes call it together. Each run does so at its beginning.
@@ -88,6 +91,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   }
   BodyColumns& columns() { return *columns_; }
   const std::vector<GhostBody>& ghosts() const { return ghosts_; }
+  Pose pose(const GhostBody& ghost) const;
   /// A number that changes whenever bodies or ghosts come or go.
   std::uint64_t arrangement() const { return arrangement_; }
 
@@ -97,6 +101,11 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int kind = -1, site = 0;  ///< kind −1: it belongs to none
     std::int64_t owner = 0;   ///< id of the atom that owns the body
   };
+  /// The body of an atom, and by which edges of the box it is shifted to be next to the atom.
+  struct Owner {
+    int body = -1;
+    Vec3<double> shift{};
+  };
   enum class Message { owners, poses, motions, loads };
   struct Flows;
 
@@ -105,8 +114,15 @@ class FixPolhode : public LAMMPS_NS::Fix {
   Kind& kind(int i) { return kinds_[static_cast<std::size_t>(info(i).kind)]; }
   bool is_ghost_body(int body) const { return static_cast<std::size_t>(body) >= columns_->size(); }
   GhostBody& ghost(int body) { return ghosts_[static_cast<std::size_t>(body) - columns_->size()]; }
-  Pose pose(int body);
-  Motion motion(int body);
+  const GhostBody& ghost(int body) const {
+    return ghosts_[static_cast<std::size_t>(body) - columns_->size()];
+  }
+  const Owner& owner(int i) const { return owners_[static_cast<std::size_t>(i)]; }
+  Vec3<double> edges_of_box(const std::array<int, 3>& count) const;
+  bool is_own(const GhostBody& ghost) const;
+  Pose pose(int body) const;
+  Pose pose(const Owner& owner) const;
+  Motion motion(int body) const;
   BodyRecord record(int body) const;
   void add_arrival(int i, const BodyRecord& body);
   void add_load(int body, const Vec3<double>& f, const Vec3<double>& tau);
@@ -125,8 +141,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void rebuild_columns();
   void wrap_to_owner(int owner);
   void find_owners();
-  int kind_of_body(int owner);
   void forward(Message message, int size);
+  double* pack_owner(int i, const std::array<int, 3>& image, double* to);
+  const double* unpack_owner(int i, const double* from);
 
   void play_stages(std::size_t first, std::size_t end);
   void bath(double t, StageNumber at);
@@ -154,7 +171,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::vector<BodyRecord> arrivals_;  // of atoms that came since the columns were built
   std::vector<GhostBody> ghosts_;
   std::uint64_t arrangement_ = 0;
-  std::vector<int> owner_body_;  // of each local atom: the body in the image next to it, or −1
+  std::vector<Owner> owners_;  // of each local atom; body −1: it belongs to none
   Message message_ = Message::owners;
   Load* collecting_ = nullptr;  // of the columns, during collect_forces()
 };

@@ -45,8 +45,31 @@ BodyRecord FixPolhode::record(int body) const {
   return i < columns_->size() ? columns_->record(i) : arrivals_[i - columns_->size()];
 }
 
-Pose FixPolhode::pose(int body) {
-  return is_ghost_body(body) ? ghost(body).pose : columns_->pose(static_cast<std::size_t>(body));
+Pose FixPolhode::pose(int body) const {
+  return is_ghost_body(body) ? pose(ghost(body)) : columns_->pose(static_cast<std::size_t>(body));
+}
+
+/// Images of this process's own bodies follow from these, without messages.
+bool FixPolhode::is_own(const GhostBody& ghost) const { return ghost.process == comm->me; }
+
+Pose FixPolhode::pose(const GhostBody& ghost) const {
+  if (!is_own(ghost)) return ghost.pose;
+  Pose own = columns_->pose(static_cast<std::size_t>(ghost.body));
+  own.q += ghost.shift;
+  return own;
+}
+
+Pose FixPolhode::pose(const Owner& owner) const {
+  Pose shifted = pose(owner.body);
+  shifted.q += owner.shift;
+  return shifted;
+}
+
+/// A lattice vector of the box.
+Vec3<double> FixPolhode::edges_of_box(const std::array<int, 3>& count) const {
+  const auto n = [&](std::size_t d) { return static_cast<double>(count[d]); };
+  return {n(0) * domain->xprd + n(1) * domain->xy + n(2) * domain->xz,
+          n(1) * domain->yprd + n(2) * domain->yz, n(2) * domain->zprd};
 }
 
 /// Assembles the molecules, which gives each a body that agrees with its atoms, and puts the atoms
@@ -163,13 +186,13 @@ void FixPolhode::wrap_to_owner(int owner) {
   if (norm2(shift) > 0) columns_->shift(body, shift);
 }
 
-/// For every atom the image of its owner that is next to it.
+/// For every atom the image of its body that is next to it.
 void FixPolhode::find_owners() {
   ghosts_.clear();
   const int all = atom->nlocal + atom->nghost;
   for (int i = atom->nlocal; i < all; ++i) body_of(i) = -1;
-  forward(Message::owners, 4);
-  owner_body_.assign(static_cast<std::size_t>(atom->nlocal), -1);
+  forward(Message::owners, 7);
+  owners_.assign(static_cast<std::size_t>(atom->nlocal), {});
   for (int i = 0; i < atom->nlocal; ++i) {
     if (info(i).kind < 0) continue;
     const int any_image = atom->map(static_cast<LAMMPS_NS::tagint>(info(i).owner));
@@ -181,7 +204,10 @@ void FixPolhode::find_owners() {
                  "fix polhode: atom {} is not within {:.4g} of atom {}, which owns its rigid "
                  "molecule; atoms of a molecule were deleted or moved during the run",
                  atom->tag[i], span, info(i).owner);
-    owner_body_[static_cast<std::size_t>(i)] = body_of(owner);
+    Owner& found = owners_[static_cast<std::size_t>(i)];
+    found.body = body_of(owner);
+    if (!is_ghost_body(found.body) || !is_own(ghost(found.body))) continue;
+    found = {ghost(found.body).body, ghost(found.body).shift};
   }
   forward(Message::poses, 7);
 }

@@ -21,7 +21,7 @@ double* put(double* to, const Vec3<double>& v) {
   set(to, v);
   return to + 3;
 }
-Vec3<double> take(double*& from) {
+Vec3<double> take(const double*& from) {
   from += 3;
   return vector(from - 3);
 }
@@ -71,43 +71,53 @@ void FixPolhode::add_arrival(int i, const BodyRecord& body) {
   arrivals_.push_back(body);
 }
 
-// The kind of the body that an owner has, which may be a ghost that is sent on.
-int FixPolhode::kind_of_body(int owner) {
-  const int body = body_of(owner);
-  return is_ghost_body(body) ? ghost(body).kind : info(owner).kind;
-}
-
 void FixPolhode::forward(Message message, int size) {
+  if (comm->nprocs == 1 && message != Message::owners) return;  // all ghosts are own bodies
   message_ = message;
   comm->forward_comm(this, size);
 }
 
+/// Whose body an atom has, which may be a ghost that is sent on; 0 if it has none.
+double* FixPolhode::pack_owner(int i, const std::array<int, 3>& image, double* to) {
+  const int body = body_of(i);
+  *to++ = body >= 0 ? 1 : 0;
+  if (body < 0) return to;
+  GhostBody of{.kind = info(i).kind, .process = comm->me, .body = body};
+  if (is_ghost_body(body)) of = ghost(body);
+  *to++ = of.kind;
+  *to++ = of.process;
+  *to++ = of.body;
+  for (std::size_t d = 0; d < 3; ++d) *to++ = of.image[d] + image[d];
+  return to;
+}
+
+const double* FixPolhode::unpack_owner(int i, const double* from) {
+  body_of(i) = -1;
+  if (*from++ == 0) return from;
+  body_of(i) = static_cast<int>(columns_->size() + ghosts_.size());
+  GhostBody& ghost = ghosts_.emplace_back();
+  for (int* number : {&ghost.kind, &ghost.process, &ghost.body, &ghost.image[0], &ghost.image[1],
+                      &ghost.image[2]})
+    *number = static_cast<int>(*from++);
+  ghost.shift = edges_of_box(ghost.image);
+  return from;
+}
+
 int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_flag, int* pbc) {
   double* to = buffer;
-  Vec3<double> shift{};  // of the image that the other process sees
-  if (pbc_flag != 0) {
-    const auto edges = [&](int k) { return static_cast<double>(pbc[k]); };
-    shift = {edges(0) * domain->xprd, edges(1) * domain->yprd, edges(2) * domain->zprd};
-    if (domain->triclinic != 0) {
-      shift.x += edges(5) * domain->xy + edges(4) * domain->xz;
-      shift.y += edges(3) * domain->yz;
-    }
-  }
+  std::array<int, 3> image{};  // that the other process sees
+  if (pbc_flag != 0) std::copy_n(pbc, 3, image.begin());
+  const Vec3<double> shift = edges_of_box(image);
   for (int k = 0; k < count; ++k) {
     const int body = body_of(list[k]);
     if (message_ == Message::owners) {
-      *to++ = body >= 0 ? kind_of_body(list[k]) + 1 : 0;
-      if (body < 0) continue;
-      for (std::size_t d = 0; d < 3; ++d)
-        *to++ = (is_ghost_body(body) ? ghost(body).image[d] : 0) + (pbc_flag != 0 ? pbc[d] : 0);
-    }
-    if (message_ == Message::owners || body < 0) continue;
-    if (message_ == Message::poses) {
+      to = pack_owner(list[k], image, to);
+    } else if (body >= 0 && message_ == Message::poses) {
       const Pose p = pose(body);
       to = put(to, p.q + shift);
       *to++ = p.attitude.w;
       to = put(to, p.attitude.vector());
-    } else {
+    } else if (body >= 0) {
       const Motion m = motion(body);
       to = put(put(to, m.velocity), m.angular_velocity);
     }
@@ -116,28 +126,22 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
 }
 
 void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
+  const double* from = buffer;
   for (int i = first; i < first + count; ++i) {
     if (message_ == Message::owners) {
-      body_of(i) = -1;
-      const int kind = static_cast<int>(*buffer++) - 1;
-      if (kind < 0) continue;
-      body_of(i) = static_cast<int>(columns_->size() + ghosts_.size());
-      ghosts_.push_back({.kind = kind});
-      for (int& edges : ghosts_.back().image) edges = static_cast<int>(*buffer++);
+      from = unpack_owner(i, from);
       continue;
     }
-    const int body = body_of(i);
-    if (body < 0) continue;
+    if (body_of(i) < 0) continue;
+    GhostBody& body = ghost(body_of(i));
     if (message_ == Message::poses) {
-      Pose& p = ghost(body).pose;
-      p.q = take(buffer);
-      p.attitude.w = *buffer++;
-      const Vec3<double> v = take(buffer);
-      p.attitude.x = v.x, p.attitude.y = v.y, p.attitude.z = v.z;
+      body.pose.q = take(from);
+      body.pose.attitude.w = *from++;
+      const Vec3<double> v = take(from);
+      body.pose.attitude.x = v.x, body.pose.attitude.y = v.y, body.pose.attitude.z = v.z;
     } else {
-      Motion& m = ghost(body).motion;
-      m.velocity = take(buffer);
-      m.angular_velocity = take(buffer);
+      body.motion.velocity = take(from);
+      body.motion.angular_velocity = take(from);
     }
   }
 }
@@ -150,10 +154,11 @@ int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
 }
 
 void FixPolhode::unpack_reverse_comm(int count, int* list, double* buffer) {
+  const double* at = buffer;
   for (int k = 0; k < count; ++k) {
     const int body = body_of(list[k]);
     if (body < 0) continue;
-    const Vec3<double> f = take(buffer), tau = take(buffer);
+    const Vec3<double> f = take(at), tau = take(at);
     add_load(body, f, tau);
   }
 }
