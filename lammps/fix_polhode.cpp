@@ -169,7 +169,8 @@ void FixPolhode::bath(double t, StageNumber at) {
 void FixPolhode::place_atoms() {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
-    set(atom->x[i], position(kind(i), static_cast<std::size_t>(info(i).site), pose(owner(i))));
+    const Pose p = pose(owner(i));
+    set(atom->x[i], p.q + to_lab(p.attitude, owner(i).site));
   }
 }
 
@@ -183,6 +184,7 @@ void FixPolhode::collect_forces(Load& load) {
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
     const Vec3<double> f = force->ftm2v * vector(atom->f[i]);
+    if (f == Vec3<double>{}) continue;  // of most inputs with pair_style polhode
     add_load(owner(i).body, f, cross(vector(atom->x[i]) - pose(owner(i)).q, f));
   }
   message_ = Message::loads;
@@ -209,9 +211,14 @@ FixPolhode::Motion FixPolhode::motion(int body) const {
 void FixPolhode::set_velocities() {
   set_particle_columns();
   forward(Message::motions, 6);
+  motions_.clear();
+  for (std::size_t body = 0; body < columns_->size(); ++body)
+    motions_.push_back(motion(static_cast<int>(body)));
   for (int i = 0; i < atom->nlocal; ++i) {
     if (owner(i).body < 0) continue;
-    const Motion m = motion(owner(i).body);
+    const bool here = !is_ghost_body(owner(i).body);
+    const Motion m =
+        here ? motions_[static_cast<std::size_t>(owner(i).body)] : ghost(owner(i).body).motion;
     const Vec3<double> s = vector(atom->x[i]) - pose(owner(i)).q;
     set(atom->v[i], m.velocity + cross(m.angular_velocity, s));
   }

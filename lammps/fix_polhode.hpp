@@ -101,10 +101,11 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int kind = -1, site = 0;  ///< kind −1: it belongs to none
     std::int64_t owner = 0;   ///< id of the atom that owns the body
   };
-  /// The body of an atom, and by which edges of the box it is shifted to be next to the atom.
+  /// The body of an atom, by which edges of the box it is shifted to be next to the atom, and where
+  /// the atom is in it.
   struct Owner {
     int body = -1;
-    Vec3<double> shift{};
+    Vec3<double> shift{}, site{};
   };
   enum class Message { owners, poses, motions, loads };
   struct Flows;
@@ -171,7 +172,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::vector<BodyRecord> arrivals_;  // of atoms that came since the columns were built
   std::vector<GhostBody> ghosts_;
   std::uint64_t arrangement_ = 0;
-  std::vector<Owner> owners_;  // of each local atom; body −1: it belongs to none
+  std::vector<Owner> owners_;    // of each local atom; body −1: it belongs to none
+  std::vector<Motion> motions_;  // of the bodies, during set_velocities()
   Message message_ = Message::owners;
   Load* collecting_ = nullptr;  // of the columns, during collect_forces()
 };

@@ -206,8 +206,10 @@ void FixPolhode::find_owners() {
                  atom->tag[i], span, info(i).owner);
     Owner& found = owners_[static_cast<std::size_t>(i)];
     found.body = body_of(owner);
+    found.site = kind(i).atom(static_cast<std::size_t>(info(i).site));
     if (!is_ghost_body(found.body) || !is_own(ghost(found.body))) continue;
-    found = {ghost(found.body).body, ghost(found.body).shift};
+    found.shift = ghost(found.body).shift;
+    found.body = ghost(found.body).body;
   }
   forward(Message::poses, 7);
 }
