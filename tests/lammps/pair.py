@@ -336,7 +336,7 @@ run {evaluations * round(values["length"] / values["step"])}
         self.compare_ends(whole, self.lammps(resumed, 2)[0], 1e-11)  # also within a step of the scheme
         again = self.lammps(script.replace("run 30", "rerun all.dump dump x y z vx vy vz"), 2)[0]
         for name in ("E_vdwl", "E_coul", "Press"):
-            self.assert_close(whole[name], again[name], 1e-10, name)
+            self.assert_close(whole[name], again[name], 1e-11, name)
 
     def compare_ends(self, whole, part, relative):
         for name in ("E_vdwl", "E_coul", "KinEng", "Press"):
