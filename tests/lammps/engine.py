@@ -33,7 +33,7 @@ class Engine:
         build = self.build / "lammps-plugin"
         options = {"CMAKE_BUILD_TYPE": "Release", "POLHODE_LIBRARY": "OFF", "POLHODE_EXAMPLES": "OFF",
                    "POLHODE_LAMMPS": "ON", "POLHODE_DEVELOPER": "ON", "POLHODE_INSTRUCTION_SETS": self.instruction_sets(),
-                   "POLHODE_LAMMPS_LIBRARY": self.build / "libpolhode.a",
+                   "POLHODE_LAMMPS_LIBRARY": self.build / "libpolhode-core.a",
                    "POLHODE_LAMMPS_HEADERS": self.headers, "POLHODE_MPI_HEADERS": self.mpi_headers}
         for command in (["cmake", "-G", "Ninja", "-S", ROOT, "-B", build,
                          *(f"-D{name}={value}" for name, value in options.items())],

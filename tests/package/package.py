@@ -69,13 +69,18 @@ class Package(unittest.TestCase):
                 build = self.configure(compiler, "-DCOMPONENTS=library")
                 self.assertIn("512 molecules", self.build_and_run(build, "library"))
 
+    def test_cmake_finds_the_core_without_what_reads_files(self):
+        none = [f"-DCMAKE_DISABLE_FIND_PACKAGE_{name}=ON" for name in DEPENDENCIES if name not in ("fmt", "hwy", "Threads")]
+        build = self.configure("g++", "-DCOMPONENTS=core", *none)
+        self.assertIn("two atoms", self.build_and_run(build, "core"))
+
     def test_a_component_that_does_not_exist_is_refused(self):
         with self.assertRaisesRegex(AssertionError, "python"):
             self.configure("g++", "-DCOMPONENTS=python")
 
     @unittest.skipUnless(shutil.which("pkg-config"), "no pkg-config")
-    def test_pkg_config_knows_headers_and_library(self):
-        for name, component in ("polhode-headers", "headers"), ("polhode", "library"):
+    def test_pkg_config_knows_headers_core_and_library(self):
+        for name, component in ("polhode-headers", "headers"), ("polhode-core", "core"), ("polhode", "library"):
             flags = command("pkg-config", "--cflags", "--libs", name,
                             PKG_CONFIG_PATH=str(self.prefix / "lib/pkgconfig")).split()
             for compiler in COMPILERS:

@@ -1,0 +1,240 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Seconds per nanosecond of rigid water in LAMMPS at equal R: schemes of fix polhode with pair_style polhode, with atoms or with
+one particle a molecule, against fix rigid/nve/small with the same law as a table.
+
+    bench/lammps/equal_accuracy.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
+    bench/lammps/equal_accuracy.py --draw RESULT.json FIGURE.svg
+
+R is measured with 512 waters, the same number of runs from different velocities at each step, and does not depend on the number of
+molecules; the time of a step is measured with 4,096 waters, on one and on two processes, the shortest of several rounds. FOLDER is
+what lammps/environment.py makes.
+"""
+
+import argparse
+import datetime
+import json
+import math
+import os
+import re
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests/lammps"), str(ROOT / "bench/engine"), str(ROOT / "bench")]
+import compare  # noqa: E402
+import drawing  # noqa: E402
+import engine  # noqa: E402
+import machine  # noqa: E402
+
+RUN = """[system]
+molecules = [{{ model = "tip4p", count = {waters} }}]
+initial_configuration = "{start}"
+temperature = "297 K"
+velocities = "new"
+seed = {seed}
+[forces]
+truncation = "site-switch"
+electrostatics = "reaction-field"
+cutoff = "1 nm"
+precision = "{precision}"
+[integrator]
+scheme = "velocity-verlet"
+step = "1 fs"
+[run]
+length = "1 fs"
+[output]
+prefix = "{prefix}"
+trajectory_every = "0 ps"
+plot = "none"
+"""
+
+# The force evaluations of a step, and the steps at which R is measured [fs].
+SCHEMES = {
+    "rigid/nve/small": (1, (1, 1.5, 2, 3, 4, 5)),
+    "velocity-verlet": (1, (1, 1.5, 2, 3, 4, 5)),
+    "hoa2": (2, (3, 4, 5, 6, 8, 10)),
+    "bcss3": (3, (4, 5, 6, 7.5, 9, 12)),
+    "gier4-fd": (3, (4, 5, 6, 7.5, 9, 12)),
+}
+LENGTH = 2000.0  # of a run [fs]
+SAMPLE = 12.0  # about the time between samples [fs]
+WANTED = (1.5, 0.4)  # R [%]
+
+# How LAMMPS has the molecules: the style of the export, and the precision.
+FORMS = {
+    "rigid/nve/small, table": ("table", "double"),
+    "rigid/nve/small, lj/cut/coul/cut": ("table", "double"),
+    "atoms, double": ("polhode", "double"),
+    "atoms, mixed": ("polhode", "mixed"),
+    "particles, double": ("polhode-particles", "double"),
+    "particles, mixed": ("polhode-particles", "mixed"),
+}
+
+
+class Bench:
+    def __init__(self, options, folder):
+        self.options, self.folder = options, folder
+        self.program = machine.program(options.polhode)
+        self.lmp = next(options.environment.resolve().glob("lib/python3*/site-packages/lammps/lmp"))
+        self.mpiexec = options.environment.resolve() / "bin/mpiexec"
+        self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
+                            "LD_LIBRARY_PATH": str(options.environment.resolve() / "lib")}
+
+    def exported(self, style, precision, seed=1, copies=1):
+        """The script up to its fix, and the arguments of fix polhode that the molecules need."""
+        start = "w512" if copies == 1 else f"w{512 * copies**3}.gro"
+        if copies > 1:
+            compare.replicate(ROOT / "data/start/w512.gro", self.folder / start, copies)
+        (self.folder / "run.toml").write_text(RUN.format(waters=512 * copies**3, start=start, seed=seed, precision=precision,
+                                                         prefix="run"))
+        subprocess.run([self.program, "export", "lammps", "run.toml", "--pair-style", style, "--force"], cwd=self.folder, check=True,
+                       capture_output=True)
+        head, _, rest = (self.folder / "run.in").read_text().partition("fix rigid")
+        return head, re.search(r'scheme "[^"]*"(.*)', rest)[1]
+
+    def lammps(self, script, ranks=1):
+        (self.folder / "bench.in").write_text(script)
+        command = [self.lmp, "-in", "bench.in", "-log", "none", "-var", "plugin", self.options.plugin.resolve()]
+        if ranks > 1:
+            command = [self.mpiexec, "-n", str(ranks), *command]
+        done = subprocess.run(command, cwd=self.folder, env=self.environment, text=True, capture_output=True)
+        if done.returncode != 0:
+            sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
+        return done.stdout
+
+    def ratio(self, scheme, step, seed):
+        """R of one run [%]."""
+        evaluations, _ = SCHEMES[scheme]
+        other = scheme == "rigid/nve/small"
+        head, more = self.exported("table" if other else "polhode-particles", "double", seed)
+        fix = "rigid/nve/small molecule" if other else f"polhode scheme {scheme} lambda 1e-4{more}"
+        every = evaluations * max(1, round(SAMPLE / step))
+        steps = every * math.ceil(LENGTH / step * evaluations / every)
+        output = self.lammps(f"""{head}fix rigid all {fix}
+timestep {step / evaluations!r}
+thermo_style custom step temp pe etotal {"" if other else "f_rigid[2]"}
+thermo_modify norm no format float %.15g
+thermo {every}
+run {steps}
+""")
+        table = engine.tables(output)[0]
+        rotation = table.get("f_rigid[2]", [0] * len(table["Step"]))  # which LAMMPS does not know of particles
+        total = [a + b for a, b in zip(table["TotEng"], rotation)]
+        return 100 * statistics.pstdev(total) / statistics.pstdev(table["PotEng"])
+
+    def milliseconds(self, form, ranks, copies, steps):
+        """Time of a step of LAMMPS."""
+        style, precision = FORMS[form]
+        head, more = self.exported(style, precision, copies=copies)
+        if "cut" in form:
+            head = re.sub(r"pair_style .*", "pair_style lj/cut/coul/cut 10", head)
+            head = re.sub(r"(pair_coeff .*\n)+", "pair_coeff 1 1 0.155 3.1536\npair_coeff 2*3 2*3 0 0\n", head)
+        fix = "rigid/nve/small molecule" if form.startswith("rigid") else f"polhode{more}"
+        script = f"{head}neighbor 1.0 bin\nfix rigid all {fix}\ntimestep 2\nthermo 1000000\nrun {max(5, steps // 5)}\nrun {steps}\n"
+        loops = re.findall(r"Loop time of (\S+)", self.lammps(script, ranks))
+        return 1e3 * float(loops[1]) / steps
+
+
+def step_at(points, wanted):
+    """The step at which log R over log h, linear between the points, has a value; none if it is not among them."""
+    for (h0, r0), (h1, r1) in zip(points, points[1:]):
+        if r0 <= wanted <= r1:
+            return h0 * (h1 / h0) ** (math.log(wanted / r0) / math.log(r1 / r0))
+    return None
+
+
+def measure(options):
+    with tempfile.TemporaryDirectory() as folder:
+        bench = Bench(options, Path(folder))
+        curves = {}
+        for scheme, (_, steps) in SCHEMES.items():
+            curves[scheme] = []
+            for h in steps:
+                values = [bench.ratio(scheme, h, seed) for seed in range(1, options.runs + 1)]
+                curves[scheme].append((h, values))
+                print(f"{scheme} {h} fs: R = {statistics.fmean(values):.3f} +- "
+                      f"{statistics.stdev(values) / math.sqrt(len(values)):.3f} %", flush=True)
+        times = {f"{form}, {ranks}": [] for form in FORMS for ranks in (1, 2)}
+        for _ in range(options.rounds):
+            for form in FORMS:
+                for ranks in (1, 2):
+                    steps = 20 if form.startswith("rigid") else 200
+                    times[f"{form}, {ranks}"].append(bench.milliseconds(form, ranks, 2, steps))
+        for name, values in times.items():
+            print(f"{name}: {min(values):.3f} ms", flush=True)
+        return {"date": str(datetime.date.today()), "processor": machine.processor(), "R_percent": curves, "ms_per_step": times}
+
+
+def seconds_per_ns(result, scheme, form, ranks, step):
+    evaluations = SCHEMES[scheme][0]
+    return min(result["ms_per_step"][f"{form}, {ranks}"]) * 1e-3 * evaluations * 1e6 / step
+
+
+def rows(result):
+    """(ranks, R, scheme, form, step, s/ns) of all that reach R."""
+    for ranks in (1, 2):
+        for wanted in WANTED:
+            for scheme in SCHEMES:
+                means = [(h, statistics.fmean(values)) for h, values in result["R_percent"][scheme]]
+                step = step_at(means, wanted)
+                if step is None:
+                    continue
+                for form in FORMS:
+                    if form.startswith("rigid") == (scheme == "rigid/nve/small"):
+                        yield ranks, wanted, scheme, form, step, seconds_per_ns(result, scheme, form, ranks, step)
+
+
+def report(result):
+    found = list(rows(result))
+    base = {(ranks, wanted): s for ranks, wanted, _, form, _, s in found if form == "rigid/nve/small, table"}
+    print("\n| ranks | R | scheme | molecules as | step | s per ns | times faster |\n| --- | --- | --- | --- | --- | --- | --- |")
+    for ranks, wanted, scheme, form, step, seconds in found:
+        faster = f"{base[ranks, wanted] / seconds:.1f}" if (ranks, wanted) in base else ""
+        print(f"| {ranks} | {wanted:g} % | {scheme} | {form} | {step:.2f} fs | {seconds:.0f} | {faster} |")
+
+
+def draw(result, image):
+    """R against seconds per nanosecond on one process."""
+    shown = [("rigid/nve/small", "rigid/nve/small, table", drawing.PALETTE[6], 5, "rigid/nve/small, the same law as a table")]
+    looks = drawing.styles([s for s in SCHEMES if s != "rigid/nve/small"])
+    for scheme, look in looks.items():
+        shown.append((scheme, "atoms, mixed", look.colour, look.open, f"{scheme}, atoms"))
+        shown.append((scheme, "particles, mixed", look.colour, look.filled, f"{scheme}, particles"))
+    data, plots = [], []
+    for k, (scheme, form, colour, mark, title) in enumerate(shown):
+        points = [(seconds_per_ns(result, scheme, form, 1, h), statistics.fmean(values)) for h, values in result["R_percent"][scheme]]
+        data.append(f"$curve{k} << EOD\n" + "\n".join(f"{x:.6g} {y:.6g}" for x, y in points) + "\nEOD")
+        plots.append(f'$curve{k} using 1:2 with linespoints linewidth 1.6 linecolor "{colour}" pointtype {mark} title "{title}"')
+    script = "\n".join([
+        drawing.begin(image, 760, 520), "set logscale xy", 'set xlabel "seconds per nanosecond of 4,096 TIP4P waters, one process"',
+        'set ylabel "R [%]"', "set key outside top center horizontal maxcols 3", *data, "plot " + ", \\\n  ".join(plots), ""])
+    drawing.draw(script, image)
+
+
+def main():
+    p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    p.add_argument("--polhode", default="polhode", help="the program")
+    p.add_argument("--environment", type=Path, help="with LAMMPS")
+    p.add_argument("--plugin", type=Path)
+    p.add_argument("--runs", type=int, default=4, help="of each scheme and step (4)")
+    p.add_argument("--rounds", type=int, default=3, help="of timings (3)")
+    p.add_argument("--output", type=Path)
+    p.add_argument("--draw", nargs=2, type=Path, metavar=("RESULT", "IMAGE"), help="only draw stored results")
+    options = p.parse_args()
+    if options.draw:
+        result = json.loads(options.draw[0].read_text(encoding="utf-8"))
+        report(result)
+        draw(result, options.draw[1])
+        return
+    result = measure(options)
+    if options.output:
+        options.output.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    report(result)
+
+
+if __name__ == "__main__":
+    main()
