@@ -112,6 +112,16 @@ run {steps}
             for key in ("potential_kJ_per_mol", "van_der_waals_kJ_per_mol", "coulomb_kJ_per_mol"):
                 self.assert_close([point[key]], [before[key]], 1e-12, key)
 
+    def test_a_dump_file_is_the_same_system(self):
+        head, _ = self.exported()
+        before = json.loads(self.polhode("energy", "run.toml", "--json"))
+        self.lammps(head + "fix rigid all polhode massless 3\ndump all all custom 1 run.dump id mol element xu yu zu vx vy vz\n"
+                    "dump_modify all element O H X format float %.17g\nrun 0\n", 2)
+        self.write("back.toml", WATER.replace('density = "1 g/cm3"', 'initial_configuration = "run.dump"'))
+        back = json.loads(self.polhode("energy", "back.toml", "--json"))
+        for key in ("potential_kJ_per_mol", "van_der_waals_kJ_per_mol", "coulomb_kJ_per_mol"):
+            self.assert_close([back[key]], [before[key]], 1e-12, key)
+
     def test_ranks(self):
         self.compare_ranks(self.water("gier4-fd", every=30, h=0.5), ("E_pair", "KinEng", "Press"))
 
