@@ -187,8 +187,10 @@ void FixPolhode::collect_forces(Load& load) {
     if (f == Vec3<double>{}) continue;  // of most inputs with pair_style polhode
     add_load(owner(i).body, f, cross(vector(atom->x[i]) - pose(owner(i)).q, f));
   }
-  message_ = Message::loads;
-  if (comm->nprocs > 1) comm->reverse_comm(this, 6);
+  if (bodies_extend_over_atoms()) {
+    message_ = Message::loads;
+    comm->reverse_comm(this, 6);
+  }
   virial_is_old_ = false;
 }
 

@@ -143,6 +143,7 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void wrap_to_owner(int owner);
   void find_owners();
   void forward(Message message, int size);
+  bool bodies_extend_over_atoms() const;
   double* pack_owner(int i, const std::array<int, 3>& image, double* to);
   const double* unpack_owner(int i, const double* from);
 

@@ -72,9 +72,18 @@ void FixPolhode::add_arrival(int i, const BodyRecord& body) {
 }
 
 void FixPolhode::forward(Message message, int size) {
-  if (comm->nprocs == 1 && message != Message::owners) return;  // all ghosts are own bodies
+  const bool needed = message == Message::owners ||
+                      (message == Message::poses ? comm->nprocs > 1 : bodies_extend_over_atoms());
+  if (!needed) return;
   message_ = message;
   comm->forward_comm(this, size);
+}
+
+/// Whether a process can have atoms of bodies of other processes.
+bool FixPolhode::bodies_extend_over_atoms() const {
+  return comm->nprocs > 1 && std::any_of(kinds_.begin(), kinds_.end(), [](const Kind& kind) {
+           return kind.particle == 0 && kind.types.size() > 1;
+         });
 }
 
 /// Whose body an atom has, which may be a ghost that is sent on; 0 if it has none.

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Seconds per nanosecond of rigid water in LAMMPS at equal R: schemes of fix polhode with pair_style polhode, with atoms or with
-one particle a molecule, against fix rigid/nve/small with the same law as a table.
+one particle a molecule, against fix rigid/nve/small with the same law as a table. The schemes also with the truncation by molecules
+that is the default of polhode, and which pair styles of LAMMPS do not have.
 
     bench/lammps/equal_accuracy.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
     bench/lammps/equal_accuracy.py --draw RESULT.json FIGURE.svg
@@ -37,7 +38,7 @@ temperature = "297 K"
 velocities = "new"
 seed = {seed}
 [forces]
-truncation = "site-switch"
+truncation = "{law}"
 electrostatics = "reaction-field"
 cutoff = "1 nm"
 precision = "{precision}"
@@ -52,26 +53,26 @@ trajectory_every = "0 ps"
 plot = "none"
 """
 
+OTHER = "rigid/nve/small"
 # The force evaluations of a step, and the steps at which R is measured [fs].
 SCHEMES = {
-    "rigid/nve/small": (1, (1, 1.5, 2, 3, 4, 5)),
+    OTHER: (1, (1, 1.5, 2, 3, 4, 5)),
     "velocity-verlet": (1, (1, 1.5, 2, 3, 4, 5)),
     "hoa2": (2, (3, 4, 5, 6, 8, 10)),
-    "bcss3": (3, (4, 5, 6, 7.5, 9, 12)),
+    "bcss3": (3, (4, 5, 6, 7.5, 9, 12, 13.5)),
     "gier4-fd": (3, (4, 5, 6, 7.5, 9, 12)),
 }
 LENGTH = 2000.0  # of a run [fs]
 SAMPLE = 12.0  # about the time between samples [fs]
 WANTED = (1.5, 0.4)  # R [%]
 
-# How LAMMPS has the molecules: the style of the export, and the precision.
+LAWS = ("site-switch", "molecule-switch")
+# How LAMMPS has the molecules: the style of the export, the precision and the law.
 FORMS = {
-    "rigid/nve/small, table": ("table", "double"),
-    "rigid/nve/small, lj/cut/coul/cut": ("table", "double"),
-    "atoms, double": ("polhode", "double"),
-    "atoms, mixed": ("polhode", "mixed"),
-    "particles, double": ("polhode-particles", "double"),
-    "particles, mixed": ("polhode-particles", "mixed"),
+    f"{OTHER}, table": ("table", "double", LAWS[0]),
+    f"{OTHER}, lj/cut/coul/cut": ("table", "double", LAWS[0]),
+    **{f"{style}, {precision}, {law}": (export, precision, law) for law in LAWS
+       for style, export in (("atoms", "polhode"), ("particles", "polhode-particles")) for precision in ("double", "mixed")},
 }
 
 
@@ -84,13 +85,13 @@ class Bench:
         self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
                             "LD_LIBRARY_PATH": str(options.environment.resolve() / "lib")}
 
-    def exported(self, style, precision, seed=1, copies=1):
+    def exported(self, style, precision, law, seed=1, copies=1):
         """The script up to its fix, and the arguments of fix polhode that the molecules need."""
         start = "w512" if copies == 1 else f"w{512 * copies**3}.gro"
         if copies > 1:
             compare.replicate(ROOT / "data/start/w512.gro", self.folder / start, copies)
         (self.folder / "run.toml").write_text(RUN.format(waters=512 * copies**3, start=start, seed=seed, precision=precision,
-                                                         prefix="run"))
+                                                         law=law, prefix="run"))
         subprocess.run([self.program, "export", "lammps", "run.toml", "--pair-style", style, "--force"], cwd=self.folder, check=True,
                        capture_output=True)
         head, _, rest = (self.folder / "run.in").read_text().partition("fix rigid")
@@ -106,11 +107,11 @@ class Bench:
             sys.exit(done.stdout[-2000:] + done.stderr[-2000:])
         return done.stdout
 
-    def ratio(self, scheme, step, seed):
+    def ratio(self, scheme, law, step, seed):
         """R of one run [%]."""
         evaluations, _ = SCHEMES[scheme]
-        other = scheme == "rigid/nve/small"
-        head, more = self.exported("table" if other else "polhode-particles", "double", seed)
+        other = scheme == OTHER
+        head, more = self.exported("table" if other else "polhode-particles", "double", law, seed)
         fix = "rigid/nve/small molecule" if other else f"polhode scheme {scheme} lambda 1e-4{more}"
         every = evaluations * max(1, round(SAMPLE / step))
         steps = every * math.ceil(LENGTH / step * evaluations / every)
@@ -128,12 +129,12 @@ run {steps}
 
     def milliseconds(self, form, ranks, copies, steps):
         """Time of a step of LAMMPS."""
-        style, precision = FORMS[form]
-        head, more = self.exported(style, precision, copies=copies)
+        style, precision, law = FORMS[form]
+        head, more = self.exported(style, precision, law, copies=copies)
         if "cut" in form:
             head = re.sub(r"pair_style .*", "pair_style lj/cut/coul/cut 10", head)
             head = re.sub(r"(pair_coeff .*\n)+", "pair_coeff 1 1 0.155 3.1536\npair_coeff 2*3 2*3 0 0\n", head)
-        fix = "rigid/nve/small molecule" if form.startswith("rigid") else f"polhode{more}"
+        fix = "rigid/nve/small molecule" if form.startswith(OTHER) else f"polhode{more}"
         script = f"{head}neighbor 1.0 bin\nfix rigid all {fix}\ntimestep 2\nthermo 1000000\nrun {max(5, steps // 5)}\nrun {steps}\n"
         loops = re.findall(r"Loop time of (\S+)", self.lammps(script, ranks))
         return 1e3 * float(loops[1]) / steps
@@ -152,17 +153,18 @@ def measure(options):
         bench = Bench(options, Path(folder))
         curves = {}
         for scheme, (_, steps) in SCHEMES.items():
-            curves[scheme] = []
-            for h in steps:
-                values = [bench.ratio(scheme, h, seed) for seed in range(1, options.runs + 1)]
-                curves[scheme].append((h, values))
-                print(f"{scheme} {h} fs: R = {statistics.fmean(values):.3f} +- "
-                      f"{statistics.stdev(values) / math.sqrt(len(values)):.3f} %", flush=True)
+            for law in LAWS[:1] if scheme == OTHER else LAWS:
+                curve = curves[f"{scheme}, {law}"] = []
+                for h in steps:
+                    values = [bench.ratio(scheme, law, h, seed) for seed in range(1, options.runs + 1)]
+                    curve.append((h, values))
+                    print(f"{scheme}, {law}, {h} fs: R = {statistics.fmean(values):.3f} +- "
+                          f"{statistics.stdev(values) / math.sqrt(len(values)):.3f} %", flush=True)
         times = {f"{form}, {ranks}": [] for form in FORMS for ranks in (1, 2)}
         for _ in range(options.rounds):
             for form in FORMS:
                 for ranks in (1, 2):
-                    steps = 20 if form.startswith("rigid") else 200
+                    steps = 20 if form.startswith(OTHER) else 200
                     times[f"{form}, {ranks}"].append(bench.milliseconds(form, ranks, 2, steps))
         for name, values in times.items():
             print(f"{name}: {min(values):.3f} ms", flush=True)
@@ -174,23 +176,27 @@ def seconds_per_ns(result, scheme, form, ranks, step):
     return min(result["ms_per_step"][f"{form}, {ranks}"]) * 1e-3 * evaluations * 1e6 / step
 
 
+def curve_of(result, scheme, form):
+    """(step, R) with a form's law."""
+    return [(h, statistics.fmean(values)) for h, values in result["R_percent"][f"{scheme}, {FORMS[form][2]}"]]
+
+
 def rows(result):
     """(ranks, R, scheme, form, step, s/ns) of all that reach R."""
     for ranks in (1, 2):
         for wanted in WANTED:
             for scheme in SCHEMES:
-                means = [(h, statistics.fmean(values)) for h, values in result["R_percent"][scheme]]
-                step = step_at(means, wanted)
-                if step is None:
-                    continue
                 for form in FORMS:
-                    if form.startswith("rigid") == (scheme == "rigid/nve/small"):
+                    if form.startswith(OTHER) != (scheme == OTHER):
+                        continue
+                    step = step_at(curve_of(result, scheme, form), wanted)
+                    if step is not None:
                         yield ranks, wanted, scheme, form, step, seconds_per_ns(result, scheme, form, ranks, step)
 
 
 def report(result):
     found = list(rows(result))
-    base = {(ranks, wanted): s for ranks, wanted, _, form, _, s in found if form == "rigid/nve/small, table"}
+    base = {(ranks, wanted): s for ranks, wanted, _, form, _, s in found if form == f"{OTHER}, table"}
     print("\n| ranks | R | scheme | molecules as | step | s per ns | times faster |\n| --- | --- | --- | --- | --- | --- | --- |")
     for ranks, wanted, scheme, form, step, seconds in found:
         faster = f"{base[ranks, wanted] / seconds:.1f}" if (ranks, wanted) in base else ""
@@ -199,19 +205,20 @@ def report(result):
 
 def draw(result, image):
     """R against seconds per nanosecond on one process."""
-    shown = [("rigid/nve/small", "rigid/nve/small, table", drawing.PALETTE[6], 5, "rigid/nve/small, the same law as a table")]
-    looks = drawing.styles([s for s in SCHEMES if s != "rigid/nve/small"])
+    shown = [(OTHER, f"{OTHER}, table", drawing.PALETTE[6], 5, OTHER)]
+    looks = drawing.styles([s for s in SCHEMES if s != OTHER])
     for scheme, look in looks.items():
-        shown.append((scheme, "atoms, mixed", look.colour, look.open, f"{scheme}, atoms"))
-        shown.append((scheme, "particles, mixed", look.colour, look.filled, f"{scheme}, particles"))
+        shown.append((scheme, "particles, mixed, site-switch", look.colour, look.open, f"{scheme}, the same law"))
+        shown.append((scheme, "particles, mixed, molecule-switch", look.colour, look.filled, f"{scheme}, switched by molecules"))
     data, plots = [], []
     for k, (scheme, form, colour, mark, title) in enumerate(shown):
-        points = [(seconds_per_ns(result, scheme, form, 1, h), statistics.fmean(values)) for h, values in result["R_percent"][scheme]]
+        points = [(seconds_per_ns(result, scheme, form, 1, h), r) for h, r in curve_of(result, scheme, form)]
         data.append(f"$curve{k} << EOD\n" + "\n".join(f"{x:.6g} {y:.6g}" for x, y in points) + "\nEOD")
         plots.append(f'$curve{k} using 1:2 with linespoints linewidth 1.6 linecolor "{colour}" pointtype {mark} title "{title}"')
     script = "\n".join([
-        drawing.begin(image, 760, 520), "set logscale xy", 'set xlabel "seconds per nanosecond of 4,096 TIP4P waters, one process"',
-        'set ylabel "R [%]"', "set key outside top center horizontal maxcols 3", *data, "plot " + ", \\\n  ".join(plots), ""])
+        drawing.begin(image, 760, 560), "set logscale xy", 'set xlabel "seconds per nanosecond of 4,096 TIP4P waters, one process"',
+        'set ylabel "R [%]"', "set yrange [0.05:10]", "set key outside top center horizontal maxcols 3", *data,
+        "plot " + ", \\\n  ".join(plots), ""])
     drawing.draw(script, image)
 
 
