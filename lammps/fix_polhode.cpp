@@ -35,7 +35,7 @@ FixPolhode::FixPolhode(LAMMPS_NS::LAMMPS* lammps, int count, char** arguments)
   virial_global_flag = thermo_virial = ecouple_flag = 1;
   scalar_flag = vector_flag = global_freq = extscalar = extvector = nevery = 1;
   size_vector = 3;
-  comm_forward = 7;
+  comm_forward = 8;
   comm_reverse = 6;
   maxexchange = 5 + static_cast<int>(record_size);
   grow_arrays(atom->nmax);
@@ -205,8 +205,9 @@ void FixPolhode::add_load(int body, const Vec3<double>& f, const Vec3<double>& t
 }
 
 FixPolhode::Motion FixPolhode::motion(int body) const {
-  if (is_ghost_body(body) && !is_own(ghost(body))) return ghost(body).motion;
-  const auto i = static_cast<std::size_t>(is_ghost_body(body) ? ghost(body).body : body);
+  const int from = origin(body).body;
+  if (is_ghost_body(from)) return ghost(from).motion;
+  const auto i = static_cast<std::size_t>(from);
   return {columns_->velocity(i), columns_->angular_velocity(i)};
 }
 

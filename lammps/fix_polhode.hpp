@@ -76,7 +76,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int process = 0, body = 0;   ///< whose body it is, and which one there
     std::array<int, 3> image{};  ///< by how many edges of the box it is shifted
     Vec3<double> shift{};        ///< by these edges
-    // Of bodies of other processes:
+    int base = -1;               ///< the ghost that this is another image of; −1: of none
+    // Of bodies of other processes, unless they are images of other ghosts:
     Pose pose{};
     Motion motion{};
     Vec3<double> f{}, tau{};
@@ -91,7 +92,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   }
   BodyColumns& columns() { return *columns_; }
   const std::vector<GhostBody>& ghosts() const { return ghosts_; }
-  Pose pose(const GhostBody& ghost) const;
+  Pose pose_of_ghost(std::size_t ghost) const {
+    return pose(static_cast<int>(columns_->size() + ghost));
+  }
   /// A number that changes whenever bodies or ghosts come or go.
   std::uint64_t arrangement() const { return arrangement_; }
 
@@ -101,8 +104,8 @@ class FixPolhode : public LAMMPS_NS::Fix {
     int kind = -1, site = 0;  ///< kind −1: it belongs to none
     std::int64_t owner = 0;   ///< id of the atom that owns the body
   };
-  /// The body of an atom, by which edges of the box it is shifted to be next to the atom, and where
-  /// the atom is in it.
+  /// The body of an atom, or the ghost of it that messages reach; by which edges of the box it is
+  /// shifted to be next to the atom; and where the atom is in it.
   struct Owner {
     int body = -1;
     Vec3<double> shift{}, site{};
@@ -120,9 +123,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   }
   const Owner& owner(int i) const { return owners_[static_cast<std::size_t>(i)]; }
   Vec3<double> edges_of_box(const std::array<int, 3>& count) const;
-  bool is_own(const GhostBody& ghost) const;
+  Owner origin(int body) const;
   Pose pose(int body) const;
-  Pose pose(const Owner& owner) const;
+  Pose pose(const Owner& origin) const;
   Motion motion(int body) const;
   BodyRecord record(int body) const;
   void add_arrival(int i, const BodyRecord& body);
@@ -145,7 +148,9 @@ class FixPolhode : public LAMMPS_NS::Fix {
   void forward(Message message, int size);
   bool bodies_extend_over_atoms() const;
   double* pack_owner(int i, const std::array<int, 3>& image, double* to);
-  const double* unpack_owner(int i, const double* from);
+  const double* unpack_owner(int i, const double* from, bool from_itself);
+  bool stays_here(const int* list) const;
+  bool stays_here(int first) const;
 
   void play_stages(std::size_t first, std::size_t end);
   void bath(double t, StageNumber at);
@@ -176,6 +181,13 @@ class FixPolhode : public LAMMPS_NS::Fix {
   std::vector<Owner> owners_;    // of each local atom; body −1: it belongs to none
   std::vector<Motion> motions_;  // of the bodies, during set_velocities()
   Message message_ = Message::owners;
+  // Swaps with itself, by which a process makes images in directions that it has for itself: their
+  // lists of atoms to send, and the first ghosts that are received. Images follow from what they
+  // are images of, without messages.
+  std::vector<const int*> own_lists_;
+  std::vector<int> own_firsts_;
+  const double* packed_ = nullptr;  // the buffer and the list of the last message
+  const int* packed_list_ = nullptr;
   Load* collecting_ = nullptr;  // of the columns, during collect_forces()
 };
 

@@ -45,23 +45,23 @@ BodyRecord FixPolhode::record(int body) const {
   return i < columns_->size() ? columns_->record(i) : arrivals_[i - columns_->size()];
 }
 
-Pose FixPolhode::pose(int body) const {
-  return is_ghost_body(body) ? pose(ghost(body)) : columns_->pose(static_cast<std::size_t>(body));
+/// Images of this process's own bodies follow from these, and images of ghosts from the ghosts,
+/// without messages.
+FixPolhode::Owner FixPolhode::origin(int body) const {
+  if (!is_ghost_body(body)) return {body};
+  const GhostBody& image = ghost(body);
+  if (image.process == comm->me) return {image.body, image.shift};
+  if (image.base < 0) return {body};
+  const auto base = static_cast<std::size_t>(image.base);
+  return {static_cast<int>(columns_->size() + base), image.shift - ghosts_[base].shift};
 }
 
-/// Images of this process's own bodies follow from these, without messages.
-bool FixPolhode::is_own(const GhostBody& ghost) const { return ghost.process == comm->me; }
+Pose FixPolhode::pose(int body) const { return pose(origin(body)); }
 
-Pose FixPolhode::pose(const GhostBody& ghost) const {
-  if (!is_own(ghost)) return ghost.pose;
-  Pose own = columns_->pose(static_cast<std::size_t>(ghost.body));
-  own.q += ghost.shift;
-  return own;
-}
-
-Pose FixPolhode::pose(const Owner& owner) const {
-  Pose shifted = pose(owner.body);
-  shifted.q += owner.shift;
+Pose FixPolhode::pose(const Owner& origin) const {
+  Pose shifted = is_ghost_body(origin.body) ? ghost(origin.body).pose
+                                            : columns_->pose(static_cast<std::size_t>(origin.body));
+  shifted.q += origin.shift;
   return shifted;
 }
 
@@ -191,7 +191,9 @@ void FixPolhode::find_owners() {
   ghosts_.clear();
   const int all = atom->nlocal + atom->nghost;
   for (int i = atom->nlocal; i < all; ++i) body_of(i) = -1;
-  forward(Message::owners, 7);
+  own_lists_.clear();
+  own_firsts_.clear();
+  forward(Message::owners, 8);
   owners_.assign(static_cast<std::size_t>(atom->nlocal), {});
   for (int i = 0; i < atom->nlocal; ++i) {
     if (info(i).kind < 0) continue;
@@ -205,11 +207,8 @@ void FixPolhode::find_owners() {
                  "molecule; atoms of a molecule were deleted or moved during the run",
                  atom->tag[i], span, info(i).owner);
     Owner& found = owners_[static_cast<std::size_t>(i)];
-    found.body = body_of(owner);
+    found = origin(body_of(owner));
     found.site = kind(i).atom(static_cast<std::size_t>(info(i).site));
-    if (!is_ghost_body(found.body) || !is_own(ghost(found.body))) continue;
-    found.shift = ghost(found.body).shift;
-    found.body = ghost(found.body).body;
   }
   forward(Message::poses, 7);
 }

@@ -72,11 +72,16 @@ void FixPolhode::add_arrival(int i, const BodyRecord& body) {
 }
 
 void FixPolhode::forward(Message message, int size) {
-  const bool needed = message == Message::owners ||
-                      (message == Message::poses ? comm->nprocs > 1 : bodies_extend_over_atoms());
-  if (!needed) return;
+  if (message == Message::motions && !bodies_extend_over_atoms()) return;
   message_ = message;
   comm->forward_comm(this, size);
+}
+
+bool FixPolhode::stays_here(const int* list) const {
+  return std::find(own_lists_.begin(), own_lists_.end(), list) != own_lists_.end();
+}
+bool FixPolhode::stays_here(int first) const {
+  return std::find(own_firsts_.begin(), own_firsts_.end(), first) != own_firsts_.end();
 }
 
 /// Whether a process can have atoms of bodies of other processes.
@@ -92,28 +97,36 @@ double* FixPolhode::pack_owner(int i, const std::array<int, 3>& image, double* t
   *to++ = body >= 0 ? 1 : 0;
   if (body < 0) return to;
   GhostBody of{.kind = info(i).kind, .process = comm->me, .body = body};
-  if (is_ghost_body(body)) of = ghost(body);
+  if (is_ghost_body(body)) {
+    of = ghost(body);
+    if (of.base < 0) of.base = body - static_cast<int>(columns_->size());
+  }
   *to++ = of.kind;
   *to++ = of.process;
   *to++ = of.body;
+  *to++ = of.base;
   for (std::size_t d = 0; d < 3; ++d) *to++ = of.image[d] + image[d];
   return to;
 }
 
-const double* FixPolhode::unpack_owner(int i, const double* from) {
+/// @param from_itself  whether the ghost is an image of what this process has
+const double* FixPolhode::unpack_owner(int i, const double* from, bool from_itself) {
   body_of(i) = -1;
   if (*from++ == 0) return from;
   body_of(i) = static_cast<int>(columns_->size() + ghosts_.size());
   GhostBody& ghost = ghosts_.emplace_back();
-  for (int* number : {&ghost.kind, &ghost.process, &ghost.body, &ghost.image[0], &ghost.image[1],
-                      &ghost.image[2]})
+  for (int* number : {&ghost.kind, &ghost.process, &ghost.body, &ghost.base, &ghost.image[0],
+                      &ghost.image[1], &ghost.image[2]})
     *number = static_cast<int>(*from++);
+  if (!from_itself) ghost.base = -1;
   ghost.shift = edges_of_box(ghost.image);
   return from;
 }
 
 int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_flag, int* pbc) {
   double* to = buffer;
+  if (message_ != Message::owners && stays_here(list)) return 0;
+  packed_ = buffer, packed_list_ = list;
   std::array<int, 3> image{};  // that the other process sees
   if (pbc_flag != 0) std::copy_n(pbc, 3, image.begin());
   const Vec3<double> shift = edges_of_box(image);
@@ -136,9 +149,16 @@ int FixPolhode::pack_forward_comm(int count, int* list, double* buffer, int pbc_
 
 void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
   const double* from = buffer;
+  const bool owners = message_ == Message::owners;
+  const bool from_itself = owners ? buffer == packed_ : stays_here(first);
+  if (owners && from_itself && count > 0) {
+    own_lists_.push_back(packed_list_);
+    own_firsts_.push_back(first);
+  }
+  if (!owners && from_itself) return;
   for (int i = first; i < first + count; ++i) {
-    if (message_ == Message::owners) {
-      from = unpack_owner(i, from);
+    if (owners) {
+      from = unpack_owner(i, from, from_itself);
       continue;
     }
     if (body_of(i) < 0) continue;
@@ -157,6 +177,7 @@ void FixPolhode::unpack_forward_comm(int count, int first, double* buffer) {
 
 int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
   double* to = buffer;
+  if (stays_here(first)) return 0;
   for (int i = first; i < first + count; ++i)
     if (body_of(i) >= 0) to = put(put(to, ghost(body_of(i)).f), ghost(body_of(i)).tau);
   return static_cast<int>(to - buffer);
@@ -164,6 +185,7 @@ int FixPolhode::pack_reverse_comm(int count, int first, double* buffer) {
 
 void FixPolhode::unpack_reverse_comm(int count, int* list, double* buffer) {
   const double* at = buffer;
+  if (stays_here(list)) return;
   for (int k = 0; k < count; ++k) {
     const int body = body_of(list[k]);
     if (body < 0) continue;

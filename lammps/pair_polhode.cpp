@@ -226,7 +226,7 @@ void PairPolhode::place_bodies() {
     state.attitude.set(i, own.attitude[i]);
   }
   for (std::size_t g = 0; g < ghost_order_.size(); ++g) {
-    const Pose pose = fix_->pose(fix_->ghosts()[ghost_order_[g]]);
+    const Pose pose = fix_->pose_of_ghost(ghost_order_[g]);
     state.q.set(own.size() + g, nm * pose.q);
     state.attitude.set(own.size() + g, pose.attitude);
   }

@@ -148,18 +148,23 @@ def step_at(points, wanted):
     return None
 
 
+def measured_curves(bench, runs):
+    curves = {}
+    for scheme, (_, steps) in SCHEMES.items():
+        for law in LAWS[:1] if scheme == OTHER else LAWS:
+            curve = curves[f"{scheme}, {law}"] = []
+            for h in steps:
+                values = [bench.ratio(scheme, law, h, seed) for seed in range(1, runs + 1)]
+                curve.append((h, values))
+                print(f"{scheme}, {law}, {h} fs: R = {statistics.fmean(values):.3f} +- "
+                      f"{statistics.stdev(values) / math.sqrt(len(values)):.3f} %", flush=True)
+    return curves
+
+
 def measure(options):
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(options, Path(folder))
-        curves = {}
-        for scheme, (_, steps) in SCHEMES.items():
-            for law in LAWS[:1] if scheme == OTHER else LAWS:
-                curve = curves[f"{scheme}, {law}"] = []
-                for h in steps:
-                    values = [bench.ratio(scheme, law, h, seed) for seed in range(1, options.runs + 1)]
-                    curve.append((h, values))
-                    print(f"{scheme}, {law}, {h} fs: R = {statistics.fmean(values):.3f} +- "
-                          f"{statistics.stdev(values) / math.sqrt(len(values)):.3f} %", flush=True)
+        curves = json.loads(options.curves.read_text())["R_percent"] if options.curves else measured_curves(bench, options.runs)
         times = {f"{form}, {ranks}": [] for form in FORMS for ranks in (1, 2)}
         for _ in range(options.rounds):
             for form in FORMS:
@@ -229,6 +234,7 @@ def main():
     p.add_argument("--plugin", type=Path)
     p.add_argument("--runs", type=int, default=4, help="of each scheme and step (4)")
     p.add_argument("--rounds", type=int, default=3, help="of timings (3)")
+    p.add_argument("--curves", type=Path, help="measure times alone, with R of this result")
     p.add_argument("--output", type=Path)
     p.add_argument("--draw", nargs=2, type=Path, metavar=("RESULT", "IMAGE"), help="only draw stored results")
     options = p.parse_args()
