@@ -40,13 +40,13 @@ foreach(target IN ITEMS polhode_sources polhode)
                                           $<BUILD_INTERFACE:nlohmann_json::nlohmann_json>)
 endforeach()
 
-# Compile time: files that read input and write reports are optimized less, and developers alone
-# find out whether each file includes what it uses.
+# Compile time: files that read input and write reports are optimized less, and headers of the standard library are
+# compiled once, except for developers, who find out whether each file includes what it uses.
 set(cold_sources ${sources})
 list(FILTER cold_sources INCLUDE REGEX "/src/(io/[^/]*|io/gromacs/[^/]*|io/lammps/[^/]*|run/(adviser|analysis|study)/[^/]*|math/(fit|prediction)\\.cpp)$")
 set_source_files_properties(${cold_sources} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
 function(polhode_precompile target)
-  if(NOT POLHODE_DEVELOPER)
+  if(POLHODE_PRECOMPILE)
     target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <filesystem> <fmt/core.h> <fstream> <functional>
                               <map> <memory> <optional> <set> <sstream> <string> <variant> <vector>)
   endif()

@@ -41,12 +41,12 @@ install_packages() {
 
 # build_preset NAME [OPTION...]: in build/NAME, with options of cmake --build
 build_preset() {
-  local preset=$1 python=()
+  local preset=$1 settings=(-DPOLHODE_PRECOMPILE=ON)
   shift
-  [[ $preset == release && -x /usr/bin/python3 ]] && python=(-DPython3_EXECUTABLE=/usr/bin/python3)
+  [[ $preset == release && -x /usr/bin/python3 ]] && settings+=(-DPython3_EXECUTABLE=/usr/bin/python3)
   if [[ ! -f build/$preset/build.ninja ]]; then
     say "configure: build/$preset"
-    cmake --preset "$preset" "${python[@]}" >/dev/null
+    cmake --preset "$preset" "${settings[@]}" >/dev/null
   fi
   say "build: build/$preset"
   cmake --build --preset "$preset" "$@"
