@@ -213,16 +213,16 @@ def draw(result, image):
     shown = [(OTHER, f"{OTHER}, table", drawing.PALETTE[6], 5, OTHER)]
     looks = drawing.styles([s for s in SCHEMES if s != OTHER])
     for scheme, look in looks.items():
-        shown.append((scheme, "particles, mixed, site-switch", look.colour, look.open, f"{scheme}, the same law"))
-        shown.append((scheme, "particles, mixed, molecule-switch", look.colour, look.filled, f"{scheme}, switched by molecules"))
+        shown.append((scheme, "particles, mixed, site-switch", look.colour, look.open, f"{scheme}, same law"))
+        shown.append((scheme, "particles, mixed, molecule-switch", look.colour, look.filled, f"{scheme}, by molecules"))
     data, plots = [], []
     for k, (scheme, form, colour, mark, title) in enumerate(shown):
         points = [(seconds_per_ns(result, scheme, form, 1, h), r) for h, r in curve_of(result, scheme, form)]
         data.append(f"$curve{k} << EOD\n" + "\n".join(f"{x:.6g} {y:.6g}" for x, y in points) + "\nEOD")
         plots.append(f'$curve{k} using 1:2 with linespoints linewidth 1.6 linecolor "{colour}" pointtype {mark} title "{title}"')
     script = "\n".join([
-        drawing.begin(image, 760, 560), "set logscale xy", 'set xlabel "seconds per nanosecond of 4,096 TIP4P waters, one process"',
-        'set ylabel "R [%]"', "set yrange [0.05:10]", "set key outside top center horizontal maxcols 3", *data,
+        drawing.begin(image, 760, 480), "set logscale xy", 'set xlabel "seconds per nanosecond of 4,096 TIP4P waters, one process"',
+        'set ylabel "R [%]"', "set xrange [500:200000]", "set yrange [0.006:10]", "set key at graph 0.98, graph 0.03 right bottom Left reverse samplen 2 font small", *data,
         "plot " + ", \\\n  ".join(plots), ""])
     drawing.draw(script, image)
 

@@ -27,7 +27,6 @@ import cost  # noqa: E402
 import machine  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
-DENSITY = 512 / 2.4836**3  # of the configuration that is replicated [1/nm³]; its edge is checked
 FORMS = {
     "rigid/nve/small": "rigid/nve/small, lj/cut/coul/cut",
     "atoms": "pair_style polhode, double",
@@ -100,9 +99,9 @@ class Bench(cost.Bench):
         return [(b - a) / steps for a, b in zip(short, long)]
 
 
-def shell(edge, ghosts):
-    """Molecules in the shell around a domain [nm]."""
-    return DENSITY * ((edge + 2 * ghosts)**3 - edge**3)
+def shell(size, edge, thickness):
+    """Molecules in a shell around a domain of `size` copies of 512 waters along each edge; lengths in nm."""
+    return 512 / edge**3 * ((size * edge + 2 * thickness)**3 - (size * edge)**3)
 
 
 def main():
@@ -124,7 +123,7 @@ def main():
         for form in ("particles", "atoms", "rigid/nve/small"):
             for ranks, size in cases:
                 messages, sent, collectives = bench.per_step(form, ranks, size)
-                ghosts = shell(size * bench.edge, 1.1)  # cutoff and skin
+                ghosts = shell(size, bench.edge, 1.1)  # cutoff and skin
                 result["rows"].append({"form": form, "processes": ranks, "waters": 512 * size**3, "messages": messages, "bytes": sent,
                                        "collectives": collectives, "shell": ghosts})
                 per_ghost = f"{sent / ghosts / 1e3:.3f}" if ranks == 8 else ""
