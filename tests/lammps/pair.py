@@ -81,6 +81,15 @@ def in_nm(data):
     return "\n".join(lines) + "\n", types
 
 
+TURNED_BACK = (0.5, -0.5, -0.5, -0.5)  # z to y to x to z
+
+
+def times(a, b):
+    """The product of two quaternions."""
+    (w, x, y, z), (W, X, Y, Z) = a, b
+    return [w * W - x * X - y * Y - z * Z, w * X + x * W + y * Z - z * Y, w * Y - x * Z + y * W + z * X, w * Z + x * Y - y * X + z * W]
+
+
 class Pair(LammpsTest):
     def system(self, **changes):
         """A run of polhode; its energies, and its system as a data file. Returns the settings and the atom types."""
@@ -187,6 +196,34 @@ run {evaluations * round(values["length"] / values["step"])}
         again = self.lammps(script.replace("run.data", "middle.data").replace("Attitudes", "attitudes").replace("run 60", "run 30"), 2)[0]
         for name in self.PARTICLE_COLUMNS:
             self.assert_close(whole[name], again[name], 1e-10, name)  # write_data has 15 digits
+
+    def test_the_axes_of_a_molecule_file(self):
+        """Attitudes are those of the file, also where its axes are not principal ones: the same molecules with turned axes."""
+        script = self.particles(every=10).replace("run 20", "run 20\nwrite_data end.data")
+        plain = self.lammps(script)[0]
+        end = self.attitudes("end.data", "attitudes")
+        molecule = (self.folder / "run-1.molecule").read_text()
+        head, _, rest = molecule.partition("Coords\n\n")
+        coordinates, _, rest = rest.partition("\n\n")
+        turned = "\n".join("{0} {3} {1} {2}".format(*line.split()) for line in coordinates.splitlines())  # x to y to z to x
+        self.write("run-1.molecule", f"{head}Coords\n\n{turned}\n\n{rest}")
+        data = (self.folder / "run.data").read_text()
+        head = data[:data.index("\nAttitudes")]
+        lines = [" ".join(map(repr, [number, *times(a, TURNED_BACK), *ell]))
+                 for number, (a, ell) in self.attitudes("run.data", "Attitudes").items()]
+        self.write("run.data", head + "\nAttitudes\n\n" + "\n".join(lines) + "\n")
+        other = self.lammps(script)[0]
+        for name in self.PARTICLE_COLUMNS:
+            self.assert_close(plain[name], other[name], 1e-11, name)
+        for number, (a, _) in self.attitudes("end.data", "attitudes").items():
+            expected = times(end[number][0], TURNED_BACK)
+            self.assertAlmostEqual(abs(sum(x * y for x, y in zip(a, expected))), 1, delta=1e-12)
+
+    def attitudes(self, name, section):
+        """Quaternion and angular momentum of each particle in a data file."""
+        lines = (self.folder / name).read_text().partition(f"\n{section}\n\n")[2].partition("\n\n")[0].splitlines()
+        rows = [[float(word) for word in line.split()] for line in lines]
+        return {int(row[0]): (row[1:5], row[5:8]) for row in rows}
 
     def test_particles_as_atoms_for_analysis(self):
         script = self.particles(every=5, scheme="bcss3", step=2, length=20)
@@ -313,6 +350,20 @@ run {evaluations * round(values["length"] / values["step"])}
         twin = self.lammps(script.replace("read_data", "box tilt large\nread_data"), 2)[0]
         for name in ("E_vdwl", "E_coul", "KinEng", "Press"):
             self.assert_close(one[name], twin[name], 1e-11, name)
+
+    def test_boundaries_that_are_not_periodic(self):
+        # A droplet far from all walls has the energies of the same droplet in a periodic box.
+        values, types = self.system(scheme="bcss3", length=20)
+        script = self.script(values, types, every=10)
+        data = (self.folder / "lj.data").read_text()
+        for line in [line for line in data.splitlines() if line.endswith("hi")]:
+            data = data.replace(line, f"-1.5 {float(line.split()[1]) + 1.5!r} {' '.join(line.split()[2:])}")
+        self.write("lj.data", data)
+        periodic = self.lammps(script)[0]
+        for title, boundary, ranks in (("none", "f f f", 2), ("two", "p f p", 2), ("one", "f f p", 1)):
+            other = self.lammps(script.replace("units lj", f"units lj\nboundary {boundary}"), ranks)[0]
+            for name in ("E_vdwl", "E_coul", "KinEng"):
+                self.assert_close(periodic[name], other[name], 1e-11, f"{title}: {name}")
 
     def test_a_box_smaller_than_two_cutoffs(self):
         # A molecule meets several images of another and of itself, which polhode refuses: a system of 2 × 2 × 2 copies has
