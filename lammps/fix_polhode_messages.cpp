@@ -187,10 +187,9 @@ void FixPolhode::unpack_reverse_comm(int count, int* list, double* buffer) {
   const double* at = buffer;
   if (stays_here(list)) return;
   for (int k = 0; k < count; ++k) {
-    const int body = body_of(list[k]);
-    if (body < 0) continue;
+    if (body_of(list[k]) < 0) continue;
     const Vec3<double> f = take(at), tau = take(at);
-    add_load(body, f, tau);
+    add_load(origin(body_of(list[k])).body, f, tau);
   }
 }
 

@@ -113,7 +113,7 @@ std::vector<std::string> canonical_sentences(const CanonicalFindings& findings,
   for (const CanonicalClaim& claim : findings.claims)
     sentences.push_back(sentence(claim, findings.criterion, points));
   if (!findings.cheapest) {
-    sentences.push_back(
+    sentences.emplace_back(
         "the cheapest unbiased sample is not known: no point has all biases below "
         "their bounds and a correlation time");
     return sentences;
