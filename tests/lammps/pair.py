@@ -183,8 +183,10 @@ run {evaluations * round(values["length"] / values["step"])}
                            self.PARTICLE_COLUMNS)
 
     def test_particles_in_restart_and_data_files(self):
+        # Centres begin on the faces of the box, which they cross.
         script = self.particles(every=5, scheme="gier4-fd", step=1.5, length=30)
-        whole = self.lammps(script.replace("run 60", "restart 10 state.*\nrun 30\nwrite_data middle.data\nrun 30"))[1]
+        moved = script.replace("fix rigid all", f"displace_atoms all move {3 * ' -1.5521523'} units box\nfix rigid all")
+        whole = self.lammps(moved.replace("run 60", "restart 10 state.*\nrun 30\nwrite_data middle.data\nrun 30"))[1]
         style = script[script.index("pair_style"):script.index("atom_modify")]  # not in restart files
         head, _, tail = script.partition("read_data")
         resumed = head.replace(style, "").replace("atom_style atomic\n", "").replace("fix attitudes", "read_restart state.20\nfix attitudes")
@@ -221,8 +223,10 @@ run {evaluations * round(values["length"] / values["step"])}
 
     def attitudes(self, name, section):
         """Quaternion and angular momentum of each particle in a data file."""
-        lines = (self.folder / name).read_text().partition(f"\n{section}\n\n")[2].partition("\n\n")[0].splitlines()
+        text = (self.folder / name).read_text().partition(f"\n{section}")[2]  # and perhaps a comment
+        lines = text.partition("\n\n")[2].partition("\n\n")[0].splitlines()
         rows = [[float(word) for word in line.split()] for line in lines]
+        self.assertEqual(len(rows), 64)
         return {int(row[0]): (row[1:5], row[5:8]) for row in rows}
 
     def test_particles_as_atoms_for_analysis(self):
