@@ -85,9 +85,7 @@ BodyRecord FixPolhode::body_of_particle(int i, const Kind& kind) {
   const bool known = body_of(i) >= 0;
   if (known) {
     body = record(body_of(i));
-    const Vec3<double> shift = x - body.pose.q - minimum_image(x - body.pose.q);
-    body.pose.q += shift;
-    body.kept_pose.q += shift;
+    body.pose.q += x - body.pose.q - minimum_image(x - body.pose.q);
     if (phase_ != 0) return body;  // a particle may be displaced within a step
   }
   try {

@@ -221,6 +221,14 @@ run {evaluations * round(values["length"] / values["step"])}
             expected = times(end[number][0], TURNED_BACK)
             self.assertAlmostEqual(abs(sum(x * y for x, y in zip(a, expected))), 1, delta=1e-12)
 
+    def test_attitudes_that_are_set(self):
+        turned = "set atom 7 d2_attitude[1] 0.5\nset atom 7 d2_attitude[2] 0.5\nset atom 7 d2_attitude[3] 0.5\nset atom 7 d2_attitude[4] 0.5\n"
+        script = self.particles().replace("run 20", "run 0")
+        before, after = self.lammps(script + turned + "run 0\n", 2)
+        first = self.lammps(script.replace("fix rigid all", turned + "fix rigid all"))[0]
+        self.assert_close(after["E_pair"], first["E_pair"], 1e-12)
+        self.assertGreater(abs(after["E_pair"][0] - before["E_pair"][0]), 1e-3)
+
     def attitudes(self, name, section):
         """Quaternion and angular momentum of each particle in a data file."""
         text = (self.folder / name).read_text().partition(f"\n{section}")[2]  # and perhaps a comment
@@ -351,9 +359,10 @@ run {evaluations * round(values["length"] / values["step"])}
         data = (self.folder / "lj.data").read_text()
         edge = data.partition(" xlo xhi")[0].split()[-1]
         self.write("lj.data", data.replace(" zlo zhi\n", f" zlo zhi\n{edge} 0 0 xy xz yz\n"))
-        twin = self.lammps(script.replace("read_data", "box tilt large\nread_data"), 2)[0]
-        for name in ("E_vdwl", "E_coul", "KinEng", "Press"):
-            self.assert_close(one[name], twin[name], 1e-11, name)
+        for grid in ("1 1 2", "2 1 1"):  # images before and after ghosts of another process
+            twin = self.lammps(script.replace("read_data", f"processors {grid}\nbox tilt large\nread_data"), 2)[0]
+            for name in ("E_vdwl", "E_coul", "KinEng", "Press"):
+                self.assert_close(one[name], twin[name], 1e-11, name)
 
     def test_boundaries_that_are_not_periodic(self):
         # A droplet far from all walls has the energies of the same droplet in a periodic box.
