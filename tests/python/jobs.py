@@ -85,6 +85,22 @@ class Verbs(InFolder):
         program("convert", "a-final.gro", "b.xyz")
         self.assertEqual(Path("a.xyz").read_text(), Path("b.xyz").read_text())
 
+    def test_convert_particles(self):
+        """A dump of one particle has the sites of a molecule around its centre."""
+        run = dict(system={"molecules": [{"model": "spce", "count": 1}], "density": "1e-3 g/cm3"})
+        Path("a.dump").write_text("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS pp pp pp\n0 30\n0 30\n0 30\n"
+                                  "ITEM: ATOMS id xu yu zu d2_attitude[1] d2_attitude[2] d2_attitude[3] d2_attitude[4]\n"
+                                  "1 15 15 15 0.7071067811865476 0 0 0.7071067811865476\n", encoding="utf-8")
+        self.assertEqual(polhode.convert("a.dump", "a.xyz", particles=run), 1)
+        sites = [[float(word) for word in line.split()[1:4]] for line in Path("a.xyz").read_text().splitlines()[2:]]
+        self.assertEqual(len(sites), 3)
+        masses = (15.9994, 1.008, 1.008)
+        for k in range(3):
+            self.assertAlmostEqual(sum(m * r[k] for m, r in zip(masses, sites)) / sum(masses), 15, delta=1e-4)
+        with self.assertRaisesRegex(polhode.Error, "1 particles, and the run file 2"):
+            polhode.convert("a.dump", "b.xyz", particles=dict(system={"molecules": [{"model": "spce", "count": 2}],
+                                                                     "density": "1e-3 g/cm3"}))
+
     def test_bias_of_the_step(self):
         polhode.run(WATER, output="e", length="0.4 ps", trajectory_every="4 fs", sample="4 fs")
         report = polhode.analyze("e-trajectory.gro", run=polhode.settings(WATER), what=["rdf"],
@@ -102,6 +118,8 @@ class Verbs(InFolder):
         self.assertEqual(Path("a.data").read_text(), Path("b.data").read_text())
         files = polhode.export("lammps", WATER, pair_style="polhode", output="c")
         self.assertEqual([file.suffix for file in files], [".data", ".in"])
+        files = polhode.export("lammps", WATER, pair_style="polhode-particles", output="d")
+        self.assertEqual([file.name for file in files], ["d.data", "d-1.molecule", "d.in"])
         with self.assertRaisesRegex(polhode.Error, "pair_style"):
             polhode.export("lammps", WATER, pair_style="lj/cut")
         with self.assertRaisesRegex(polhode.Error, "no export to 'gromacs'"):

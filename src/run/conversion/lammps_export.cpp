@@ -194,11 +194,12 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   const bool particles = style == LammpsPairStyle::particles;
   const Scheme scheme = lammps_scheme(config, callbacks);
   const System system = build_system(config);
-  std::vector<std::string> files = {data, input};
+  std::vector<std::string> files = {data};
   if (style == LammpsPairStyle::table) files.push_back(table);
   if (particles)
     for (std::size_t part = 0; part < system.topology.parts.size(); ++part)
       files.push_back(molecule_file(prefix, part));
+  files.push_back(input);
   check_outputs(files, options.existing);
   note_molecules(system, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
