@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """Time of a step of water in LAMMPS on one process: pair_style polhode with fix polhode, with atoms or with one particle a
-molecule, and fix rigid/nve/small with lj/cut/coul/cut, against a step of polhode itself. All with a reaction field or a plain cutoff of 1 nm, at 2 fs.
+molecule, and fix polhode and fix rigid/nve/small with lj/cut/coul/cut, against a step of polhode itself. All with a reaction field
+or a plain cutoff of 1 nm, at 2 fs.
 
     bench/lammps/cost.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so
 
@@ -86,6 +87,7 @@ STYLES = {
                                         "polhode massless 3 particle 4 particles-1.molecule"),
     "one particle a molecule, mixed": ("polhode 10 electrostatics reaction-field precision mixed",
                                        "polhode massless 3 particle 4 particles-1.molecule"),
+    "fix polhode, lj/cut/coul/cut": ("lj/cut/coul/cut 10", "polhode massless 3"),
     "rigid/nve/small, lj/cut/coul/cut": ("lj/cut/coul/cut 10", "rigid/nve/small molecule"),
 }
 

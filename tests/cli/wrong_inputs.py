@@ -50,6 +50,11 @@ CASES = [
      ["run.toml", "molecule-switch", "no pair style of LAMMPS", "--pair-style polhode", "site-switch"]),
     ("an export for a pair style that does not exist", SMALL, ("export", "lammps", "run.toml", "--pair-style", "lj/cut"),
      ["--pair-style", "lj/cut", "table"]),
+    ("an export of particles with a mesh", '[system]\nmolecules = [{ model = "spce", count = 64 }]\ndensity = "1 g/cm3"\n[forces]\n'
+     'electrostatics = "pme"\ncutoff = "0.6 nm"\n[integrator]\nscheme = "velocity-verlet"\nstep = "2 fs"\n[run]\nlength = "2 fs"\n',
+     ("export", "lammps", "run.toml", "--pair-style", "polhode-particles"), ["run.toml", "no charges within particles", "--pair-style polhode"]),
+    ("particles of a file that is no dump", SMALL, ("convert", "run.xtc", "run.gro", "--particles", "run.toml"),
+     ["run.xtc", "no dump file of LAMMPS", ".lammpstrj"]),
     ("an analysis without a trajectory", "", ("analyze",), ["TRAJECTORY", "required", "polhode help analyze"]),
     ("an option that does not exist", SMALL, (*RUN, "--steps", "2"), ["--steps", "--length", "polhode help run"]),
     ("a run file that does not exist", "", ("run", "nowhere.toml"), ["nowhere.toml"]),

@@ -96,6 +96,42 @@ PairCommands table_commands(const ForceSettings& settings, const LammpsTypes& ty
   return commands;
 }
 
+// A file besides the data file and the script.
+struct TextFile {
+  std::string name, text;
+};
+
+// The sites of particles, and their types, which do not interact themselves.
+void add_particles(const Topology& topology, const LammpsTypes& types, const std::string& prefix,
+                   PairCommands& pairs, std::vector<TextFile>& files) {
+  for (std::size_t part = 0; part < topology.parts.size(); ++part) {
+    pairs.coefficients += fmt::format("pair_coeff {0} {0} 0 0\n", types.types().size() + part + 1);
+    std::ostringstream text;
+    write_lammps_molecule(text, topology, part, types);
+    files.push_back({molecule_file(prefix, part), text.str()});
+  }
+}
+
+/// @param files  to which those that the commands or the fix need are added
+PairCommands pair_commands(const System& system, const LammpsTypes& types, LammpsPairStyle style,
+                           const std::string& prefix, std::vector<TextFile>& files) {
+  const bool particles = style == LammpsPairStyle::particles, mesh = has_mesh(system.forces);
+  if (particles && mesh)
+    throw Error(
+        "the mesh of LAMMPS knows no charges within particles; use --pair-style polhode, or "
+        "electrostatics without a mesh");
+  std::ostringstream text;
+  if (style == LammpsPairStyle::table) {
+    const auto sections = write_lammps_tables(text, system.topology, system.forces, types, !mesh);
+    files.push_back({prefix + ".table", text.str()});
+    return table_commands(system.forces, types, files.back().name, sections);
+  }
+  write_lammps_pair_coefficients(text, system.topology, system.forces, types);
+  PairCommands pairs{lammps_pair_style(system.forces), text.str()};
+  if (particles) add_particles(system.topology, types, prefix, pairs, files);
+  return pairs;
+}
+
 // The input script.
 class Script {
  public:
@@ -190,47 +226,25 @@ std::vector<std::string> export_to_lammps(const Config& config, LammpsPairStyle 
   check(config);
   const std::string& prefix = config.output.prefix;
   check_prefix(prefix);
-  const std::string data = prefix + ".data", table = prefix + ".table", input = prefix + ".in";
-  const bool particles = style == LammpsPairStyle::particles;
   const Scheme scheme = lammps_scheme(config, callbacks);
   const System system = build_system(config);
-  std::vector<std::string> files = {data};
-  if (style == LammpsPairStyle::table) files.push_back(table);
-  if (particles)
-    for (std::size_t part = 0; part < system.topology.parts.size(); ++part)
-      files.push_back(molecule_file(prefix, part));
-  files.push_back(input);
-  check_outputs(files, options.existing);
   note_molecules(system, callbacks);
   const LammpsTypes types(system.topology, system.forces.mixing.pairs.empty());
-  std::ostringstream text;  // made before any file, since a law can be refused
+  std::vector<TextFile> texts;  // made before any file, since a law can be refused
   PairCommands pairs;
   try {
-    if (particles && has_mesh(system.forces))
-      throw Error(
-          "the mesh of LAMMPS knows no charges within particles; use --pair-style polhode, or "
-          "electrostatics without a mesh");
-    if (style == LammpsPairStyle::table) {
-      pairs = table_commands(system.forces, types, table,
-                             write_lammps_tables(text, system.topology, system.forces, types,
-                                                 !has_mesh(system.forces)));
-    } else {
-      write_lammps_pair_coefficients(text, system.topology, system.forces, types);
-      pairs = {lammps_pair_style(system.forces), text.str()};
-    }
+    pairs = pair_commands(system, types, style, prefix, texts);
   } catch (const Error& e) {
     throw e.at(config.source);
   }
-  if (particles)
-    for (std::size_t k = 0; k < system.topology.parts.size(); ++k)
-      pairs.coefficients += fmt::format("pair_coeff {0} {0} 0 0\n", types.types().size() + k + 1);
-  if (style == LammpsPairStyle::table)
-    write_file(table, [&](std::ostream& out) { out << text.str(); });
-  if (particles)
-    for (std::size_t part = 0; part < system.topology.parts.size(); ++part)
-      write_file(molecule_file(prefix, part), [&](std::ostream& out) {
-        write_lammps_molecule(out, system.topology, part, types);
-      });
+  const bool particles = style == LammpsPairStyle::particles;
+  const std::string data = prefix + ".data", input = prefix + ".in";
+  std::vector<std::string> files = {data};
+  for (const TextFile& file : texts) files.push_back(file.name);
+  files.push_back(input);
+  check_outputs(files, options.existing);
+  for (const TextFile& file : texts)
+    write_file(file.name, [&](std::ostream& out) { out << file.text; });
   write_file(data, [&](std::ostream& out) {
     (particles ? write_lammps_particles : write_lammps_data)(out, title_of(system.state),
                                                              system.state, system.topology, types);
