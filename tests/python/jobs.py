@@ -13,7 +13,7 @@ import numpy as np
 import polhode
 
 import package
-from package import WATER, program
+from package import WATER, optional, program
 
 STUDY = {"runs": 2, "length": "40 fs", "decorrelate": "10 fs"}
 
@@ -288,19 +288,13 @@ class Results(unittest.TestCase):
         self.assertNotIn("<b>", m._repr_html_())
 
     def test_pandas(self):
-        try:
-            import pandas  # noqa: F401
-        except ImportError:
-            self.skipTest("pandas is not installed")
+        optional("pandas")
         frame = polhode.Simulation(WATER).run("8 fs").to_pandas()
         self.assertEqual(frame.index.name, "time")
         self.assertEqual(len(frame), 3)
 
     def test_mdanalysis(self):
-        try:
-            import MDAnalysis  # noqa: F401
-        except ImportError:
-            self.skipTest("MDAnalysis is not installed")
+        optional("MDAnalysis")
         s = polhode.Simulation(WATER)
         u = s.run("20 fs", frames="10 fs").to_mdanalysis()
         self.assertEqual((len(u.trajectory), len(u.atoms), len(u.residues)), (3, 256, 64))
@@ -310,10 +304,7 @@ class Results(unittest.TestCase):
         self.assertAlmostEqual(u.trajectory.dt, 0.01, 9)
 
     def test_mdtraj(self):
-        try:
-            import mdtraj  # noqa: F401
-        except ImportError:
-            self.skipTest("mdtraj is not installed")
+        optional("mdtraj")
         s = polhode.Simulation(WATER)
         t = s.run("20 fs", frames="10 fs").to_mdtraj()
         self.assertEqual((t.n_frames, t.n_atoms, t.n_residues), (3, 256, 64))
@@ -331,6 +322,7 @@ class Results(unittest.TestCase):
         return frames
 
     def test_a_view_has_the_atoms_and_the_box(self):
+        optional("py3Dmol")
         s = polhode.Simulation(WATER)
         html = s.view_3d(width=300).write_html()
         (elements, positions), = self.atoms_of(html, "addModel")
@@ -341,6 +333,7 @@ class Results(unittest.TestCase):
         self.assertIn("width: 300px", html)
 
     def test_a_view_of_a_run_has_its_frames(self):
+        optional("py3Dmol")
         s = polhode.Simulation(WATER)
         run = s.run("20 fs", frames="10 fs")
         frames = self.atoms_of(run.view_3d(js="copy.js").write_html(), "addModelsAsFrames")
@@ -350,27 +343,26 @@ class Results(unittest.TestCase):
             s.run("4 fs").view_3d()
         self.assertIn("kept no frames", str(caught.exception))
 
-    def test_a_view_that_is_too_large_or_without_py3dmol(self):
-        s = polhode.Simulation(WATER)
-        with unittest.mock.patch("polhode._viewer.MAX_ATOMS", 191), self.assertRaises(polhode.Error) as caught:
-            s.view_3d()
-        self.assertIn("192 atoms are too many", str(caught.exception))
+    def test_a_view_without_py3dmol(self):
         with unittest.mock.patch.dict("sys.modules", {"py3Dmol": None}), self.assertRaises(polhode.Error) as caught:
-            s.view_3d()
+            polhode.Simulation(WATER).view_3d()
         self.assertIn("pip install py3Dmol", str(caught.exception))
 
+    def test_a_view_that_is_too_large(self):
+        optional("py3Dmol")
+        with unittest.mock.patch("polhode._viewer.MAX_ATOMS", 191), self.assertRaises(polhode.Error) as caught:
+            polhode.Simulation(WATER).view_3d()
+        self.assertIn("192 atoms are too many", str(caught.exception))
+
     def test_names_of_elements_in_a_view_are_not_markup(self):
+        optional("py3Dmol")
         s = polhode.Simulation(molecules={"name": "a", "source": "-", "site": [
             {"name": "A", "element": "</", "position": "0 0 0 nm", "mass": "1 u"}]}, count=2, box="3 nm", cutoff="1 nm")
         (elements, _), = self.atoms_of(s.view_3d().write_html(), "addModel")
         self.assertEqual(elements, ["X", "X"])
 
     def test_figures(self):
-        try:
-            import matplotlib
-        except ImportError:
-            self.skipTest("matplotlib is not installed")
-        matplotlib.use("Agg")
+        optional("matplotlib").use("Agg")
         axes = polhode.Simulation(WATER).run("20 fs").plot()
         self.assertEqual(len(axes), 2)
         with self.assertRaises(polhode.Error):

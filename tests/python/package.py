@@ -2,6 +2,7 @@
 """Shared by the tests of the Python package: the program, and small systems."""
 
 import argparse
+import importlib
 import os
 import subprocess
 import sys
@@ -26,6 +27,14 @@ def program(*arguments, **options):
 def python(code, **options):
     """A Python of its own that runs some code; its result is that of subprocess.run()."""
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, **options)
+
+
+def optional(name):
+    """A module; where it is not installed, the test is skipped."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        raise unittest.SkipTest(f"{name} is not installed") from None
 
 
 def main():
