@@ -141,7 +141,7 @@ std::vector<double> new_kinds(const std::vector<Assembled>& molecules,
 }
 
 bool same_atoms(const Kind& a, const Kind& b) {
-  if (a.types != b.types) return false;
+  if (a.particle != b.particle || a.types != b.types) return false;
   for (std::size_t k = 0; k < a.types.size(); ++k)
     if (a.molecule.sites[k].mass != b.molecule.sites[k].mass) return false;
   return true;

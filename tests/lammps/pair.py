@@ -8,6 +8,7 @@ have 8 to 11 digits, takes part.
 
 import csv
 import math
+import re
 
 import engine
 from engine import LammpsTest
@@ -198,6 +199,34 @@ run {evaluations * round(values["length"] / values["step"])}
         again = self.lammps(script.replace("run.data", "middle.data").replace("Attitudes", "attitudes").replace("run 60", "run 30"), 2)[0]
         for name in self.PARTICLE_COLUMNS:
             self.assert_close(whole[name], again[name], 1e-10, name)  # write_data has 15 digits
+
+    def test_particles_and_molecules_of_atoms(self):
+        """Water of which the first half are particles and the others atoms, which have the same energies and trajectory."""
+        script = self.particles(every=5, scheme="bcss3", step=1, length=10)
+        particles = (self.folder / "run.data").read_text()
+        self.polhode("export", "lammps", "run.toml", "--pair-style", "polhode", "--output", "atoms", "--force")
+        atoms = (self.folder / "atoms.data").read_text()
+
+        def section(text, title):
+            rows = text.partition(f"\n{title}\n\n")[2].partition("\n\n")[0].splitlines()
+            return [line.split() for line in rows]
+
+        kept = [row for row in section(atoms, "Atoms # full") if int(row[1]) > 32]
+        ids = [row[0] for row in kept]
+        lines = [f"{n} {n} 4 0 {' '.join(row[2:])}" for n, row in enumerate(section(particles, "Atoms # atomic")[:32], 1)]
+        lines += [" ".join([str(33 + k), *row[1:]]) for k, row in enumerate(kept)]
+        velocities = [" ".join(row) for row in section(particles, "Velocities")[:32]]
+        of_atoms = {row[0]: row[1:] for row in section(atoms, "Velocities")}
+        velocities += [" ".join([str(33 + k), *of_atoms[i]]) for k, i in enumerate(ids)]
+        attitudes = [" ".join(row) for row in section(particles, "Attitudes")[:32]]
+        attitudes += [f"{33 + k} 1 0 0 0 0 0 0" for k in range(len(ids))]
+        head = particles.partition("\nAtoms # atomic")[0].replace("64 atoms", f"{len(lines)} atoms")
+        self.write("run.data", "\n".join([head, "Atoms # full", "", *lines, "", "Velocities", "", *velocities, "", "Attitudes", "", *attitudes, ""]))
+        script = script.replace("atom_style atomic", "atom_style full").replace("fix attitudes all", "special_bonds lj/coul 0 0 0\nfix attitudes all")
+        plain = self.lammps(re.sub(r"\nthermo \d+", "\nthermo 15", (self.folder / "atoms.in").read_text()))[0]
+        for ranks in (1, 2):
+            both = self.lammps(script, ranks)[0]
+            self.assert_close(both["E_pair"], plain["E_pair"], 1e-11)
 
     def test_the_axes_of_a_molecule_file(self):
         """Attitudes are those of the file, also where its axes are not principal ones: the same molecules with turned axes."""
