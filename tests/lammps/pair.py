@@ -17,6 +17,7 @@ KCAL = 4.184  # kJ
 AVOGADRO = 6.02214076e23  # constants as in base/units.hpp
 COULOMB = 1.602176634e-19**2 * AVOGADRO / (4 * math.pi * 8.8541878128e-12) * 1e6  # kJ/mol nm
 BAR = 1e25 / AVOGADRO  # a kJ/mol/nm³
+LAMMPS_PRESSURE = 68568.415  # its constant in units real: a kcal/mol/Å³ in atmospheres, to 7 digits
 VOLUME = 1.914577632688878  # of 64 waters [nm³]
 
 RUN = """[system]
@@ -151,6 +152,7 @@ run {evaluations * round(values["length"] / values["step"])}
             self.polhode("run", "run.toml", "--force")
             self.polhode("export", "lammps", "run.toml", "--pair-style", style, "--force")
             self.assertFalse((self.folder / "run.table").exists())
+            data = (self.folder / "run.data").read_text()
             table = self.lammps((self.folder / "run.in").read_text())[0]
             if style == "polhode-particles":  # LAMMPS does not know that they rotate
                 table["KinEng"] = [a + b for a, b in zip(table["KinEng"], table["f_rigid[2]"])]
@@ -164,6 +166,12 @@ run {evaluations * round(values["length"] / values["step"])}
                 # LAMMPS's constant of kinetic energies is 7e-11 too large; twice that for the trajectory.
                 kinetic = float(row["kinetic_translation [kJ/mol]"]) + float(row["kinetic_rotation [kJ/mol]"])
                 self.assertLess(abs(KCAL * table["KinEng"][k] - kinetic), 1.4e-10 * kinetic, f"{title}, sample {k}")
+                # The size of its terms, which cancel, is that of the energies; the kinetic one is 7e-11 too large.
+                volume = math.prod(float(words[1]) / 10 for words in map(str.split, data.splitlines()) if words and words[-1].endswith("hi"))
+                pressure = table["Press"][k] / LAMMPS_PRESSURE * KCAL * 1e3 * BAR  # kcal/mol/Å³ and kJ/mol/nm³
+                tolerance *= BAR / volume / 3
+                self.assertLess(abs(pressure - float(row["pressure [bar]"])), tolerance + 1e-10 * kinetic * BAR / volume,
+                                f"{title}, sample {k}")
 
     def particles(self, every=1, **changes):
         """The script of a run with one particle a molecule."""
