@@ -6,58 +6,13 @@ Systems of polhode are given to LAMMPS in its units lj, with nm, ps, u and kJ/mo
 have 8 to 11 digits, takes part.
 """
 
-import csv
 import math
-import re
 
 import engine
-from engine import LammpsTest
-
-KCAL = 4.184  # kJ
-AVOGADRO = 6.02214076e23  # constants as in base/units.hpp
-COULOMB = 1.602176634e-19**2 * AVOGADRO / (4 * math.pi * 8.8541878128e-12) * 1e6  # kJ/mol nm
-BAR = 1e25 / AVOGADRO  # a kJ/mol/nm³
-LAMMPS_PRESSURE = 68568.415  # its constant in units real: a kcal/mol/Å³ in atmospheres, to 7 digits
-VOLUME = 1.914577632688878  # of 64 waters [nm³]
-
-RUN = """[system]
-molecules = %(molecules)s
-density = "%(density)s"
-temperature = "297 K"
-seed = 3
-[forces]
-truncation = "%(truncation)s"
-electrostatics = "%(electrostatics)s"
-cutoff = "0.58 nm"
-switch = "0.45 nm"
-precision = "%(precision)s"
-[integrator]
-scheme = "%(scheme)s"
-step = "%(step)s fs"
-lambda = 1
-[run]
-length = "%(length)s fs"
-sample = "%(length)s fs"
-[output]
-prefix = "run"
-plot = "none"
-trajectory_every = "0 ps"
-%(more)s
-"""
-WATER = {"molecules": '[{ model = "tip4p", count = 64 }]', "density": "1 g/cm3", "truncation": "molecule-switch",
-         "electrostatics": "reaction-field", "precision": "double", "scheme": "velocity-verlet", "step": 1, "length": 20, "more": ""}
+from runs import BAR, COULOMB, KCAL, MIXTURES, RUN, VOLUME, WATER, RunTest
 
 LAWS = [("molecule-switch", "reaction-field"), ("molecule-switch", "coulomb"), ("site-switch", "reaction-field"),
         ("site-shift", "reaction-field"), ("site-switch", "damped-shifted-force")]
-
-# Mixtures of all kinds of tops: asymmetric, linear, symmetric, atoms; one with an explicit pair.
-MIXTURES = {
-    "water and ions": {"molecules": '[{ model = "spce", count = 60 }, { model = "na-spce", count = 2 }, '
-                                    '{ model = "cl-spce", count = 2 }]'},
-    "CO2 and argon": {"molecules": '[{ model = "co2", count = 40 }, { model = "argon", count = 24 }]', "density": "0.9 g/cm3",
-                      "more": '[[pair]]\nsites = ["co2.C", "argon.Ar"]\nsigma = "0.3 nm"\nepsilon = "0.5 kJ/mol"'},
-    "benzene in water": {"molecules": '[{ model = "spce", count = 60 }, { model = "benzene", count = 1 }]', "density": "0.6 g/cm3"},
-}
 
 
 def in_nm(data):
@@ -83,16 +38,7 @@ def in_nm(data):
     return "\n".join(lines) + "\n", types
 
 
-TURNED_BACK = (0.5, -0.5, -0.5, -0.5)  # z to y to x to z
-
-
-def times(a, b):
-    """The product of two quaternions."""
-    (w, x, y, z), (W, X, Y, Z) = a, b
-    return [w * W - x * X - y * Y - z * Z, w * X + x * W + y * Z - z * Y, w * Y - x * Z + y * W + z * X, w * Z + x * Y - y * X + z * W]
-
-
-class Pair(LammpsTest):
+class Pair(RunTest):
     def system(self, **changes):
         """A run of polhode; its energies, and its system as a data file. Returns the settings and the atom types."""
         values = {**WATER, **changes}
@@ -105,10 +51,6 @@ class Pair(LammpsTest):
         data, types = in_nm((self.folder / "run.data").read_text())
         self.write("lj.data", data)
         return values, types
-
-    def energies_of_polhode(self):
-        lines = [line for line in (self.folder / "run-energies.csv").read_text().splitlines() if line[:1] != "#"]
-        return list(csv.DictReader(lines))
 
     def script(self, values, types, every=1, more="", style="", coefficients=""):
         """The same run with pair_style polhode."""
@@ -139,187 +81,6 @@ run {evaluations * round(values["length"] / values["step"])}
 
     def test_export(self):
         self.check_export("polhode")
-
-    def test_export_of_particles(self):
-        self.check_export("polhode-particles")
-
-    def check_export(self, style):
-        """The script that export writes performs the run of polhode, in units real: velocities have the constant of LAMMPS, of 11
-        digits, and so has the kinetic energy."""
-        for title, changes in {"water": {}, "gier4-fd": {"scheme": "gier4-fd"}, **MIXTURES}.items():
-            values = {**WATER, **changes}
-            self.write("run.toml", RUN % values)
-            self.polhode("run", "run.toml", "--force")
-            self.polhode("export", "lammps", "run.toml", "--pair-style", style, "--force")
-            self.assertFalse((self.folder / "run.table").exists())
-            data = (self.folder / "run.data").read_text()
-            table = self.lammps((self.folder / "run.in").read_text())[0]
-            if style == "polhode-particles":  # LAMMPS does not know that they rotate
-                table["KinEng"] = [a + b for a, b in zip(table["KinEng"], table["f_rigid[2]"])]
-            energies = self.energies_of_polhode()
-            scale = max(abs(float(row["van_der_waals [kJ/mol]"])) + abs(float(row["coulomb [kJ/mol]"])) for row in energies)
-            self.assertEqual(len(table["E_pair"]), len(energies))
-            for k, row in enumerate(energies):
-                # 1e-12 at the start; after 20 steps of trajectories in units that agree to 11 digits, ten times that.
-                tolerance = scale * (1e-12 if k == 0 else 1e-10)
-                self.assertLess(abs(KCAL * table["E_pair"][k] - float(row["potential [kJ/mol]"])), tolerance, f"{title}, sample {k}")
-                # LAMMPS's constant of kinetic energies is 7e-11 too large; twice that for the trajectory.
-                kinetic = float(row["kinetic_translation [kJ/mol]"]) + float(row["kinetic_rotation [kJ/mol]"])
-                self.assertLess(abs(KCAL * table["KinEng"][k] - kinetic), 1.4e-10 * kinetic, f"{title}, sample {k}")
-                # The size of its terms, which cancel, is that of the energies; the kinetic one is 7e-11 too large.
-                volume = math.prod(float(words[1]) / 10 for words in map(str.split, data.splitlines()) if words and words[-1].endswith("hi"))
-                pressure = table["Press"][k] / LAMMPS_PRESSURE * KCAL * 1e3 * BAR  # kcal/mol/Å³ and kJ/mol/nm³
-                tolerance *= BAR / volume / 3
-                self.assertLess(abs(pressure - float(row["pressure [bar]"])), tolerance + 1e-10 * kinetic * BAR / volume,
-                                f"{title}, sample {k}")
-
-    def particles(self, every=1, **changes):
-        """The script of a run with one particle a molecule."""
-        values = {**WATER, **changes}
-        self.write("run.toml", RUN % values)
-        self.polhode("export", "lammps", "run.toml", "--pair-style", "polhode-particles", "--force")
-        script = (self.folder / "run.in").read_text()
-        before, _, after = script.partition("\nthermo ")
-        evaluations = {"velocity-verlet": 1, "bcss3": 3, "gier4-fd": 3}[values["scheme"]]
-        return before + f"\nthermo {every * evaluations}\n" + after.partition("\n")[2]
-
-    PARTICLE_COLUMNS = ("E_pair", "KinEng", "f_rigid[2]", "v_total", "Press")
-
-    def test_particles_on_ranks(self):
-        script = self.particles(every=10, scheme="gier4-fd", step=1.5, length=30)
-        self.compare_ranks(script, self.PARTICLE_COLUMNS)
-        self.compare_ranks(self.particles(every=10, **{**MIXTURES["CO2 and argon"], "step": 0.5, "length": 30}),
-                           self.PARTICLE_COLUMNS)
-
-    def test_particles_in_restart_and_data_files(self):
-        # Centres begin on the faces of the box, which they cross.
-        script = self.particles(every=5, scheme="gier4-fd", step=1.5, length=30)
-        moved = script.replace("fix rigid all", f"displace_atoms all move {3 * ' -1.5521523'} units box\nfix rigid all")
-        whole = self.lammps(moved.replace("run 60", "restart 10 state.*\nrun 30\nwrite_data middle.data\nrun 30"))[1]
-        style = script[script.index("pair_style"):script.index("atom_modify")]  # not in restart files
-        head, _, tail = script.partition("read_data")
-        resumed = head.replace(style, "").replace("atom_style atomic\n", "").replace("fix attitudes", "read_restart state.20\nfix attitudes")
-        resumed = resumed.replace("atom_modify map yes\n", "") + style.rstrip() + "\n" + tail.partition("\n")[2].replace("run 60", "run 40")
-        for ranks in (1, 2):
-            again = self.lammps(resumed, ranks)[0]  # from the middle of a step of the scheme
-            for name in self.PARTICLE_COLUMNS:
-                self.assert_close([whole[name][-1]], [again[name][-1]], 1e-11, name)
-        again = self.lammps(script.replace("run.data", "middle.data").replace("Attitudes", "attitudes").replace("run 60", "run 30"), 2)[0]
-        for name in self.PARTICLE_COLUMNS:
-            self.assert_close(whole[name], again[name], 1e-10, name)  # write_data has 15 digits
-
-    def test_particles_and_molecules_of_atoms(self):
-        """Water of which the first half are particles and the others atoms, which have the same energies and trajectory."""
-        script = self.particles(every=5, scheme="bcss3", step=1, length=10)
-        particles = (self.folder / "run.data").read_text()
-        self.polhode("export", "lammps", "run.toml", "--pair-style", "polhode", "--output", "atoms", "--force")
-        atoms = (self.folder / "atoms.data").read_text()
-
-        def section(text, title):
-            rows = text.partition(f"\n{title}\n\n")[2].partition("\n\n")[0].splitlines()
-            return [line.split() for line in rows]
-
-        kept = [row for row in section(atoms, "Atoms # full") if int(row[1]) > 32]
-        ids = [row[0] for row in kept]
-        lines = [f"{n} {n} 4 0 {' '.join(row[2:])}" for n, row in enumerate(section(particles, "Atoms # atomic")[:32], 1)]
-        lines += [" ".join([str(33 + k), *row[1:]]) for k, row in enumerate(kept)]
-        velocities = [" ".join(row) for row in section(particles, "Velocities")[:32]]
-        of_atoms = {row[0]: row[1:] for row in section(atoms, "Velocities")}
-        velocities += [" ".join([str(33 + k), *of_atoms[i]]) for k, i in enumerate(ids)]
-        attitudes = [" ".join(row) for row in section(particles, "Attitudes")[:32]]
-        attitudes += [f"{33 + k} 1 0 0 0 0 0 0" for k in range(len(ids))]
-        head = particles.partition("\nAtoms # atomic")[0].replace("64 atoms", f"{len(lines)} atoms")
-        self.write("run.data", "\n".join([head, "Atoms # full", "", *lines, "", "Velocities", "", *velocities, "", "Attitudes", "", *attitudes, ""]))
-        script = script.replace("atom_style atomic", "atom_style full").replace("fix attitudes all", "special_bonds lj/coul 0 0 0\nfix attitudes all")
-        plain = self.lammps(re.sub(r"\nthermo \d+", "\nthermo 15", (self.folder / "atoms.in").read_text()))[0]
-        for ranks in (1, 2):
-            both = self.lammps(script, ranks)[0]
-            self.assert_close(both["E_pair"], plain["E_pair"], 1e-11)
-
-    def test_the_axes_of_a_molecule_file(self):
-        """Attitudes are those of the file, also where its axes are not principal ones: the same molecules with turned axes."""
-        script = self.particles(every=10).replace("run 20", "run 20\nwrite_data end.data")
-        plain = self.lammps(script)[0]
-        end = self.attitudes("end.data", "attitudes")
-        molecule = (self.folder / "run-1.molecule").read_text()
-        head, _, rest = molecule.partition("Coords\n\n")
-        coordinates, _, rest = rest.partition("\n\n")
-        turned = "\n".join("{0} {3} {1} {2}".format(*line.split()) for line in coordinates.splitlines())  # x to y to z to x
-        self.write("run-1.molecule", f"{head}Coords\n\n{turned}\n\n{rest}")
-        data = (self.folder / "run.data").read_text()
-        head = data[:data.index("\nAttitudes")]
-        lines = [" ".join(map(repr, [number, *times(a, TURNED_BACK), *ell]))
-                 for number, (a, ell) in self.attitudes("run.data", "Attitudes").items()]
-        self.write("run.data", head + "\nAttitudes\n\n" + "\n".join(lines) + "\n")
-        other = self.lammps(script)[0]
-        for name in self.PARTICLE_COLUMNS:
-            self.assert_close(plain[name], other[name], 1e-11, name)
-        for number, (a, _) in self.attitudes("end.data", "attitudes").items():
-            expected = times(end[number][0], TURNED_BACK)
-            self.assertAlmostEqual(abs(sum(x * y for x, y in zip(a, expected))), 1, delta=1e-12)
-
-    def test_attitudes_that_are_set(self):
-        turned = "set atom 7 d2_attitude[1] 0.5\nset atom 7 d2_attitude[2] 0.5\nset atom 7 d2_attitude[3] 0.5\nset atom 7 d2_attitude[4] 0.5\n"
-        script = self.particles().replace("run 20", "run 0")
-        before, after = self.lammps(script + turned + "run 0\n", 2)
-        first = self.lammps(script.replace("fix rigid all", turned + "fix rigid all"))[0]
-        self.assert_close(after["E_pair"], first["E_pair"], 1e-12)
-        self.assertGreater(abs(after["E_pair"][0] - before["E_pair"][0]), 1e-3)
-
-    def attitudes(self, name, section):
-        """Quaternion and angular momentum of each particle in a data file."""
-        text = (self.folder / name).read_text().partition(f"\n{section}")[2]  # and perhaps a comment
-        lines = text.partition("\n\n")[2].partition("\n\n")[0].splitlines()
-        rows = [[float(word) for word in line.split()] for line in lines]
-        self.assertEqual(len(rows), 64)
-        return {int(row[0]): (row[1:5], row[5:8]) for row in rows}
-
-    def test_particles_as_atoms_for_analysis(self):
-        script = self.particles(every=5, scheme="bcss3", step=2, length=20)
-        dump = ("dump all all custom 15 run.dump id type xu yu zu vx vy vz d2_attitude[1] d2_attitude[2] d2_attitude[3] d2_attitude[4] "
-                "d2_angular_momentum[1] d2_angular_momentum[2] d2_angular_momentum[3]\ndump_modify all time yes units yes format float %.17g\n")
-        table = self.lammps(script.replace("run 30", dump + "run 30"), 2)[0]
-        self.polhode("convert", "run.dump", "all.xyz", "--particles", "run.toml", "--force")
-        frames = (self.folder / "all.xyz").read_text().splitlines()
-        self.assertEqual(frames.count("256"), len(table["E_pair"]))
-        self.assertIn("Time=0.020000", frames[-257])
-        # The last of them as an initial configuration, rounded to 1e-9 nm, which is where forces of 2e4 kJ/mol/nm on 200 sites have it.
-        self.polhode("convert", "run.dump", "last.xyz", "--particles", "run.toml", "--from", "0.02 ps", "--force")
-        self.write("last.toml", (self.folder / "run.toml").read_text().replace('density = "1 g/cm3"', 'initial_configuration = "last.xyz"'))
-        energy = self.polhode("energy", "last.toml", "--json").partition('"potential_kJ_per_mol":')[2].split(",")[0]
-        self.assertLess(abs(float(energy) - KCAL * table["E_pair"][-1]), 3e-4)
-
-    def test_refusals_of_particles(self):
-        base = self.particles(length=1)
-        molecule = (self.folder / "run-1.molecule").read_text()
-        for name, old, new in (("short", "4 atoms", "5 atoms"), ("flat", "Coords", "Coordinates"), ("untyped", "\nTypes", "\nMolecules"),
-                               ("labels", "1 1 # OW", "1 OW"), ("many", "1 1 # OW", "1 9"), ("heavy", "2 2 # HW1", "2 1")):
-            self.assertIn(old, molecule)
-            self.write(f"{name}.molecule", molecule.replace(old, new))
-        properties = "fix attitudes all property/atom d2_attitude 4 d2_angular_momentum 3\n"
-        cases = [
-            (base.replace("particle 4", "particle 9"), ["number from 1 to 4"]),
-            (base.replace("particle 4", 'particle 4 "run-1.molecule" particle 4'), ["given twice"]),
-            (base.replace("run-1.molecule", "none.molecule"), ["cannot be read"]),
-            (base.replace("run-1.molecule", "short.molecule"), ["short.molecule:", "ends after 4 of 5"]),
-            (base.replace("run-1.molecule", "flat.molecule"), ["flat.molecule:", "'Coordinates' is not a section"]),
-            (base.replace("run-1.molecule", "untyped.molecule"), ["no section Types"]),
-            (base.replace("run-1.molecule", "labels.molecule"), ["labels.molecule:", "labels are not read"]),
-            (base.replace("run-1.molecule", "many.molecule"), ["has sites of type 9"]),
-            (base.replace("run-1.molecule", "heavy.molecule"), ["both must be the same"]),
-            (base.replace("fix rigid all", "set atom 7 d2_attitude[2] 3\nfix rigid all"), ["particle 7 has an attitude of length"]),
-            (base.replace(properties, "").replace(" fix attitudes NULL Attitudes", "").replace("run.data", "plain.data"),
-             ["define 'fix ID all property/atom"]),
-            (base.replace("pair_style polhode", "pair_style lj/cut 5.8 #").replace("pair_coeff", "pair_coeff * * 0 1 #"),
-             ["use pair_style polhode"]),
-            (base.replace("electrostatics reaction-field", "electrostatics pme").replace("molecule-switch", "site-switch").replace("dielectric 78.5", ""),
-             ["knows no charges within particles"]),
-        ]
-        data = (self.folder / "run.data").read_text()
-        self.write("plain.data", data[:data.index("\nAttitudes")])
-        for text, words in cases:
-            with self.subTest(words=words):
-                self.refused(text, words)
 
     def test_export_of_the_ewald_sum(self):
         changes = {"electrostatics": "pme", "truncation": "site-switch", "more": ""}
