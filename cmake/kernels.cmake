@@ -67,7 +67,7 @@ list(LENGTH compiled_sets number_of_sets)
 # Where better sets are there, too, the scalar one serves only processors without them: its loops are not unrolled for each
 # shape of molecules. For developers only those of their processor's best set are, which saves a fourth of the compile time.
 if(number_of_sets GREATER 1)
-  list(APPEND POLHODE_FLAGS_scalar -DPOLHODE_FALLBACK -O1)
+  list(APPEND POLHODE_FLAGS_scalar -DPOLHODE_FALLBACK $<$<NOT:$<CONFIG:Debug>>:-O1>)
 endif()
 if(POLHODE_DEVELOPER)
   polhode_native_set(native_set)

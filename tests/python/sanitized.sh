@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # sanitized.sh BUILD [TEST...]: tests of the Python package, by default all but the tutorials and the wheel, with the module under the
-# address and undefined-behaviour sanitizers. BUILD is a build of the program: that of the preset asan, whose library has the sanitizers, too,
-# or any other. Everything is written to BUILD/python-sanitized.
+# address and undefined-behaviour sanitizers. BUILD is a build of the program: that of the preset asan or asan-quick, whose library has the
+# sanitizers, too, or any other. Everything is written to BUILD/python-sanitized.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 build=$(realpath "$1")
