@@ -6,6 +6,7 @@
 #include "estimate_text.hpp"
 #include "polhode/io/ensemble_text.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/io/with_error.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -15,10 +16,11 @@ std::string in_unit(const SeriesEstimate& e, double unit, std::uint64_t samples,
   return estimate_text({e.value / unit, e.error / unit}, e.known, samples, digits, name);
 }
 
-/// "1200 of 2000 accepted, 60.0 %".
-std::string accepted(std::uint64_t some, std::uint64_t all, double acceptance) {
-  return all == 0 ? "none yet"
-                  : fmt::format("{} of {} accepted, {:.1f} %", some, all, 100 * acceptance);
+/// "1200 of 2000 accepted, 60.0 ± 1.1 %".
+std::string accepted(std::uint64_t some, std::uint64_t all, const SeriesEstimate& share) {
+  return all == 0
+             ? "none yet"
+             : fmt::format("{} of {} accepted, {}", some, all, in_unit(share, 0.01, all, 3, "%"));
 }
 
 void print_barostat(const BarostatSummary& s, std::uint64_t samples) {
@@ -28,15 +30,31 @@ void print_barostat(const BarostatSummary& s, std::uint64_t samples) {
   fmt::print(
       "compressibility       {}, isothermal, from the fluctuations of the volume\n",
       in_unit(s.compressibility, unit("1/bar", Dimension::compressibility), samples, 3, "1/bar"));
-  fmt::print("moves of the box      {}\n", accepted(s.accepted, s.moves, s.acceptance()));
+  fmt::print("moves of the box      {}\n", accepted(s.accepted, s.moves, s.accepted_share));
 }
 
-void print_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
-  fmt::print("trajectories          {}\n", accepted(s.accepted, s.trajectories, s.acceptance()));
+/// How many independent samples of the potential energy the run is worth.
+void print_effective_samples(const HybridMonteCarloSummary& s, std::uint64_t samples) {
+  fmt::print("effective samples     ");
+  if (s.effective_samples.known == Known::yes)
+    fmt::print("{} of the potential energy, whose autocorrelation time is {} ps\n",
+               with_error(s.effective_samples.value, s.effective_samples.error),
+               with_error(s.correlation_time.value, s.correlation_time.error));
+  else
+    fmt::print("{}\n", s.effective_samples.known == Known::too_short
+                           ? "not known, the run is too short to estimate them"
+                       : s.effective_samples.known == Known::not_defined
+                           ? "not defined: the potential energy is constant"
+                           : not_known(samples));
+}
+
+void print_hybrid_monte_carlo(const HybridMonteCarloSummary& s, std::uint64_t samples) {
+  fmt::print("trajectories          {}\n", accepted(s.accepted, s.trajectories, s.accepted_share));
   if (s.trajectories > 0)
     fmt::print(
         "<exp(-dH/kT)>         {}, which must be 1\n",
         estimate_text({s.weight.value, s.weight.error}, s.weight.known, s.trajectories, 4, ""));
+  print_effective_samples(s, samples);
 }
 
 }  // namespace
@@ -49,7 +67,7 @@ void print_ensemble(const EnsembleSummary& s) {
 void print_ensemble_results(const RunSummary& s) {
   const EnsembleSummary& e = s.ensemble;
   if (e.barostat) print_barostat(*e.barostat, s.samples);
-  if (e.hybrid_monte_carlo) print_hybrid_monte_carlo(*e.hybrid_monte_carlo);
+  if (e.hybrid_monte_carlo) print_hybrid_monte_carlo(*e.hybrid_monte_carlo, s.samples);
   if (e.settings.thermostat) fmt::print("heat received         {:.4g} kJ/mol\n", e.heat);
   const double work =
       (e.barostat ? e.barostat->work : 0) + (e.hybrid_monte_carlo ? e.hybrid_monte_carlo->work : 0);

@@ -19,8 +19,14 @@ std::string missing_error(Known known, std::uint64_t samples) {
       return fmt::format(", its error is {}", not_known(samples));
     case Known::too_short:
       return ", the run is too short to estimate its error";
+    case Known::not_defined:
+      return ", its error is not defined";
   }
   return "";
+}
+
+std::string kelvin(const SeriesEstimate& e) {
+  return e.known == Known::yes ? with_error(e.value, e.error) : fmt::format("{:.2f}", e.value);
 }
 
 std::string estimate_text(const Estimate& e, Known known, std::uint64_t samples, int digits,

@@ -15,6 +15,9 @@ std::string not_known(std::uint64_t samples);
 /// Why an error is missing; empty if it is not.
 std::string missing_error(Known known, std::uint64_t samples);
 
+/// A temperature with its error, if it is known; without the unit.
+std::string kelvin(const SeriesEstimate& temperature);
+
 /// A value with its error, or why it has none; both in the same unit, "" for a number.
 std::string estimate_text(const Estimate& e, Known known, std::uint64_t samples, int digits,
                           const char* unit);

@@ -34,10 +34,11 @@ void print_preparation(const PreparationReport& r) {
              p.pressure ? text_of(p.density, density, "g/cm3")
                         : fmt::format("{:.4g} g/cm3, constant", p.density.value / density),
              r.estimated ? fmt::format(" (lattice: {:.3g})", r.lattice_density / density) : "");
-  fmt::print("temperature           {}\n", text_of(p.summary.temperature, 1, "K"));
+  fmt::print("temperature           {}\n", text_of(p.summary.temperatures.all, 1, "K"));
   fmt::print("pressure              {}{}\n", text_of(p.summary.pressure, bar, "bar"),
              p.pressure ? fmt::format(" (barostat: {:g})", *p.pressure / bar) : "");
-  fmt::print("potential energy      {:.4f} kJ/mol per molecule, {}\n", p.summary.potential,
+  fmt::print("potential energy      {}, {}\n",
+             text_of(p.summary.potential, 1, "kJ/mol per molecule"),
              change_of(p.summary.potential_drift));
   if (r.compressibility > 0)
     fmt::print("compressibility       {:.2g} 1/bar, estimated, for the moves of the barostat\n",

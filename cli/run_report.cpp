@@ -30,15 +30,15 @@ void print_ratio(const RunSummary& s) {
   fmt::print("R                     ");
   if (s.samples < min_samples_reported) {
     fmt::print("{}\n", not_known(s.samples));
-  } else if (s.potential_fluctuation == 0) {
+  } else if (s.potential_fluctuation.value == 0) {
     fmt::print("not defined: the potential energy is constant\n");
   } else {
     fmt::print(
         "{}   (rms of the {} energy, {:.4g}, divided by that of the potential energy, {:.4g} "
         "kJ/mol)\n",
         estimate_text({100 * s.ratio.value, 100 * s.ratio.error}, s.ratio.known, s.samples, 4, "%"),
-        s.ensemble.settings.constant_energy() ? "total" : "conserved", s.total_fluctuation,
-        s.potential_fluctuation);
+        s.ensemble.settings.constant_energy() ? "total" : "conserved", s.total_fluctuation.value,
+        s.potential_fluctuation.value);
     if (s.rounding > 0)
       fmt::print(
           "R of rounding         {:.2g} %, estimated{}\n", 100 * s.rounding,
@@ -46,6 +46,12 @@ void print_ratio(const RunSummary& s) {
               ? "; R is dominated by rounding: precision = \"double\" shows the R of the scheme"
               : "");
   }
+}
+
+/// A mean over the run, per molecule.
+void print_energy(const char* name, const SeriesEstimate& e, std::uint64_t samples) {
+  fmt::print("{:<22}{}\n", name,
+             estimate_text({e.value, e.error}, e.known, samples, 7, "kJ/mol per molecule"));
 }
 
 double percent(double x) { return 100 * x; }
@@ -64,30 +70,37 @@ void print_drift(const RunSummary& s) {
                s.shadow->fluctuation);
 }
 
-void print_kinetic(const char* name, const Temperatures& T, const DegreesOfFreedom& n) {
-  const auto kelvin = [](double degrees_of_freedom, double value) {
-    return degrees_of_freedom > 0 ? fmt::format("{:.2f}", value) : "-";
+void print_kinetic(const char* name, const TemperatureEstimates& T, const RunSummary& s) {
+  const DegreesOfFreedom& n = s.degrees_of_freedom;
+  Known worst = Known::yes;
+  const auto text = [&](double degrees_of_freedom, const SeriesEstimate& value) {
+    if (degrees_of_freedom == 0) return std::string("-");
+    if (value.known != Known::yes) worst = value.known;
+    return kelvin(value);
   };
-  fmt::print("{:<22}{} K: translation {}, rotation", name, kelvin(n.all(), T.all),
-             kelvin(n.translation, T.translation));
-  for (std::size_t k = 0; k < 3; ++k) fmt::print(" {}", kelvin(n.rotation[k], T.rotation[k]));
-  fmt::print(" K\n");
+  const std::string all = text(n.all(), T.all), translation = text(n.translation, T.translation);
+  std::string rotation;
+  for (std::size_t k = 0; k < 3; ++k)
+    rotation += (k == 0 ? " " : ", ") + text(n.rotation[k], T.rotation[k]);
+  fmt::print("{:<22}{} K: translation {}, rotation{} K{}\n", name, all, translation, rotation,
+             missing_error(worst, s.samples));
 }
 
 void print_temperatures(const RunSummary& s) {
   const DegreesOfFreedom& n = s.degrees_of_freedom;
-  print_kinetic("temperature", s.temperatures, n);
-  if (s.temperatures_at_bath) print_kinetic("  of half steps", *s.temperatures_at_bath, n);
+  print_kinetic("temperature", s.temperatures, s);
+  if (s.temperatures_at_bath) print_kinetic("  of half steps", *s.temperatures_at_bath, s);
   if (std::any_of(s.configurational.begin(), s.configurational.end(),
                   [](const auto& known) { return known.has_value(); })) {
+    Known worst = Known::yes;
+    for (const auto& known : s.configurational)
+      if (known && known->known != Known::yes) worst = known->known;
     const auto text = [&](std::size_t k) {
       const auto& known = s.configurational[k];
-      if (!known) return std::string("-");
-      return known->known == Known::yes ? with_error(known->value, known->error)
-                                        : fmt::format("{:.2f} (error not known)", known->value);
+      return known ? kelvin(*known) : std::string("-");
     };
-    fmt::print("configurational       translation {}, rotation {}, {}, {} K\n", text(0), text(1),
-               text(2), text(3));
+    fmt::print("configurational       translation {}, rotation {}, {}, {} K{}\n", text(0), text(1),
+               text(2), text(3), worst == Known::yes ? "" : ", errors not known: " + reason(worst));
   }
   fmt::print("degrees of freedom    {:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}\n",
              n.all(), n.translation, n.rotation[0], n.rotation[1], n.rotation[2]);
@@ -170,10 +183,12 @@ void print_text(const RunReport& r) {
              s.molecules, s.steps, r.settings.step * units::fs_per_ps,
              name_of({r.settings.scheme, r.settings.inner}), s.length, s.sample * units::fs_per_ps);
   print_ensemble(s.ensemble);
-  print_ratio(s);
-  print_drift(s);
-  fmt::print("potential energy      {:.4f} kJ/mol per molecule\n", s.potential);
-  fmt::print("total energy          {:.4f} kJ/mol per molecule\n", s.total);
+  if (!s.ensemble.hybrid_monte_carlo) {
+    print_ratio(s);
+    print_drift(s);
+  }
+  print_energy("potential energy", s.potential, s.samples);
+  print_energy("total energy", s.total, s.samples);
   print_temperatures(s);
   fmt::print("pressure              {} bar{}{}\n",
              s.pressure.known == Known::yes

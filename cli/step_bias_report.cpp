@@ -30,9 +30,10 @@ void print_rotation(const RunSummary& s) {
   if (rotations == 0) return;
   double rotation = 0;
   for (std::size_t k = 0; k < 3; ++k)
-    rotation += s.temperatures.rotation[k] * n.rotation[k] / rotations;
+    rotation += s.temperatures.rotation[k].value * n.rotation[k] / rotations;
   print_line("T of rotation", bias.rotation, rotation, 1, "K", 2);
-  print_line("their difference", bias.difference, rotation - s.temperatures.translation, 1, "K", 2);
+  print_line("their difference", bias.difference, rotation - s.temperatures.translation.value, 1,
+             "K", 2);
 }
 
 }  // namespace
@@ -42,7 +43,7 @@ void print_step_bias(const RunSummary& s) {
   const StepBias& bias = *s.step_bias;
   const auto molecules = static_cast<double>(s.molecules);
   fmt::print("bias of the step\n");
-  print_line("potential energy", bias.potential, s.potential * molecules, molecules,
+  print_line("potential energy", bias.potential, s.potential.value * molecules, molecules,
              "kJ/mol per molecule", 4);
   print_line("pressure", bias.pressure, s.pressure.value, unit("bar", Dimension::pressure), "bar",
              1);
@@ -51,7 +52,7 @@ void print_step_bias(const RunSummary& s) {
     print_line("compressibility", bias.compressibility, barostat->compressibility.value,
                1e-6 * unit("1/bar", Dimension::compressibility), "1e-6/bar", 2);
   }
-  print_line("T of translation", bias.translation, s.temperatures.translation, 1, "K", 2);
+  print_line("T of translation", bias.translation, s.temperatures.translation.value, 1, "K", 2);
   print_rotation(s);
   static constexpr std::array names{"T_conf, translation", "T_conf, axis 1", "T_conf, axis 2",
                                     "T_conf, axis 3"};

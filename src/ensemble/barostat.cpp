@@ -2,6 +2,7 @@
 #include "polhode/ensemble/barostat.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "polhode/base/units.hpp"
@@ -57,13 +58,12 @@ bool Barostat::move(State& state, Load& load, const Evaluate& evaluate, std::uin
   const CoupledEdges& edges = settings_.edges[memory_.moves % settings_.edges.size()];
   if (memory_.moves++ == 0) memory_.volume = state.box.volume();
   before_ = state;
-  switch (settings_.kind) {
-    case BarostatKind::cell_rescaling:
-      return rescale_cell(state, load, evaluate, edges, step);
-    case BarostatKind::monte_carlo:
-      return move_volume(state, load, evaluate, edges, step);
-  }
-  return false;
+  const bool accepted = settings_.kind == BarostatKind::cell_rescaling
+                            ? rescale_cell(state, load, evaluate, edges, step)
+                            : move_volume(state, load, evaluate, edges, step);
+  memory_.decisions.add(std::array{accepted ? 1.0 : 0.0});
+  if (accepted) ++memory_.accepted;
+  return accepted;
 }
 
 /// dλ/dt without noise.
@@ -123,7 +123,6 @@ bool Barostat::decide(State& state, Load& load, double violation, double work, d
   }
   std::swap(load, load_);
   memory_.work += work;
-  ++memory_.accepted;
   return true;
 }
 

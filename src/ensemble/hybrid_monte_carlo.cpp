@@ -59,10 +59,11 @@ double HybridMonteCarlo::energy(const State& state, const Load& load) const {
 bool HybridMonteCarlo::end(State& state, Load& load, std::uint64_t step) {
   const double change = energy(state, load) - energy_;
   const double weight = std::exp(-change / maxwell_.kT);
-  memory_.weights.add(std::array{std::isfinite(weight) ? weight : 0});
-  ++memory_.trajectories;
   Random random(maxwell_.seed, stream_of(RandomUse::hybrid_decision, {step, 0}));
-  if (random.uniform() < weight) {
+  const bool accepted = random.uniform() < weight;
+  memory_.weights.add(std::array{std::isfinite(weight) ? weight : 0, accepted ? 1.0 : 0.0});
+  ++memory_.trajectories;
+  if (accepted) {
     ++memory_.accepted;
     return true;
   }

@@ -87,6 +87,7 @@ constexpr double white = 1.5, too_slow = 10, growth = 0.113;
 struct Noise {
   double variance = 0;
   Known known = Known::yes;
+  double modes = 0;  ///< from which it was estimated
 };
 
 /// @param modes  after subtraction of those that are estimated
@@ -107,8 +108,8 @@ Noise noise(Modes modes, double walk = 0) {
   const double all = modes.squares_above();
   const double fast = std::max(all / 10, all - walks) / modes.left();
   if (slow > too_slow * fast) return {.known = Known::too_short};
-  if (slow <= white * fast) return {take()};
-  return {slow * (1 + growth * (slow / fast - 1))};
+  if (slow <= white * fast) return {take(), Known::yes, count};
+  return {slow * (1 + growth * (slow / fast - 1)), Known::yes, count};
 }
 
 /// A hypothesis about the noise: the variance of the modes, up to a common factor.
@@ -325,7 +326,22 @@ SeriesEstimate series_estimate(const BlockMeans& blocks,
   Modes modes(std::move(weights), std::move(times), std::move(influences));
   modes.next();  // the mean
   const Noise found = noise(std::move(modes));
-  return {result.value, std::sqrt(found.variance / all.weight), found.known};
+  return {result.value, std::sqrt(found.variance / all.weight), found.known, found.modes};
+}
+
+SeriesEstimate scaled(SeriesEstimate estimate, double factor) {
+  estimate.value *= factor;
+  estimate.error *= std::abs(factor);
+  return estimate;
+}
+
+SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, double samples) {
+  if (mean.known != Known::yes || !(variance > 0))
+    return {std::nan(""), 0, mean.known == Known::yes ? Known::not_defined : mean.known};
+  const double square = mean.error * mean.error;
+  // About the mean of the run, the samples vary by the square of its error less.
+  const double tau = samples * square / (2 * (variance + square));
+  return {tau, tau * std::sqrt(2 / mean.modes), Known::yes, mean.modes};
 }
 
 std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks) {

@@ -31,6 +31,24 @@ double variance(std::span<const double> mean, Column value, Column square) {
   return std::max(0.0, mean[square] - mean[value] * mean[value]);
 }
 
+SeriesEstimate fluctuation(const BlockMeans& blocks, Column value, Column square) {
+  return series_estimate(blocks,
+                         [=](auto mean) { return std::sqrt(variance(mean, value, square)); });
+}
+
+/// The mean of differences from a first value.
+SeriesEstimate mean_from(double first, const BlockMeans& blocks, Column column) {
+  SeriesEstimate estimate = series_estimate(blocks, [=](auto mean) { return mean[column]; });
+  estimate.value += first;
+  return estimate;
+}
+
+/// The kinetic energies that a mean over blocks contains.
+Energies kinetic_energies(std::span<const double> mean) {
+  return {.translation = mean[translation],
+          .rotation = {mean[rotation_1], mean[rotation_2], mean[rotation_3]}};
+}
+
 /// Not a number if the potential energy is constant.
 double ratio_of(std::span<const double> mean) {
   const double potential = variance(mean, potential_, potential_square);
@@ -78,23 +96,46 @@ double EnergyStatistics::ratio() const {
 
 Temperatures EnergyStatistics::temperatures(const DegreesOfFreedom& degrees_of_freedom) const {
   if (samples == 0) return {};
-  const std::vector<double> mean = blocks.means().mean();
-  const Energies kinetic{
-      .translation = mean[translation],
-      .rotation = {mean[rotation_1], mean[rotation_2], mean[rotation_3]},
-  };
-  return mean_temperatures(kinetic, degrees_of_freedom);
+  return mean_temperatures(kinetic_energies(blocks.means().mean()), degrees_of_freedom);
 }
 
 SeriesEstimate EnergyStatistics::ratio_with_error() const {
   return series_estimate(blocks.means(), ratio_of);
 }
 
-SeriesEstimate EnergyStatistics::temperature(const DegreesOfFreedom& n) const {
-  return series_estimate(blocks.means(), [&](auto mean) {
-    return polhode::temperature(
-        mean[translation] + mean[rotation_1] + mean[rotation_2] + mean[rotation_3], n.all());
-  });
+SeriesEstimate EnergyStatistics::total_with_error() const {
+  return mean_from(first.total(), blocks.means(), energy);
+}
+
+SeriesEstimate EnergyStatistics::potential_with_error() const {
+  return mean_from(first.potential(), blocks.means(), potential_);
+}
+
+SeriesEstimate EnergyStatistics::total_fluctuation_with_error() const {
+  return fluctuation(blocks.means(), conserved_, conserved_square);
+}
+
+SeriesEstimate EnergyStatistics::potential_fluctuation_with_error() const {
+  return fluctuation(blocks.means(), potential_, potential_square);
+}
+
+SeriesEstimate EnergyStatistics::correlation_time_of_potential() const {
+  const double rms = potential_fluctuation();
+  return correlation_time(potential_with_error(), rms * rms, static_cast<double>(samples));
+}
+
+TemperatureEstimates EnergyStatistics::temperatures_with_errors(const DegreesOfFreedom& n) const {
+  const BlockMeans means = blocks.means();
+  const auto estimate = [&](auto&& part) {
+    return series_estimate(
+        means, [&](auto mean) { return part(mean_temperatures(kinetic_energies(mean), n)); });
+  };
+  TemperatureEstimates T{estimate([](const Temperatures& t) { return t.all; }),
+                         estimate([](const Temperatures& t) { return t.translation; }),
+                         {}};
+  for (std::size_t k = 0; k < T.rotation.size(); ++k)
+    T.rotation[k] = estimate([k](const Temperatures& t) { return t.rotation[k]; });
+  return T;
 }
 
 SeriesEstimate EnergyStatistics::pressure() const {
@@ -102,10 +143,7 @@ SeriesEstimate EnergyStatistics::pressure() const {
 }
 
 SeriesEstimate EnergyStatistics::volume() const {
-  SeriesEstimate estimate =
-      series_estimate(blocks.means(), [](auto mean) { return mean[volume_]; });
-  estimate.value += first.volume;
-  return estimate;
+  return mean_from(first.volume, blocks.means(), volume_);
 }
 
 SeriesEstimate EnergyStatistics::inverse_volume() const {

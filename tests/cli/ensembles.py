@@ -105,9 +105,27 @@ class Ensembles(Sandbox):
         weight = hybrid["mean_weight"]
         self.assertLess(abs(weight["value"] - 1), max(5 * (weight["error"] or 1), 1e-3))
         self.assertAlmostEqual(hybrid["work_kJ_per_mol"], energies["total"][-1] - energies["conserved"][-1], places=3)
+        # Nothing is conserved over draws and decisions.
+        for key in ("R", "R_error", "R_rounding", "rms_total_kJ_per_mol", "drift_kJ_per_mol_ps", "drift_error", "drift_p_value", "drift_significant"):
+            self.assertIsNone(report[key], key)
+        self.assertEqual(report["drift_verdict"], "not defined")
+        self.assertEqual(report["errors_not_known"]["R_error"], "not defined")
         out = self.polhode("run", "run.toml", "--output", "text").out
         self.assertIn(f"{hybrid['accepted']} of {hybrid['trajectories']} accepted", out)
         self.assertIn("<exp(-dH/kT)>", out)
+        self.assertIn("effective samples", out)
+        self.assertNotIn("energy drift", out)
+        self.assertNotIn("\nR  ", out)
+
+    def test_effective_samples_of_hybrid_monte_carlo(self):
+        """The effective samples are those by which the error of the mean follows from the fluctuation."""
+        report = json.loads(self.done("run", edited(HYBRID, ('length = "4 ps"', 'length = "200 ps"'), ('"0.5 ps"', '"8 ps"')), "--json").out)
+        hybrid, n = report["ensemble"]["hybrid_monte_carlo"], report["samples"]
+        ratio = (report["rms_potential_kJ_per_mol"] / (64 * report["potential_error_kJ_per_mol"]))**2 + 1
+        self.assertAlmostEqual(hybrid["effective_samples"]["value"] / ratio, 1, places=6)
+        self.assertAlmostEqual(hybrid["effective_samples"]["value"] * 2 * hybrid["correlation_time_ps"]["value"] / (n * 0.09), 1, places=6)
+        self.assertEqual(hybrid["acceptance"]["value"], hybrid["accepted"] / hybrid["trajectories"])
+        self.assertGreater(hybrid["acceptance"]["error"], 0)
 
     def test_zero_friction_is_constant_energy(self):
         """The same numbers to the last digit of the files, and no heat."""

@@ -36,9 +36,32 @@ class Statistics(Sandbox):
         self.assertGreater(report["R"], 0)
         for key in ("R_error", "drift_error", "drift_p_value", "drift_significant"):
             self.assertIsNone(report[key], key)
-        self.assertEqual(len(re.findall("its error is not known from 6 samples", text)), 3)  # R, drift, pressure
+        # R, drift, potential and total energy, temperatures, pressure
+        self.assertEqual(len(re.findall("its error is not known from 6 samples", text)), 6)
         self.assertNotIn("±", text)
         self.assertNotIn("significant", text)
+
+    def test_every_average_has_an_error_or_the_reason_why_not(self):
+        """In JSON each average is followed by its error; errors that are not known are listed with the reason."""
+        averages = {"R": "R_error", "pressure_bar": "pressure_error_bar"}
+        averages |= {f"{name}_{unit}": f"{name}_error_{unit}" for name, unit in [
+            ("potential", "kJ_per_mol"), ("total", "kJ_per_mol"), ("rms_total", "kJ_per_mol"), ("rms_potential", "kJ_per_mol"),
+            ("temperature", "K"), ("temperature_translation", "K"), ("temperature_rotation", "K")]}
+        text, report = self.both(SMALL)
+        for name, error in averages.items():
+            if isinstance(report[name], list):
+                self.assertEqual(report[error], [None] * 3)
+            else:
+                self.assertIsNone(report[error], error)
+            self.assertEqual(report["errors_not_known"][error], "too few samples")
+        text, report = self.both(edited(SMALL, ('length = "0.02 ps"', 'length = "2 ps"\nsample = "4 fs"\nequilibrate = "0.5 ps"')))
+        for name, error in averages.items():
+            known = report[error] is not None and report[error] != [None] * 3
+            self.assertNotEqual(known, error in report["errors_not_known"], error)
+            self.assertIn(report["errors_not_known"].get(error, "run too short"), ("run too short", "not defined"))
+        for line in ("R", "potential energy", "total energy", "temperature", "pressure"):
+            found = next(x for x in text.splitlines() if x.startswith(f"{line:<22}"))
+            self.assertRegex(found, "±|the run is too short to estimate its error", line)
 
     def test_without_forces_nothing_is_significant(self):
         text, report = self.both(FREE)

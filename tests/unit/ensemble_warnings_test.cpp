@@ -27,7 +27,7 @@ RunSummary npt(BarostatKind kind = BarostatKind::cell_rescaling) {
   s.length = 10;
   s.samples = 1000;
   s.ratio = {0.005, 0.0002, Known::yes};
-  s.potential_fluctuation = 20;
+  s.potential_fluctuation = {20, 1, Known::yes};
   s.ensemble.settings = {
       300, ThermostatSettings{}, BarostatSettings{.kind = kind, .time_constant = 0.5}, {}};
   s.ensemble.barostat.emplace();
@@ -118,7 +118,7 @@ TEST_CASE("hybrid Monte Carlo: a mean of exp(-dH/kT) off 1 by three errors is a 
 TEST_CASE("hybrid Monte Carlo has no warning about R and drift, a barostat none of the pressure") {
   RunSummary s = hybrid();
   s.length = 10;
-  s.potential_fluctuation = 20;
+  s.potential_fluctuation = {20, 1, Known::yes};
   s.ratio = {0.2, 0.001, Known::yes};
   s.drift = {{1, 0.001}, 1e-9, Known::yes};
   CHECK(kinds(s).empty());
@@ -137,12 +137,12 @@ TEST_CASE("with a thermostat, the bound on the mean temperature is 3 errors, at 
   RunSummary s = npt();
   s.degrees_of_freedom = {189, {64, 64, 64}};
   for (const double sign : {1.0, -1.0}) {
-    s.temperature = {300 + sign * 5.9, 2, Known::yes};
+    s.temperatures.all = {300 + sign * 5.9, 2, Known::yes};
     CHECK(kinds(s, {{.value = 300, .kept = true}}).empty());
-    s.temperature.value = 300 + sign * 6.1;
+    s.temperatures.all.value = 300 + sign * 6.1;
     CHECK(kinds(s, {{.value = 300, .kept = true}}) == "temperature ");
     CHECK(kinds(s, {{.value = 300}}).empty());
-    s.temperature = {300 + sign * 2.9, 0.1, Known::yes};
+    s.temperatures.all = {300 + sign * 2.9, 0.1, Known::yes};
     CHECK(kinds(s, {{.value = 300, .kept = true}}).empty());
   }
 }

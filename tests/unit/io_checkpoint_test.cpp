@@ -86,7 +86,8 @@ Checkpoint example(std::size_t bodies = 2) {
   c.minimisation_evaluations = 13;
   c.at.ensemble.heat = 0.9;
   c.at.ensemble.barostat = {
-      .work = 0.1, .volume = 2, .moves = 14, .accepted = 15, .evaluations = 16};
+      .work = 0.1, .volume = 2, .moves = 14, .accepted = 15, .decisions = {}, .evaluations = 16};
+  c.at.ensemble.barostat.decisions.add(std::array{0.25});
   c.outputs = OutputMarks{{9, 900, 90}, {{1, 100, 10}, {2, 200, 20}}, 12};
   c.preparation =
       PreparationProgress{2, 0.001, 0.5, {{1, 2, 3}, {4, 5, 6}, 7, MinimisationEnd::max_steps}};
@@ -135,6 +136,8 @@ void same_preparation(const Checkpoint& back, const Checkpoint& c) {
   CHECK(back.at.ensemble.barostat.volume == 2);
   CHECK(back.at.ensemble.barostat.moves == 14);
   CHECK(back.at.ensemble.barostat.accepted == 15);
+  REQUIRE(back.at.ensemble.barostat.decisions.blocks.size() == 1);
+  CHECK(back.at.ensemble.barostat.decisions.blocks[0].sum == std::vector{0.25});
   CHECK(back.at.ensemble.barostat.evaluations == 16);
   REQUIRE(back.preparation.has_value() == c.preparation.has_value());
   if (back.preparation) {

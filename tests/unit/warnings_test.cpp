@@ -23,12 +23,11 @@ RunSummary good() {
   s.length = 10;
   s.samples = 1000;
   s.ratio = {0.005, 0.0002, Known::yes};
-  s.potential_fluctuation = 20;
+  s.potential_fluctuation = {20, 1, Known::yes};
   s.drift = {{0.001, 0.001}, 0.3, Known::yes};
   s.potential_drift = {{-0.1, 0.2}, 0.6, Known::yes};
   s.degrees_of_freedom = {189, {64, 64, 64}};
-  s.temperatures.all = 300;
-  s.temperature = {300, 1, Known::yes};
+  s.temperatures.all = {300, 1, Known::yes};
   s.pressure = {0, 1, Known::yes};
   return s;
 }
@@ -65,18 +64,18 @@ TEST_CASE("a run without anything to object to has no warnings") { CHECK(kinds(g
 TEST_CASE("a mean temperature beyond three standard deviations is a warning") {
   RunSummary s = good();
   const double sd = std::hypot(300 / std::sqrt(2 * 381.0), 1);  // of runs from drawn momenta; error
-  s.temperature.value = 300 + 2.9 * sd;
+  s.temperatures.all.value = 300 + 2.9 * sd;
   CHECK(kinds(s).empty());
-  s.temperature.value = 300 + 3.1 * sd;
+  s.temperatures.all.value = 300 + 3.1 * sd;
   CHECK(kinds(s) == "temperature ");
   CHECK(kinds(s, std::nullopt).empty());
-  s.temperature.value = 300 - 3.1 * sd;
+  s.temperatures.all.value = 300 - 3.1 * sd;
   CHECK(kinds(s) == "temperature ");
   // Of a large system, less than 1 % is nothing to object to.
   s.degrees_of_freedom = {3e6, {1e6, 1e6, 1e6}};
-  s.temperature = {302.9, 0.01, Known::yes};
+  s.temperatures.all = {302.9, 0.01, Known::yes};
   CHECK(kinds(s).empty());
-  s.temperature.value = 303.1;
+  s.temperatures.all.value = 303.1;
   CHECK(kinds(s) == "temperature ");
 }
 
@@ -84,22 +83,22 @@ TEST_CASE("a mean temperature beyond three standard deviations is a warning") {
 TEST_CASE(
     "a temperature that the velocities of a file ignore is a warning beyond 2 % and 3 errors") {
   RunSummary s = good();
-  s.temperature = {300 - 5.9, 1, Known::yes};
+  s.temperatures.all = {300 - 5.9, 1, Known::yes};
   CHECK(kinds(s, {{300, true}}).empty());
-  s.temperature.value = 300 - 6.1;
+  s.temperatures.all.value = 300 - 6.1;
   CHECK(kinds(s, {{300, true}}) == "temperature ");
   CHECK(kinds(s).empty());
-  s.temperature.error = 2.1;
+  s.temperatures.all.error = 2.1;
   CHECK(kinds(s, {{300, true}}).empty());
-  s.temperature.value = 300 + 6.4;
+  s.temperatures.all.value = 300 + 6.4;
   CHECK(kinds(s, {{300, true}}) == "temperature ");
 }
 
 TEST_CASE("without an error, the momentary scatter of the temperature counts") {
   RunSummary s = good();
-  s.temperature = {300 + 3.1 * 300 * std::hypot(1 / std::sqrt(762.0), 0), 0, Known::too_short};
+  s.temperatures.all = {300 + 3.1 * 300 * std::hypot(1 / std::sqrt(762.0), 0), 0, Known::too_short};
   CHECK(kinds(s).empty());
-  s.temperature.value = 300 + 3.1 * 300 * std::sqrt(1 / 762.0 + 2 / 381.0);
+  s.temperatures.all.value = 300 + 3.1 * 300 * std::sqrt(1 / 762.0 + 2 / 381.0);
   CHECK(kinds(s) == "temperature ");
 }
 
@@ -116,7 +115,7 @@ TEST_CASE("R above 5 % is a warning") {
 TEST_CASE("a drift is a warning if it is significant and makes up half of R") {
   RunSummary s = good();
   // A line that rises by √12 times R of the potential fluctuation makes the whole of R.
-  const double whole = s.ratio.value * s.potential_fluctuation * std::sqrt(12.0) / s.length;
+  const double whole = s.ratio.value * s.potential_fluctuation.value * std::sqrt(12.0) / s.length;
   s.drift = {{0.6 * whole, 0.01 * whole}, 1e-6, Known::yes};
   CHECK(kinds(s) == "drift ");
   s.drift.p_value = 0.002;
@@ -125,9 +124,9 @@ TEST_CASE("a drift is a warning if it is significant and makes up half of R") {
   CHECK(kinds(s).empty());
   // 0.1 % of the fluctuation of the potential energy is nothing to object to, however small R is.
   s.ratio.value = 1e-5;
-  s.drift.rate.value = 0.9e-3 * s.potential_fluctuation * std::sqrt(12.0) / s.length;
+  s.drift.rate.value = 0.9e-3 * s.potential_fluctuation.value * std::sqrt(12.0) / s.length;
   CHECK(kinds(s).empty());
-  s.drift.rate.value = -1.1e-3 * s.potential_fluctuation * std::sqrt(12.0) / s.length;
+  s.drift.rate.value = -1.1e-3 * s.potential_fluctuation.value * std::sqrt(12.0) / s.length;
   CHECK(kinds(s) == "drift ");
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 
+#include "polhode/measure/block_means.hpp"
 #include "polhode/model/ensemble_settings.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
@@ -18,6 +19,7 @@ struct BarostatMemory {
   double work = 0;    ///< given to the bodies: changes of H by accepted moves [kJ/mol]
   double volume = 0;  ///< at the first move [nm³]
   std::uint64_t moves = 0, accepted = 0;
+  TimeBlocks decisions;           ///< of 1 for each move that was accepted, 0 for the others
   std::uint64_t evaluations = 0;  ///< of forces, by moves
 };
 

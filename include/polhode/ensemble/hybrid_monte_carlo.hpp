@@ -20,7 +20,7 @@ namespace polhode {
 struct HybridMonteCarloMemory {
   double work = 0;  ///< energy that the bodies received from draws and rejections [kJ/mol]
   std::uint64_t trajectories = 0, accepted = 0;
-  TimeBlocks weights;  ///< of exp(−ΔH/kT), whose mean must be 1
+  TimeBlocks weights;  ///< of exp(−ΔH/kT), whose mean must be 1, and of 1 if accepted, 0 if not
 };
 
 /// @throws Error  unless the scheme is reversible and keeps volume in phase space, as exact

@@ -16,7 +16,8 @@ namespace polhode {
 enum class Known {
   yes,
   too_few_samples,  ///< fewer than `min_samples`
-  too_short         ///< the series is correlated over too much of the run
+  too_short,        ///< the series is correlated over too much of the run
+  not_defined       ///< the run has no such quantity
 };
 
 /// A statistic of a run with its standard error.
@@ -24,7 +25,13 @@ struct SeriesEstimate {
   double value = 0;  ///< not finite without samples
   double error = 0;  ///< 0 unless it is known
   Known known = Known::too_few_samples;
+  /// Number of modes that determined the error, which is uncertain by a part 1/√(2 modes); 0 where
+  /// the error is 0 or not known.
+  double modes = 0;
 };
+
+/// An estimate in another unit, or of a multiple of the quantity.
+SeriesEstimate scaled(SeriesEstimate estimate, double factor);
 
 /// The energy drift of one run, or of a series of runs.
 struct Drift {
@@ -51,6 +58,13 @@ Drift drift_of_series(std::span<const double> rates);
 /// undefined when one of the blocks is left out.
 SeriesEstimate series_estimate(const BlockMeans& blocks,
                                const std::function<double(std::span<const double>)>& statistic);
+
+/// The integrated autocorrelation time of a stationary quantity [samples], from the error ε of its
+/// mean and the variance σ² of its samples: n ε²/2σ², which makes n samples worth n/2τ independent
+/// ones. Its standard error is a part √(2/modes) (docs/statistics.md).
+/// @param mean      with its error
+/// @param variance  of the samples about their mean
+SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, double samples);
 
 /// The mean of each quantity with its standard error.
 std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks);

@@ -15,6 +15,13 @@
 
 namespace polhode {
 
+/// Means of the kinetic temperatures by kind of motion [K] with standard errors; 0 without degrees
+/// of freedom.
+struct TemperatureEstimates {
+  SeriesEstimate all, translation;
+  std::array<SeriesEstimate, 3> rotation;  ///< about each principal axis
+};
+
 /// Sums over the samples of a trajectory, in blocks of time. Energies are summed as differences
 /// from the first sample's, so that squares of small fluctuations keep their digits.
 struct EnergyStatistics {
@@ -39,8 +46,13 @@ struct EnergyStatistics {
 
   /// R with its standard error.
   SeriesEstimate ratio_with_error() const;
-  /// The mean temperature of all degrees of freedom [K] with its standard error.
-  SeriesEstimate temperature(const DegreesOfFreedom& degrees_of_freedom) const;
+  SeriesEstimate total_with_error() const;                  ///< mean [kJ/mol]
+  SeriesEstimate potential_with_error() const;              ///< mean [kJ/mol]
+  SeriesEstimate total_fluctuation_with_error() const;      ///< of the conserved energy [kJ/mol]
+  SeriesEstimate potential_fluctuation_with_error() const;  ///< [kJ/mol]
+  /// The integrated autocorrelation time of the potential energy [samples].
+  SeriesEstimate correlation_time_of_potential() const;
+  TemperatureEstimates temperatures_with_errors(const DegreesOfFreedom& degrees_of_freedom) const;
   /// The mean pressure [kJ/mol/nm³] with its standard error.
   SeriesEstimate pressure() const;
   SeriesEstimate volume() const;                    ///< mean [nm³]

@@ -23,12 +23,13 @@ json properties_json(const PreparedProperties& p) {
   return {{"length_ps", s.length},
           {"density_g_per_cm3", p.density.value / density},
           {"density_error_g_per_cm3", error_of(p.density, density)},
-          {"temperature_K", s.temperature.value},
-          {"temperature_error_K", error_of(s.temperature, 1)},
+          {"temperature_K", s.temperatures.all.value},
+          {"temperature_error_K", error_of(s.temperatures.all, 1)},
           {"pressure_bar", s.pressure.value / bar},
           {"pressure_error_bar", error_of(s.pressure, bar)},
           {"pressure_of_barostat_bar", p.pressure ? json(*p.pressure / bar) : json()},
-          {"potential_kJ_per_mol", s.potential},
+          {"potential_kJ_per_mol", s.potential.value},
+          {"potential_error_kJ_per_mol", error_of(s.potential, 1)},
           {"potential_drift_p_value", s.potential_drift.p_value},
           {"warnings", warnings}};
 }

@@ -109,6 +109,7 @@ void ensemble(Archive& archive, Of& e) {
   archive(e.heat);
   archive(e.barostat.work), archive(e.barostat.volume), counter(archive, e.barostat.moves);
   counter(archive, e.barostat.accepted), counter(archive, e.barostat.evaluations);
+  blocks(archive, e.barostat.decisions);
   archive(e.hybrid.work), counter(archive, e.hybrid.trajectories);
   counter(archive, e.hybrid.accepted);
   blocks(archive, e.hybrid.weights);

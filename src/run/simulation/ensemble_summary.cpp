@@ -12,10 +12,17 @@ double part(std::uint64_t some, std::uint64_t all) {
   return static_cast<double>(some) / static_cast<double>(all);
 }
 
-SeriesEstimate scaled(SeriesEstimate estimate, double factor) {
-  estimate.value *= factor;
-  estimate.error *= factor;
-  return estimate;
+/// The mean of one of the quantities of a series of moves or trajectories.
+SeriesEstimate mean_of(const TimeBlocks& blocks, std::size_t quantity) {
+  return series_estimate(blocks.means(), [quantity](auto mean) { return mean[quantity]; });
+}
+
+/// n/2τ with the relative error of τ.
+SeriesEstimate effective_samples(const SeriesEstimate& correlation_time, double samples) {
+  SeriesEstimate n = correlation_time;
+  n.value = samples / (2 * correlation_time.value);
+  n.error = n.value * correlation_time.error / correlation_time.value;
+  return n;
 }
 
 }  // namespace
@@ -24,7 +31,7 @@ double BarostatSummary::acceptance() const { return part(accepted, moves); }
 double HybridMonteCarloSummary::acceptance() const { return part(accepted, trajectories); }
 
 EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& settings,
-                                 const Trajectory& trajectory) {
+                                 const Trajectory& trajectory, double sample) {
   const EnsembleMemory& memory = trajectory.ensemble;
   const EnergyStatistics& energies = trajectory.statistics.energies;
   EnsembleSummary s{settings, memory.heat, {}, {}};
@@ -37,12 +44,18 @@ EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& s
         memory.barostat.moves,
         memory.barostat.accepted,
         memory.barostat.evaluations,
-        memory.barostat.work};
-  if (settings.hybrid_monte_carlo)
-    s.hybrid_monte_carlo = {
-        memory.hybrid.trajectories, memory.hybrid.accepted,
-        series_estimate(memory.hybrid.weights.means(), [](auto mean) { return mean[0]; }),
-        memory.hybrid.work};
+        memory.barostat.work,
+        mean_of(memory.barostat.decisions, 0)};
+  if (settings.hybrid_monte_carlo) {
+    const SeriesEstimate tau = energies.correlation_time_of_potential();
+    s.hybrid_monte_carlo = {memory.hybrid.trajectories,
+                            memory.hybrid.accepted,
+                            mean_of(memory.hybrid.weights, 0),
+                            memory.hybrid.work,
+                            mean_of(memory.hybrid.weights, 1),
+                            scaled(tau, sample),
+                            effective_samples(tau, static_cast<double>(energies.samples))};
+  }
   return s;
 }
 

@@ -32,11 +32,47 @@ json drift_json(const Drift& drift, std::uint64_t samples) {
           {"drift_verdict", verdict(drift)}};
 }
 
-/// A value with its error, in this unit; each null if it is not known.
+/// A value with its error, in this unit; each null if it is not known, with the reason.
 json estimate_json(const SeriesEstimate& e, double unit) {
-  return {{"value", number_if(true, e.value / unit)},
-          {"error", number_if(e.known == Known::yes, e.error / unit)}};
+  json report{{"value", number_if(true, e.value / unit)},
+              {"error", number_if(e.known == Known::yes, e.error / unit)}};
+  if (e.known != Known::yes) report["error_not_known"] = reason(e.known);
+  return report;
 }
+
+/// Keys of averages, each followed by its error, and why errors are not known.
+class Averages {
+ public:
+  /// "temperature_K" and "temperature_error_K".
+  void add(const std::string& name, const std::string& unit, const SeriesEstimate& e) {
+    put(name + "_" + unit, name + "_error_" + unit, e);
+  }
+  void put(const std::string& key, const std::string& error_key, const SeriesEstimate& e) {
+    report_[key] = number_if(true, e.value);
+    report_[error_key] = number_if(e.known == Known::yes, e.error);
+    if (e.known != Known::yes) reasons_[error_key] = reason(e.known);
+  }
+  void add(const TemperatureEstimates& T) {
+    add("temperature", "K", T.all);
+    add("temperature_translation", "K", T.translation);
+    json values = json::array(), errors = json::array();
+    for (const SeriesEstimate& axis : T.rotation) {
+      values.push_back(number_if(true, axis.value));
+      errors.push_back(number_if(axis.known == Known::yes, axis.error));
+      if (axis.known != Known::yes) reasons_["temperature_rotation_error_K"] = reason(axis.known);
+    }
+    report_["temperature_rotation_K"] = values;
+    report_["temperature_rotation_error_K"] = errors;
+  }
+  json json_report() const {
+    json all = report_;
+    all["errors_not_known"] = reasons_;
+    return all;
+  }
+
+ private:
+  json report_ = json::object(), reasons_ = json::object();
+};
 
 /// Null where it is not known.
 json step_bias_json(const RunSummary& s) {
@@ -74,25 +110,28 @@ json run_settings(const RunReport& r) {
 }
 
 json energies_json(const RunSummary& s) {
-  const auto error = [](const SeriesEstimate& e, double value) {
-    return number_if(e.known == Known::yes, value);
-  };
-  return {{"R", number_if(s.samples >= min_samples_reported, s.ratio.value)},
-          {"R_error", error(s.ratio, s.ratio.error)},
-          {"R_rounding", s.rounding},
-          {"rms_total_kJ_per_mol", s.total_fluctuation},
-          {"rms_potential_kJ_per_mol", s.potential_fluctuation},
-          {"potential_kJ_per_mol", s.potential},
-          {"total_kJ_per_mol", s.total},
-          {"temperature_K", s.temperatures.all},
-          {"temperature_translation_K", s.temperatures.translation},
-          {"temperature_rotation_K", s.temperatures.rotation},
-          {"degrees_of_freedom_translation", s.degrees_of_freedom.translation},
-          {"degrees_of_freedom_rotation", s.degrees_of_freedom.rotation},
-          {"pressure_bar", in_bar(s.pressure.value)},
-          {"pressure_error_bar", error(s.pressure, in_bar(s.pressure.error))},
-          {"momentum", s.momentum},
-          {"walk_of_rounding_known", s.walk_known}};
+  Averages averages;
+  averages.put("R", "R_error", s.ratio);
+  averages.add("rms_total", "kJ_per_mol", s.total_fluctuation);
+  averages.add("rms_potential", "kJ_per_mol", s.potential_fluctuation);
+  averages.add("potential", "kJ_per_mol", s.potential);
+  averages.add("total", "kJ_per_mol", s.total);
+  averages.add(s.temperatures);
+  averages.add("pressure", "bar", scaled(s.pressure, in_bar(1)));
+  json report = averages.json_report();
+  if (s.samples < min_samples_reported) report["R"] = json();
+  report.update({{"R_rounding", number_if(true, s.rounding)},
+                 {"degrees_of_freedom_translation", s.degrees_of_freedom.translation},
+                 {"degrees_of_freedom_rotation", s.degrees_of_freedom.rotation},
+                 {"momentum", s.momentum},
+                 {"walk_of_rounding_known", s.walk_known}});
+  return report;
+}
+
+json half_steps_json(const TemperatureEstimates& T) {
+  Averages averages;
+  averages.add(T);
+  return averages.json_report();
 }
 
 json costs_json(const RunReport& r) {
@@ -134,13 +173,17 @@ json barostat_json(const BarostatSummary& s) {
           {"volume_drift_nm3_per_ps", number_if(true, s.volume_drift.rate.value)},
           {"moves", s.moves},
           {"accepted", s.accepted},
+          {"acceptance", estimate_json(s.accepted_share, 1)},
           {"work_kJ_per_mol", s.work}};
 }
 
 json hybrid_monte_carlo_json(const HybridMonteCarloSummary& s) {
   return {{"trajectories", s.trajectories},
           {"accepted", s.accepted},
+          {"acceptance", estimate_json(s.accepted_share, 1)},
           {"mean_weight", estimate_json(s.weight, 1)},
+          {"correlation_time_ps", estimate_json(s.correlation_time, 1)},
+          {"effective_samples", estimate_json(s.effective_samples, 1)},
           {"work_kJ_per_mol", s.work}};
 }
 
@@ -183,13 +226,20 @@ json guarantee_json(const std::optional<GuaranteeCheck>& k) {
 }  // namespace
 
 std::string verdict(const Drift& drift) {
-  switch (drift.known) {
+  if (drift.known != Known::yes) return reason(drift.known);
+  return drift.significant() ? "significant" : "not significant";
+}
+
+std::string reason(Known known) {
+  switch (known) {
     case Known::yes:
-      return drift.significant() ? "significant" : "not significant";
+      return "";
     case Known::too_few_samples:
       return "too few samples";
     case Known::too_short:
       return "run too short";
+    case Known::not_defined:
+      return "not defined";
   }
   return "";
 }
@@ -202,16 +252,10 @@ std::string run_json(const RunReport& r) {
   report["step_bias"] = step_bias_json(r.summary);
   report["ensemble"] = ensemble_json(r.summary.ensemble);
   if (r.summary.shadow) report["shadow"] = shadow_json(*r.summary.shadow);
-  if (const auto& T = r.summary.temperatures_at_bath)
-    report["half_steps"] = {{"temperature_K", T->all},
-                            {"temperature_translation_K", T->translation},
-                            {"temperature_rotation_K", T->rotation}};
+  if (const auto& T = r.summary.temperatures_at_bath) report["half_steps"] = half_steps_json(*T);
   if (r.summary.configurational[0])
     for (const auto& known : r.summary.configurational)
-      report["temperature_configurational_K"].push_back(
-          known ? json{{"value", known->value},
-                       {"error", number_if(known->known == Known::yes, known->error)}}
-                : json());
+      report["temperature_configurational_K"].push_back(known ? estimate_json(*known, 1) : json());
   report["warnings"] = warnings_json(r.warnings);
   report["guarantee"] = guarantee_json(r.guarantee);
   return report.dump(2);

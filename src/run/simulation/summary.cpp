@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace polhode {
@@ -16,6 +17,33 @@ std::vector<WalkStrength> walks(const ShadowStatistics& shadow, double rounding)
   if (result.empty()) return {{1, rounding}};
   for (WalkStrength& walk : result) walk.rate = std::max(walk.rate, rounding);
   return result;
+}
+
+/// Means and fluctuations of energies, temperatures and pressure.
+void add_averages(RunSummary& s, const TrajectoryStatistics& statistics) {
+  const EnergyStatistics& energies = statistics.energies;
+  const double per_molecule = 1 / static_cast<double>(s.molecules);
+  s.samples = energies.samples;
+  s.total = scaled(energies.total_with_error(), per_molecule);
+  s.potential = scaled(energies.potential_with_error(), per_molecule);
+  s.total_fluctuation = energies.total_fluctuation_with_error();
+  s.potential_fluctuation = energies.potential_fluctuation_with_error();
+  s.temperatures = energies.temperatures_with_errors(s.degrees_of_freedom);
+  if (statistics.at_bath.samples > 0)
+    s.temperatures_at_bath = statistics.at_bath.temperatures_with_errors(s.degrees_of_freedom);
+  s.pressure = energies.pressure();
+  s.ratio = energies.ratio_with_error();
+}
+
+/// Takes away what belongs to a conserved energy. Hybrid Monte Carlo has none: draws and decisions
+/// change it, and the energy errors of its trajectories add up to a random walk that biases
+/// nothing.
+void remove_conservation(RunSummary& s) {
+  constexpr SeriesEstimate none{.value = std::numeric_limits<double>::quiet_NaN(),
+                                .known = Known::not_defined};
+  s.ratio = s.total_fluctuation = none;
+  s.drift = {{none.value, 0}, 1, Known::not_defined};
+  s.rounding = none.value;
 }
 
 }  // namespace
@@ -31,20 +59,8 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
 
   const NestedScheme scheme{settings.scheme, settings.inner};
   const EnergyStatistics& energies = trajectory.statistics.energies;
-  s.samples = energies.samples;
-  s.total = energies.total() / static_cast<double>(s.molecules);
-  s.potential = energies.potential() / static_cast<double>(s.molecules);
-  s.total_fluctuation = energies.total_fluctuation();
-  s.potential_fluctuation = energies.potential_fluctuation();
-  s.temperatures = energies.temperatures(s.degrees_of_freedom);
-  s.temperature = energies.temperature(s.degrees_of_freedom);
-  if (const EnergyStatistics& at_bath = trajectory.statistics.at_bath; at_bath.samples > 0) {
-    s.temperatures_at_bath = at_bath.temperatures(s.degrees_of_freedom);
-    s.temperature_at_bath = at_bath.temperature(s.degrees_of_freedom);
-  }
+  add_averages(s, trajectory.statistics);
   s.potential_drift = energies.potential_drift();
-  s.pressure = energies.pressure();
-  s.ratio = energies.ratio_with_error();
   s.configurational = trajectory.statistics.configurational.temperatures();
   s.momentum = norm(total_momentum(system.state));
 
@@ -56,17 +72,18 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
     s.drift.p_value = 1;  // no larger than rounding
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
   const std::optional<FixedMeans> fixed = settings.fixed_means();
-  if (fixed && s.potential_fluctuation > 0 &&
+  if (fixed && s.potential_fluctuation.value > 0 &&
       trajectory.statistics.step_bias.response.samples() >= min_samples_reported) {
     s.step_bias = trajectory.statistics.step_bias.bias(s.degrees_of_freedom, *fixed,
                                                        settings.ensemble.temperature);
     s.configurational_bias =
         trajectory.statistics.configurational.step_bias(s.degrees_of_freedom.all(), *fixed);
   }
-  if (s.potential_fluctuation > 0)
+  if (s.potential_fluctuation.value > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /
-                 s.potential_fluctuation;
-  s.ensemble = ensemble_summary(system, settings.ensemble, trajectory);
+                 s.potential_fluctuation.value;
+  if (settings.ensemble.hybrid_monte_carlo) remove_conservation(s);
+  s.ensemble = ensemble_summary(system, settings.ensemble, trajectory, s.sample);
   s.force_evaluations = trajectory.force_evaluations;
   s.derivatives = trajectory.derivatives;
   s.near_evaluations = trajectory.near_evaluations;

@@ -48,7 +48,7 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   if (n == 0 || s.samples == 0) return std::nullopt;
   // If the error is not known, the current temperature is used for the mean.
   const double T = target.value;
-  const SeriesEstimate mean = s.temperature_at_bath.value_or(s.temperature);
+  const SeriesEstimate mean = s.temperatures_at_bath.value_or(s.temperatures).all;
   const double error = mean.known == Known::yes ? mean.error : T * std::sqrt(2 / n);
   // Of velocities that were not drawn at T, or that a thermostat changes, only the error of the
   // mean is due to chance.
@@ -61,7 +61,7 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   return Warning{
       "temperature", mean.value, bound,
       fmt::format("the mean temperature {}is {:.4g} K instead of {:g} K: {:.3g} K {}, {} {:.2g} K",
-                  s.temperature_at_bath ? "of half steps " : "", mean.value, T,
+                  s.temperatures_at_bath ? "of half steps " : "", mean.value, T,
                   std::abs(difference), difference > 0 ? "too hot" : "too cold",
                   target.ignored || target.kept
                       ? "above the bound of"
@@ -78,7 +78,7 @@ std::string conserved_energy(const RunSummary& s) {
 /// errors of its steps would bias, and with a bath within the steps positions are much more
 /// accurate than momenta [leimkuhler2013].
 bool is_corrected(const RunSummary& s) {
-  return s.ensemble.hybrid_monte_carlo || s.temperature_at_bath;
+  return s.ensemble.hybrid_monte_carlo || s.temperatures_at_bath;
 }
 
 std::optional<Warning> ratio_warning(const RunSummary& s) {
@@ -93,11 +93,11 @@ std::optional<Warning> ratio_warning(const RunSummary& s) {
 
 std::optional<Warning> drift_warning(const RunSummary& s) {
   if (s.drift.known != Known::yes || is_corrected(s) || s.drift.p_value > significance_level ||
-      !(s.potential_fluctuation > 0))
+      !(s.potential_fluctuation.value > 0))
     return std::nullopt;
   // The rms deviation of a straight line from its mean is its rise divided by √12.
   const double drifted =
-      std::abs(s.drift.rate.value) * s.length / std::sqrt(12.0) / s.potential_fluctuation;
+      std::abs(s.drift.rate.value) * s.length / std::sqrt(12.0) / s.potential_fluctuation.value;
   const double bound = std::max(min_drift_share * s.ratio.value, min_drift_ratio);
   if (!(drifted > bound)) return std::nullopt;
   return Warning{
@@ -111,7 +111,8 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
 std::optional<Warning> relaxation_warning(const RunSummary& s) {
   const Drift& slope = s.potential_drift;
   const double fall = -slope.rate.value * s.length;
-  const double kinetic = s.degrees_of_freedom.all() * units::boltzmann * s.temperatures.all / 2;
+  const double kinetic =
+      s.degrees_of_freedom.all() * units::boltzmann * s.temperatures.all.value / 2;
   if (slope.known != Known::yes || slope.p_value > significance_level ||
       !(fall > min_fall * kinetic))
     return std::nullopt;

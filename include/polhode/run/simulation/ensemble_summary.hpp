@@ -17,6 +17,7 @@ struct BarostatSummary {
   std::uint64_t moves = 0, accepted = 0;
   std::uint64_t evaluations = 0;  ///< of forces, by moves
   double work = 0;                ///< received by the bodies [kJ/mol]
+  SeriesEstimate accepted_share;  ///< acceptance() with its standard error
   double acceptance() const;
 };
 
@@ -24,6 +25,10 @@ struct HybridMonteCarloSummary {
   std::uint64_t trajectories = 0, accepted = 0;
   SeriesEstimate weight;  ///< ⟨exp(−ΔH/kT)⟩, which is 1 for a reversible scheme that keeps volume
   double work = 0;        ///< received by the bodies from draws and rejections [kJ/mol]
+  SeriesEstimate accepted_share;  ///< acceptance() with its standard error
+  /// Integrated autocorrelation time of the potential energy [ps], and the number of independent
+  /// samples of it that the run is worth.
+  SeriesEstimate correlation_time, effective_samples;
   double acceptance() const;
 };
 
@@ -35,7 +40,8 @@ struct EnsembleSummary {
   std::optional<HybridMonteCarloSummary> hybrid_monte_carlo;
 };
 
+/// @param sample  time between two energies [ps]
 EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& settings,
-                                 const Trajectory& trajectory);
+                                 const Trajectory& trajectory, double sample);
 
 }  // namespace polhode

@@ -32,6 +32,9 @@ struct RunReport {
 /// "significant", "not significant", or why this is not known.
 std::string verdict(const Drift& drift);
 
+/// Why an error is not known: "too few samples", "run too short" or "not defined"; empty if it is.
+std::string reason(Known known);
+
 /// The report as JSON. Names contain units, as in "length_ps"; unknown values are null.
 std::string run_json(const RunReport& report);
 

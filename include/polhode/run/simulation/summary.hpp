@@ -17,28 +17,28 @@ inline constexpr std::uint64_t min_samples_reported = 3;
 struct RunSummary {
   std::size_t molecules = 0;
   std::size_t steps = 0;
-  double length = 0;                 ///< simulated [ps]
-  double sample = 0;                 ///< between energies [ps]
-  std::uint64_t samples = 0;         ///< of the energies
-  SeriesEstimate ratio;              ///< R; not finite if the potential energy is constant
-  double total_fluctuation = 0;      ///< of the conserved energy [kJ/mol]
-  double potential_fluctuation = 0;  ///< [kJ/mol]
-  double rounding = 0;               ///< R of rounding alone, estimated; 0 in double precision
+  double length = 0;          ///< simulated [ps]
+  double sample = 0;          ///< between energies [ps]
+  std::uint64_t samples = 0;  ///< of the energies
+  /// R; not finite if the potential energy is constant, not defined with hybrid Monte Carlo, nor is
+  /// the energy drift: nothing is conserved over draws and rejections.
+  SeriesEstimate ratio;
+  SeriesEstimate total_fluctuation;      ///< rms of the conserved energy [kJ/mol]; as R not defined
+  SeriesEstimate potential_fluctuation;  ///< rms [kJ/mol]
+  double rounding = 0;                   ///< R of rounding alone, estimated; 0 in double precision
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
   Drift drift;             ///< of the conserved energy [kJ/mol/ps]
   std::optional<ShadowSummary> shadow;                           ///< if requested
   std::optional<StepBias> step_bias;                             ///< nothing where it is not known
   ByMotion<std::optional<SeriesEstimate>> configurational;       ///< temperatures [K], if requested
   ByMotion<std::optional<SeriesEstimate>> configurational_bias;  ///< of the step in them [K]
-  double potential = 0;                                          ///< mean per molecule [kJ/mol]
-  double total = 0;                                              ///< mean per molecule [kJ/mol]
+  SeriesEstimate potential;                                      ///< mean per molecule [kJ/mol]
+  SeriesEstimate total;                                          ///< mean per molecule [kJ/mol]
   SeriesEstimate pressure;                                       ///< mean [kJ/mol/nm³]
   double momentum = 0;                                           ///< |Σ p| at the end [u nm/ps]
-  Temperatures temperatures;                                     ///< means over the run [K]
-  SeriesEstimate temperature;                                    ///< that of all motions [K]
-  /// The same where a bath within the steps acts; nothing without.
-  std::optional<Temperatures> temperatures_at_bath;
-  std::optional<SeriesEstimate> temperature_at_bath;
+  TemperatureEstimates temperatures;                             ///< means over the run [K]
+  /// Temperatures where a bath within the steps acts [K]; nothing without such a bath.
+  std::optional<TemperatureEstimates> temperatures_at_bath;
   Drift potential_drift;  ///< [kJ/mol/ps]
   DegreesOfFreedom degrees_of_freedom;
   EnsembleSummary ensemble;
