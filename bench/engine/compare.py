@@ -17,7 +17,7 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
-import compare_figure
+import step_figure
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "bench"))
@@ -77,7 +77,7 @@ def arguments():
     p.add_argument("--seconds", type=float, default=1, help="of a run, approximately (1)")
     p.add_argument("--cpu-time", action="store_true", help="user time instead of wall-clock time: for one thread on a busy computer")
     p.add_argument("--json", type=Path, metavar="FILE", help="write all results to this file")
-    p.add_argument("--figures", type=Path, metavar="PREFIX", help="draw PREFIX-sizes.svg and PREFIX-threads.svg; for one precision and set")
+    p.add_argument("--figures", type=Path, metavar="PREFIX", help="draw PREFIX-sizes.svg and PREFIX-threads.svg of the program; for one precision and set")
     o = p.parse_args()
     for size in o.sizes:
         if 512 * copies(size) ** 3 != size:
@@ -209,7 +209,7 @@ def main():
     if o.json:
         records.write(o.json, result)
     if o.figures:
-        compare_figure.draw(result, o.figures)
+        step_figure.draw(result, o.figures)
 
 
 def liquid(o):

@@ -45,22 +45,45 @@ def bias_script(points, image):
     return "\n".join([*lines, "unset multiplot", ""])
 
 
+def density_looks(names):
+    """Colour, marker and dashes of each curve: colours are those of schemes; a step shorter than another of its scheme is open, and
+    its line dashed."""
+    scheme, step = (lambda name: name.split(",")[0]), (lambda name: float(name.split(", ")[1].split()[0]))
+    style = drawing.styles({scheme(n) for n in names})
+    short = {n for n in names if any(scheme(m) == scheme(n) and step(m) > step(n) for m in names)}
+    return {n: (style[scheme(n)].colour, style[scheme(n)].open if n in short else style[scheme(n)].filled, 2 if n in short else 1) for n in names}
+
+
+def polynomial(fit):
+    """A fit as a function of gnuplot's x."""
+    middle = sum(fit.domain) / 2
+    terms = fit.convert(domain=[middle - 1, middle + 1]).coef
+    return " + ".join(f"{c:.10g}*(x - {middle:.6g})**{k}" for k, c in enumerate(terms))
+
+
 def density_script(points, image):
-    curves = tables.density_curves(points)
-    lines = [drawing.begin(image, 720, 520), *blocks(curves.values()), "set grid", 'set xlabel "temperature [K]"', 'set ylabel "density [kg/m³]"',
-             "set key bottom left"]
-    plots, arrows = [], []
-    for k, (name, rows) in enumerate(curves.items()):
-        T, density = [row[0] for row in rows], [row[1] for row in rows]
-        top = tables.maximum(T, density)
-        middle = np.mean(T)
-        a, b, c = np.polyfit(np.array(T) - middle, density, 2)
-        colour = drawing.PALETTE[k]
-        plots += [f'$curve{k} using 1:2:3 with yerrorbars linecolor "{colour}" pointtype 7 title "{name}: maximum at {top:.1f} K"',
-                  f'{a:.8g}*(x-{middle:.6g})**2 + {b:.8g}*(x-{middle:.6g}) + {c:.10g} with lines linewidth 1.6 linecolor "{colour}" notitle']
-        height = a * (top - middle) ** 2 + b * (top - middle) + c
-        arrows.append(f'set arrow from {top:.4f}, {height + 1:.4f} to {top:.4f}, {height:.4f} linecolor "{colour}" linewidth 1.6')
-    return "\n".join([*lines, *arrows, "plot " + ", \\\n  ".join(plots), ""])
+    """Above: densities without a bias of the step and those of schemes without a prediction, with cubics; those of the other schemes
+    as predicted. Below: the predicted biases, with parabolas."""
+    maxima, own, biases = tables.maxima_of(points), tables.own_densities(points), tables.density_biases(points)
+    looks = {tables.LIMIT: ("#404040", 7, 1), **density_looks([n for n in maxima if n != tables.LIMIT])}
+    title = lambda n: f"{n}: maximum at {tables.cell(maxima[n].place, 1)} K"
+    line = lambda n, fit: f'{polynomial(fit)} with lines linewidth 1.6 dashtype {looks[n][2]} linecolor "{looks[n][0]}" notitle'
+    marks = lambda n, k: f'$curve{k} using 1:2:3 with yerrorbars linewidth 1.2 pointtype {looks[n][1]} pointsize 0.9 linecolor "{looks[n][0]}" notitle'
+    measured = {tables.LIMIT: tables.limit_densities(points), **{n: own[n] for n in maxima if n in own}}
+    predicted = {n: biases[n] for n in maxima if n in biases}
+    above = [line(n, m.fit) for n, m in maxima.items()] + [marks(n, k) for k, n in enumerate(measured)]
+    below = [line(n, tables.bias_fit(*list(zip(*rows))[:2])) for n, rows in predicted.items()]
+    below += [marks(n, k + len(measured)) for k, n in enumerate(predicted)]
+    entries = [f'with linespoints linewidth 1.6 dashtype {looks[n][2]} pointtype {looks[n][1]} linecolor "{looks[n][0]}" title "{title(n)}"' for n in maxima]
+    temperatures = [row[0] for row in measured[tables.LIMIT]]
+    return "\n".join([
+        drawing.begin(image, 760, 760), *blocks([*measured.values(), *predicted.values()]), "set multiplot", drawing.key(entries, 0.865, 1), "set grid",
+        "set lmargin at screen 0.13", f"set xrange [{min(temperatures) - 3:g}:{max(temperatures) + 3:g}]",
+        "set tmargin at screen 0.855", "set bmargin at screen 0.42", 'set format x ""', 'set ylabel "density  (kg/m³)"', "set yrange [*:*]",
+        "plot " + ", \\\n  ".join(above),
+        "set tmargin at screen 0.39", "set bmargin at screen 0.1", 'set format x "%g"', 'set xlabel "temperature  (K)"',
+        'set ylabel "predicted bias by the step  (kg/m³)"', "set xzeroaxis linewidth 1 linecolor rgb ink",
+        "plot " + ", \\\n  ".join(below), "unset multiplot", ""])
 
 
 def draw(lines, folder, form="svg"):

@@ -35,9 +35,6 @@ trajectory_every = "0 ps"
 plot = "none"
 """
 SAMPLE = 2.0  # [fs]
-ETA = 0.1931833275037836
-# Sums of the squared weights of a step's force evaluations; GIER4 with lambda = 1.
-WEIGHTS = {"velocity-verlet": 1.0, "hoa2": (2 * ETA) ** 2 + (1 - 2 * ETA) ** 2, "gier4-fd": 5 / 9}
 LONG = (("gier4-fd", 1), ("hoa2", 3))  # the truncation error of the first is far below rounding
 
 
@@ -190,7 +187,7 @@ def main():
         print(f"a from {f['scheme']} at {f['step_fs']:g} fs: {f['a']:.3g} kJ/mol")
     reading = sqrt(fmean(f["a"] ** 2 for f in found)) if found else 0.0
     scheme, step = LONG[0]
-    c = fitted_walk(kept[scheme, step, "mixed"], kept[scheme, step, "double"], step, WEIGHTS[scheme], reading,
+    c = fitted_walk(kept[scheme, step, "mixed"], kept[scheme, step, "double"], step, figure.WEIGHTS[scheme], reading,
                     0.25 if o.quick else 1)
     print(f"a {reading:.3g} kJ/mol, c {c:.3g} kJ/mol/ps" if c > 0 else
           f"a {reading:.3g} kJ/mol; the long runs are too short to see the walk")
@@ -198,8 +195,8 @@ def main():
         "--quick" if o.quick else f"--starts {o.starts} --length {o.length:g} --long {o.long:g}")
     head = [f"{date.today()}, {machine.processor()}, one thread", told]
     write_csv(f"{o.output}.csv", rows, head)
-    write_csv(f"{o.output}-growth.csv", growth, head)
-    result = {"conditions": head, "runs": rows, "growth": growth, "weights": WEIGHTS,
+    write_csv(f"{o.output}-growth.csv", growth, [*head, f"a {reading:.4g} kJ/mol, c {c:.4g} kJ/mol/ps"])
+    result = {"conditions": head, "runs": rows, "growth": growth, "weights": figure.WEIGHTS,
               "a_kJ_per_mol": reading, "a_of": found, "c_kJ_per_mol_ps": c}
     records.write(Path(f"{o.output}.json"), result)
     if o.figure:

@@ -29,7 +29,7 @@ set format x "10^{%T}"
 set xrange [358.4:154829]
 set xlabel "number of waters"
 set ylabel "µs per molecule and step, one thread"
-set yrange [0:1.57316]
+set yrange [0:1.31807]
 
 $curve0 << EOD
 512 0.506647
@@ -38,25 +38,11 @@ $curve0 << EOD
 110592 0.548147
 EOD
 $curve1 << EOD
-512 0.614142
-4096 0.604732
-32768 0.552717
-110592 0.602947
-EOD
-$curve2 << EOD
 512 0.847363
 4096 0.887885
 32768 0.958985
 110592 1.14615
 EOD
-$curve3 << EOD
-512 1.34982
-4096 1.35763
-32768 1.28818
-110592 1.36797
-EOD
 
-plot $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "reaction field, now", \
-  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 6 pointsize 0.9 title "reaction field, before", \
-  $curve2 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 9 pointsize 0.9 title "Ewald sum, now", \
-  $curve3 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 8 pointsize 0.9 title "Ewald sum, before"
+plot $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "reaction field", \
+  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 9 pointsize 0.9 title "Ewald sum"

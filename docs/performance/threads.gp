@@ -38,26 +38,12 @@ $curve0 << EOD
 110592 1.98477
 EOD
 $curve1 << EOD
-512 1.47703
-4096 1.71474
-32768 1.7303
-110592 1.92257
-EOD
-$curve2 << EOD
 512 1.34244
 4096 1.48304
 32768 1.67211
 110592 1.56345
 EOD
-$curve3 << EOD
-512 1.5902
-4096 1.52735
-32768 1.67232
-110592 1.63995
-EOD
 
 plot 2 with lines linewidth 1 dashtype 3 linecolor rgb ink title "ideal", \
-  $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "reaction field, now", \
-  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 6 pointsize 0.9 title "reaction field, before", \
-  $curve2 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 9 pointsize 0.9 title "Ewald sum, now", \
-  $curve3 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 8 pointsize 0.9 title "Ewald sum, before"
+  $curve0 using 1:2 with linespoints linewidth 1.6 linecolor "#0072B2" pointtype 7 pointsize 0.9 title "reaction field", \
+  $curve1 using 1:2 with linespoints linewidth 1.6 linecolor "#009E73" pointtype 9 pointsize 0.9 title "Ewald sum"

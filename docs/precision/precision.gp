@@ -21,24 +21,22 @@ set grid linewidth 0.5 linecolor "#e4e4e4"
 set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
 
-set title offset 0,-0.4 textcolor "#404040"
-
 $velocity_verlet_mixed << EOD
 0.5 0.0598298
 1 0.228245
 2 0.907061
 3 2.11416
-4 4.15248
+4 4.15247
 EOD
 $velocity_verlet_double << EOD
 0.5 0.0627978
-1 0.240919
+1 0.24092
 2 1.05578
 3 1.90375
-4 4.17437
+4 4.17436
 EOD
 $hoa2_mixed << EOD
-0.5 0.00616704
+0.5 0.00616705
 1 0.0206558
 2 0.0794756
 3 0.171969
@@ -46,28 +44,28 @@ $hoa2_mixed << EOD
 EOD
 $hoa2_double << EOD
 0.5 0.00499018
-1 0.0194732
+1 0.0194731
 2 0.0764626
 3 0.185229
 4 0.337492
 EOD
-$gier4_mixed << EOD
+$gier4_fd_mixed << EOD
 0.5 0.00341784
-1 0.00333466
+1 0.00333467
 2 0.00331533
 3 0.00572405
-4 0.0144314
+4 0.0144315
 5 0.0432099
 EOD
-$gier4_double << EOD
+$gier4_fd_double << EOD
 0.5 3.73454e-06
 1 5.73318e-05
-2 0.000921834
+2 0.000921835
 3 0.00472868
-4 0.0157883
+4 0.0157882
 5 0.0396921
 EOD
-$growth_gier4_mixed << EOD
+$growth_gier4_fd_mixed << EOD
 0.25 0.00261093
 0.5 0.00261839
 1 0.00262232
@@ -76,7 +74,7 @@ $growth_gier4_mixed << EOD
 8 0.002643
 16 0.0026443
 EOD
-$growth_gier4_double << EOD
+$growth_gier4_fd_double << EOD
 0.25 4.49073e-05
 0.5 4.49391e-05
 1 4.49853e-05
@@ -105,41 +103,67 @@ $growth_hoa2_double << EOD
 EOD
 
 set multiplot
+set lmargin at screen 0.02
+set rmargin at screen 0.98
+set bmargin at screen 0.88
+set tmargin at screen 0.99
+unset border
+unset grid
+set tics scale 0
+set format ""
+set xrange [0:1]
+set yrange [0:1]
+set key inside center center horizontal maxcols 4 font small
+plot NaN notitle, \
+  keyentry with linespoints linewidth 1.6 pointtype 7 linecolor "#0072B2" title "velocity-verlet", \
+  keyentry with linespoints linewidth 1.6 pointtype 5 linecolor "#D55E00" title "hoa2", \
+  keyentry with linespoints linewidth 1.6 pointtype 9 linecolor "#009E73" title "gier4-fd", \
+  keyentry with linespoints linewidth 1.6 pointtype 7 linecolor rgb ink title "mixed precision", \
+  keyentry with linespoints linewidth 1.6 dashtype 2 pointtype 6 linecolor rgb ink title "double precision", \
+  keyentry with lines linewidth 1.2 dashtype 3 linecolor rgb ink title "rounding of gier4-fd, mixed", \
+  keyentry with lines linewidth 1.2 dashtype 4 linecolor rgb ink title "its random walk"
+unset key
+set format "%g"
+set border 3 linewidth 1 linecolor rgb ink
+set tics nomirror out scale 0.6 textcolor rgb ink
+set grid linewidth 0.5 linecolor "#e4e4e4"
+set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
+set title noenhanced textcolor rgb ink
+
+set title offset 0,-0.4 textcolor "#404040"
 set bmargin at screen 0.13
-set tmargin at screen 0.72
+set tmargin at screen 0.80
+set logscale xy
+set format y "10^{%T}"
 
 set lmargin at screen 0.095
 set rmargin at screen 0.475
-set logscale xy
-set title "runs of 2 ps: mixed precision filled, double open"
+set title "runs of 2 ps"
 set xlabel "time step  (fs)" offset 0,0.3
 set ylabel "R  (%)"
 set xtics (0.5, 1, 2, 3, 4, 5)
-set format y "10^{%T}"
 set xrange [0.42:6]
 set yrange [1e-06:10]
-set key at screen 0.28, screen 0.985 center top horizontal maxcols 2
-plot $velocity_verlet_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 7 linecolor "#0072B2" title "velocity-verlet", \
+plot $velocity_verlet_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 7 linecolor "#0072B2" notitle, \
   $velocity_verlet_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 6 linecolor "#0072B2" notitle, \
-  $hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2", \
+  $hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" notitle, \
   $hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" notitle, \
-  $gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4-fd", \
-  $gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" notitle, \
-  0.00336947 with lines linewidth 1.2 dashtype 3 linecolor rgb ink title "rounding alone"
+  $gier4_fd_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" notitle, \
+  $gier4_fd_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" notitle, \
+  0.00336928 with lines linewidth 1.2 dashtype 3 linecolor rgb ink notitle
 
 set lmargin at screen 0.595
 set rmargin at screen 0.985
-set title "one run of 16 ps, in windows"
+set title "one run of 16 ps: gier4-fd at 1 fs, hoa2 at 3 fs"
 set xlabel "length of a window  (ps)" offset 0,0.3
 set ylabel "rms of E about its mean  (kJ/mol)"
 set xtics (0.25, 0.5, 1, 2, 4, 8, 16, 32)
 set xrange [0.2:20]
 set yrange [1e-05:1]
-set key at screen 0.785, screen 0.985 center top horizontal maxcols 2
-plot $growth_gier4_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" title "gier4-fd 1 fs, mixed", \
-  $growth_gier4_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" title "gier4-fd 1 fs, double", \
-  $growth_hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" title "hoa2 3 fs, mixed", \
-  $growth_hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" title "hoa2 3 fs, double", \
-  sqrt(6.79722e-06 + 2.0842e-08*x) with lines linewidth 1.2 dashtype 3 linecolor rgb ink title "rounding of gier4-fd", \
-  sqrt(2.0842e-08*x) with lines linewidth 1.2 dashtype 4 linecolor rgb ink title "its walk"
+plot $growth_gier4_fd_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 9 linecolor "#009E73" notitle, \
+  $growth_gier4_fd_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 8 linecolor "#009E73" notitle, \
+  $growth_hoa2_mixed using 1:2 with linespoints linewidth 1.6 dashtype 1 pointsize 0.8 pointtype 5 linecolor "#D55E00" notitle, \
+  $growth_hoa2_double using 1:2 with linespoints linewidth 1.6 dashtype 2 pointsize 1.2 pointtype 4 linecolor "#D55E00" notitle, \
+  sqrt(6.79645e-06 + 2.08333e-08*x) with lines linewidth 1.2 dashtype 3 linecolor rgb ink notitle, \
+  sqrt(2.08333e-08*x) with lines linewidth 1.2 dashtype 4 linecolor rgb ink notitle
 unset multiplot

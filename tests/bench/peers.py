@@ -190,8 +190,8 @@ class Inputs(unittest.TestCase):
         costs = [{**row, "engine": "polhode hoa2", "seconds_per_ns": 200.0},
                  {**row, "engine": "gromacs", "seconds_per_ns": None}]
         text = figure.script({"costs": costs}, Path("times.svg"))
-        self.assertIn('"R = 1.5 %" 200 ?', text)
-        self.assertEqual(text.count('set label "not reached"'), 1)
+        self.assertIn("$panel0_0 << EOD\n1.5 200\nEOD", text)
+        self.assertEqual(text.count("gromacs does not reach 1.5 %"), 1)
         self.assertNotIn("${", text)
 
 
