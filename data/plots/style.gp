@@ -15,3 +15,6 @@ set tics nomirror out scale 0.6 textcolor rgb ink
 set grid linewidth 0.5 linecolor "#e4e4e4"
 set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
+# The distance between tics that puts about five of them into a range.
+tic(range) = range <= 0 ? 1 : nice(range, 10**floor(log10(range)))
+nice(range, p) = range < 1.5*p ? 0.2*p : range < 3*p ? 0.5*p : range < 6*p ? p : 2*p

@@ -17,14 +17,14 @@ name[9] = 'gier4-fd-middle'
 name[10] = 'hmc-hoa2'
 array colour[10]
 colour[1] = '#0072B2'
-colour[2] = '#0072B2'
+colour[2] = '#6A3D9A'
 colour[3] = '#56B4E9'
 colour[4] = '#D55E00'
-colour[5] = '#D55E00'
+colour[5] = '#E69F00'
 colour[6] = '#CC79A7'
-colour[7] = '#CC79A7'
+colour[7] = '#882255'
 colour[8] = '#009E73'
-colour[9] = '#009E73'
+colour[9] = '#999933'
 colour[10] = '#000000'
 array filled[10]
 filled[1] = 7
@@ -163,6 +163,9 @@ set tics nomirror out scale 0.6 textcolor rgb ink
 set grid linewidth 0.5 linecolor "#e4e4e4"
 set key noenhanced Left reverse samplen 1.6 textcolor rgb ink
 set title noenhanced textcolor rgb ink
+# The distance between tics that puts about five of them into a range.
+tic(range) = range <= 0 ? 1 : nice(range, 10**floor(log10(range)))
+nice(range, p) = range < 1.5*p ? 0.2*p : range < 3*p ? 0.5*p : range < 6*p ? p : 2*p
 
 # Bias of canonical averages against cost, a panel for each quantity, and the cost of an independent sample. Above: for each
 # scheme its name, colour, filled marker; caption; panels, panel (titles), strict1.., loose1.. (bounds; 0: none, a logarithmic

@@ -50,6 +50,13 @@ FigureScript& FigureScript::counts(std::string_view name, std::span<const std::s
   return *this;
 }
 
+FigureScript& FigureScript::numbers(std::string_view name, std::span<const double> values) {
+  text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    text_ += fmt::format("{}[{}] = {:#.10g}\n", name, k + 1, values[k]);
+  return *this;
+}
+
 FigureScript& FigureScript::texts(std::string_view name, std::span<const std::string> values) {
   text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
   for (std::size_t k = 0; k < values.size(); ++k)

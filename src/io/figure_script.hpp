@@ -26,6 +26,7 @@ class FigureScript {
   FigureScript& file(std::string_view name, std::string_view path);
   /// Arrays of gnuplot, from 1; one empty element if there are none.
   FigureScript& counts(std::string_view name, std::span<const std::size_t> values);
+  FigureScript& numbers(std::string_view name, std::span<const double> values);
   FigureScript& texts(std::string_view name, std::span<const std::string> values);
   /// The number of schemes, their names, colours and markers: `curves`, `name`, `colour`, `filled`,
   /// `open`.

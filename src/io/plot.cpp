@@ -99,12 +99,11 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono:
   return false;
 }
 
-bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
-                 std::ostream& warnings) {
-  const fs::path data(csv);
+bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings) {
+  const fs::path data(figure.csv);
   const std::string image = fs::path(data.filename()).replace_extension(format).string();
-  const std::string script = energy_script(data.filename().string(), title, {image, format});
-  return draw(fs::path(data).replace_extension("gp").string(), script, warnings);
+  return draw(fs::path(data).replace_extension("gp").string(),
+              energy_script(figure, data.filename().string(), {image, format}), warnings);
 }
 
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings) {

@@ -94,10 +94,6 @@ std::vector<std::vector<double>> model_of(const AdviceCurve& curve) {
   return rows;
 }
 
-// The palette of Okabe and Ito for lines that are not schemes.
-const std::vector<std::string> palette = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
-                                          "#E69F00", "#56B4E9", "#000000"};
-
 /// The vertical range of a panel: all values if there is no bound, otherwise those up to a few
 /// loose bounds, so that a large bias of one scheme does not hide what others have.
 std::pair<double, double> range_of(const CanonicalFigure& figure, std::size_t panel) {
@@ -127,30 +123,15 @@ std::vector<std::vector<double>> rows_of(const CanonicalFigure::Curve& curve) {
   return rows;
 }
 
-/// More curves than can be told apart in one frame.
-constexpr std::size_t crowded = 4;
-
 }  // namespace
 
-std::string energy_script(const std::string& csv, const std::string& caption, const Image& image) {
-  return FigureScript(image, 720, 480).file("data", csv).text("caption", caption).with("energies");
-}
-
-std::string curves_script(const CurvesFigure& figure, const std::string& csv, const Image& image) {
-  std::vector<std::string> names, colours;
-  std::vector<std::size_t> columns;
-  for (const CurvesFigure::Column& column : figure.columns) {
-    colours.push_back(palette[columns.size() % palette.size()]);
-    names.push_back(column.title);
-    columns.push_back(column.number);
-  }
-  const bool panels = figure.separable && columns.size() > crowded;
-  FigureScript script(image, 720, panels ? 720 : 480);
-  script.file("data", csv).text("caption", figure.title);
-  script.text("x_label", figure.x_label).text("y_label", figure.y_label);
-  script.count("curves", columns.size());
-  script.counts("column_of", columns).texts("name", names).texts("colour", colours);
-  return script.with(panels ? "panels" : "curves");
+std::string energy_script(const EnergyFigure& figure, const std::string& csv, const Image& image) {
+  return FigureScript(image, 720, 480)
+      .file("data", csv)
+      .text("caption", figure.title)
+      .text("energy", figure.energy)
+      .text("ratio", figure.ratio)
+      .with("energies");
 }
 
 std::string efficiency_script(const EfficiencyFigure& figure, const Image& image) {

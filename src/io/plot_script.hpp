@@ -15,7 +15,7 @@ struct Image {
   std::string format;  ///< "svg" or "png"
 };
 
-std::string energy_script(const std::string& csv, const std::string& caption, const Image& image);
+std::string energy_script(const EnergyFigure& figure, const std::string& csv, const Image& image);
 
 std::string curves_script(const CurvesFigure& figure, const std::string& csv, const Image& image);
 

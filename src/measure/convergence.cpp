@@ -40,9 +40,10 @@ double relaxation_share(const BlockMeans& blocks, std::size_t x, std::size_t squ
   return sum / scales;
 }
 
-Convergence convergence(double length, double relaxation, double multiple, bool open) {
+Convergence convergence(double length, double relaxation, double multiple, Obstacle other) {
   const double needed = multiple * relaxation;
-  return {length, relaxation, open ? std::max(needed, 2 * length) : needed};
+  if (length < needed) return {length, relaxation, needed, "ps", Obstacle::length};
+  return {length, relaxation, other == Obstacle::none ? needed : 2 * length, "ps", other};
 }
 
 bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
@@ -56,6 +57,11 @@ bool differs(const SeriesEstimate& difference, double value) {
   constexpr double matters = 0.1;
   return difference.known == Known::yes && std::abs(difference.value) > far * difference.error &&
          std::abs(difference.value) > matters * std::abs(value);
+}
+
+bool matters(const SeriesEstimate& systematic, const SeriesEstimate& result) {
+  const double size = std::abs(systematic.value);
+  return systematic.known == Known::yes && size > far * systematic.error && size > result.error;
 }
 
 }  // namespace polhode

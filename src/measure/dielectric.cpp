@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/measure/dielectric.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
@@ -25,6 +26,20 @@ double permittivity(std::span<const double> mean, double temperature,
                    (3 * mean[volume] * units::boltzmann * temperature);
   if (std::isinf(surroundings_permittivity)) return 1 + g;
   return (1 + 2 * surroundings_permittivity * (1 + g)) / (1 + 2 * surroundings_permittivity - g);
+}
+
+double mean_over_rms(const BlockMeans& means) {
+  const std::vector<double> mean = means.mean();
+  return norm(Vec3<double>{mean[Mx], mean[My], mean[Mz]}) / std::sqrt(mean[M2]);
+}
+
+/// Without an error where ⟨M⟩² is larger than in a sufficiently long run.
+SeriesEstimate at_rest(const BlockMeans& means, const SeriesEstimate& e) {
+  constexpr double limit = 0.1;  // of ⟨M²⟩
+  const double share = mean_over_rms(means);
+  return e.known == Known::yes && share * share > limit
+             ? SeriesEstimate{e.value, 0, Known::too_short}
+             : e;
 }
 
 }  // namespace
@@ -55,26 +70,27 @@ TotalDipole::Result TotalDipole::result(double temperature, double surroundings_
     return permittivity(mean, temperature, surroundings_permittivity);
   };
   Result result;
-  result.constant = series_estimate(means, epsilon);
-  result.kirkwood = series_estimate(
-      means, [&](std::span<const double> mean) { return variance(mean) / squares_; });
-  const std::vector<double> mean = means.mean();
-  result.mean_over_rms = norm(Vec3<double>{mean[Mx], mean[My], mean[Mz]}) / std::sqrt(mean[M2]);
-  constexpr double at_rest = 0.1;  // of ⟨M²⟩: the limit for ⟨M⟩² in a sufficiently long run
-  if (result.mean_over_rms * result.mean_over_rms > at_rest)
-    for (SeriesEstimate* const e : {&result.constant, &result.kirkwood})
-      if (e->known == Known::yes) *e = {e->value, 0, Known::too_short};
+  result.constant = at_rest(means, series_estimate(means, epsilon));
+  result.kirkwood =
+      at_rest(means, series_estimate(means, [&](auto mean) { return variance(mean) / squares_; }));
+  result.mean_over_rms = mean_over_rms(means);
   const bool timed = interval > 0;
   const double length = means.empty() ? 0 : means.sum().weight * (timed ? interval : 1);
-  result.convergence = convergence(
-      length, relaxation_share(means, Mx, M2) * length, relaxations_of_dipole,
-      result.constant.known != Known::yes || still_moving(means, result.constant, epsilon));
+  const Obstacle obstacle = result.constant.known != Known::yes             ? Obstacle::no_error
+                            : still_moving(means, result.constant, epsilon) ? Obstacle::still_moving
+                                                                            : Obstacle::none;
+  result.convergence = convergence(length, relaxation_share(means, Mx, M2) * length,
+                                   relaxations_of_dipole, obstacle);
+  // The relaxation time is itself uncertain in a short run.
+  if (obstacle != Obstacle::none)
+    result.convergence.needed = std::max(result.convergence.needed, 2 * length);
   if (!timed) result.convergence.unit = "frames";
   std::vector<BlockMeans::Block> first;
   double frames = 0;
   for (const BlockMeans::Block& block : means.blocks()) {
     first.push_back(block);
-    result.stages.push_back(epsilon(BlockMeans(first).mean()));
+    const BlockMeans so_far(first);
+    result.stages.push_back(at_rest(so_far, series_estimate(so_far, epsilon)));
     result.frames.push_back(frames += block.weight);
   }
   return result;

@@ -46,38 +46,62 @@ BlockMeans Displacement::mean_square(std::size_t part, Workers& workers) {
 
 namespace {
 
-double sixth_of_slope(std::span<const double> means, double interval, const FitWindow& window) {
+/// Values at the lags within a window.
+struct Points {
   std::vector<double> t, y;
+};
+
+Points within(std::span<const double> means, double interval, const FitWindow& window) {
+  Points points;
   for (std::size_t lag = 0; lag < means.size(); ++lag) {
     const double time = static_cast<double>(lag) * interval;
     if (time < window.from - interval / 2 || time > window.to + interval / 2) continue;
-    t.push_back(time);
-    y.push_back(means[lag]);
+    points.t.push_back(time);
+    points.y.push_back(means[lag]);
   }
+  return points;
+}
+
+double sixth_of_slope(std::span<const double> means, double interval, const FitWindow& window) {
+  const auto [t, y] = within(means, interval, window);
   return t.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : slope(t, y).value / 6;
+}
+
+/// D with its error, whether or not the run is long enough.
+SeriesEstimate estimate(const BlockMeans& squared, double interval, const FitWindow& window) {
+  return series_estimate(squared,
+                         [&](auto means) { return sixth_of_slope(means, interval, window); });
 }
 
 }  // namespace
 
 SeriesEstimate diffusion(const BlockMeans& squared, double interval, const FitWindow& window) {
-  const SeriesEstimate D =
-      series_estimate(squared, [&](auto means) { return sixth_of_slope(means, interval, window); });
+  const SeriesEstimate D = estimate(squared, interval, window);
   const double length = squared.sum().weight * interval;
   if (D.known == Known::yes && length < windows_of_lags * window.to)
     return {D.value, 0, Known::too_short};
   return D;
 }
 
+double fitted_displacement(const BlockMeans& squared, double interval, const FitWindow& window,
+                           double lag) {
+  const std::vector<double> means = squared.mean();
+  const auto [t, y] = within(means, interval, window);
+  return mean(y).value + slope(t, y).value * (lag - mean(t).value);
+}
+
 Convergence diffusion_convergence(const BlockMeans& squared, double interval,
                                   const FitWindow& window) {
-  const SeriesEstimate D = diffusion(squared, interval, window);
+  const SeriesEstimate D = estimate(squared, interval, window);
   const double middle = (window.from + window.to) / 2;
   const SeriesEstimate rise = series_estimate(squared, [&](auto means) {
     return sixth_of_slope(means, interval, {middle, window.to}) -
            sixth_of_slope(means, interval, {window.from, middle});
   });
   return convergence(squared.sum().weight * interval, window.to, windows_of_lags,
-                     D.known != Known::yes || differs(rise, D.value));
+                     D.known != Known::yes    ? Obstacle::no_error
+                     : differs(rise, D.value) ? Obstacle::slope_changes
+                                              : Obstacle::none);
 }
 
 double yeh_hummer_correction(double temperature, double viscosity, double edge) {

@@ -170,6 +170,20 @@ std::vector<std::string> molecules_with(const Topology& topology, const std::str
   return found;
 }
 
+double count_pairs(const Topology& topology, const SitePair& pair) {
+  double first = 0, second = 0, within = 0;
+  for (const auto& [molecule, count] : topology.parts) {
+    const auto selected = [&, &sites = molecule.sites](const std::string& word) {
+      return static_cast<double>(std::count_if(sites.begin(), sites.end(), [&](const Site& site) {
+        return names(word, molecule, site);
+      }));
+    };
+    const double a = selected(pair[0]), b = selected(pair[1]), n = static_cast<double>(count);
+    first += n * a, second += n * b, within += n * a * b;
+  }
+  return (first * second - within) / (pair[0] == pair[1] ? 2 : 1);
+}
+
 std::vector<SitePair> site_pairs(const Topology& topology) {
   std::vector<std::string> words;
   for (const auto& [molecule, count] : topology.parts)
@@ -181,7 +195,9 @@ std::vector<SitePair> site_pairs(const Topology& topology) {
     }
   std::vector<SitePair> pairs;
   for (std::size_t a = 0; a < words.size(); ++a)
-    for (std::size_t b = a; b < words.size(); ++b) pairs.push_back({words[a], words[b]});
+    for (std::size_t b = a; b < words.size(); ++b)
+      if (const SitePair pair{words[a], words[b]}; count_pairs(topology, pair) > 0)
+        pairs.push_back(pair);
   return pairs;
 }
 
@@ -225,16 +241,13 @@ RadialDistribution::RadialDistribution(const Topology& topology, const RadialSet
         if (times > 0) counts_[a][b].push_back({p, times});
       }
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
-    double first = 0, second = 0, within = 0;
-    for (std::size_t part = 0; part < sites_.size(); ++part) {
-      double a = 0, b = 0;
-      for (const auto& [r, kind] : sites_[part])
-        a += kinds[kind][2 * p], b += kinds[kind][2 * p + 1];
-      const auto n = static_cast<double>(bodies_[part]);
-      first += n * a, second += n * b, within += n * a * b;
-    }
-    const bool like = pairs_[p][0] == pairs_[p][1];
-    pairs_of_sites_.push_back((first * second - within) / (like ? 2 : 1));
+    double first = 0, second = 0;
+    for (std::size_t part = 0; part < sites_.size(); ++part)
+      for (const auto& [r, kind] : sites_[part]) {
+        const auto n = static_cast<double>(bodies_[part]);
+        first += kinds[kind][2 * p] ? n : 0, second += kinds[kind][2 * p + 1] ? n : 0;
+      }
+    pairs_of_sites_.push_back(count_pairs(topology, pairs_[p]));
     sites_of_first_.push_back(first);
     sites_of_second_.push_back(second);
   }

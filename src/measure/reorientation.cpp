@@ -88,7 +88,9 @@ std::optional<RelaxationTimes> relaxation_times(const BlockMeans& correlation, d
   });
   times.convergence =
       convergence(correlation.sum().weight * interval, times.to, windows_of_lags,
-                  times.exponential.known != Known::yes || times.integral.known != Known::yes);
+                  times.exponential.known == Known::yes && times.integral.known == Known::yes
+                      ? Obstacle::none
+                      : Obstacle::no_error);
   return times;
 }
 

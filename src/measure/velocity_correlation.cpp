@@ -67,13 +67,34 @@ BlockMeans running_integral(const BlockMeans& correlation, double interval) {
   return BlockMeans(std::move(blocks));
 }
 
-Convergence integral_convergence(const BlockMeans& integral, double interval) {
-  const std::size_t last = integral.mean().size() - 1;
+namespace {
+
+/// The trapezoidal rule over every `stride`-th lag, up to one of them.
+double trapezia(std::span<const double> C, double interval, std::size_t stride, std::size_t last) {
+  double sum = (C.front() + C[last]) / 2;
+  for (std::size_t lag = stride; lag < last; lag += stride) sum += C[lag];
+  return sum * static_cast<double>(stride) * interval;
+}
+
+}  // namespace
+
+Convergence integral_convergence(const BlockMeans& correlation, double interval) {
+  const BlockMeans integral = running_integral(correlation, interval);
+  const std::size_t last = integral.mean().size() - 1, even = last - last % 2;
   const SeriesEstimate whole = series_estimate(integral, [&](auto means) { return means[last]; });
   const SeriesEstimate rise =
       series_estimate(integral, [&](auto means) { return means[last] - means[last / 2]; });
-  return convergence(integral.sum().weight * interval, static_cast<double>(last) * interval,
-                     windows_of_lags, whole.known != Known::yes || differs(rise, whole.value));
+  const SeriesEstimate rule = series_estimate(correlation, [&](auto C) {
+    return (trapezia(C, interval, 2, even) - trapezia(C, interval, 1, even)) / 3;
+  });
+  Convergence c = convergence(integral.sum().weight * interval,
+                              static_cast<double>(last) * interval, windows_of_lags,
+                              whole.known != Known::yes    ? Obstacle::no_error
+                              : matters(rule, whole)       ? Obstacle::interval
+                              : differs(rise, whole.value) ? Obstacle::integral_changes
+                                                           : Obstacle::none);
+  c.interval = interval / 2;
+  return c;
 }
 
 // A block deviates from the mean by its contribution to first order.

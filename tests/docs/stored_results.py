@@ -7,6 +7,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import tomllib
 import unittest
 from collections import Counter
 from pathlib import Path
@@ -97,6 +98,35 @@ class AllSchemes(unittest.TestCase):
         again = {system: {"ranking": all_schemes.ranking(of["points"], orders)} for system, of in self.stored["systems"].items()}
         self.assertEqual(all_schemes.tables({"systems": again}), all_schemes.tables(self.stored))
         self.assertTrue(all_schemes.tables(self.stored).strip() in self.page, "docs/all-schemes.md has other tables")
+
+
+class Figures(unittest.TestCase):
+    """The stored scripts: gnuplot draws the images from them."""
+
+    def curves(self):
+        """(script, title, colour) of the curves of all figures."""
+        for path in sorted((ROOT / "docs").rglob("*.gp")):
+            text = path.read_text(encoding="utf-8")
+            for colour, title in re.findall(r'(?<=linecolor )"(#\w{6})"[^,\n]*? title "([^"]*)"', text):
+                yield path.name, title, colour
+            names, colours = (dict(re.findall(rf"^{array}\[(\d+)\] = '(.*)'$", text, re.M)) for array in ("name", "colour"))
+            for k in names:
+                yield path.name, names[k], colours[k]
+
+    def test_a_scheme_has_its_colour_in_all_figures(self):
+        styles = tomllib.loads((ROOT / "data/plots/schemes.toml").read_text(encoding="utf-8"))["schemes"]
+        found = Counter()
+        for path, title, colour in self.curves():
+            scheme = re.split(r"[,: ]", title.removeprefix("polhode "))[0]
+            if scheme in styles and " / " not in title and "rounding" not in title:
+                found[path] += 1
+                self.assertEqual(colour, styles[scheme]["colour"], f"{path}: {title}")
+        self.assertGreaterEqual(len(found), 8, found)  # most of the figures
+
+    def test_no_two_canonical_methods_share_a_colour(self):
+        methods = {title: colour for path, title, colour in self.curves() if path == "canonical.gp"}
+        self.assertEqual(len(methods), 10)
+        self.assertEqual(len(set(methods.values())), 10)
 
 
 if __name__ == "__main__":

@@ -100,23 +100,22 @@ TEST_CASE("a figure has a curve for each scheme, in the scheme's style") {
   has_curves();
 }
 
-TEST_CASE("many curves that can be separated have a panel each") {
+TEST_CASE("curves of panels are numbered through, and those with errors have bands") {
   const Place place;
   setenv("PATH", place.folder.c_str(), 1);
   std::ostringstream warnings;
-  const auto script_of = [&](std::size_t columns, bool separable) {
-    CurvesFigure figure{(place.folder / "g.csv").string(), "g", "r", "g", {}, separable};
-    for (std::size_t k = 0; k < columns; ++k) figure.columns.push_back({k + 2, "O-`H`"});
-    curves_plot(figure, "svg", warnings);
-    return text_of(place.folder / "g.gp");
-  };
-  const auto panels = [](const std::string& script) {
-    return script.find("set multiplot") != std::string::npos;
-  };
-  CHECK(panels(script_of(5, true)));
-  CHECK(!panels(script_of(4, true)));
-  CHECK(!panels(script_of(5, false)));
-  CHECK(script_of(5, true).find("name[5] = 'O-`H`'\n") != std::string::npos);
+  CurvesFigure figure{(place.folder / "g.csv").string(), "g", "r", "g"};
+  figure.panels = {{"O-`H`", {{"a", 2, 3}, {"b", 4}}, {{"fit", {0, 1}, {0, 2}}}, 0, 2.5},
+                   {"", {{"", 5, 6}}, {}, -1, 1}};
+  curves_plot(figure, "svg", warnings);
+  const std::string script = text_of(place.folder / "g.gp");
+  for (const char* line :
+       {"title_of[1] = 'O-`H`'\n", "panels = 2\n", "across = 2\n", "first_curve[2] = 3\n",
+        "last_curve[2] = 3\n", "column_of[3] = 5\n", "first_band[2] = 2\n", "last_band[2] = 2\n",
+        "banded[1] = 1\n", "banded[2] = 3\n", "high_of[1] = 2.5", "low_of[2] = -1.0",
+        "line_name[1] = 'fit'\n", "last_line[1] = 1\n", "first_line[2] = 2\n", "last_line[2] = 1\n",
+        "legend_rows = 1\n"})
+    CHECK_MESSAGE(script.find(line) != std::string::npos, line);
 }
 
 TEST_CASE("figures are drawn if gnuplot is installed") {
@@ -124,10 +123,12 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
   std::ostringstream warnings;
   {
     std::ofstream csv(place.folder / "run.csv");
-    csv << "# polhode\ntime [ps],potential [kJ/mol],total [kJ/mol]\n";
+    csv << "# polhode\ntime [ps],potential [kJ/mol],conserved [kJ/mol]\n";
     for (int k = 0; k < 20; ++k) csv << k << ',' << -100 + k % 3 << ',' << -50 + k % 2 << '\n';
   }
-  const bool drawn = energy_plot((place.folder / "run.csv").string(), "a \"run\"", "svg", warnings);
+  const bool drawn =
+      energy_plot({(place.folder / "run.csv").string(), "a \"run\"", "conserved", "0.3 ± 0.1 %"},
+                  "svg", warnings);
   if (!drawn && warnings.str().find("not installed") != std::string::npos) return;
   CHECK(drawn);
   CHECK(efficiency_plot((place.folder / "eff").string(), study, "svg", warnings));
@@ -138,13 +139,11 @@ TEST_CASE("figures are drawn if gnuplot is installed") {
        0.01,
        AdviceMark{1.5, 0.006, 0.001}},
       "svg", warnings));
-  for (const std::size_t columns : {1u, 2u, 5u}) {
-    CurvesFigure figure{(place.folder / "many.csv").string(), "many", "r", "g", {}, true};
-    std::ofstream csv(figure.csv);
-    csv << "r,a,b,c,d,e\n";
-    for (int k = 1; k < 9; ++k) csv << k << ",1,2,3," << 1.0 / k << ",5\n";
-    csv.close();
-    for (std::size_t k = 0; k < columns; ++k) figure.columns.push_back({k + 2, "g"});
+  for (const std::size_t panels : {1u, 2u, 5u}) {
+    CurvesFigure figure{(place.folder / "many.csv").string(), "many", "r", "g", 1, 8};
+    std::ofstream(figure.csv) << "r,a,a error,b\n1,1,0.1,2\n2,3,,2\n8,5,0.2,2\n";
+    for (std::size_t p = 0; p < panels; ++p)
+      figure.panels.push_back({"g", {{"a", 2, 3}, {"b", 4}}, {{"fit", {1, 8}, {1, 5}}}, 0, 6});
     CHECK(curves_plot(figure, "svg", warnings));
   }
   {

@@ -80,6 +80,18 @@ TEST_CASE("a cubic lattice has its neighbour shells") {
   CHECK(radial.g(0)[k].error == doctest::Approx(0).scale(1e-9));
 }
 
+TEST_CASE("a pair of sites is of two molecules") {
+  const Topology water{{{read_molecule("tip4p"), 3}, {read_molecule("na-tip4p-ew"), 1}}};
+  const std::vector<SitePair> some = {
+      {"OW", "OW"}, {"OW", "HW"}, {"OW", "Na"}, {"HW", "HW"}, {"HW", "Na"}};
+  CHECK(site_pairs(water) == some);
+  CHECK(count_pairs(water, {"OW", "OW"}) == 3);
+  CHECK(count_pairs(water, {"OW", "HW"}) == 3 * 2 * 2);
+  CHECK(count_pairs(water, {"HW", "HW"}) == 3 * 4);
+  CHECK(count_pairs(water, {"Na", "Na"}) == 0);
+  CHECK(site_pairs({{{read_molecule("tip4p"), 1}}}).empty());
+}
+
 // The number of pairs of an ideal gas in a shell has a Poisson distribution: g is 1 within four
 // standard errors in wide bins, and the scatter of the bins is as expected: 25 bins determine it to
 // 14 %, so four times that.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "polhode/integrate/schemes.hpp"
+#include "polhode/run/canonical/canonical_study.hpp"
 
 using namespace polhode;
 
@@ -42,4 +43,13 @@ TEST_CASE("the style of a scheme does not depend on the others of a figure") {
   CHECK(styles[0].colour == scheme_styles({"x"})[0].colour);
   CHECK(styles[0].colour != styles[3].colour);
   CHECK(scheme_styles({}).empty());
+}
+
+TEST_CASE("no two methods of a canonical study share a colour") {
+  std::vector<std::string> names = canonical_schemes();
+  REQUIRE(names.back() == "hoa2");
+  names.back() = "hmc-hoa2";
+  std::set<std::string> colours;
+  for (const SchemeStyle& style : scheme_styles(names)) colours.insert(style.colour);
+  CHECK(colours.size() == names.size());
 }

@@ -25,24 +25,43 @@ inline constexpr std::array<std::string_view, 3> plot_formats = {"svg", "png", "
 bool run_gnuplot(const std::string& script, std::ostream& warnings,
                  std::chrono::seconds limit = std::chrono::seconds(60));
 
-/// The energies of a run against time: deviation of the total energy from its mean, and potential
-/// energy, in two panels, with the title and R above. `csv` must have the columns "time [ps]",
-/// "potential [kJ/mol]" and "total [kJ/mol]"; image and script are written next to it, with its
+/// The energies of a run against time.
+struct EnergyFigure {
+  std::string csv;  ///< with the columns "time [ps]", "potential [kJ/mol]" and that of `energy`
+  std::string title;
+  std::string energy = "conserved";  ///< the energy of the upper panel: "conserved" or "total"
+  std::string ratio{};               ///< R as the summary has it, "0.056 ± 0.003 %"; empty: none
+};
+
+/// The deviation of the total or conserved energy from its mean, and the potential energy, in two
+/// panels, with the title and R above. Image and script are written next to the CSV file, with its
 /// name and other extensions.
 /// @param format  "svg" or "png"
-bool energy_plot(const std::string& csv, const std::string& title, const std::string& format,
-                 std::ostream& warnings);
+bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings);
 
-/// Columns of a CSV file plotted as lines against its first column.
+/// Columns of a CSV file plotted as lines against its first column, in panels.
 struct CurvesFigure {
   std::string csv;
   std::string title, x_label, y_label;
-  struct Column {
-    std::size_t number;  ///< in the file, from 1
-    std::string title;
+  double left = 0, right = 1;  ///< ends of the common horizontal axis
+  std::size_t across = 0;      ///< panels in a row; 0: as many as are readable
+  struct Curve {
+    std::string name;       ///< in the legend; empty: not there
+    std::size_t column;     ///< in the file, from 1
+    std::size_t error = 0;  ///< column of its standard errors, drawn as a band; 0: none
   };
-  std::vector<Column> columns{};  ///< to be drawn
-  bool separable = false;         ///< draw many curves, each in its own panel
+  /// A straight line between two points, such as a fit.
+  struct Line {
+    std::string name;
+    std::array<double, 2> x, y;
+  };
+  struct Panel {
+    std::string title;
+    std::vector<Curve> curves;
+    std::vector<Line> lines{};
+    double low = 0, high = 1;  ///< ends of the vertical axis
+  };
+  std::vector<Panel> panels{};
 };
 
 /// Draws the figure; script and image are written next to the CSV file, with its name and other

@@ -7,6 +7,17 @@
 
 namespace polhode {
 
+/// Why a number is no result.
+enum class Obstacle {
+  none,
+  length,            ///< the run is shorter than needed
+  no_error,          ///< its error is not known
+  still_moving,      ///< it still changes along the run
+  slope_changes,     ///< of the line from which it is computed: between the halves of the line
+  integral_changes,  ///< between half of the largest lag and all of it
+  interval           ///< the integrand is sampled too rarely
+};
+
 /// Length of a run, and the length that a result needs.
 struct Convergence {
   double length = 0;      ///< of the run [ps]
@@ -14,13 +25,16 @@ struct Convergence {
                           ///< computed [ps]
   double needed = 0;      ///< a multiple of it; twice the length where that does not suffice [ps]
   const char* unit = "ps";  ///< "frames" for all three if the frames have no times
+  Obstacle obstacle = Obstacle::none;
+  double interval = 0;  ///< that would do, if the obstacle is the interval between frames [ps]
 
-  bool converged() const { return length >= needed; }
+  bool converged() const { return obstacle == Obstacle::none; }
 };
 
 /// @param multiple  of the relaxation time that is needed
-/// @param open      no error is known, or the value still changes
-Convergence convergence(double length, double relaxation, double multiple, bool open);
+/// @param other     what else is an obstacle, if the run is long enough
+Convergence convergence(double length, double relaxation, double multiple,
+                        Obstacle other = Obstacle::none);
 
 /// Needed lengths, in relaxation times.
 /// ε: its relative error then is √(2/3 · 1/30) = 15 %, and the mean of M, which ought to vanish,
@@ -47,5 +61,9 @@ bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
 /// Whether a difference that ought to vanish, such as that of two values of D from different lags,
 /// does not: it exceeds three standard errors, and a tenth of the value.
 bool differs(const SeriesEstimate& difference, double value);
+
+/// Whether a systematic error of a result matters: it exceeds three of its own standard errors, and
+/// the standard error of the result.
+bool matters(const SeriesEstimate& systematic, const SeriesEstimate& result);
 
 }  // namespace polhode

@@ -28,10 +28,10 @@ class TotalDipole {
     SeriesEstimate constant;  ///< ε
     SeriesEstimate kirkwood;  ///< (⟨M²⟩ − ⟨M⟩²)/Σ μ², the Kirkwood g factor: 1 for uncorrelated
                               ///< dipoles
-    Convergence convergence;     ///< of both
-    double mean_over_rms = 0;    ///< |⟨M⟩|/√⟨M²⟩: small for a sufficiently long run
-    std::vector<double> stages;  ///< ε from the first block, from the first two, and so on
-    std::vector<double> frames;  ///< number of frames that each of these is based on
+    Convergence convergence;   ///< of both
+    double mean_over_rms = 0;  ///< |⟨M⟩|/√⟨M²⟩: small for a sufficiently long run
+    std::vector<SeriesEstimate> stages;  ///< ε from the first block, the first two, and so on
+    std::vector<double> frames;          ///< number of frames that each of these is based on
   };
 
   /// With g = (⟨M²⟩ − ⟨M⟩²)/(3 ε₀ V k_B T), (ε − 1)(2 ε' + 1)/(2 ε' + ε) = g for surroundings of

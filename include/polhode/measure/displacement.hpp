@@ -64,6 +64,10 @@ struct FitWindow {
 SeriesEstimate diffusion(const BlockMeans& squared_displacement, double interval,
                          const FitWindow& window);
 
+/// The line of that fit at a lag [nm²]; there must be two lags within the window.
+double fitted_displacement(const BlockMeans& squared_displacement, double interval,
+                           const FitWindow& window, double lag);
+
 /// Convergence of D: the run has `windows_of_lags` times the longest lag, and the slopes in the two
 /// halves of the window do not differ, as they do while molecules are still in their cages.
 Convergence diffusion_convergence(const BlockMeans& squared_displacement, double interval,

@@ -27,8 +27,11 @@ using SitePair = std::array<std::string, 2>;
 /// The names of the molecules that have such sites.
 std::vector<std::string> molecules_with(const Topology& topology, const std::string& selection);
 
-/// All pairs of names, without trailing digits, of sites that have mass. A name that occurs in
-/// several kinds of molecules has the kind before it.
+/// Number of pairs of sites of different molecules.
+double count_pairs(const Topology& topology, const SitePair& pair);
+
+/// All pairs of names, without trailing digits, of sites that have mass, where different molecules
+/// have them. A name that occurs in several kinds of molecules has the kind before it.
 std::vector<SitePair> site_pairs(const Topology& topology);
 
 struct RadialSettings {

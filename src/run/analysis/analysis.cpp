@@ -147,7 +147,7 @@ class Assembly {
     if (result_.velocity && result_.interval > 0.02)
       result_.notes.push_back(fmt::format(
           "frames {:g} fs apart are too far apart for velocities of light molecules, which reverse "
-          "within 20 fs: do not use diffusion from velocities or spectra beyond {:.3g} THz",
+          "within 20 fs: their spectra beyond {:.3g} THz are folded back",
           units::fs_per_ps * result_.interval, 0.5 / result_.interval));
   }
 
@@ -170,6 +170,11 @@ class Assembly {
 
   void begin_radial() {
     result_.pairs = settings_.pairs.empty() ? site_pairs(result_.topology) : settings_.pairs;
+    if (result_.pairs.empty()) {
+      leave_out({Observable::rdf}, "no two molecules have sites with mass");
+      return;
+    }
+    for (const SitePair& pair : result_.pairs) check_pair(pair);
     note_pooled();
     const double half = result_.box.shortest_edge() / 2;
     const double cutoff = settings_.cutoff.value_or(std::min(default_rdf_cutoff, half));
@@ -179,6 +184,18 @@ class Assembly {
                       "wider ones",
                       settings_.bin, cutoff / settings_.bin, cutoff, max_bins));
     result_.radial.emplace(result_.topology, RadialSettings{result_.pairs, cutoff, settings_.bin});
+  }
+
+  /// @throws Error  if only one molecule has the sites of a pair; RadialDistribution knows names
+  ///                that do not exist
+  void check_pair(const SitePair& pair) const {
+    for (const std::string& word : pair)
+      if (molecules_with(result_.topology, word).empty()) return;
+    if (count_pairs(result_.topology, pair) > 0) return;
+    throw Error(fmt::format(
+        "there is no g(r) of '{}-{}': only one molecule has these sites, and a pair is of two "
+        "molecules; leave it out",
+        pair[0], pair[1]));
   }
 
   void check_step_errors() {

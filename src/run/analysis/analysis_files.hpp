@@ -12,7 +12,7 @@
 
 namespace polhode {
 
-/// A table with its figure.
+/// A table with its figure; no figure is drawn without panels.
 struct AnalysisFile {
   std::string name;  ///< between the prefix and the extension: "rdf"
   Table table;

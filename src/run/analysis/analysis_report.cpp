@@ -45,7 +45,7 @@ std::vector<std::string> write_files(AnalysisReport& report, const AnalysisInput
     const std::string csv = fmt::format("{}-{}.csv", input.prefix, file.name);
     write_file(csv, [&](std::ostream& out) { write_csv(out, file.table, made); });
     written.push_back(csv);
-    if (input.plot == "none") continue;
+    if (input.plot == "none" || file.figure.panels.empty()) continue;
     file.figure.csv = csv;
     pass_messages(callbacks, [&](std::ostream& warnings) {
       if (curves_plot(file.figure, input.plot, warnings))
@@ -66,8 +66,8 @@ nlohmann::json pair(const SeriesEstimate& e, double scale = 1) {
 
 /// The same if it is converged. If not, it has no value: what the run gives is an estimate, with
 /// the reason.
-nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, const char* relaxation,
-                          double scale = 1) {
+nlohmann::json converging(const SeriesEstimate& e, const Convergence& c,
+                          const RelaxationName& relaxation, double scale = 1) {
   nlohmann::json one = pair(e, scale);
   one["converged"] = c.converged();
   if (c.converged()) return one;
@@ -79,6 +79,7 @@ nlohmann::json converging(const SeriesEstimate& e, const Convergence& c, const c
               {key("length"), c.length},
               {key("relaxation"), c.relaxation},
               {key("needed"), c.needed}});
+  if (c.obstacle == Obstacle::interval) one["needed_interval_ps"] = c.interval;
   return one;
 }
 

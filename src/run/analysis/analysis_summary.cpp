@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 
 namespace polhode {
@@ -30,14 +31,17 @@ void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings
     s.viscosity_source = "as given";
     return;
   }
-  s.viscosity_source = "there is no published viscosity for these molecules; give it";
+  s.viscosity_source =
+      "there is no published viscosity for these molecules; give it, as in viscosity \"0.9 mPa s\"";
   if (a.topology.parts.size() != 1) return;
   for (const PublishedViscosity& known : published) {
     if (a.topology.parts.front().molecule.name != known.model) continue;
     if (!s.temperature || std::abs(*s.temperature - published_temperature) > near) {
-      s.viscosity_source =
-          fmt::format("the published viscosity is for {:g} K; give that of this temperature",
-                      published_temperature);
+      s.viscosity_source = fmt::format(
+          "the published viscosity of {}, {}, is for {:g} K and 1 bar, gonzalez2010; give that of "
+          "{}, as in viscosity \"{}\"",
+          known.model, known.value, published_temperature,
+          s.temperature ? fmt::format("{:.4g} K", *s.temperature) : "the temperature", known.value);
       return;
     }
     s.viscosity = quantity(known.value, Dimension::viscosity, "viscosity");
@@ -91,9 +95,9 @@ PartSummary part_summary(Analysis& a, std::size_t part, AnalysisSummary& s,
     p.diffusion_convergence =
         diffusion_convergence(a.displacement->mean_square(part, workers), a.interval, s.fit);
   if (a.velocity && count > 0 && a.topology.size() > 1) {
-    const BlockMeans integral = running_integral(a.velocity->linear(part, workers), a.interval);
-    p.green_kubo = series_estimates(integral).back();
-    p.green_kubo_convergence = integral_convergence(integral, a.interval);
+    const BlockMeans C = a.velocity->linear(part, workers);
+    p.green_kubo = series_estimates(running_integral(C, a.interval)).back();
+    p.green_kubo_convergence = integral_convergence(C, a.interval);
   }
   p.axes = relaxations_of(a, part, workers);
   return p;
@@ -130,13 +134,50 @@ void find_step_bias(AnalysisSummary& s, const Analysis& a, const SummarySettings
         a.dipole->step_bias(settings.temperature, *settings.surroundings_permittivity, n, *a.fixed);
 }
 
+/// The unit of the second digit of a positive number.
+double second_digit(double x) { return std::pow(10, std::floor(std::log10(x)) - 1); }
+
+/// The next number with two digits that is not less; a relative 1e-9 is rounding.
+double rounded_up(double x) {
+  return x > 0 ? second_digit(x) * std::ceil(x / second_digit(x) - 1e-8) : x;
+}
+
+double rounded_down(double x) {
+  return x > 0 ? second_digit(x) * std::floor(x / second_digit(x) + 1e-8) : x;
+}
+
 }  // namespace
 
-std::string not_converged(const Convergence& c, const std::string& relaxation) {
-  return fmt::format(
-      "not converged: length {:.3g} {}, {} {:.2g} {}; a run of at least {:.2g} {} is "
-      "needed",
-      c.length, c.unit, relaxation, c.relaxation, c.unit, c.needed, c.unit);
+std::string not_converged(const Convergence& c, const RelaxationName& relaxation) {
+  const std::string longer = fmt::format("a run of at least {:g} {}", rounded_up(c.needed), c.unit);
+  switch (c.obstacle) {
+    case Obstacle::slope_changes:
+      return fmt::format(
+          "not converged: the slope of the mean-square displacement differs between the halves of "
+          "the fit, up to {:.2g} ps; use a longer window, a fit from a longer lag, or {}",
+          c.relaxation, longer);
+    case Obstacle::integral_changes:
+      return fmt::format(
+          "not converged: the integral up to half of the window differs from that up to {:.2g} ps; "
+          "use a longer window, or {}",
+          c.relaxation, longer);
+    case Obstacle::interval:
+      return fmt::format(
+          "not converged: the frames are too far apart for an integral over velocities; write them "
+          "every {:g} fs or more often",
+          rounded_down(units::fs_per_ps * c.interval));
+    case Obstacle::none:
+    case Obstacle::length:
+    case Obstacle::no_error:
+    case Obstacle::still_moving:
+      break;
+  }
+  const bool shorter = relaxation.window && c.obstacle == Obstacle::length;
+  return fmt::format("not converged: length {:.3g} {}, {} {:.2g} {}; {} is needed{}", c.length,
+                     c.unit, relaxation.text, c.relaxation, c.unit, longer,
+                     shorter ? fmt::format(", or a window of at most {:g} ps",
+                                           rounded_down(c.length / windows_of_lags))
+                             : "");
 }
 
 void SummarySettings::set_surroundings(const ForceSettings& forces) {

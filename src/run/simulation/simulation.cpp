@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
+#include "polhode/io/with_error.hpp"
 #include "polhode/run/simulation/check_motion.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 #include "polhode/run/simulation/relaxation.hpp"
@@ -39,6 +41,22 @@ void check_external(const Config& config) {
 
 double length_of(std::size_t steps, const TrajectorySettings& settings) {
   return static_cast<double>(steps) * settings.step;
+}
+
+/// R as the summary has it; empty where it has none, or none that means anything: decisions of
+/// hybrid Monte Carlo change the energy without an error of the step.
+std::string ratio_text(const RunSummary& s) {
+  if (s.samples < min_samples_reported || s.potential_fluctuation == 0 ||
+      s.ensemble.hybrid_monte_carlo)
+    return {};
+  const bool known = s.ratio.known == Known::yes;
+  return with_error(100 * s.ratio.value, known ? 100 * s.ratio.error : std::nan("")) + " %";
+}
+
+EnergyFigure energy_figure(const RunSummary& summary, const std::string& csv,
+                           const std::string& title) {
+  return {csv, title, summary.ensemble.hybrid_monte_carlo ? "total" : "conserved",
+          ratio_text(summary)};
 }
 
 }  // namespace
@@ -372,16 +390,16 @@ RunReport Simulation::report(const Trajectory& trajectory, const RunFileNames& n
                              const Callbacks& callbacks) const {
   write_file(names.final_state,
              [&](std::ostream& out) { write_gro(out, system_.state, system_.topology); });
-  if (!names.plot.empty())
-    pass_messages(callbacks, [&](std::ostream& warnings) {
-      energy_plot(names.energies,
-                  fmt::format("{}, {} at {:g} fs", config_.source,
-                              name_of({settings_->scheme, settings_->inner}),
-                              settings_->step * units::fs_per_ps),
-                  config_.output.plot, warnings);
-    });
   RunReport report{summary_of(trajectory), *settings_, execution(), names, {}, {},
                    trajectory.stopped};
+  if (!names.plot.empty())
+    pass_messages(callbacks, [&](std::ostream& warnings) {
+      energy_plot(energy_figure(report.summary, names.energies,
+                                fmt::format("{}, {} at {:g} fs", config_.source,
+                                            name_of({settings_->scheme, settings_->inner}),
+                                            settings_->step * units::fs_per_ps)),
+                  config_.output.plot, warnings);
+    });
   report.warnings = warnings(report.summary, system_, *settings_, config_, workers_);
   if (guarantee_ && !trajectory.stopped)
     report.guarantee = check_guarantee(*guarantee_, trajectory.statistics, report.summary);

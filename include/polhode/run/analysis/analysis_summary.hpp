@@ -64,18 +64,21 @@ struct AnalysisSummary {
   std::vector<std::string> notes;  ///< those of the analysis, and what could not be computed
 };
 
+/// The relaxation time of a number in a text, and whether it is that of the window of lags.
+struct RelaxationName {
+  const char* text;
+  bool window = false;
+};
+inline constexpr RelaxationName max_lag{"maximum lag", true}, decay_time{"decay to 1/e³ within"},
+    dipole_relaxation{"relaxation"};
+
 /// Why a number is not a result, and what to do: "not converged: length 20 ps, relaxation 5.6 ps;
 /// a run of at least 170 ps is needed".
-/// @param relaxation  what its relaxation time is
-std::string not_converged(const Convergence& c, const std::string& relaxation);
+std::string not_converged(const Convergence& c, const RelaxationName& relaxation);
 /// The same for a relaxation time whose function has not decayed within the window of lags.
 inline constexpr const char* not_decayed =
     "not converged: the function does not fall to 1/e³ within the window of lags; use a longer "
     "window, and a run of at least eight windows";
-
-/// The names of relaxation times in these texts.
-inline constexpr const char *max_lag = "maximum lag", *decay_time = "decay to 1/e³ within",
-                            *dipole_relaxation = "relaxation";
 
 AnalysisSummary summary(Analysis& analysis, const SummarySettings& settings,
                         Workers& workers = Workers::serial());
