@@ -42,15 +42,22 @@ def names_to_avoid(root):
             yield re.compile(rf"\b{beginning}\w+"), row["write"].strip()
 
 
+def letters(text):
+    """The runs of letters of a text, in lower case."""
+    return set(re.findall(r"[^\W\d_]+", text.lower()))
+
+
 def phrases_to_avoid(root):
-    """Pairs of a pattern and what to write instead."""
+    """Triples of a pattern, the words without which it is in no text, and what to write instead."""
     for row in rows(root):
         for phrase in re.findall(r"`([^`]+)`", row["avoid"]):
             if phrase.endswith("_*"):
                 continue
-            words = [r"\d[\d.,]*" if word == "N" else re.escape(word) for word in phrase.split()]
+            parts = phrase.split()
+            words = [r"\d[\d.,]*" if part == "N" else re.escape(part) for part in parts]
             after = r"(?![\w-])" if phrase[-1].isalnum() else ""
-            yield re.compile(r"(?<![\w-])" + r"\s+".join(words) + after, re.I), row["write"].strip()
+            pattern = re.compile(r"(?<![\w-])" + r"\s+".join(words) + after, re.I)
+            yield pattern, letters(" ".join(part for part in parts if part != "N")), row["write"].strip()
 
 
 def prose_of_markdown(text):
@@ -116,8 +123,9 @@ def check(root):
         if lies_in(name, NOT_CHECKED):
             continue
         prose = PROSE[path.suffix](text.rpartition(TABLE)[0] if name == GLOSSARY else text)
-        for pattern, better in phrases:
-            for match in pattern.finditer(prose):
+        there = letters(prose)
+        for pattern, needed, better in phrases:
+            for match in pattern.finditer(prose) if needed <= there else ():
                 phrase = " ".join(match[0].split())
                 yield Finding(path, line_of(prose, match.start()), f"'{phrase}' is to be avoided; write: {better}")
         code = CODE[path.suffix](text) if path.suffix in CODE else ""
