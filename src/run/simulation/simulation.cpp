@@ -46,7 +46,7 @@ double length_of(std::size_t steps, const TrajectorySettings& settings) {
 /// R as the summary has it; empty where it has none, or none that means anything: decisions of
 /// hybrid Monte Carlo change the energy without an error of the step.
 std::string ratio_text(const RunSummary& s) {
-  if (s.samples < min_samples_reported || s.potential_fluctuation == 0 ||
+  if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0 ||
       s.ensemble.hybrid_monte_carlo)
     return {};
   const bool known = s.ratio.known == Known::yes;
