@@ -28,8 +28,10 @@ void VelocityCorrelation::add(const State& state, Workers& workers) {
     if (!turning_axes(part).empty())
       angular_[part].add(
           [&](std::size_t i) {
-            const Vec3<double> L = to_body(state.attitude[first + i], state.ell[first + i]);
-            return scaled(bodies_.inverse_J[first + i], L);
+            const Quaternion<double>& S = state.attitude[first + i];
+            const Vec3<double> w =
+                scaled(bodies_.inverse_J[first + i], to_body(S, state.ell[first + i]));
+            return linear_body(part) ? to_lab(S, w) : w;
           },
           workers);
     first += linear_[part].bodies();
@@ -44,13 +46,28 @@ BlockMeans VelocityCorrelation::linear(std::size_t part, Workers& workers) {
 }
 
 BlockMeans VelocityCorrelation::angular(std::size_t part, std::size_t axis, Workers& workers) {
-  return angular_[part].means(axis, workers);
+  if (!linear_body(part)) return angular_[part].means(axis, workers);
+  std::vector<BlockMeans::Block> sum = angular_[part].means(0, workers).blocks();
+  for (std::size_t k = 1; k < 3; ++k) {
+    const BlockMeans one = angular_[part].means(k, workers);
+    for (std::size_t block = 0; block < sum.size(); ++block)
+      for (std::size_t lag = 0; lag < sum[block].sum.size(); ++lag)
+        sum[block].sum[lag] += one.blocks()[block].sum[lag];
+  }
+  for (BlockMeans::Block& block : sum)
+    for (double& product : block.sum) product /= 2;
+  return BlockMeans(std::move(sum));
+}
+
+bool VelocityCorrelation::linear_body(std::size_t part) const {
+  return molecules_[part].top == Top::linear;
 }
 
 std::vector<std::size_t> VelocityCorrelation::turning_axes(std::size_t part) const {
   std::vector<std::size_t> axes;
   for (std::size_t k = 0; k < 3; ++k)
     if (molecules_[part].J[k] > 0) axes.push_back(k);
+  if (linear_body(part)) axes.resize(1);
   return axes;
 }
 

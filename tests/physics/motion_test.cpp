@@ -215,6 +215,34 @@ TEST_CASE("velocities with an exponential autocorrelation") {
   CHECK(velocity.turning_axes(0).size() == 3);
 }
 
+// Free rotation: ω is constant in the lab. Every frame has another rotation about the body's own
+// axis, as fits to its atoms have.
+TEST_CASE("the angular velocity of linear bodies needs no rotation about their own axis") {
+  const Topology topology = of("co2", 8);
+  const Bodies bodies(topology);
+  VelocityCorrelation velocity(topology, 11);
+  State state(8, Box{{3, 3, 3}});
+  Random random(9);
+  std::vector<Quaternion<double>> axes;
+  for (std::size_t i = 0; i < 8; ++i) {
+    axes.push_back(random.attitude());
+    state.ell.set(i, to_lab(axes[i], Vec3<double>{0, random.normal(), random.normal()}));
+  }
+  for (int frame = 0; frame < 40; ++frame) {
+    for (std::size_t i = 0; i < 8; ++i) {
+      const double half = units::pi * random.uniform();
+      state.attitude.set(i, axes[i] * Quaternion<double>{std::cos(half), std::sin(half), 0, 0});
+    }
+    velocity.add(state);
+  }
+  double square = 0;
+  for (std::size_t i = 0; i < 8; ++i) square += norm2(state.ell[i]) / 8;
+  CHECK(velocity.turning_axes(0).size() == 1);
+  const std::vector<double> C = velocity.angular(0, 1).mean();
+  for (const double c : C)
+    CHECK(c == doctest::Approx(square * std::pow(bodies.inverse_J[0].y, 2) / 2).epsilon(1e-9));
+}
+
 // Dipoles that point up in half of the frames and down in the others: M² = (N μ)², ⟨M⟩ = 0, so the
 // constants follow from their formulas without noise. Independent dipoles: Kirkwood factor 1.
 TEST_CASE("the dielectric constant of known fluctuations") {

@@ -142,6 +142,13 @@ TEST_CASE("only Verlet runs above 1.5 %: undecided if drifts are not known well 
   CHECK(few.ends() == Verdict::not_reproduced);  // 1.78 % and 1.56 %, known not to drift
   few.drift_error = 0.5;                         // 0.1 ± 2 × 0.5 may exceed 1
   CHECK(few.ends() == Verdict::undecided);
+  // Then there is no step to be named, and R = 0 is none.
+  const auto says = [](const Laws& laws, const char* words) {
+    return laws.claims()[4].text.find(words) != std::string::npos;
+  };
+  CHECK(says(few, "at no step for Verlet, at no step for HOA2, at no step for GIER4"));
+  CHECK(says(few, "the curves reach R = 4, 1.8 and 1.6 %"));
+  CHECK(says(Laws{}, "up to R = 4 % for Verlet, up to R = 1 % for HOA2"));
 }
 
 TEST_CASE(

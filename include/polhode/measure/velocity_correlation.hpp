@@ -23,11 +23,16 @@ class VelocityCorrelation {
   /// the bodies of one part.
   BlockMeans linear(std::size_t part, Workers& workers = Workers::serial());
 
-  /// ⟨ω_k(t) ω_k(t + lag)⟩ [1/ps²] about a principal axis fixed in the body.
+  /// ⟨ω_k(t) ω_k(t + lag)⟩ [1/ps²] about a principal axis fixed in the body. Of a linear body
+  /// ⟨ω(t) · ω(t + lag)⟩/2 in the lab frame: the atoms of a frame do not determine its rotation
+  /// about its own axis, and with it the directions of the other two.
   BlockMeans angular(std::size_t part, std::size_t axis, Workers& workers = Workers::serial());
 
-  /// Principal axes with nonzero moment of inertia: only these have an angular velocity.
+  /// Principal axes with nonzero moment of inertia: only these have an angular velocity. One of
+  /// them stands for both of a linear body.
   std::vector<std::size_t> turning_axes(std::size_t part) const;
+  /// Whether the angular velocity of a part is that of a linear body.
+  bool linear_body(std::size_t part) const;
 
  private:
   Bodies bodies_;

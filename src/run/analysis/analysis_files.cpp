@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -64,7 +65,7 @@ void finish(CurvesFigure& figure, bool from_zero) {
     if (from_zero) panel.low = 0;
     const double range = panel.high - panel.low;
     const double size = std::abs(panel.high);
-    const double room = size == 0 ? 1 : 0.05 * (range > 1e-9 * size ? range : size);
+    const double room = size == 0 ? 1 : 0.05 * (range > 1e-6 * size ? range : size);
     if (!from_zero) panel.low -= room;
     panel.high += room;
   }
@@ -183,7 +184,8 @@ std::vector<NamedCorrelation> velocity_correlations(Analysis& a, Workers& worker
   for (std::size_t part = 0; part < a.topology.parts.size(); ++part) {
     curves.push_back({part, "v", a.velocity->linear(part, workers), true});
     for (const std::size_t axis : a.velocity->turning_axes(part))
-      curves.push_back({part, fmt::format("omega {}", axis + 1),
+      curves.push_back({part,
+                        a.velocity->linear_body(part) ? "omega" : fmt::format("omega {}", axis + 1),
                         a.velocity->angular(part, axis, workers), false});
   }
   return curves;
@@ -192,7 +194,8 @@ std::vector<NamedCorrelation> velocity_correlations(Analysis& a, Workers& worker
 /// Adds a curve of a part to a table, and to the part's panel.
 void add_to_panel(AnalysisFile& file, const Analysis& a, const NamedCorrelation& one,
                   const std::string& unit, const std::vector<SeriesEstimate>& values) {
-  draw(file.figure.panels[one.part], one.linear ? one.name : "ω" + one.name.substr(5),
+  draw(file.figure.panels[one.part],
+       one.linear ? one.name : "ω" + one.name.substr(std::strlen("omega")),
        add(file.table, of_part(a, one.part, one.name), unit, values), values);
 }
 
