@@ -59,6 +59,16 @@ class Tables(unittest.TestCase):
         self.assertEqual(hoa2.replace("-0.0", "0.0"), "| hoa2, 4 fs | 277.0 ± 0.0 | 0.0 ± 0.0 | 0.200 ± 0.000 |")
         self.assertEqual(gier4, "| gier4-fd, 4 fs | 281.0 ± 0.0 | 4.0 ± 0.0 | 0.092 ± 0.000 |")  # 0.1 % - 0.005 * 16 / 1000
 
+    def test_curves_of_the_density_have_the_colours_of_schemes_and_the_values_of_their_fits(self):
+        looks = figures.density_looks(["velocity-verlet, 2 fs", "velocity-verlet, 4 fs", "hoa2, 4 fs"])
+        styles = figures.drawing.styles(["velocity-verlet", "hoa2"])
+        self.assertEqual(looks["hoa2, 4 fs"], (styles["hoa2"].colour, styles["hoa2"].filled, 1))
+        self.assertEqual(looks["velocity-verlet, 2 fs"], (styles["velocity-verlet"].colour, styles["velocity-verlet"].open, 2))
+        self.assertEqual(looks["velocity-verlet, 4 fs"], (styles["velocity-verlet"].colour, styles["velocity-verlet"].filled, 1))
+        fit = tables.density_fit([257, 267, 277, 287, 298], [997, 1001, 1002, 1001, 998])
+        for T in (257, 270, 298):
+            self.assertAlmostEqual(eval(figures.polynomial(fit), {"x": T}), fit(T), places=6)
+
     def test_slope_of_a_weighted_line(self):
         value, error = properties.slope([(0.98, 3 - 0.04, 0.1), (1, 3, 0.1), (1.02, 3 + 0.04, 0.1)])
         self.assertAlmostEqual(value, 2)
