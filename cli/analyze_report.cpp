@@ -72,10 +72,11 @@ void print_part(const PartSummary& part, const AnalysisSummary& s) {
       fmt::print("{:<22}not corrected for finite size: {}\n", "", s.viscosity_source);
   }
   if (part.green_kubo)
-    fmt::print("{:<22}{}, from velocities\n", fmt::format("D of {}", part.molecule),
-               part.green_kubo_convergence.converged()
-                   ? text(*part.green_kubo, 3, in_1e9_m2_per_s) + " 1e-9 m2/s in this box"
-                   : not_converged(part.green_kubo_convergence, max_lag));
+    fmt::print(
+        "{:<22}{}\n", fmt::format("D of {}", part.molecule),
+        part.green_kubo_convergence.converged()
+            ? text(*part.green_kubo, 3, in_1e9_m2_per_s) + " 1e-9 m2/s in this box, from velocities"
+            : "from velocities: " + not_converged(part.green_kubo_convergence, max_lag));
   for (const AxisRelaxation& axis : part.axes)
     for (std::size_t k = 0; k < 2; ++k) {
       fmt::print("{:<22}", fmt::format("P{} {} {}", k + 1, part.molecule, axis.axis));

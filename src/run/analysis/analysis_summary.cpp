@@ -32,16 +32,16 @@ void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings
     return;
   }
   s.viscosity_source =
-      "there is no published viscosity for these molecules; give it, as in viscosity \"0.9 mPa s\"";
+      "there is no published viscosity for these molecules; give it as 'viscosity', \"0.9 mPa s\"";
   if (a.topology.parts.size() != 1) return;
   for (const PublishedViscosity& known : published) {
     if (a.topology.parts.front().molecule.name != known.model) continue;
     if (!s.temperature || std::abs(*s.temperature - published_temperature) > near) {
       s.viscosity_source = fmt::format(
-          "the published viscosity of {}, {}, is for {:g} K and 1 bar, gonzalez2010; give that of "
-          "{}, as in viscosity \"{}\"",
+          "the published viscosity of {}, {}, is for {:g} K and 1 bar, gonzalez2010; give that at "
+          "{} as 'viscosity'",
           known.model, known.value, published_temperature,
-          s.temperature ? fmt::format("{:.4g} K", *s.temperature) : "the temperature", known.value);
+          s.temperature ? fmt::format("{:.4g} K", *s.temperature) : "the temperature");
       return;
     }
     s.viscosity = quantity(known.value, Dimension::viscosity, "viscosity");
