@@ -5,6 +5,8 @@ from html import escape
 
 import numpy as np
 
+from . import _core
+
 _STYLE = "style='text-align:left;padding:0.15em 0.8em 0.15em 0'"
 
 
@@ -92,15 +94,22 @@ def _fluctuation(values):
     return "0" if rms <= 1e-14 * np.abs(values).max() * len(values)**0.5 else f"{float(f'{rms:.3g}'):g}"
 
 
+def _error(values):
+    """The standard error of the mean with two digits, or why it is not known."""
+    _, error, reason = _core.series_mean(values.tolist())
+    return reason if error is None else f"{float(f'{error:.2g}'):g}"
+
+
 def run_html(run):
-    """A run: mean energies of its samples, and R."""
+    """A run: mean energies of its samples with errors, and R."""
     e = run.energies
     if not len(e):
         return table([], caption="Run without samples")
     units = e.units()
-    rows = [(name.replace("_", " "), f"{e[name].mean():.6g}", _fluctuation(e[name]),
-             units[name].replace("nm3", "nm³"))
-            for name in e.names() if name != "time" and (name != "external" or e[name].any())]
-    ratio = f", R = {100 * e.ratio:.3g} %" if len(e) >= 3 else ""
+    shown = [name for name in e.names() if name != "time" and (name != "external" or e[name].any())
+             and (name != "conserved" or e.conserves)]
+    rows = [(name.replace("_", " "), f"{e[name].mean():.6g}", _error(e[name]), _fluctuation(e[name]),
+             units[name].replace("nm3", "nm³")) for name in shown]
+    ratio = f", R = {100 * e.ratio:.3g} %" if len(e) >= 3 and e.conserves else ""
     caption = f"{len(e)} samples, {e['time'][0]:g} to {e['time'][-1]:g} ps{ratio}"
-    return table(rows, ("", "mean", "fluctuation", "unit"), caption)
+    return table(rows, ("", "mean", "± standard error", "fluctuation", "unit"), caption)

@@ -32,7 +32,7 @@ def plot_energies(energies, ax=None):
     axes[1].plot(time, energies["potential"], color="#0072b2", lw=0.8)
     axes[1].set_ylabel("$V$ [kJ/mol]")
     axes[1].set_xlabel("time [ps]")
-    if len(energies) >= 3:
+    if len(energies) >= 3 and energies.conserves:
         axes[0].set_title(f"R = {100 * energies.ratio:.3g} %", fontsize="medium")
     return axes
 

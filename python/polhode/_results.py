@@ -19,9 +19,12 @@ class EnergySeries:
     Attributes:
         array (numpy.ndarray): structured, one row per sample, fields names(); times [ps],
             energies [kJ/mol], temperature [K], pressure [bar], volume [nm³].
+        conserves (bool): whether "conserved" is a conserved energy. Hybrid Monte Carlo has none: there it
+            performs a random walk of the energy errors of all trajectories, which decisions correct.
     """
 
-    def __init__(self, rows):
+    def __init__(self, rows, conserves=True):
+        self.conserves = conserves
         self.array = np.zeros(len(rows), dtype=[(name, float) for name in self.names()])
         for k, name in enumerate(self.names()):
             self.array[name] = rows[:, k]
@@ -46,8 +49,11 @@ class EnergySeries:
         return np.array(self.array, dtype=dtype, copy=True if copy is None else copy)
 
     @property
-    def ratio(self) -> float:
-        """R, the rms fluctuation of the conserved energy divided by that of the potential energy."""
+    def ratio(self) -> float | None:
+        """R, the rms fluctuation of the conserved energy divided by that of the potential energy; None
+        for hybrid Monte Carlo, which conserves no energy."""
+        if not self.conserves:
+            return None
         if len(self) < 3:
             raise Error(f"R needs at least 3 samples of the energies, and there are {len(self)}")
         return float(self["conserved"].std() / self["potential"].std())
@@ -136,7 +142,8 @@ class Run:
         self.frames = []
 
     def _add(self, rows, tasks):
-        self.energies = EnergySeries(rows)
+        hybrid = self.simulation.settings.tables.get("hybrid_monte_carlo") is not None
+        self.energies = EnergySeries(rows, conserves=not hybrid)
         self.frames = next((task.kept for _, task in tasks if hasattr(task, "kept")), [])
 
     @property
@@ -149,8 +156,9 @@ class Run:
                 "_summary": self.summary}
 
     @property
-    def ratio(self) -> float:
-        """R of these samples, the rms fluctuation of the conserved energy over that of the potential."""
+    def ratio(self) -> float | None:
+        """R of these samples, the rms fluctuation of the conserved energy over that of the potential;
+        None for hybrid Monte Carlo, whose summary has the acceptance and the effective samples."""
         return self.energies.ratio
 
     def to_pandas(self):

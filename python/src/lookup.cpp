@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Schemes, molecules, quantities.
+// Schemes, molecules, quantities, errors of means.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
+
+#include <array>
 
 #include "bind.hpp"
 #include "polhode/base/error.hpp"
@@ -15,6 +17,7 @@
 #include "polhode/run/listing/molecules.hpp"
 #include "polhode/run/listing/schemes.hpp"
 #include "polhode/run/listing/verification.hpp"
+#include "polhode/run/simulation/run_report.hpp"
 
 namespace polhode::python {
 namespace {
@@ -52,10 +55,20 @@ Verification measured(const std::string& scheme, int order, std::optional<double
   return verify(scheme, order, lambda.value_or(1e-4));
 }
 
+/// The mean of a series of samples, its standard error, and why that is not known.
+nb::tuple series_mean(const std::vector<double>& samples) {
+  TimeBlocks blocks;
+  for (const double x : samples) blocks.add(std::array{x});
+  const SeriesEstimate e = series_estimate(blocks.means(), [](auto mean) { return mean[0]; });
+  if (e.known == Known::yes) return nb::make_tuple(e.value, e.error, nb::none());
+  return nb::make_tuple(e.value, nb::none(), reason(e.known));
+}
+
 }  // namespace
 
 void bind_lookup(nb::module_& m) {
   m.def("schemes_json", &schemes_json);
+  m.def("series_mean", &series_mean);
   m.def("scheme_json", [](const std::string& text) { return scheme_json(scheme_of(text)); });
   m.def("verify", [](const std::string& scheme, int order, std::optional<double> lambda) {
     return verification_json(measured(scheme, order, lambda));

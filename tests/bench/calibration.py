@@ -16,6 +16,7 @@ FOLDER = Path(__file__).resolve().parents[2] / "bench/calibration"
 sys.path.insert(0, str(FOLDER))
 
 import analyze
+import averages
 import calibration
 
 
@@ -72,6 +73,19 @@ class Whole(unittest.TestCase):
         self.assertEqual([(r["scheme"], r["length_ps"], r["runs"]) for r in rows],
                          [(scheme, length, 2) for scheme in calibration.SCHEMES for length in (0.2, 0.4)])
         self.assertEqual(text, calibration.table(rows) + "\n")
+
+    def test_averages_of_four_runs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = self.done(folder, FOLDER / "averages.py", "--program", built_program.PROGRAM, "--systems", "nitrogen", "--runs", 4, "--length", 8).stdout
+        rows = [[cell.strip() for cell in line.split("|")[1:-1]] for line in out.splitlines()[2:]]
+        found = {ensemble: {row[2] for row in rows if row[1] == ensemble} for ensemble in averages.ENSEMBLES}
+        for ensemble, names in found.items():
+            self.assertIn("pressure", names, ensemble)
+        self.assertIn("acceptance", found["constant pressure"])
+        self.assertIn("mean_weight", found["hybrid Monte Carlo"])
+        for row in rows:
+            stated, scatter, ratio = float(row[4]), float(row[5]), float(row[6].split(" ± ")[0])
+            self.assertAlmostEqual(stated / scatter / max(ratio, 0.005), 1, delta=1 if ratio < 0.2 else 0.03)
 
     def test_errors_of_analyze(self):
         with tempfile.TemporaryDirectory() as folder:

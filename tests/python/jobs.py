@@ -281,6 +281,24 @@ class Results(unittest.TestCase):
             s.summary.setps
         self.assertIn("steps", str(caught.exception))
 
+    def test_hybrid_monte_carlo_has_no_ratio(self):
+        run = polhode.Simulation(WATER, hybrid_steps=5).run("40 fs")
+        self.assertIsNone(run.ratio)
+        self.assertIsNone(run.summary.R)
+        self.assertEqual(run.summary.drift_verdict, "not defined")
+        self.assertNotIn("R =", run._repr_html_())
+        self.assertNotIn("conserved", run._repr_html_())
+        self.assertIn("too few samples", run._repr_html_())
+
+    def test_errors_of_means_in_tables(self):
+        run = polhode.Simulation(WATER, step="2 fs", sample="2 fs").run("200 fs")
+        self.assertIn("standard error", run._repr_html_())
+        value, error, reason = polhode._core.series_mean([1.0, 2.0] * 200)
+        self.assertEqual(value, 1.5)
+        self.assertLess(error, 0.5 / 400**0.5)  # no two neighbours are alike
+        self.assertIsNone(reason)
+        self.assertEqual(polhode._core.series_mean([1.0, 2.0])[1:], (None, "too few samples"))
+
     def test_names_in_displays_are_not_markup(self):
         m = polhode.Molecule({"name": "<script>", "source": "&", "site": [
             {"name": "<b>", "element": "Ar", "position": "0 0 0 nm", "mass": "1 u"}]})

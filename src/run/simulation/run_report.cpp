@@ -121,6 +121,7 @@ json energies_json(const RunSummary& s) {
   json report = averages.json_report();
   if (s.samples < min_samples_reported) report["R"] = json();
   report.update({{"R_rounding", number_if(true, s.rounding)},
+                 {"R_truncation", number_if(true, s.truncation)},
                  {"degrees_of_freedom_translation", s.degrees_of_freedom.translation},
                  {"degrees_of_freedom_rotation", s.degrees_of_freedom.rotation},
                  {"momentum", s.momentum},

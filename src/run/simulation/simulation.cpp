@@ -353,6 +353,7 @@ void Simulation::note_warnings(const Callbacks& callbacks) const {
   const bool lattice = config_.system.initial_configuration.empty() && config_.run.equilibrate == 0;
   for (const auto& warning :
        {cutoff_of_ions(system_), velocities_of_file(system_, config_),
+        rough_truncation(system_, *settings_),
         lattice ? std::nullopt : step_near_stability(system_, *settings_, workers_)})
     if (warning) callbacks.note(line_of(*warning));
 }

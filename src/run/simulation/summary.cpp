@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/simulation/summary.hpp"
-#include "polhode/io/output_units.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "polhode/io/output_units.hpp"
+#include "polhode/run/simulation/truncation_walk.hpp"
 
 namespace polhode {
 namespace {
@@ -43,7 +45,7 @@ void remove_conservation(RunSummary& s) {
                                 .known = Known::not_defined};
   s.ratio = s.total_fluctuation = none;
   s.drift = {{none.value, 0}, 1, Known::not_defined};
-  s.rounding = none.value;
+  s.rounding = s.truncation = none.value;
 }
 
 }  // namespace
@@ -82,6 +84,12 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   if (s.potential_fluctuation.value > 0)
     s.rounding = rounding_fluctuation(noise, scheme, settings.lambda, settings.step, s.length) /
                  s.potential_fluctuation.value;
+  if (s.potential_fluctuation.value > 0)
+    s.truncation =
+        walk_fluctuation(truncation_walk(system.topology, system.forces, energies.first.volume,
+                                         s.temperatures.all.value, scheme.outer, settings.step),
+                         s.length) /
+        s.potential_fluctuation.value;
   if (settings.ensemble.hybrid_monte_carlo) remove_conservation(s);
   s.ensemble = ensemble_summary(system, settings.ensemble, trajectory, s.sample);
   s.force_evaluations = trajectory.force_evaluations;

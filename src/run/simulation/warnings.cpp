@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polhode/forces/pairs/cutoff_treatment.hpp"
 #include "polhode/integrate/stability.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/simulation/ensemble_warnings.hpp"
 #include "polhode/run/simulation/stable_step.hpp"
+#include "polhode/run/simulation/truncation_walk.hpp"
 
 namespace polhode {
 namespace {
@@ -26,6 +28,8 @@ constexpr double min_ignored_difference = 0.02;      // likewise, if it had no e
 constexpr double max_ratio = 0.05;                   // R itself
 constexpr double min_drift_share = 0.5;              // R
 constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
+constexpr double min_walk_share = 1.0 / 3;           // R: a tenth of its square
+constexpr double min_walk_ratio = 0.001;             // the fluctuation of the potential energy
 constexpr double min_fall = 0.02;                    // the kinetic energy
 constexpr double max_pressure_kbar = 5;
 /// p-value of slopes: a tenth of that of a verdict, since these tests are made on every run.
@@ -108,6 +112,34 @@ std::optional<Warning> drift_warning(const RunSummary& s) {
       "use a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};
 }
 
+bool is_shifted(const ForceSettings& forces) {
+  return cutoff_treatment(forces) == CutoffTreatment::site_shift;
+}
+
+std::string truncation_remedy(const ForceSettings& forces) {
+  const bool of_charges = !vanishes_at_cutoff(forces.electrostatics) &&
+                          forces.truncation != Truncation::molecule_switch;
+  return fmt::format("use {}{}a {} or a shorter step",
+                     of_charges ? "truncation = \"molecule-switch\" or electrostatics = \"pme\" in "
+                                  "[forces], "
+                                : "",
+                     !is_shifted(forces) && forces.smoothness < 3 ? "smoothness = 3, " : "",
+                     is_shifted(forces) ? "longer cutoff" : "longer switching range");
+}
+
+/// @param ratio  R of the walk
+/// @param bound  which it exceeds
+Warning truncation_warning(const ForceSettings& forces, const std::string& scheme, double ratio,
+                           double bound) {
+  const int n = is_shifted(forces) ? 1 : forces.smoothness;
+  return {"truncation", ratio, bound,
+          fmt::format("the truncation has {} continuous derivative{}, and {} turns each passage of "
+                      "a pair into a small change of the energy, which walks at random: R grows "
+                      "with the length of the run, here to about {:.2g} % (bound: {:.2g} %)",
+                      n, n == 1 ? "" : "s", scheme, 100 * ratio, 100 * bound),
+          truncation_remedy(forces)};
+}
+
 std::optional<Warning> relaxation_warning(const RunSummary& s) {
   const Drift& slope = s.potential_drift;
   const double fall = -slope.rate.value * s.length;
@@ -179,6 +211,20 @@ std::optional<Warning> cutoff_of_ions(const System& system) {
       "write electrostatics = \"pme\" in [forces]"};
 }
 
+std::optional<Warning> rough_truncation(const System& system, const TrajectorySettings& settings) {
+  const double n = degrees_of_freedom(system.topology).all();
+  if (settings.ensemble.hybrid_monte_carlo || system.temperature == 0 || n == 0)
+    return std::nullopt;
+  const double walk =
+      walk_fluctuation(truncation_walk(system.topology, system.forces, system.state.box.volume(),
+                                       system.temperature, settings.scheme, settings.step),
+                       settings.length);
+  const double ratio = walk / (units::boltzmann * system.temperature * std::sqrt(n / 2));
+  if (!(ratio > min_walk_ratio)) return std::nullopt;
+  return truncation_warning(system.forces, name_of({settings.scheme, settings.inner}), ratio,
+                            min_walk_ratio);
+}
+
 std::optional<Warning> velocities_of_file(const System& system, const Config& config) {
   const double n = degrees_of_freedom(system.topology).all();
   if (system.new_velocities || !config.system.temperature_given || config.run.equilibrate > 0 ||
@@ -242,6 +288,10 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
   else if (!of_file || config.system.temperature_given)
     target = {.value = config.system.temperature, .ignored = of_file};
   std::vector<Warning> all = warnings_of_results(s, target);
+  const double bound = std::max(min_walk_share * s.ratio.value, min_walk_ratio);
+  if (!is_corrected(s) && s.truncation > bound)
+    all.push_back(truncation_warning(system.forces, name_of({settings.scheme, settings.inner}),
+                                     s.truncation, bound));
   for (const auto& warning :
        {step_near_stability(system, settings, workers), cutoff_of_ions(system)})
     if (warning) all.push_back(*warning);

@@ -13,8 +13,8 @@
 
 namespace polhode {
 
-/// Cutoff treatment. The switches are smooth: fourth-order schemes need a bounded third derivative
-/// of the energy.
+/// Cutoff treatment. The switches are smooth: the energy error of a scheme of order p contains the
+/// p-th derivative of the energy, which is bounded from smoothness p − 1 on (docs/statistics.md).
 enum class Truncation {
   molecule_switch,  ///< w(R) times all site pairs of two molecules, R between centres of mass
   site_switch,      ///< w(r) times each site pair, r between the sites

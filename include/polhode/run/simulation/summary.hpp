@@ -26,6 +26,7 @@ struct RunSummary {
   SeriesEstimate total_fluctuation;      ///< rms of the conserved energy [kJ/mol]; as R not defined
   SeriesEstimate potential_fluctuation;  ///< rms [kJ/mol]
   double rounding = 0;                   ///< R of rounding alone, estimated; 0 in double precision
+  double truncation = 0;                 ///< R of the walk that the truncation drives, predicted
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
   Drift drift;             ///< of the conserved energy [kJ/mol/ps]
   std::optional<ShadowSummary> shadow;                           ///< if requested

@@ -12,9 +12,9 @@ namespace polhode {
 
 /// One thing that is probably wrong. It does not end a run, nor change its exit code.
 struct Warning {
-  std::string kind;  ///< "temperature", "R", "drift", "relaxation", "pressure", "ions", "step",
-                     ///< "volume", "barostat", "acceptance" or "weights"; at the start also
-                     ///< "velocities"
+  std::string kind;  ///< "temperature", "R", "drift", "truncation", "relaxation", "pressure",
+                     ///< "ions", "step", "volume", "barostat", "acceptance" or "weights"; at the
+                     ///< start also "velocities"
   double value = 0;  ///< what was found, in the unit that `text` gives
   double bound = 0;  ///< what it exceeds, likewise
   std::string text;
@@ -37,6 +37,12 @@ std::optional<Warning> velocities_of_file(const System& system, const Config& co
 /// Einstein frequency of the fastest degrees of freedom.
 std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
                                            Workers& workers = Workers::serial());
+
+/// A truncation that is not smooth enough for scheme and step: the total energy is predicted to
+/// walk by more than 0.1 % of the fluctuation of the potential energy in this run, for which the
+/// kinetic energy's canonical one stands, kT √(n/2) for n degrees of freedom. The value is the R of
+/// this walk.
+std::optional<Warning> rough_truncation(const System& system, const TrajectorySettings& settings);
 
 /// Warnings of ions, the step, and the results of a run (docs/manual/outputs.md, Warnings).
 std::vector<Warning> warnings(const RunSummary& summary, const System& system,
