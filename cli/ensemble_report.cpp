@@ -5,6 +5,7 @@
 
 #include "estimate_text.hpp"
 #include "polhode/io/ensemble_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/with_error.hpp"
 
@@ -30,7 +31,8 @@ void print_barostat(const BarostatSummary& s, std::uint64_t samples) {
   fmt::print(
       "compressibility       {}, isothermal, from the fluctuations of the volume\n",
       in_unit(s.compressibility, unit("1/bar", Dimension::compressibility), samples, 3, "1/bar"));
-  fmt::print("moves of the box      {}\n", accepted(s.accepted, s.moves, s.accepted_share));
+  fmt::print("moves of the box      {}; one every {:g} fs\n",
+             accepted(s.accepted, s.moves, s.accepted_share), s.interval * units::fs_per_ps);
 }
 
 /// How many independent samples of the potential energy the run is worth.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/random_streams.hpp"
@@ -56,7 +57,7 @@ Barostat::Barostat(const BarostatSettings& settings, double temperature, const B
 
 bool Barostat::move(State& state, Load& load, const Evaluate& evaluate, std::uint64_t step) {
   const CoupledEdges& edges = settings_.edges[memory_.moves % settings_.edges.size()];
-  if (memory_.moves++ == 0) memory_.volume = state.box.volume();
+  if (memory_.moves++ == 0) memory_.edges = state.box.edge;
   before_ = state;
   const bool accepted = settings_.kind == BarostatKind::cell_rescaling
                             ? rescale_cell(state, load, evaluate, edges, step)
@@ -82,8 +83,10 @@ bool Barostat::rescale_cell(State& state, Load& load, const Evaluate& evaluate,
   const double noise = std::sqrt(variance) * random.normal();
   const double moved = lambda + drift(state, load, edges) * t + noise;
   if (!(moved > 0)) return false;
+  const double factor = factor_of(edges, moved * moved / V);
+  if (!keeps_shape(state, edges, factor)) return false;
   const double before = energies(state, bodies_, load).total();
-  scale_box(state, edges, factor_of(edges, moved * moved / V), true);
+  scale_box(state, edges, factor, true);
   evaluate_moved(state, evaluate);
   const double work = energies(state, bodies_, load_).total() - before;
   const double back = lambda - moved - drift(state, load_, edges) * t;
@@ -98,15 +101,34 @@ bool Barostat::move_volume(State& state, Load& load, const Evaluate& evaluate,
                            const CoupledEdges& edges, std::uint64_t step) {
   Random random(seed_, stream_of(RandomUse::volume_move, {step, 0}));
   const double V = state.box.volume();
-  const double max_change = 2 * std::sqrt(kT_ * settings_.compressibility * memory_.volume);
+  const double first = Box{memory_.edges}.volume();
+  const double max_change = 2 * std::sqrt(kT_ * settings_.compressibility * first);
   const double change = max_change * (2 * random.uniform() - 1);
   if (!(V + change > 0)) return false;
-  scale_box(state, edges, factor_of(edges, 1 + change / V), false);
+  const double factor = factor_of(edges, 1 + change / V);
+  if (!keeps_shape(state, edges, factor)) return false;
+  scale_box(state, edges, factor, false);
   evaluate_moved(state, evaluate);
   const double work = load_.potential() - load.potential();
   const double violation = work + settings_.pressure * change -
                            static_cast<double>(state.size()) * kT_ * std::log1p(change / V);
   return decide(state, load, violation, work, random.uniform(), false);
+}
+
+/// Whether a move leaves the ratios of edges in different groups within their bound.
+bool Barostat::keeps_shape(const State& state, const CoupledEdges& edges, double factor) {
+  if (settings_.edges.size() == 1) return true;
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  for (const CoupledEdges& group : settings_.edges)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (group[k]) {
+        const double change = state.box.edge[k] * (edges[k] ? factor : 1) / memory_.edges[k];
+        least = std::min(least, change);
+        most = std::max(most, change);
+      }
+  if (most <= max_shape_change * least) return true;
+  ++memory_.beyond_shape;
+  return false;
 }
 
 void Barostat::evaluate_moved(const State& state, const Evaluate& evaluate) {

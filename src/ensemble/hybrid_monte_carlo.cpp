@@ -19,12 +19,16 @@ void reverse(Vec3Column& v) {
 
 }  // namespace
 
+void HybridMonteCarloMemory::add(double change, bool accept) {
+  const double weight = std::exp(-change);
+  const double bounded = change < 0 ? -std::expm1(change) : std::expm1(-change) * std::exp(-change);
+  weights.add(std::array{std::isfinite(weight) ? weight : 0, accept ? 1.0 : 0.0,
+                         std::isnan(change) ? 0 : bounded});
+  ++trajectories;
+  if (accept) ++accepted;
+}
+
 void check_hybrid(const Scheme& scheme) {
-  if (scheme.has(Gradient::finite_difference))
-    throw Error(
-        "hybrid Monte Carlo needs a scheme that keeps volume in phase space, and gradient kicks by "
-        "finite difference do not, so the distribution would be biased; use the exact gradient, as "
-        "\"gier4\" does in place of \"gier4-fd\"");
   if (!scheme.palindromic())
     throw Error(
         "hybrid Monte Carlo needs a reversible scheme, and the stages of this one are not a "
@@ -61,12 +65,8 @@ bool HybridMonteCarlo::end(State& state, Load& load, std::uint64_t step) {
   const double weight = std::exp(-change / maxwell_.kT);
   Random random(maxwell_.seed, stream_of(RandomUse::hybrid_decision, {step, 0}));
   const bool accepted = random.uniform() < weight;
-  memory_.weights.add(std::array{std::isfinite(weight) ? weight : 0, accepted ? 1.0 : 0.0});
-  ++memory_.trajectories;
-  if (accepted) {
-    ++memory_.accepted;
-    return true;
-  }
+  memory_.add(change / maxwell_.kT, accepted);
+  if (accepted) return true;
   const double time = state.time;
   state = begin_;
   state.time = time;

@@ -18,7 +18,7 @@ namespace polhode {
 namespace {
 
 constexpr std::string_view magic = "polhode restart\n";
-constexpr std::uint64_t format_version = 9;
+constexpr std::uint64_t format_version = 10;
 constexpr std::size_t length_at = magic.size() + sizeof(std::uint64_t);
 constexpr std::size_t number = sizeof(std::uint64_t);
 

@@ -50,7 +50,7 @@ class Canonical(Sandbox):
 
     def test_bad_input(self):
         self.write("run.toml", TEXT)
-        self.refused(("study", "run.toml", "--schemes", "gier4-fd"), ["finite difference"])
+        self.refused(("study", "run.toml", "--schemes", "B(1) A(1)"), ["palindrome"])
         self.refused(("study", "run.toml", "--steps", "50 fs"), ["hundred steps"])
         self.refused(("study", "run.toml", "--ensemble", "npt"), ["--ensemble", "npt"])
         self.write("run.toml", edited(TEXT, ('"nvt"', '"nvT"')))

@@ -60,10 +60,10 @@ Bits bits(const State& state, const Trajectory& t) {
     add(all, x);
   const auto& [heat, barostat, hybrid] = t.ensemble;
   for (const double x : {state.box.edge.x, state.box.edge.y, state.box.edge.z, heat, barostat.work,
-                         barostat.volume, hybrid.work})
+                         barostat.edges.x, barostat.edges.y, barostat.edges.z, hybrid.work})
     add(all, x);
-  for (const std::uint64_t n :
-       {barostat.moves, barostat.accepted, hybrid.trajectories, hybrid.accepted})
+  for (const std::uint64_t n : {barostat.moves, barostat.accepted, barostat.beyond_shape,
+                                hybrid.trajectories, hybrid.accepted})
     all.push_back(n);
   for (const TimeBlocks* blocks :
        {&s.energies.blocks, &s.shadow.blocks, &s.configurational.blocks, &hybrid.weights})

@@ -49,7 +49,8 @@ TEST_CASE("schemes with a bath are Langevin, those without make hybrid Monte Car
   CHECK(methods[1].hybrid);
   CHECK(methods[1].cost() == doctest::Approx(1000));
   CHECK(canonical_methods(StudySettings{}).size() == 3 * canonical_schemes().size());
-  check_error([] { canonical_methods(settings_of({"gier4-fd"}, {0.002})); }, {"finite difference"});
+  check_error([] { canonical_methods(settings_of({"B(1) A(1)"}, {0.002})); }, {"palindrome"});
+  CHECK(canonical_methods(settings_of({"gier4-fd"}, {0.002})).front().hybrid);
   check_error([] { canonical_methods(settings_of({"hoa2"}, {0.002, 0.002})); }, {"twice"});
 }
 

@@ -7,6 +7,7 @@
 #include <initializer_list>
 #include <limits>
 #include <string>
+#include <tuple>
 
 #include "errors.hpp"
 #include "folder.hpp"
@@ -17,24 +18,26 @@
 #include "polhode/io/quantity.hpp"
 #include "polhode/run/simulation/ensemble_moves.hpp"
 #include "polhode/run/simulation/simulation.hpp"
+#include "polhode/run/simulation/system_notes.hpp"
 
 using namespace polhode;
 
 namespace {
 
 Config config_of(const std::string& tables, const std::string& temperature = "90 K",
-                 const std::string& scheme = "hoa2") {
+                 const std::string& scheme = "hoa2", const std::string& step = "2 fs") {
   return parse_config(
       "[system]\nmolecules = [{ model = \"argon\", count = 32 }]\n"
       "density = \"0.9 g/cm3\"\ntemperature = \"" +
           temperature + "\"\n[forces]\ncutoff = \"0.6 nm\"\n[integrator]\nscheme = \"" + scheme +
-          "\"\n" + tables,
+          "\"\nstep = \"" + step + "\"\n" + tables,
       "run.toml");
 }
 
 TrajectorySettings settings_of(const std::string& tables, const std::string& temperature = "90 K",
-                               const std::string& scheme = "hoa2") {
-  return trajectory_settings(config_of(tables, temperature, scheme));
+                               const std::string& scheme = "hoa2",
+                               const std::string& step = "2 fs") {
+  return trajectory_settings(config_of(tables, temperature, scheme, step));
 }
 
 const std::string thermostat = "[thermostat]\n";
@@ -46,16 +49,18 @@ const std::string hybrid = "[hybrid_monte_carlo]\n";
 TEST_CASE("settings of an ensemble that contradict each other or the scheme are refused") {
   const auto refused = [](const std::string& tables, std::initializer_list<const char*> words,
                           const std::string& temperature = "90 K",
-                          const std::string& scheme = "hoa2") {
+                          const std::string& scheme = "hoa2", const std::string& step = "2 fs") {
     CAPTURE(tables);
-    const auto read = [&] { settings_of(tables, temperature, scheme); };
+    const auto read = [&] { settings_of(tables, temperature, scheme, step); };
     check_error(read, words);
     check_error(read, {"run.toml"});
   };
   refused("[barostat]\n", {"no pressure to keep", "pressure = \"1 bar\""});
   refused(barostat, {"a barostat", "needs a thermostat", "[thermostat]"});
   refused(hybrid + thermostat, {"hybrid Monte Carlo keeps the temperature itself", "leave"});
-  refused(hybrid, {"volume in phase space", "gier4"}, "90 K", "gier4-fd");
+  refused(hybrid + barostat + "time_constant = \"120 fs\"\n[run]\nlength = \"1 ps\"\n",
+          {"time_constant of 120 fs", "interval of its moves, 150 fs", "whole trajectories"},
+          "90 K", "hoa2", "15 fs");
   refused(hybrid, {"without the stages O"}, "90 K", "baoab");
   refused("", {"needs a thermostat", "[thermostat]"}, "90 K", "baoab");
   refused(thermostat + "type = \"rescaling\"\ntime_constant = \"1 fs\"\n",
@@ -117,6 +122,7 @@ TEST_CASE("a negative pressure, friction zero and a scheme with its own bath are
   CHECK(settings_of(thermostat).scheme.name() == "hoa2-ends");
   CHECK(settings_of(thermostat, "90 K", "baoab").scheme.name() == "baoab");
   CHECK(settings_of(hybrid, "90 K", "gier4").scheme.name() == "gier4");
+  CHECK(settings_of(hybrid, "90 K", "gier4-fd").scheme.name() == "gier4-fd");
   CHECK(settings_of(barostat + hybrid).ensemble.barostat.has_value());
 }
 
@@ -125,6 +131,48 @@ TEST_CASE("lengths and samples of hybrid Monte Carlo are rounded up to whole tra
       settings_of(hybrid + "steps = 7\n[run]\nlength = \"30 fs\"\nsample = \"4 fs\"\n");
   CHECK(s.steps() == 21);
   CHECK(s.steps_per_sample() == 7);
+}
+
+TEST_CASE("moves of the box are made between whole trajectories of hybrid Monte Carlo") {
+  const auto moves = [](const std::string& every, int steps) {
+    return settings_of(barostat + "every = \"" + every + "\"\n" + hybrid +
+                       "steps = " + std::to_string(steps) + "\n");
+  };
+  // Steps of 2 fs: the nearest number of trajectories, and at least one.
+  for (const auto& [every, steps, expected] : {std::tuple{"100 fs", 10, 50u},
+                                               {"100 fs", 7, 49u},
+                                               {"100 fs", 40, 40u},
+                                               {"100 fs", 30, 60u},
+                                               {"100 fs", 1000, 1000u},
+                                               {"1 fs", 3, 3u},
+                                               {"20 fs", 1, 10u}}) {
+    CAPTURE(std::string(every));
+    CAPTURE(steps);
+    const TrajectorySettings s = moves(every, steps);
+    CHECK(s.steps_per_move() == expected);
+    CHECK(s.steps_per_move() % s.steps_per_trajectory() == 0);
+    CHECK(s.move_interval() == doctest::Approx(0.002 * expected).epsilon(1e-14));
+  }
+  const TrajectorySettings langevin =
+      settings_of(thermostat + barostat + "every = \"7.2 fs\"\n");  // whole steps
+  CHECK(langevin.steps_per_move() == 4);
+}
+
+TEST_CASE("an interval between moves of the box that differs from what was asked for is noted") {
+  const auto notes = [](const std::string& tables) {
+    std::string all;
+    Callbacks callbacks;
+    callbacks.message = [&](const std::string& text) { all += text + "\n"; };
+    note_ensemble(settings_of(tables), callbacks);
+    return all;
+  };
+  const std::string longer = notes(barostat + hybrid + "steps = 80\n");
+  CHECK(longer.find("100 fs between moves of the box is rounded to 160 fs") != std::string::npos);
+  CHECK(longer.find("80 steps of 2 fs") != std::string::npos);
+  CHECK(notes(barostat + hybrid).find("rounded") == std::string::npos);
+  CHECK(notes(barostat + thermostat).find("note") == std::string::npos);
+  CHECK(notes(thermostat + barostat + "edges = [\"xy\", \"z\"]\n").find("for a fluid use edges") !=
+        std::string::npos);
 }
 
 // Friction alone: exp(−2γt) of the kinetic energy, up to what the forces add to it; gas of argon.

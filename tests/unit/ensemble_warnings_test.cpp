@@ -42,7 +42,8 @@ RunSummary hybrid() {
   RunSummary s;
   s.samples = 1000;
   s.ensemble.settings = {300, {}, {}, HybridMonteCarloSettings{}};
-  s.ensemble.hybrid_monte_carlo = {100, 80, {1.002, 0.01, Known::yes}, 0};
+  s.ensemble.hybrid_monte_carlo = {100, 80, {1.002, 0.01, Known::yes}, 0, {},
+                                   {},  {}, {0.001, 0.005, Known::yes}};
   return s;
 }
 
@@ -113,6 +114,29 @@ TEST_CASE("hybrid Monte Carlo: a mean of exp(-dH/kT) off 1 by three errors is a 
     weight.known = Known::too_short;
     CHECK(kinds(s).empty());
   }
+}
+
+// Rare large weights make the mean of exp(−ΔH/kT) uncertain.
+TEST_CASE("hybrid Monte Carlo: the bounded mean finds what the error of the weights hides") {
+  RunSummary s = hybrid();
+  auto& h = *s.ensemble.hybrid_monte_carlo;
+  h.weight = {4, 2, Known::yes};
+  CHECK(kinds(s).empty());
+  for (const double sign : {1.0, -1.0}) {
+    h.bounded_weight = {sign * 0.016, 0.005, Known::yes};
+    CHECK(kinds(s) == "weights ");
+    h.weight.known = Known::too_short;
+    CHECK(kinds(s) == "weights ");
+    h.bounded_weight.value = sign * 0.014;
+    CHECK(kinds(s).empty());
+    h.weight.known = Known::yes;
+  }
+}
+
+TEST_CASE("moves of the box beyond the bound of its shape are a warning") {
+  RunSummary s = npt();
+  s.ensemble.barostat->beyond_shape = 1;
+  CHECK(kinds(s) == "shape ");
 }
 
 TEST_CASE("hybrid Monte Carlo has no warning about R and drift, a barostat none of the pressure") {

@@ -85,9 +85,14 @@ Checkpoint example(std::size_t bodies = 2) {
   c.noise = {0.5, 0.25};
   c.minimisation_evaluations = 13;
   c.at.ensemble.heat = 0.9;
-  c.at.ensemble.barostat = {
-      .work = 0.1, .volume = 2, .moves = 14, .accepted = 15, .decisions = {}, .evaluations = 16};
+  c.at.ensemble.barostat = {.work = 0.1,
+                            .edges = {2, 3, 4},
+                            .moves = 14,
+                            .accepted = 15,
+                            .decisions = {},
+                            .evaluations = 16};
   c.at.ensemble.barostat.decisions.add(std::array{0.25});
+  c.at.ensemble.barostat.beyond_shape = 17;
   c.outputs = OutputMarks{{9, 900, 90}, {{1, 100, 10}, {2, 200, 20}}, 12};
   c.preparation =
       PreparationProgress{2, 0.001, 0.5, {{1, 2, 3}, {4, 5, 6}, 7, MinimisationEnd::max_steps}};
@@ -133,12 +138,13 @@ void same_preparation(const Checkpoint& back, const Checkpoint& c) {
   CHECK(back.minimisation_evaluations == 13);
   CHECK(back.at.ensemble.heat == 0.9);
   CHECK(back.at.ensemble.barostat.work == 0.1);
-  CHECK(back.at.ensemble.barostat.volume == 2);
+  CHECK(back.at.ensemble.barostat.edges == Vec3<double>{2, 3, 4});
   CHECK(back.at.ensemble.barostat.moves == 14);
   CHECK(back.at.ensemble.barostat.accepted == 15);
   REQUIRE(back.at.ensemble.barostat.decisions.blocks.size() == 1);
   CHECK(back.at.ensemble.barostat.decisions.blocks[0].sum == std::vector{0.25});
   CHECK(back.at.ensemble.barostat.evaluations == 16);
+  CHECK(back.at.ensemble.barostat.beyond_shape == 17);
   REQUIRE(back.preparation.has_value() == c.preparation.has_value());
   if (back.preparation) {
     CHECK(back.preparation->stage == 2);

@@ -16,12 +16,19 @@ namespace polhode {
 
 /// What a barostat has done so far.
 struct BarostatMemory {
-  double work = 0;    ///< given to the bodies: changes of H by accepted moves [kJ/mol]
-  double volume = 0;  ///< at the first move [nm³]
+  double work = 0;       ///< given to the bodies: changes of H by accepted moves [kJ/mol]
+  Vec3<double> edges{};  ///< of the box at the first move [nm]
   std::uint64_t moves = 0, accepted = 0;
-  TimeBlocks decisions;           ///< of 1 for each move that was accepted, 0 for the others
-  std::uint64_t evaluations = 0;  ///< of forces, by moves
+  TimeBlocks decisions;            ///< of 1 for each move that was accepted, 0 for the others
+  std::uint64_t evaluations = 0;   ///< of forces, by moves
+  std::uint64_t beyond_shape = 0;  ///< moves rejected by max_shape_change
 };
+
+/// Edges in different groups have changed since the first move by factors whose ratio is at most
+/// this. A fluid resists no change of shape: without a bound the shape of its box would walk until
+/// an edge is too short for the cutoff. Within the bound the distribution is unchanged, since moves
+/// beyond it are rejected.
+inline constexpr double max_shape_change = 1.2;
 
 /// Scales edges of the box, and the centres of mass along them.
 /// @param momenta  also scales these momenta by the inverse, so that volume in phase space is kept
@@ -65,6 +72,7 @@ class Barostat {
                     std::uint64_t step);
   bool move_volume(State& state, Load& load, const Evaluate& evaluate, const CoupledEdges& edges,
                    std::uint64_t step);
+  bool keeps_shape(const State& state, const CoupledEdges& edges, double factor);
   void evaluate_moved(const State& state, const Evaluate& evaluate);
   bool decide(State& state, Load& load, double violation, double work, double uniform, bool always);
   double drift(const State& state, const Load& load, const CoupledEdges& edges) const;

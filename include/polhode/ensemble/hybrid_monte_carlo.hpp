@@ -20,12 +20,19 @@ namespace polhode {
 struct HybridMonteCarloMemory {
   double work = 0;  ///< energy that the bodies received from draws and rejections [kJ/mol]
   std::uint64_t trajectories = 0, accepted = 0;
-  TimeBlocks weights;  ///< of exp(−ΔH/kT), whose mean must be 1, and of 1 if accepted, 0 if not
+  /// Of w = exp(−ΔH/kT), whose mean must be 1, of 1 if accepted and 0 if not, and of
+  /// (w − 1) exp(−|ΔH|/kT), whose mean must be 0 (docs/theory.md, Eq. (40)). The last is between −1
+  /// and 1, so that its error is known also where rare large weights make that of w unknown.
+  TimeBlocks weights;
+
+  /// One more trajectory.
+  /// @param change  ΔH/kT at its end; infinite or not a number where the energy is none
+  void add(double change, bool accept);
 };
 
-/// @throws Error  unless the scheme is reversible and keeps volume in phase space, as exact
-/// rotation,
-///                kicks and exact gradient kicks do, and those by finite difference do not
+/// @throws Error  unless the scheme is a palindrome, so that it is reversible, without a bath.
+///                Drifts and kicks keep volume in phase space, gradient kicks by finite difference
+///                included: each changes momenta by a function of positions and attitudes
 void check_hybrid(const Scheme& scheme);
 
 /// The decisions between trajectories of a scheme. Momenta of a trajectory begin as √(1 − φ) p +

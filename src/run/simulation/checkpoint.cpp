@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <type_traits>
 #include <utility>
@@ -107,9 +108,10 @@ void statistics(Archive& archive, Of& s) {
 template <class Archive, class Of>
 void ensemble(Archive& archive, Of& e) {
   archive(e.heat);
-  archive(e.barostat.work), archive(e.barostat.volume), counter(archive, e.barostat.moves);
+  archive(e.barostat.work), archive(e.barostat.edges), counter(archive, e.barostat.moves);
   counter(archive, e.barostat.accepted), counter(archive, e.barostat.evaluations);
   blocks(archive, e.barostat.decisions);
+  counter(archive, e.barostat.beyond_shape);
   archive(e.hybrid.work), counter(archive, e.hybrid.trajectories);
   counter(archive, e.hybrid.accepted);
   blocks(archive, e.hybrid.weights);
@@ -216,6 +218,14 @@ bool fit(const StepResponse& read, const StepResponse& fresh) {
          fit(read.blocks, fresh.blocks);
 }
 
+bool fit(const EnsembleMemory& read) {
+  EnsembleMemory fresh;
+  fresh.hybrid.add(0, true);
+  fresh.barostat.decisions.add(std::array{1.0});
+  return fit(read.hybrid.weights, fresh.hybrid.weights) &&
+         fit(read.barostat.decisions, fresh.barostat.decisions);
+}
+
 bool fit(const TrajectoryStatistics& read) {
   TrajectoryStatistics fresh;
   fresh.energies.add({});
@@ -234,7 +244,7 @@ Checkpoint read_checkpoint_from(CheckpointReader in, const std::string& path) {
   Checkpoint checkpoint;
   fields(in, checkpoint);
   in.end();
-  if (!fit(checkpoint.at.statistics))
+  if (!fit(checkpoint.at.statistics) || !fit(checkpoint.at.ensemble))
     throw DamagedCheckpoint(
         fmt::format("the checkpoint '{}' has inconsistent sums over samples", path));
   return checkpoint;

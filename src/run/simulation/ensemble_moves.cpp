@@ -12,10 +12,10 @@
 namespace polhode {
 namespace {
 
-/// The interval is a whole number of steps.
+/// With the interval between moves as it is, in place of the one that was asked for.
 BarostatSettings barostat_settings(const TrajectorySettings& settings) {
   BarostatSettings barostat = *settings.ensemble.barostat;
-  barostat.every = static_cast<double>(settings.steps_per_move()) * settings.step;
+  barostat.every = settings.move_interval();
   return barostat;
 }
 
@@ -32,17 +32,21 @@ void check_thermostat(const ThermostatSettings& s, double step) {
   }
 }
 
-void check_barostat(const BarostatSettings& s) {
+void check_barostat(const TrajectorySettings& settings) {
+  const BarostatSettings& s = *settings.ensemble.barostat;
   if (!(s.every > 0))
     throw Error(fmt::format(
         "the interval of the moves of the barostat, {:g} fs, must be longer than 0 fs; 100 fs are "
         "usual",
         s.every * units::fs_per_ps));
-  if (s.kind == BarostatKind::cell_rescaling && !(s.time_constant >= s.every))
+  const double interval = settings.move_interval();
+  if (s.kind == BarostatKind::cell_rescaling && !(s.time_constant >= interval))
     throw Error(fmt::format(
         "the barostat's time_constant of {:g} fs is shorter than the interval of its moves, {:g} "
-        "fs; use a time_constant of 1 to 10 ps, or a shorter interval",
-        s.time_constant * units::fs_per_ps, s.every * units::fs_per_ps));
+        "fs{}; use a time_constant of 1 to 10 ps, or a shorter interval",
+        s.time_constant * units::fs_per_ps, interval * units::fs_per_ps,
+        settings.ensemble.hybrid_monte_carlo ? " of whole trajectories of hybrid Monte Carlo"
+                                             : ""));
   if (!(s.compressibility >= min_compressibility() && s.compressibility <= max_compressibility()))
     throw Error(fmt::format(
         "the barostat's compressibility of {:g} 1/bar must be from 1e-7 1/bar, which solids have, "
@@ -76,7 +80,7 @@ void check_ensemble(const TrajectorySettings& settings) {
                     "higher temperature, or a thermostat alone",
                     e.temperature));
   if (e.thermostat) check_thermostat(*e.thermostat, settings.step);
-  if (e.barostat) check_barostat(*e.barostat);
+  if (e.barostat) check_barostat(settings);
 }
 
 EnsembleMoves::EnsembleMoves(const System& system, const TrajectorySettings& settings,

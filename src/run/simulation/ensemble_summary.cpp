@@ -30,8 +30,9 @@ SeriesEstimate effective_samples(const SeriesEstimate& correlation_time, double 
 double BarostatSummary::acceptance() const { return part(accepted, moves); }
 double HybridMonteCarloSummary::acceptance() const { return part(accepted, trajectories); }
 
-EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& settings,
-                                 const Trajectory& trajectory, double sample) {
+EnsembleSummary ensemble_summary(const System& system, const TrajectorySettings& of,
+                                 const Trajectory& trajectory) {
+  const EnsembleSettings& settings = of.ensemble;
   const EnsembleMemory& memory = trajectory.ensemble;
   const EnergyStatistics& energies = trajectory.statistics.energies;
   EnsembleSummary s{settings, memory.heat, {}, {}};
@@ -45,16 +46,20 @@ EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& s
         memory.barostat.accepted,
         memory.barostat.evaluations,
         memory.barostat.work,
-        mean_of(memory.barostat.decisions, 0)};
+        mean_of(memory.barostat.decisions, 0),
+        of.move_interval(),
+        memory.barostat.beyond_shape};
   if (settings.hybrid_monte_carlo) {
     const SeriesEstimate tau = energies.correlation_time_of_potential();
+    const double sample = static_cast<double>(of.steps_per_sample()) * of.step;
     s.hybrid_monte_carlo = {memory.hybrid.trajectories,
                             memory.hybrid.accepted,
                             mean_of(memory.hybrid.weights, 0),
                             memory.hybrid.work,
                             mean_of(memory.hybrid.weights, 1),
                             scaled(tau, sample),
-                            effective_samples(tau, static_cast<double>(energies.samples))};
+                            effective_samples(tau, static_cast<double>(energies.samples)),
+                            mean_of(memory.hybrid.weights, 2)};
   }
   return s;
 }

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polhode/ensemble/barostat.hpp"
+
 namespace polhode {
 namespace {
 
@@ -74,6 +76,19 @@ std::optional<Warning> moves_warning(const BarostatSummary& s, const BarostatSet
                 : "use a smaller compressibility in [barostat], which makes moves smaller"};
 }
 
+std::optional<Warning> shape_warning(const BarostatSummary& s) {
+  if (s.beyond_shape == 0) return std::nullopt;
+  return Warning{
+      "shape", static_cast<double>(s.beyond_shape), 0,
+      fmt::format(
+          "{} moves of the box were rejected because edges that are scaled separately would "
+          "have changed by factors with a ratio above {:g}: the shape of the box drifts, as "
+          "that of a fluid does",
+          s.beyond_shape, max_shape_change),
+      "for a fluid use edges = [\"xyz\"] in [barostat]; for a crystal start a new run from the "
+      "final state of this one, from whose shape the bound is counted again"};
+}
+
 std::optional<Warning> acceptance_warning(const HybridMonteCarloSummary& s) {
   if (s.trajectories == 0) return std::nullopt;
   const double a = s.acceptance();
@@ -88,17 +103,25 @@ std::optional<Warning> acceptance_warning(const HybridMonteCarloSummary& s) {
       low ? "use a shorter step, or a scheme with a smaller error" : "use a longer step"};
 }
 
+/// Of the mean of exp(−ΔH/kT), or of the bounded one: the error of the first is unknown or large
+/// where it is made of few large values.
 std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
-  const double difference = s.weight.value - 1;
-  const double bound = std::max(min_weight_difference, far * s.weight.error);
-  if (s.weight.known != Known::yes || !(std::abs(difference) > bound)) return std::nullopt;
-  return Warning{
-      "weights", difference, bound,
-      fmt::format("the mean of exp(-dH/kT) is {:.4g} ± {:.2g} instead of 1, which every canonical "
-                  "distribution has, so this run has not sampled it",
-                  s.weight.value, s.weight.error),
-      "equilibrate first, or use a shorter step: a run in which the largest energy errors are too "
-      "rare to occur has such a mean"};
+  const auto warning = [](const SeriesEstimate& mean, double exact,
+                          const char* name) -> std::optional<Warning> {
+    const double difference = mean.value - exact;
+    const double bound = std::max(min_weight_difference, far * mean.error);
+    if (mean.known != Known::yes || !(std::abs(difference) > bound)) return std::nullopt;
+    return Warning{
+        "weights", difference, bound,
+        fmt::format("the mean of {} is {:.4g} ± {:.2g} instead of {:g}, which every canonical "
+                    "distribution has, so this run has not sampled it",
+                    name, mean.value, mean.error, exact),
+        "equilibrate longer before the run, or use a shorter step, so that even the largest energy "
+        "errors occur in the run; external forces must depend only on positions, orientations and "
+        "the box"};
+  };
+  const auto first = warning(s.weight, 1, "exp(-dH/kT)");
+  return first ? first : warning(s.bounded_weight, 0, "(exp(-dH/kT) - 1) exp(-|dH|/kT)");
 }
 
 }  // namespace
@@ -112,6 +135,7 @@ std::vector<Warning> ensemble_warnings(const RunSummary& s) {
     add(volume_warning(*barostat, s.length));
     add(length_warning(*barostat, s.ensemble.settings.barostat.value(), s.length));
     add(moves_warning(*barostat, s.ensemble.settings.barostat.value()));
+    add(shape_warning(*barostat));
   }
   if (const auto& hybrid = s.ensemble.hybrid_monte_carlo) {
     add(acceptance_warning(*hybrid));

@@ -172,6 +172,8 @@ json barostat_json(const BarostatSummary& s) {
           {"compressibility_per_bar",
            estimate_json(s.compressibility, unit("1/bar", Dimension::compressibility))},
           {"volume_drift_nm3_per_ps", number_if(true, s.volume_drift.rate.value)},
+          {"interval_fs", s.interval * units::fs_per_ps},
+          {"beyond_shape", s.beyond_shape},
           {"moves", s.moves},
           {"accepted", s.accepted},
           {"acceptance", estimate_json(s.accepted_share, 1)},
@@ -183,6 +185,7 @@ json hybrid_monte_carlo_json(const HybridMonteCarloSummary& s) {
           {"accepted", s.accepted},
           {"acceptance", estimate_json(s.accepted_share, 1)},
           {"mean_weight", estimate_json(s.weight, 1)},
+          {"mean_bounded_weight", estimate_json(s.bounded_weight, 1)},
           {"correlation_time_ps", estimate_json(s.correlation_time, 1)},
           {"effective_samples", estimate_json(s.effective_samples, 1)},
           {"work_kJ_per_mol", s.work}};

@@ -91,7 +91,7 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
                          s.length) /
         s.potential_fluctuation.value;
   if (settings.ensemble.hybrid_monte_carlo) remove_conservation(s);
-  s.ensemble = ensemble_summary(system, settings.ensemble, trajectory, s.sample);
+  s.ensemble = ensemble_summary(system, settings, trajectory);
   s.force_evaluations = trajectory.force_evaluations;
   s.derivatives = trajectory.derivatives;
   s.near_evaluations = trajectory.near_evaluations;

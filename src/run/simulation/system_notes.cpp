@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "polhode/base/printable.hpp"
+#include "polhode/ensemble/barostat.hpp"
 #include "polhode/io/ensemble_text.hpp"
+#include "polhode/io/output_units.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 
 namespace polhode {
@@ -61,6 +63,33 @@ void note_velocities(const System& system, const Config& config, const Callbacks
       system.file_temperature, unused));
 }
 
+namespace {
+
+void note_edges(const TrajectorySettings& settings, const Callbacks& callbacks) {
+  const auto& barostat = settings.ensemble.barostat;
+  if (!barostat || barostat->edges.size() == 1) return;
+  callbacks.note(fmt::format(
+      "note: edges of the box are scaled separately. A fluid resists no change of shape, so their "
+      "ratios drift at random, up to {:g} times those of the initial box; for a fluid use edges = "
+      "[\"xyz\"]",
+      max_shape_change));
+}
+
+/// Where hybrid Monte Carlo makes the interval between moves of the box another than was asked for.
+void note_moves(const TrajectorySettings& settings, const Callbacks& callbacks) {
+  const EnsembleSettings& e = settings.ensemble;
+  if (!e.barostat || !e.hybrid_monte_carlo) return;
+  const double interval = settings.move_interval(), asked = e.barostat->every;
+  if (std::abs(interval - asked) < settings.step / 2) return;
+  callbacks.note(fmt::format(
+      "note: the interval of {:g} fs between moves of the box is rounded to {:g} fs: they are made "
+      "between trajectories of hybrid Monte Carlo, which have {} steps of {:g} fs each",
+      asked * units::fs_per_ps, interval * units::fs_per_ps, e.hybrid_monte_carlo->steps,
+      settings.step * units::fs_per_ps));
+}
+
+}  // namespace
+
 void note_ensemble(const TrajectorySettings& settings, const Callbacks& callbacks) {
   if (settings.ensemble.constant_energy()) return;
   callbacks.note(fmt::format("ensemble: {}", description(settings.ensemble)));
@@ -71,6 +100,8 @@ void note_ensemble(const TrajectorySettings& settings, const Callbacks& callback
         "note: the length of {} steps is rounded up to {}, which are whole trajectories of hybrid "
         "Monte Carlo with {} steps each",
         asked, settings.steps(), whole));
+  note_moves(settings, callbacks);
+  note_edges(settings, callbacks);
 }
 
 void note_constant_energy(const Config& config, std::string_view what, const Callbacks& callbacks) {

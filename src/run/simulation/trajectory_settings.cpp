@@ -43,9 +43,17 @@ std::size_t TrajectorySettings::steps_per_trajectory() const {
   return ensemble.hybrid_monte_carlo ? ensemble.hybrid_monte_carlo->steps : 1;
 }
 
+// Within a trajectory of hybrid Monte Carlo a move would change the energy by which its end is
+// accepted, and a rejection would undo the move.
 std::size_t TrajectorySettings::steps_per_move() const {
-  const double steps = std::min(ensemble.barostat.value().every / step, max_steps);
-  return std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(steps)));
+  const std::size_t whole = steps_per_trajectory();
+  const double trajectories =
+      std::min(ensemble.barostat.value().every / step, max_steps) / static_cast<double>(whole);
+  return whole * std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(trajectories)));
+}
+
+double TrajectorySettings::move_interval() const {
+  return static_cast<double>(steps_per_move()) * step;
 }
 
 std::size_t TrajectorySettings::steps_per_sample() const {
@@ -82,10 +90,10 @@ void TrajectorySettings::check_shadow() const {
   if (!polhode::fixed_means(ensemble, scheme))
     throw Error(fmt::format(
         "shadow_sample is {:g} fs, but a run that exchanges energy within its steps, with a "
-        "Langevin thermostat, two thermostats or hybrid Monte Carlo samples no shadow energy; "
-        "leave "
-        "it out, or use type = \"rescaling\" in [thermostat] with the bath at the ends of the "
-        "steps",
+        "Langevin thermostat, two thermostats or hybrid Monte Carlo samples no shadow energy, and "
+        "the bias is not known with edges of the box that are scaled separately; leave it out, or "
+        "use type = \"rescaling\" in [thermostat] with the bath at the ends of the steps, and "
+        "edges = [\"xyz\"] in [barostat]",
         shadow_sample * units::fs_per_ps));
   const char* const reason =
       scheme.palindromic()

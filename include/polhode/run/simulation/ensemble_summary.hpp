@@ -15,20 +15,23 @@ struct BarostatSummary {
   SeriesEstimate compressibility;  ///< isothermal, (⟨V²⟩ − ⟨V⟩²)/(kT ⟨V⟩) [nm³ mol/kJ]
   Drift volume_drift;              ///< [nm³/ps]
   std::uint64_t moves = 0, accepted = 0;
-  std::uint64_t evaluations = 0;  ///< of forces, by moves
-  double work = 0;                ///< received by the bodies [kJ/mol]
-  SeriesEstimate accepted_share;  ///< acceptance() with its standard error
+  std::uint64_t evaluations = 0;   ///< of forces, by moves
+  double work = 0;                 ///< received by the bodies [kJ/mol]
+  SeriesEstimate accepted_share;   ///< acceptance() with its standard error
+  double interval = 0;             ///< between two moves [ps]
+  std::uint64_t beyond_shape = 0;  ///< moves rejected by max_shape_change
   double acceptance() const;
 };
 
 struct HybridMonteCarloSummary {
   std::uint64_t trajectories = 0, accepted = 0;
-  SeriesEstimate weight;  ///< ⟨exp(−ΔH/kT)⟩, which is 1 for a reversible scheme that keeps volume
+  SeriesEstimate weight;  ///< ⟨w⟩, w = exp(−ΔH/kT), which is 1 in the canonical distribution
   double work = 0;        ///< received by the bodies from draws and rejections [kJ/mol]
   SeriesEstimate accepted_share;  ///< acceptance() with its standard error
   /// Integrated autocorrelation time of the potential energy [ps], and the number of independent
   /// samples of it that the run is worth.
   SeriesEstimate correlation_time, effective_samples;
+  SeriesEstimate bounded_weight;  ///< ⟨(w − 1) exp(−|ΔH|/kT)⟩, 0 in the canonical distribution
   double acceptance() const;
 };
 
@@ -40,8 +43,7 @@ struct EnsembleSummary {
   std::optional<HybridMonteCarloSummary> hybrid_monte_carlo;
 };
 
-/// @param sample  time between two energies [ps]
-EnsembleSummary ensemble_summary(const System& system, const EnsembleSettings& settings,
-                                 const Trajectory& trajectory, double sample);
+EnsembleSummary ensemble_summary(const System& system, const TrajectorySettings& settings,
+                                 const Trajectory& trajectory);
 
 }  // namespace polhode

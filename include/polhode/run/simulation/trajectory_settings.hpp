@@ -29,7 +29,8 @@ struct TrajectorySettings {
 
   std::size_t steps() const;                 ///< whole trajectories of hybrid Monte Carlo
   std::size_t steps_per_trajectory() const;  ///< of hybrid Monte Carlo; 1 without
-  std::size_t steps_per_move() const;        ///< of a barostat
+  std::size_t steps_per_move() const;        ///< of a barostat, in whole trajectories
+  double move_interval() const;              ///< the time of steps_per_move() [ps]
   std::size_t steps_per_sample() const;
   /// The number of samples of the energies per sample that is taken every `interval` [ps].
   std::size_t samples_per(double interval) const;
