@@ -135,7 +135,7 @@ StepErrorSettings step_errors(const std::string& energies, const std::optional<C
     throw Error(
         "--energies is for the bias of the step, which depends on what the run held constant; give "
         "--run water.toml");
-  return {energies, known_fixed_means(*config)};
+  return step_error_settings(energies, *config);
 }
 
 }  // namespace

@@ -113,7 +113,7 @@ AnalysisSettings analysis_settings(const AnalysisOptions& o, const Config* confi
     throw Error(
         "energies is for the bias of the step, which depends on what the run held constant; give "
         "run as well");
-  if (o.energies) s.step_errors = {*o.energies, known_fixed_means(*config)};
+  if (o.energies) s.step_errors = step_error_settings(*o.energies, *config);
   return s;
 }
 

@@ -21,7 +21,8 @@ class Shifts {
     const double K = first[factors + kinetic] + mean[factors + kinetic];
     kT_ = 2 * K / degrees_of_freedom;
     if (fixed != FixedMeans::energy) warmer_ = covariance(error, kinetic) / (kT_ * K);
-    if (fixed == FixedMeans::kinetic_energy_and_pressure) pressure_ = (*this)(pressure);
+    if (fixed != FixedMeans::energy && fixed != FixedMeans::kinetic_energy)
+      pressure_ = (*this)(pressure);
   }
 
   double operator()(std::size_t a) const {
@@ -57,16 +58,27 @@ double bias_at(std::span<const double> mean, const std::vector<double>& first, c
 }  // namespace
 
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme) {
-  if (settings.hybrid_monte_carlo || scheme.bath_within()) return std::nullopt;
+  return scheme.bath_within() ? std::nullopt : fixed_means(settings);
+}
+
+std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings) {
+  if (settings.hybrid_monte_carlo) return std::nullopt;
   if (settings.constant_energy()) return FixedMeans::energy;
   if (!settings.thermostat || settings.thermostat->kind != ThermostatKind::rescaling)
     return std::nullopt;
-  return settings.barostat ? FixedMeans::kinetic_energy_and_pressure : FixedMeans::kinetic_energy;
+  if (!settings.barostat) return FixedMeans::kinetic_energy;
+  if (settings.barostat->edges != BarostatSettings{}.edges) return std::nullopt;
+  return settings.barostat->kind == BarostatKind::monte_carlo
+             ? FixedMeans::kinetic_energy_and_pressure_of_positions
+             : FixedMeans::kinetic_energy_and_pressure;
 }
 
-StepError step_error(const Energies& now, FixedMeans fixed) {
-  return {fixed == FixedMeans::energy ? -now.total() : now.step_error, now.total(), now.kinetic(),
-          now.pressure, now.volume};
+StepError step_error(const Energies& now, FixedMeans fixed, double ideal) {
+  StepError at{now.step_error, now.total(), now.kinetic(), now.pressure, now.volume};
+  if (fixed == FixedMeans::energy) at.error = -now.total();
+  if (fixed == FixedMeans::kinetic_energy_and_pressure_of_positions)
+    at.pressure += (ideal - 2 * now.translation / 3) / now.volume;
+  return at;
 }
 
 void StepResponse::add(const StepError& at, std::span<const double> quantities) {

@@ -140,6 +140,17 @@ class Advise(Sandbox):
         found = self.advice(GAS + barostat, "--bias", "density 0.2 %", "--force", "--schemes", "velocity-verlet")
         self.assertAlmostEqual(found["requested"], 20 * 0.0602214076)
 
+    def test_bias_in_the_ensemble_of_the_run(self):
+        """At constant temperature the bias of the energy is larger than at constant energy, so the step is shorter; other ensembles are refused."""
+        rescaling, bound = '[thermostat]\ntype = "rescaling"\n', ("--bias", "energy 0.01 kJ/mol", "--force", "--schemes", "velocity-verlet")
+        steps = [self.advice(GAS + tables, *bound)["best"]["step_fs"] for tables in ("", rescaling)]
+        self.assertLess(steps[1], steps[0])
+        process = self.done("advise", GAS + rescaling, *bound)
+        self.assertRegex(process.err, r"biases are converted to this ensemble: 150 K, stochastic velocity rescaling .* potential energy by 0\.\d+ ± \S+ kJ/mol and the pressure by")
+        self.assertNotIn("converted", self.done("advise", GAS, *bound).err)
+        for tables, words in (("[thermostat]\n", ["rescaling", "not known"]), ("[hybrid_monte_carlo]\n", ["has no bias", "--ensemble nvt"])):
+            self.refused(GAS + tables, "--bias", "energy 0.01 kJ/mol", words=words)
+
     def test_the_runs_that_confirm_decide(self):
         """For a bound close to the detectable drift, the proposed step is sometimes too long and is rejected by new runs."""
         refused = 0

@@ -49,7 +49,29 @@ TEST_CASE("requirements: a density is bounded by the pressure that would change 
   EnsembleSettings ensemble;
   const Requirement density{RequiredOf::density, 2e-4};
   check_error([&] { criterion_of(density, ensemble); }, {"compressibility", "[barostat]"});
+  ensemble.thermostat = ThermostatSettings{.kind = ThermostatKind::rescaling};
   ensemble.barostat = BarostatSettings{.compressibility = 5e-4};
   CHECK(criterion_of(density, ensemble).quality == Quality::pressure_bias);
   CHECK(criterion_of(density, ensemble).bound == doctest::Approx(0.4));
+}
+
+TEST_CASE("requirements: biases are bounded only in ensembles in which they are known") {
+  const Requirement energy{RequiredOf::energy, 0.01}, ratio{RequiredOf::ratio, 0.005};
+  const auto refused = [&](const EnsembleSettings& ensemble,
+                           std::initializer_list<const char*> words) {
+    check_error([&] { criterion_of(energy, ensemble); }, words);
+    CHECK(criterion_of(ratio, ensemble).quality == Quality::ratio);
+  };
+  EnsembleSettings ensemble;
+  CHECK(criterion_of(energy, ensemble).quality == Quality::energy_bias);
+  ensemble.thermostat = ThermostatSettings{};
+  refused(ensemble, {"rescaling", "[thermostat]", "not known"});
+  ensemble.thermostat->kind = ThermostatKind::separate_rescaling;
+  refused(ensemble, {"rescaling", "not known"});
+  ensemble.thermostat->kind = ThermostatKind::rescaling;
+  CHECK(criterion_of(energy, ensemble).quality == Quality::energy_bias);
+  ensemble.barostat = BarostatSettings{.edges = {{true, true, false}, {false, false, true}}};
+  refused(ensemble, {"one factor"});
+  refused({.temperature = 300, .hybrid_monte_carlo = HybridMonteCarloSettings{}},
+          {"hybrid Monte Carlo has no bias"});
 }

@@ -133,6 +133,41 @@ TEST_CASE("step bias: the volume takes up the bias of the pressure") {
         pressure / stiffness);
 }
 
+// An error fast K_rot: at one mean of the kinetic energy, translation is warmer by half of it.
+// 𝒱 has the density whose logarithm has the derivative (P' − P₀)/kT, where P' = −κ (𝒱 − 𝒱₀) + P₀ is
+// what Monte Carlo moves hold; P has the actual kinetic energy of translation in place of N kT.
+TEST_CASE("step bias: Monte Carlo moves hold the pressure without the kinetic energy") {
+  StepBiasStatistics moves, rescaling;
+  Random random(14);
+  constexpr double stiffness = 50, volume = 10, bodies = modes / 3.0, warmer = fast / 2;
+  for (int n = 0; n < samples; ++n) {
+    const double v = std::sqrt(kT / stiffness) * random.normal();
+    double translation = 0, rotation = 0;
+    for (int k = 0; k < modes; ++k) {
+      translation += kT / 2 * (1 + warmer) * std::pow(random.normal(), 2);
+      rotation += kT / 2 * (1 + warmer) / (1 + fast) * std::pow(random.normal(), 2);
+    }
+    Energies now{.coulomb = stiffness * v * v / 2,
+                 .translation = translation,
+                 .rotation = {rotation, 0, 0},
+                 .volume = volume + v};
+    now.pressure = -stiffness * v + (2 * translation / 3 - bodies * kT) / now.volume;
+    now.step_error = fast * rotation;
+    moves.add(step_error(now, FixedMeans::kinetic_energy_and_pressure_of_positions, bodies * kT),
+              now);
+    rescaling.add(step_error(now, FixedMeans::kinetic_energy_and_pressure, bodies * kT), now);
+  }
+  const double pressure = bodies * kT * warmer / volume;
+  const StepBias held = moves.bias(degrees, FixedMeans::kinetic_energy_and_pressure_of_positions);
+  check(held.pressure, pressure);
+  CHECK(std::abs(held.volume.value) < 4.5 * held.volume.error);
+  CHECK(held.volume.error < 0.25 * pressure / stiffness);
+  // Cell rescaling would let the volume take it up.
+  const StepBias scaled = rescaling.bias(degrees, FixedMeans::kinetic_energy_and_pressure);
+  check(scaled.volume, pressure / stiffness);
+  CHECK(std::abs(scaled.pressure.value) < 4.5 * scaled.pressure.error + 0.05 * pressure);
+}
+
 TEST_CASE("schemes whose last kick follows a bath") {
   CHECK(scheme_of("baoab").kick_after_bath() == 0.5);
   CHECK(scheme_of("B(1/3) A(1/2) B(1/6) O(1) B(1/6) A(1/2) B(1/3)").kick_after_bath() == 0);
@@ -152,6 +187,12 @@ TEST_CASE("step bias: where the distribution is that of a shadow energy") {
   CHECK(fixed_means(settings, scheme_of("baoab")) == std::nullopt);
   settings.barostat = BarostatSettings{};
   CHECK(fixed_means(settings, scheme_of("obabo")) == FixedMeans::kinetic_energy_and_pressure);
+  settings.barostat->kind = BarostatKind::monte_carlo;
+  CHECK(fixed_means(settings, scheme_of("obabo")) ==
+        FixedMeans::kinetic_energy_and_pressure_of_positions);
+  settings.barostat->edges = {{true, true, false}, {false, false, true}};
+  CHECK(fixed_means(settings, scheme_of("obabo")) == std::nullopt);
+  settings.barostat.reset();
   settings.thermostat->kind = ThermostatKind::separate_rescaling;
   CHECK(fixed_means(settings, scheme_of("obabo")) == std::nullopt);
   CHECK(fixed_means({.temperature = 300, .hybrid_monte_carlo = HybridMonteCarloSettings{}}, hoa2) ==

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the error of the step changes in averages, and in functions of averages, from the trajectory
-// itself (docs/theory.md, Eqs. (47) to (50)).
+// itself (docs/theory.md, Eqs. (47) to (53)).
 #pragma once
 
 #include <cstddef>
@@ -18,27 +18,34 @@ namespace polhode {
 
 /// What two trajectories with different steps have in common when their averages are compared.
 enum class FixedMeans {
-  energy,                      ///< constant energy: that of the total energy
-  kinetic_energy,              ///< rescaling thermostat: that of the kinetic energy
-  kinetic_energy_and_pressure  ///< with a barostat: those of both
+  energy,                       ///< constant energy: that of the total energy
+  kinetic_energy,               ///< rescaling thermostat: that of the kinetic energy
+  kinetic_energy_and_pressure,  ///< with cell rescaling: those of both
+  /// With Monte Carlo moves of the volume, which know no momenta: those of the kinetic energy and
+  /// of the pressure with N kT/V in place of its kinetic part.
+  kinetic_energy_and_pressure_of_positions
 };
 
 /// Nothing where the distribution is not that of a shadow energy: with a Langevin thermostat, with
-/// translation and rotation thermostatted apart, with a bath within the steps; and nothing where
-/// there is no bias: hybrid Monte Carlo.
+/// translation and rotation thermostatted apart, with a bath within the steps; nothing with a
+/// barostat of other edges than all three by one factor, which holds several pressures; and nothing
+/// where there is no bias: hybrid Monte Carlo.
 std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings, const Scheme& scheme);
+/// Of any scheme without a bath within its steps.
+std::optional<FixedMeans> fixed_means(const EnsembleSettings& settings);
 
 /// A sample of what the bias depends on, besides the quantities that are averaged.
 struct StepError {
   double error = 0;     ///< H̃ − H, up to a constant [kJ/mol]
   double total = 0;     ///< H [kJ/mol]
   double kinetic = 0;   ///< [kJ/mol]
-  double pressure = 0;  ///< [kJ/mol/nm³]
+  double pressure = 0;  ///< the one that a barostat holds [kJ/mol/nm³]
   double volume = 0;    ///< [nm³]
 };
 
 /// Of a sample. At constant energy H̃ is constant, so that its error is what the energy lacks.
-StepError step_error(const Energies& now, FixedMeans fixed);
+/// @param ideal  N kT of N bodies at the temperature of the thermostat [kJ/mol]
+StepError step_error(const Energies& now, FixedMeans fixed, double ideal);
 
 /// Sums over samples of any quantities and of their products with the error of the step, in blocks
 /// of time, relative to the first sample.

@@ -17,6 +17,7 @@
 #include "polhode/base/stopwatch.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
+#include "polhode/run/adviser/bias_conversion.hpp"
 #include "polhode/run/adviser/effort.hpp"
 #include "polhode/run/adviser/resumable_run.hpp"
 #include "polhode/run/adviser/step_search.hpp"
@@ -42,8 +43,10 @@ constexpr int max_lengthenings = 4;
 constexpr std::array parts = {1.0 / 9, 1.0 / 3, 1.0};
 /// The first of them after which a longer step may be tried instead.
 constexpr double telling = 1.0 / 3;
-/// Fractions of the time: for choosing runs, for timings, and at least for confirming runs.
-constexpr double choosing_share = 0.35, clock_share = 0.1, min_confirming_share = 0.3;
+/// Fractions of the time: for choosing runs, for timings, for the response to the temperature where
+/// it is needed, and at least for confirming runs.
+constexpr double choosing_share = 0.35, clock_share = 0.1, response_share = 0.15,
+                 min_confirming_share = 0.3;
 /// Length of preliminary runs, relative to that of runs near the final step.
 constexpr double way = 0.5;
 /// The first step to confirm, relative to that proposed by the choosing runs: short runs
@@ -95,6 +98,8 @@ class Adviser {
           fmt::format("choosing the step for this system takes at least {:.0f} s instead of {:g} s",
                       seconds, settings_.seconds));
     effort_.expect(std::max(min_work(), budget(1) / evaluation_ - effort_.done()));
+    prepare_conversion();
+    if (stop()) return stopped_advice();
 
     confirm();
     if (stop()) return stopped_advice();
@@ -156,6 +161,18 @@ class Adviser {
     return !stop();
   }
 
+  /// Biases at constant energy are those of the run file's ensemble only without thermostat.
+  void prepare_conversion() {
+    if (!needs_conversion(settings_.criterion.quality, config_.ensemble)) return;
+    constexpr double cost = 2, part = 0.2 * cost;  // of hoa2; of its step at the Einstein frequency
+    const double step = three_digits(part / frequency_);
+    const ResponseRuns runs{
+        step,
+        std::max(affordable(budget(response_share), choosing, cost / step), 10 * min_length())};
+    const auto count = counting_stop(cost, "measuring the response to the temperature");
+    conversion_ = bias_conversion(config_, starts_, runs, callbacks_, count, workers_);
+  }
+
   double preparation_length() const { return std::min(preparation, config_.study.decorrelate); }
 
   /// Initial configurations with new momenta.
@@ -176,7 +193,7 @@ class Adviser {
   /// Continues a run up to the job's length.
   Outcome advance(ResumableRun& resumable, const Job& job) const {
     const Scheme& scheme = advice_.candidates[job.candidate].scheme;
-    return advance_run(
+    Outcome run = advance_run(
         resumable,
         {.scheme = scheme,
          .step = job.step,
@@ -185,6 +202,8 @@ class Adviser {
          .lambda = config_.integrator.lambda,
          .configurational_sample = sample_cost / temperature_share * job.step / scheme.cost()},
         noise_, counting_stop(scheme.cost(), advice_.candidates[job.candidate].name));
+    if (conversion_ && run.failure.empty()) conversion_->apply(run);
+    return run;
   }
 
   /// Runs every job from every initial configuration, as many at a time as there are workers.
@@ -369,29 +388,6 @@ class Adviser {
       candidate.obstacle = "no step that was tried meets the bound";
   }
 
-  /// The wall-clock time per simulated ps, under the conditions of the run: all threads on one
-  /// system, schemes interleaved, so that changes of the clock rate or of the load affect all
-  /// schemes equally.
-  void time_candidates() {
-    constexpr int turns = 3;
-    const double seconds =
-        clock_share * settings_.seconds / (turns * static_cast<double>(advice_.candidates.size()));
-    std::vector<std::vector<double>> times(advice_.candidates.size());
-    for (int turn = 0; turn < turns; ++turn)
-      for (std::size_t c = 0; c < advice_.candidates.size() && !stop(); ++c) {
-        const Candidate& candidate = advice_.candidates[c];
-        if (candidate.step == 0 || candidate.seconds > 0) continue;
-        report("clocking " + candidate.name);
-        times[c].push_back(time_of(candidate, starts_.front().system, config_,
-                                   std::clamp(seconds, 0.02, 0.3), callbacks_.stop, workers_));
-      }
-    for (std::size_t c = 0; c < times.size(); ++c)
-      if (!times[c].empty()) {
-        std::sort(times[c].begin(), times[c].end());
-        advice_.candidates[c].seconds = times[c][times[c].size() / 2];
-      }
-  }
-
   /// The cheapest eligible candidate, by the computing time per simulated ps.
   std::optional<std::size_t> cheapest(std::optional<std::size_t> besides = {}) const {
     std::optional<std::size_t> best;
@@ -410,7 +406,10 @@ class Adviser {
     while (advice_.refused.size() < max_refusals) {
       search_steps();  // including those that became promising when another was rejected
       if (stop()) return;
-      time_candidates();
+      time_candidates(
+          advice_.candidates, starts_.front().system, config_, clock_share * settings_.seconds,
+          [this](const std::string& name) { report("clocking " + name); }, callbacks_.stop,
+          workers_);
       if (stop()) return;
       const auto c = advice_.best ? advice_.best : cheapest();
       if (!c) return;
@@ -479,6 +478,7 @@ class Adviser {
   double frequency_ = 0;   // [1/ps]
   double evaluation_ = 0;  // seconds of one thread
   std::vector<ResumableRun> starts_;
+  std::optional<BiasConversion> conversion_;
   double last_set_ = 0;        // seconds that the last set of runs took
   std::vector<bool> settled_;  // candidates whose steps are known accurately enough
   std::size_t drawn_ = 0;      // initial configurations so far

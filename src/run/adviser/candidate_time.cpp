@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "candidate_time.hpp"
 
+#include <algorithm>
+
 #include "polhode/base/stopwatch.hpp"
 #include "polhode/run/simulation/trajectory.hpp"
 
 namespace polhode {
+namespace {
 
+/// With its step [s], measured for about `seconds`.
 double time_of(const Candidate& candidate, System system, const Config& config, double seconds,
                const std::function<bool()>& stop, Workers& workers) {
   const auto stopped = [&] { return stop && stop(); };
@@ -23,6 +27,28 @@ double time_of(const Candidate& candidate, System system, const Config& config, 
     spent += t.timings.all();
   } while (length < min_duration && !stopped());
   return spent / length;
+}
+
+}  // namespace
+
+void time_candidates(std::vector<Candidate>& candidates, const System& system, const Config& config,
+                     double seconds, const std::function<void(const std::string&)>& report,
+                     const std::function<bool()>& stop, Workers& workers) {
+  constexpr int turns = 3;
+  const double each =
+      std::clamp(seconds / (turns * static_cast<double>(candidates.size())), 0.02, 0.3);
+  std::vector<std::vector<double>> times(candidates.size());
+  for (int turn = 0; turn < turns; ++turn)
+    for (std::size_t c = 0; c < candidates.size() && !(stop && stop()); ++c) {
+      if (candidates[c].step == 0 || candidates[c].seconds > 0) continue;
+      report(candidates[c].name);
+      times[c].push_back(time_of(candidates[c], system, config, each, stop, workers));
+    }
+  for (std::size_t c = 0; c < times.size(); ++c)
+    if (!times[c].empty()) {
+      std::sort(times[c].begin(), times[c].end());
+      candidates[c].seconds = times[c][times[c].size() / 2];
+    }
 }
 
 }  // namespace polhode

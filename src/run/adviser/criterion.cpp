@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
 #include "polhode/math/prediction.hpp"
 
 namespace polhode {
@@ -25,13 +26,33 @@ Outcome outcome(const System& system, const Trajectory& trajectory) {
   const StepBias bias =
       trajectory.statistics.step_bias.bias(degrees_of_freedom(system.topology), FixedMeans::energy);
   run.temperature_difference = bias.difference.value;
+  run.translation_bias = degrees_of_freedom(system.topology).translation * units::boltzmann / 2 *
+                         bias.translation.value;
   run.energy_bias = bias.potential.value / static_cast<double>(system.topology.size());
   run.pressure_bias = bias.pressure.value;
   run.configurational = trajectory.statistics.configurational.values();
   return run;
 }
 
+namespace {
+
+void check_bias_known(const EnsembleSettings& ensemble) {
+  if (fixed_means(ensemble)) return;
+  if (ensemble.hybrid_monte_carlo)
+    throw Error(
+        "hybrid Monte Carlo has no bias of the step, so there is none to bound; bound R (\"0.5 "
+        "%\"), "
+        "or use --ensemble nvt for its step and trajectory length");
+  throw Error(
+      "a bias of the step can be bounded at constant energy, or with type = \"rescaling\" in "
+      "[thermostat], and all edges of the box scaled by one factor if there is a barostat: with "
+      "others it is not known; use these, or bound R (\"0.5 %\")");
+}
+
+}  // namespace
+
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble) {
+  if (requirement.of != RequiredOf::ratio) check_bias_known(ensemble);
   switch (requirement.of) {
     case RequiredOf::ratio:
       return {Quality::ratio, requirement.bound};
@@ -51,6 +72,18 @@ Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& e
         "a bias of the pressure changes it; give it, or bound the pressure: \"pressure 4 bar\"");
   return {Quality::pressure_bias, requirement.bound / ensemble.barostat->compressibility};
 }
+
+namespace {
+
+/// A confidence bound on the magnitude of the mean of values with a further error in common.
+double bound_with_common_error(const std::vector<double>& values,
+                               const std::vector<double>& errors) {
+  constexpr double factor = 2;  // standard errors, for the probability of the bound
+  const double size = std::abs(mean(values).value), common = factor * mean(errors).value;
+  return size + std::hypot(size_bound(values, guarantee_probability) - size, common);
+}
+
+}  // namespace
 
 bool blew_up(const std::vector<Outcome>& runs) {
   return std::any_of(runs.begin(), runs.end(), [](auto& run) { return !run.failure.empty(); });
@@ -76,9 +109,12 @@ bool may_meet(const Criterion& criterion, const std::vector<Outcome>& runs, doub
 
 double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
   if (blew_up(runs)) return std::numeric_limits<double>::infinity();
-  const auto size = [&](double Outcome::*member) {
-    return size_bound(each(runs, [member](const Outcome& run) { return run.*member; }),
-                      guarantee_probability);
+  const auto values = [&](double Outcome::*member) {
+    return each(runs, [member](const Outcome& run) { return run.*member; });
+  };
+  const auto size = [&](double Outcome::*member, double Outcome::*common = nullptr) {
+    return common ? bound_with_common_error(values(member), values(common))
+                  : size_bound(values(member), guarantee_probability);
   };
   switch (quality) {
     case Quality::ratio:
@@ -88,9 +124,9 @@ double upper_bound(Quality quality, const std::vector<Outcome>& runs) {
     case Quality::temperature_difference:
       return size(&Outcome::temperature_difference);
     case Quality::energy_bias:
-      return size(&Outcome::energy_bias);
+      return size(&Outcome::energy_bias, &Outcome::energy_bias_error);
     case Quality::pressure_bias:
-      return size(&Outcome::pressure_bias);
+      return size(&Outcome::pressure_bias, &Outcome::pressure_bias_error);
     case Quality::temperature_bias: {
       const auto biases = [&](std::size_t k) {
         return each(runs, [k](const Outcome& run) { return run.bias[k]; });

@@ -103,6 +103,9 @@ std::optional<GuaranteeCheck> check_guarantee(const Guarantee& guarantee,
     case RequiredOf::energy:
       return check(summary.step_bias->potential, static_cast<double>(summary.molecules));
     case RequiredOf::pressure:
+      if (const auto& barostat = summary.ensemble.barostat)  // what the volume has taken up
+        return check(summary.step_bias->volume,
+                     barostat->compressibility.value * barostat->volume.value);
       return check(summary.step_bias->pressure, 1);
     case RequiredOf::density:
       if (summary.ensemble.barostat)

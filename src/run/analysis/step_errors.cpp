@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/units.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 
 namespace polhode {
@@ -16,16 +17,16 @@ double rounding(double time) { return 0.6e-6 + 0x1p-22 * std::abs(time); }
 
 }  // namespace
 
-FixedMeans known_fixed_means(const Config& config) {
+StepErrorSettings step_error_settings(const std::string& energies, const Config& config) {
   const EnsembleSettings& ensemble = config.ensemble;
   if (const auto fixed = fixed_means(ensemble, nested_scheme_of(config.integrator.scheme).outer))
-    return *fixed;
+    return {energies, *fixed, config.system.temperature};
   if (ensemble.hybrid_monte_carlo)
     throw Error("hybrid Monte Carlo has no bias of the step; leave the energies out");
   throw Error(
       "the bias of the step is known at constant energy and with a rescaling thermostat at the "
-      "ends of the steps: with others the distribution is not that of a shadow energy; leave the "
-      "energies out");
+      "ends of the steps, with all edges of the box scaled by one factor if there is a barostat: "
+      "with others the distribution is not that of a shadow energy; leave the energies out");
 }
 
 StepErrors::StepErrors(const StepErrorSettings& settings, const Topology& topology)
@@ -55,7 +56,8 @@ std::optional<StepError> StepErrors::at(const State& frame, bool has_velocities)
                     "run that wrote the trajectory",
                     settings_.energies, frame.time));
   check(*row_, frame, has_velocities);
-  const StepError error = step_error(row_->energies, settings_.fixed);
+  const double ideal = static_cast<double>(frame.size()) * units::boltzmann * settings_.temperature;
+  const StepError error = step_error(row_->energies, settings_.fixed, ideal);
   return std::isnan(error.error) ? std::nullopt : std::optional(error);
 }
 

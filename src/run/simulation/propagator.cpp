@@ -155,6 +155,8 @@ class Propagator::Impl {
         workers_(workers),
         terms_(error_terms(settings.scheme)),
         fixed_(settings.fixed_means()),
+        ideal_(static_cast<double>(system.state.size()) * units::boltzmann *
+               settings.ensemble.temperature),
         interval_(settings.steps_per_sample()),
         moves_(system, settings, workers),
         integrator_(system, forces, settings, moves_.bath(), workers),
@@ -285,9 +287,11 @@ class Propagator::Impl {
   } catch (const Error& e) {
     throw RunError(
         fmt::format("at step {} ({:.4f} ps) the barostat moved the box, and: {}; use a larger "
-                    "system, a shorter "
-                    "cutoff, or check the pressure",
-                    steps_, system_.state.time, e.what()));
+                    "system, a shorter cutoff, {}or check the pressure",
+                    steps_, system_.state.time, e.what(),
+                    settings_.ensemble.barostat->edges.size() > 1
+                        ? "edges = [\"xyz\"] in [barostat] for a fluid, "
+                        : ""));
   }
 
   void step(bool energies) {
@@ -386,7 +390,7 @@ class Propagator::Impl {
   /// Nothing where it is not known.
   std::optional<StepError> error_of(const Energies& now) const {
     if (!fixed_) return std::nullopt;
-    const StepError error = step_error(now, *fixed_);
+    const StepError error = step_error(now, *fixed_, ideal_);
     return std::isnan(error.error) ? std::nullopt : std::optional(error);
   }
 
@@ -433,6 +437,7 @@ class Propagator::Impl {
   Workers& workers_;
   ErrorTerms terms_;
   std::optional<FixedMeans> fixed_;
+  double ideal_;          // N kT [kJ/mol]
   std::size_t interval_;  // steps between samples
   EnsembleMoves moves_;
   TimedIntegrator integrator_;

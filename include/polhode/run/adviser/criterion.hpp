@@ -27,9 +27,13 @@ struct Outcome {
   /// T_k/T − 1 of translation and of rotation about each principal axis; 0 without such motion.
   std::array<double, 4> bias{};
   double temperature_difference = 0;  ///< bias of T_rot − T_trans by the step, predicted [K]
+  double translation_bias = 0;        ///< of the kinetic energy of translation, the same [kJ/mol]
   double energy_bias = 0;             ///< of the potential energy per molecule, the same [kJ/mol]
   double pressure_bias = 0;           ///< the same [kJ/mol/nm³]
-  double rounding = 0;                ///< R of rounding alone, estimated; 0 in double precision
+  /// Standard errors that these have in common in all runs, from their conversion to the ensemble
+  /// of the run file.
+  double energy_bias_error = 0, pressure_bias_error = 0;
+  double rounding = 0;  ///< R of rounding alone, estimated; 0 in double precision
 };
 
 Outcome outcome(const System& system, const Trajectory& trajectory);
@@ -53,7 +57,8 @@ struct Criterion {
   double bound = 0;
 };
 
-/// @throws Error  if a density is bounded and there is no compressibility of a barostat
+/// @throws Error  if a density is bounded and there is no compressibility of a barostat, or a bias
+///                in an ensemble in which it is not known
 Criterion criterion_of(const Requirement& requirement, const EnsembleSettings& ensemble);
 
 /// Probability with which the adviser's answer is to meet the requirement: 95 of 100 new runs must
@@ -63,7 +68,8 @@ inline constexpr double guarantee_probability = 0.975;
 /// The bound below which the quality stays with guarantee_probability. For R it is a bound for a
 /// new run. A single run is too noisy to show energy drift or bias, which are properties of scheme
 /// and step, so for these it bounds the mean over infinitely many runs. The bias is the largest of
-/// several, and each has its share of the error probability. Infinite if a run blew up.
+/// several, and each has its share of the error probability. Errors that all runs have in common
+/// are added in quadrature, twice the standard error. Infinite if a run blew up.
 double upper_bound(Quality quality, const std::vector<Outcome>& runs);
 
 /// The smallest upper_bound() of R that runs can still have at their full length, from a part of

@@ -17,10 +17,12 @@ namespace polhode {
 struct StepErrorSettings {
   std::string energies;  ///< file of the run
   FixedMeans fixed = FixedMeans::energy;
+  double temperature = 0;  ///< of the thermostat [K]
 };
 
-/// @throws Error  with the reason, if the bias of the step is not known in the ensemble of a run
-FixedMeans known_fixed_means(const Config& config);
+/// In the energies file of a run.
+/// @throws Error  with the reason, if the bias of the step is not known in the ensemble of the run
+StepErrorSettings step_error_settings(const std::string& energies, const Config& config);
 
 /// A frame is written together with a row of the energies, and has its time: rows are read once, in
 /// step with the frames.
