@@ -2,6 +2,7 @@
 // Exact laws of hybrid Monte Carlo: the canonical distribution, with any step.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -21,6 +22,8 @@ using namespace polhode;
 namespace {
 
 constexpr double kelvin = 300, kT = units::boltzmann * kelvin;
+// Of gradient kicks by finite difference: far from the derivative, so that they are no gradients.
+constexpr double lambda = 1;
 constexpr double spring = 2000, stiffening = 4e4;  // k/2 q² + b/4 q⁴ [kJ/mol/nm², kJ/mol/nm⁴]
 
 // A well for every body, for each coordinate; U = Σ k q²/2 + b q⁴/4.
@@ -58,7 +61,7 @@ Sampled sampled(const char* scheme, double omega_h, double refresh) {
   const HybridMonteCarloSettings settings{.steps = 3, .refresh = refresh};
   HybridMonteCarlo hybrid(settings, kelvin, scene.bodies, 5, Workers::serial(),
                           TotalMomentum::free);
-  Integrator integrator(scheme_of(scheme), scene.bodies, well);
+  Integrator integrator(scheme_of(scheme), scene.bodies, well, lambda);
   State state = scene.state;
   TimeBlocks blocks;
   constexpr std::uint64_t trajectories = 40000;
@@ -84,7 +87,7 @@ TEST_CASE(
     "hybrid Monte Carlo samples an anharmonic well exactly, with steps near the stability bound") {
   const double exact = exact_square();
   for (const auto& [scheme, omega_h] :
-       {std::pair{"velocity-verlet", 0.9}, {"hoa2", 1.6}, {"blanes-moan4", 2.5}})
+       {std::pair{"velocity-verlet", 0.9}, {"hoa2", 1.6}, {"blanes-moan4", 2.5}, {"gier4-fd", 2.4}})
     for (const double refresh : {1.0, 0.4}) {
       CAPTURE(std::string(scheme));
       CAPTURE(refresh);
@@ -99,6 +102,58 @@ TEST_CASE(
       CHECK(std::abs(s.weight.value - 1) < 4 * s.weight.error);
       CHECK(s.accepted < 0.95);
       CHECK(s.accepted > 0.5);
+    }
+}
+
+// One axis of each body in a field, U = −a kT cos θ: ⟨cos θ⟩ = coth a − 1/a, whatever the moments
+// of inertia. The fourth-order gradient kick by finite difference displaces bodies about their
+// axes.
+TEST_CASE("hybrid Monte Carlo samples rotors in a field exactly, with gradient kicks as well") {
+  constexpr double a = 8, exact = 1 / 0.99999977 - 1 / a;  // coth 8
+  for (const char* molecule : {"n2", "tip4p"})
+    for (const auto& [scheme, omega_h] : {std::pair{"hoa2", 1.6}, {"gier4-fd", 2.0}}) {
+      CAPTURE(std::string(molecule));
+      CAPTURE(std::string(scheme));
+      const scenes::Scene scene = scenes::lattice({{molecule, 6}}, 0.4, 3, 2);
+      const Vec3<double> J = scene.bodies.J[0];
+      // The axis of a linear body, and any axis of another.
+      const Vec3<double> axis = J.y == 0   ? Vec3<double>{0, 1, 0}
+                                : J.z == 0 ? Vec3<double>{0, 0, 1}
+                                           : Vec3<double>{1, 0, 0};
+      const auto field = [&](const State& state, Load& load) {
+        load.van_der_waals = 0;
+        for (std::size_t i = 0; i < state.size(); ++i) {
+          const Vec3<double> e = to_lab(state.attitude[i], axis);
+          load.van_der_waals -= a * kT * e.z;
+          load.tau.set(i, a * kT * cross(e, Vec3<double>{0, 0, 1}));
+        }
+      };
+      double least = std::max({J.x, J.y, J.z});
+      for (const double moment : {J.x, J.y, J.z})
+        if (moment > 0) least = std::min(least, moment);
+      const double h = omega_h * std::sqrt(least / (a * kT));
+      HybridMonteCarlo hybrid({.steps = 3}, kelvin, scene.bodies, 5);
+      Integrator integrator(scheme_of(scheme), scene.bodies, field, lambda);
+      State state = scene.state;
+      TimeBlocks blocks;
+      std::size_t n = 0;
+      sample_hybrid(hybrid, integrator, state, {h, 3, 20000}, [&](const State&, const Load& load) {
+        if (++n > 500) blocks.add(std::array{-load.van_der_waals / (a * kT * 6)});
+      });
+      const SeriesEstimate cosine =
+          series_estimate(blocks.means(), [](auto mean) { return mean[0]; });
+      const SeriesEstimate weight =
+          series_estimate(hybrid.memory().weights.means(), [](auto mean) { return mean[0]; });
+      CAPTURE(cosine.value / exact);
+      CAPTURE(cosine.error / exact);
+      CAPTURE(weight.value);
+      CAPTURE(weight.error);
+      CAPTURE(double(hybrid.memory().accepted) / 20000);
+      CHECK(std::abs(cosine.value - exact) < 4 * cosine.error);
+      CHECK(cosine.error < 2e-3 * exact);
+      CHECK(std::abs(weight.value - 1) < 4 * weight.error);
+      CHECK(hybrid.memory().accepted < 0.995 * 20000);
+      CHECK(hybrid.memory().accepted > 0.5 * 20000);
     }
 }
 
