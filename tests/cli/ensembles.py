@@ -104,6 +104,8 @@ class Ensembles(Sandbox):
         self.assertEqual(hybrid["trajectories"] - hybrid["accepted"], same)
         weight = hybrid["mean_weight"]
         self.assertLess(abs(weight["value"] - 1), max(5 * (weight["error"] or 1), 1e-3))
+        bounded = hybrid["mean_bounded_weight"]
+        self.assertLess(abs(bounded["value"]), max(5 * (bounded["error"] or 1), 1e-3))
         self.assertAlmostEqual(hybrid["work_kJ_per_mol"], energies["total"][-1] - energies["conserved"][-1], places=3)
         # Nothing is conserved over draws and decisions.
         for key in ("R", "R_error", "R_rounding", "rms_total_kJ_per_mol", "drift_kJ_per_mol_ps", "drift_error", "drift_p_value", "drift_significant"):
@@ -126,6 +128,17 @@ class Ensembles(Sandbox):
         self.assertAlmostEqual(hybrid["effective_samples"]["value"] * 2 * hybrid["correlation_time_ps"]["value"] / (n * 0.09), 1, places=6)
         self.assertEqual(hybrid["acceptance"]["value"], hybrid["accepted"] / hybrid["trajectories"])
         self.assertGreater(hybrid["acceptance"]["error"], 0)
+
+    def test_moves_of_the_box_between_trajectories(self):
+        """Every 50 fs is asked for; trajectories have 90 fs."""
+        tables = '[barostat]\npressure = "100 bar"\ncompressibility = "2e-4 1/bar"\nevery = "50 fs"\n'
+        process = self.done("run", HYBRID + tables)
+        self.assertIn("interval of 50 fs between moves of the box is rounded to 90 fs", process.err)
+        self.assertRegex(process.out, r"moves of the box +\d+ of 45 accepted.*; one every 90 fs\n")
+        barostat = json.loads(self.done("run", HYBRID + tables, "--json", "--force").out)["ensemble"]["barostat"]
+        self.assertEqual((barostat["moves"], round(barostat["interval_fs"], 9), barostat["beyond_shape"]), (45, 90, 0))
+        process = self.done("run", HYBRID + tables + 'edges = ["xy", "z"]\n', "--force")
+        self.assertIn('for a fluid use edges = ["xyz"]', process.err)
 
     def test_zero_friction_is_constant_energy(self):
         """The same numbers to the last digit of the files, and no heat."""
