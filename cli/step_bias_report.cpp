@@ -7,6 +7,7 @@
 
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/with_error.hpp"
+#include "polhode/run/simulation/run_report.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -15,9 +16,10 @@ namespace {
 /// @param unit  of the text, in internal units
 void print_line(const char* name, const SeriesEstimate& bias, double mean, double unit,
                 const char* unit_text, int decimals) {
-  const std::string size = bias.known == Known::yes
-                               ? with_error(bias.value / unit, bias.error / unit)
-                               : fmt::format("{:.2g} (error not known)", bias.value / unit);
+  const std::string size =
+      bias.known == Known::yes
+          ? with_error(bias.value / unit, bias.error / unit)
+          : fmt::format("{:.2g} (error not known: {})", bias.value / unit, reason(bias.known));
   fmt::print("  {:<20}{} {}, without it {:.{}f} {}\n", name, size, unit_text,
              (mean - bias.value) / unit, decimals, unit_text);
 }
