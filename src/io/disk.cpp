@@ -3,6 +3,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -31,6 +32,24 @@ fs::path folder_of(const std::string& path) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
+std::string remedy_of(int error) {
+  if (error == EMFILE) {
+    rlimit files{};
+    ::getrlimit(RLIMIT_NOFILE, &files);
+    return fmt::format(
+        "this process may have {} files open at once: raise the limit with 'ulimit -n'",
+        files.rlim_cur);
+  }
+  if (error == ENFILE) return "the whole system has too many files open: end other programs";
+  if (error == ENOSPC || error == EDQUOT || error == EFBIG) return "free disk space";
+  return "check the folder and its permissions";
+}
+
+std::string cannot_write(const std::string& path, int error) {
+  return fmt::format("'{}' cannot be written ({}); {}", path, std::strerror(error),
+                     remedy_of(error));
+}
+
 void check_folder(const std::string& path) {
   const fs::path folder = folder_of(path);
   std::error_code error;
@@ -44,10 +63,14 @@ void check_folder(const std::string& path) {
         folder.string(), std::strerror(errno), path));
 }
 
+void remove_output(const std::string& path) {
+  if (::unlink(path.c_str()) != 0 && errno != ENOENT) throw Error(cannot_write(path, errno));
+}
+
 void sync_file(const std::string& path) {
   if (const int error = sync(path))
-    throw RunError(
-        fmt::format("'{}' could not be synced to disk ({})", path, std::strerror(error)));
+    throw RunError(fmt::format("'{}' could not be synced to disk ({}); {}", path,
+                               std::strerror(error), remedy_of(error)));
 }
 
 void sync_folder(const std::string& path) { sync(folder_of(path).string()); }

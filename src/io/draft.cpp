@@ -5,11 +5,14 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <random>
+#include <string_view>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/io/disk.hpp"
@@ -17,13 +20,24 @@
 namespace polhode {
 namespace {
 
+constexpr std::string_view front = "unfinished-";
+constexpr std::size_t digits = 8, longer = front.size() + digits + 1;  // than the final name
+
 /// A temporary name in the same folder, with the same extension.
 std::string name_beside(const std::string& path) {
   static std::random_device random;
   const std::filesystem::path file(path);
   return (file.parent_path() /
-          fmt::format("unfinished-{:08x}-{}", random(), file.filename().string()))
+          fmt::format("{}{:0{}x}-{}", front, random(), digits, file.filename().string()))
       .string();
+}
+
+/// The final name of a draft with this name; empty if it is none.
+std::string_view final_name(std::string_view name) {
+  if (!name.starts_with(front) || name.size() <= longer || name[longer - 1] != '-') return {};
+  const std::string_view number = name.substr(front.size(), digits);
+  return number.find_first_not_of("0123456789abcdef") == number.npos ? name.substr(longer)
+                                                                     : std::string_view();
 }
 
 }  // namespace
@@ -49,9 +63,8 @@ void Draft::create_named() {
     draft_ = name_beside(path_);
     file_ = ::open(draft_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
   } while (file_ < 0 && errno == EEXIST);
-  if (file_ < 0)
-    throw Error(fmt::format("'{}' cannot be written ({}); give another output, or free disk space",
-                            path_, std::strerror(errno)));
+  if (file_ < 0) throw Error(cannot_write(path_, errno));
+  ::close(std::exchange(file_, -1));  // its writer may create it anew
   has_name_ = true;
 }
 
@@ -63,7 +76,10 @@ bool Draft::link(const std::string& name) {
 }
 
 void Draft::finish(const std::string& keep) {
-  if (::fsync(file_) != 0) refuse(errno);
+  if (has_name_)
+    sync_file(draft_);
+  else if (::fsync(file_) != 0)
+    refuse(errno);
   std::error_code unknown;
   if (!keep.empty() && std::filesystem::exists(path_, unknown) &&
       std::rename(path_.c_str(), keep.c_str()) != 0)
@@ -86,13 +102,41 @@ void Draft::replace() {
 }
 
 void Draft::refuse(int error) const {
-  throw RunError(fmt::format("'{}' could not be written completely ({}); free disk space", path_,
-                             std::strerror(error)));
+  throw RunError(fmt::format("'{}' could not be written completely ({}); {}", path_,
+                             std::strerror(error), remedy_of(error)));
 }
 
 Draft::~Draft() {
   if (has_name_) ::unlink(draft_.c_str());
-  ::close(file_);
+  if (file_ >= 0) ::close(file_);
+}
+
+void check_length_of_name(const std::string& path) {
+  const std::size_t length = std::filesystem::path(path).filename().string().size();
+  const long limit = ::pathconf(folder_of(path).c_str(), _PC_NAME_MAX);
+  const std::size_t longest = (limit > 0 ? static_cast<std::size_t>(limit) : 255) - longer;
+  if (length > longest)
+    throw Error(fmt::format(
+        "the name of the output '{}' has {} bytes; it can have {}, as unfinished files have {} "
+        "more; choose a shorter name",
+        path, length, longest, longer));
+}
+
+void remove_drafts(const std::vector<std::string>& files) {
+  if (files.empty()) return;
+  namespace fs = std::filesystem;
+  std::error_code unknown;
+  std::vector<std::string> drafts;
+  for (fs::directory_iterator entry(folder_of(files.front()), unknown), end;
+       !unknown && entry != end; entry.increment(unknown)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_ours = std::any_of(files.begin(), files.end(), [&](const std::string& file) {
+      return final_name(name) == fs::path(file).filename().string();
+    });
+    if (is_ours && fs::is_regular_file(entry->symlink_status(unknown)))
+      drafts.push_back(entry->path().string());
+  }
+  for (const std::string& draft : drafts) fs::remove(draft, unknown);
 }
 
 }  // namespace polhode

@@ -10,7 +10,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <ctime>
 #include <utility>
 
@@ -68,9 +67,7 @@ FileLock::FileLock(std::string path) : path_(std::move(path)) {
 void FileLock::take() {
   file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0)
-    throw Error(fmt::format(
-        "the lock file '{}' cannot be written ({}); check its permissions, or give another output",
-        path_, std::strerror(errno)));
+    throw Error("the lock file " + cannot_write(path_, errno) + ", or give another output");
   held_ = TEMP_FAILURE_RETRY(::flock(file_, LOCK_EX | LOCK_NB)) == 0;
   const bool others = !held_ && errno == EWOULDBLOCK;
   const std::string text = text_of(file_);
@@ -96,6 +93,22 @@ bool FileLock::is_at_its_path() const {
 FileLock::~FileLock() {
   ::unlink(path_.c_str());  // while locked, so that no other lock is removed
   ::close(file_);
+}
+
+void HeldFile::hold(const std::string& path) {
+  file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file_ < 0 || TEMP_FAILURE_RETRY(::flock(file_, LOCK_EX | LOCK_NB)) == 0 ||
+      errno != EWOULDBLOCK)
+    return;
+  throw Error(
+      fmt::format("'{}' is being written by another process, by this or another name: two "
+                  "processes would overwrite each other's data; wait until that one has ended, or "
+                  "put a copy in place of the link",
+                  path));
+}
+
+HeldFile::~HeldFile() {
+  if (file_ >= 0) ::close(file_);
 }
 
 }  // namespace polhode

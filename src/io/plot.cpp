@@ -14,6 +14,7 @@
 #include <ostream>
 
 #include "plot_script.hpp"
+#include "polhode/io/disk.hpp"
 #include "polhode/io/table_file.hpp"
 
 namespace polhode {
@@ -74,8 +75,11 @@ std::string gnuplot_trouble(const std::string& program, const fs::path& script,
   return fmt::format("gnuplot exited with code {}", WEXITSTATUS(status));
 }
 
-bool draw(const std::string& file, const std::string& script, std::ostream& warnings) {
+/// @param image  that the script draws, in its folder; gnuplot would write through a link
+bool draw(const std::string& file, const std::string& image, const std::string& script,
+          std::ostream& warnings) {
   write_file(file, [&](std::ostream& out) { out << script; });
+  remove_output((fs::path(file).parent_path() / image).string());
   return run_gnuplot(file, warnings);
 }
 
@@ -102,39 +106,40 @@ bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono:
 bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings) {
   const fs::path data(figure.csv);
   const std::string image = fs::path(data.filename()).replace_extension(format).string();
-  return draw(fs::path(data).replace_extension("gp").string(),
+  return draw(fs::path(data).replace_extension("gp").string(), image,
               energy_script(figure, data.filename().string(), {image, format}), warnings);
 }
 
 bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings) {
   const fs::path data(figure.csv);
   const std::string image = fs::path(data.filename()).replace_extension(format).string();
-  return draw(fs::path(data).replace_extension("gp").string(),
+  return draw(fs::path(data).replace_extension("gp").string(), image,
               curves_script(figure, data.filename().string(), {image, format}), warnings);
 }
 
 bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
                      const std::string& format, std::ostream& warnings) {
   const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", efficiency_script(figure, {image, format}), warnings);
+  return draw(prefix + ".gp", image, efficiency_script(figure, {image, format}), warnings);
 }
 
 bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
                  std::ostream& warnings) {
   const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", advice_script(figure, {image, format}), warnings);
+  return draw(prefix + ".gp", image, advice_script(figure, {image, format}), warnings);
 }
 
 bool canonical_plot(const std::string& prefix, const CanonicalFigure& figure,
                     const std::string& format, std::ostream& warnings) {
   const std::string image = fs::path(prefix + "." + format).filename().string();
-  return draw(prefix + ".gp", canonical_script(figure, {image, format}), warnings);
+  return draw(prefix + ".gp", image, canonical_script(figure, {image, format}), warnings);
 }
 
 bool polhode_plot(const std::string& prefix, const PolhodeFigure& figure, std::ostream& warnings) {
   for (const char* format : {"svg", "png"}) {
     const std::string image = fs::path(prefix + "." + format).filename().string();
-    if (!draw(prefix + ".gp", polhode_script(figure, {image, format}), warnings)) return false;
+    if (!draw(prefix + ".gp", image, polhode_script(figure, {image, format}), warnings))
+      return false;
   }
   return true;
 }

@@ -74,20 +74,20 @@ void write_csv(std::ostream& out, const Table& table, const Provenance& provenan
 
 GrowingTable::GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
                            const Provenance& provenance)
-    : path_(path), out_(path, std::ios::binary) {
-  if (!out_)
-    throw Error(fmt::format("'{}' cannot be written ({}); check the folder and its permissions",
-                            path, std::strerror(errno)));
+    : path_(path) {
+  remove_output(path);
+  out_.open(path, std::ios::binary);
+  if (!out_) throw Error(cannot_write(path, errno));
+  held_.hold(path);
   write_head(out_, columns, provenance);
 }
 
 GrowingTable::GrowingTable(const std::string& path, const TableMark& mark)
     : path_(path), mark_(mark) {
+  held_.hold(path);
   cut_file(path, mark.bytes);
   out_.open(path, std::ios::binary | std::ios::app | std::ios::ate);
-  if (!out_)
-    throw Error(fmt::format("'{}' cannot be written ({}); check its permissions", path,
-                            std::strerror(errno)));
+  if (!out_) throw Error(cannot_write(path, errno));
 }
 
 void GrowingTable::add(std::span<const double> row) {
@@ -200,26 +200,34 @@ void each_row(const std::string& path, std::uint64_t bytes,
 void refuse_existing(const std::string& path, bool force) {
   check_name("the output", path);
   check_folder(path);
+  check_length_of_name(path);
   std::error_code error;
   if (fs::is_directory(path, error))
     throw Error(fmt::format("'{}' is a folder; the output must be a file, so give another", path));
-  if (!force && fs::exists(path, error))
-    throw OutputError(fmt::format(
-        "'{}' exists and would be overwritten; give another output, or replace it", path));
+  const fs::file_status found = fs::symlink_status(path, error);
+  if (fs::is_other(found))
+    throw Error(fmt::format(
+        "'{}' is a device, a pipe or a socket; the output must be a file, so give another", path));
+  if (force || !fs::exists(found)) return;
+  if (fs::is_symlink(found))
+    throw OutputError(
+        fmt::format("'{}' is a symbolic link to '{}', which would be replaced, not followed; give "
+                    "an output in the folder of the target, or replace the link",
+                    path, fs::read_symlink(path, error).string()));
+  throw OutputError(fmt::format(
+      "'{}' exists and would be overwritten; give another output, or replace it", path));
 }
 
 void write_file(const std::string& path, const std::function<void(std::ostream&)>& write,
                 const std::string& keep) {
-  const auto refuse = [&](const std::string& why) {
-    throw RunError(fmt::format("'{}' cannot be written ({}); free disk space", path, why));
-  };
+  const auto refuse = [&] { throw RunError(cannot_write(path, errno)); };
   try {
     Draft draft(path);
     std::ofstream out(draft.path(), std::ios::binary);
-    if (!out) refuse(std::strerror(errno));
+    if (!out) refuse();
     write(out);
     out.close();
-    if (!out) refuse(std::strerror(errno));
+    if (!out) refuse();
     draft.finish(keep);
   } catch (const Error& e) {  // the computation was done: the input is not wrong
     throw RunError(e.what());

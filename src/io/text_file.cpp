@@ -4,9 +4,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/disk.hpp"
 #include "split_words.hpp"
 
 namespace polhode {
@@ -17,6 +20,9 @@ bool is_odd(unsigned char c) {
 }
 
 Error unreadable(const std::string& path) {
+  if (const int error = errno; error == EMFILE || error == ENFILE)
+    return Error(
+        fmt::format("'{}' cannot be read ({}); {}", path, std::strerror(error), remedy_of(error)));
   std::error_code unknown;
   if (std::filesystem::exists(path, unknown))
     return Error(fmt::format("'{}' exists but cannot be read; check its permissions", path));

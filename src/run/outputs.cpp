@@ -8,6 +8,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/version.hpp"
+#include "polhode/io/draft.hpp"
 
 namespace polhode {
 
@@ -19,12 +20,13 @@ void check_outputs(const std::vector<std::string>& files, ExistingFiles existing
   for (const std::string& file : files) refuse_existing(file, existing == ExistingFiles::replace);
 }
 
-void check_prefix(const std::string& prefix) {
-  if (!prefix.empty() && prefix.back() != '/') return;
-  throw Error(
-      fmt::format("the prefix '{0}' ends without a name, with which the names of the output "
-                  "files begin; write for example '{0}run'",
-                  prefix));
+void check_prefix(const std::string& prefix, const std::vector<std::string>& files) {
+  if (prefix.empty() || prefix.back() == '/')
+    throw Error(
+        fmt::format("the prefix '{0}' ends without a name, with which the names of the output "
+                    "files begin; write for example '{0}run'",
+                    prefix));
+  for (const std::string& file : files) check_length_of_name(file);
 }
 
 OutputLock::OutputLock(const std::string& path, const Callbacks& callbacks) : lock_(path) {

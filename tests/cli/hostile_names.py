@@ -51,6 +51,18 @@ class HostileNames(Sandbox):
             self.succeeds("top", "--J", "1,2,3", "--L", "0.1,0.2,1", f"--output={name}")
             self.is_drawn(f"{name}.svg")
 
+    def test_long_prefixes(self):
+        """The longest name is that of the previous checkpoint, and its unfinished file has 20 letters more."""
+        self.write("run.toml", SMALL)
+        longest = 255 - 20 - len("-checkpoint-previous.bin")
+        self.succeeds("run", "run.toml", "--output=" + longest * "a")
+        self.succeeds("run", "run.toml", "--output=" + longest * "a", "--continue")
+        for length in (longest + 1, 232, 246, 247, 300):
+            for verb in ("run", "prepare", "minimise", "study"):
+                if verb != "run" and length < 246:
+                    continue  # their names are shorter
+                self.refused((verb, "run.toml", "--output=" + length * "b"), ["bytes; it can have 235", "choose a shorter name"], verb)
+
     def test_folders_run_files_and_prefixes_in_them(self):
         for name in HOSTILE:
             (self.folder / name).mkdir()

@@ -85,6 +85,17 @@ class Locks(Sandbox):
             time.sleep(0.002)
         return process
 
+    def holding_frames(self):
+        """The same after some checkpoints: the first is that of step 0, before the files."""
+        process = self.holding()
+        end = time.monotonic() + sandbox.LONGEST
+        previous, seen = self.folder / "out-checkpoint-previous.bin", set()
+        while len(seen) < 3:
+            self.assertLess(time.monotonic(), end, "it never came so far")
+            time.sleep(0.002)
+            seen |= {previous.stat().st_mtime_ns} if previous.exists() else set()
+        return process
+
     def test_owner_of_a_lock(self):
         self.write("run.toml", LONG)
         holder = self.holding()
@@ -114,6 +125,61 @@ class Locks(Sandbox):
             time.sleep(0.002)
         process.kill()
         process.communicate()
+
+    def test_outputs_that_are_links(self):
+        """Links to the files of a running process, and one to nothing: they exist, --force replaces them, and their targets stay."""
+        self.write("run.toml", LONG)
+        self.write("linked.toml", edited(RUN, ('prefix = "out"', 'prefix = "linked"\nformats = ["gro", "h5md"]'),
+                                         ('plot = "none"', 'plot = "svg"')))
+        holder = self.holding_frames()
+        names = [path.name for path in self.folder.glob("out-*") if not path.name.endswith(".lock")]
+        targets = {name: (self.folder / name).stat().st_ino for name in names if "checkpoint" not in name}
+        self.assertIn("out-energies.csv", targets)
+        self.write("mine.h5md", "mine")
+        self.write("mine.svg", "mine")
+        links = {name: name for name in targets} | {"out-final.gro": "nowhere.gro", "out-trajectory.h5md": "mine.h5md",
+                                                   "out-energies.svg": "mine.svg"}
+        for name, target in links.items():
+            os.symlink(target, self.folder / name.replace("out-", "linked-"))
+        self.refused_as_link("run", "linked.toml")
+        process = self.polhode("run", "linked.toml", "--force")
+        self.assertEqual(process.returncode, 0, process.err)
+        self.assertEqual([p.name for p in self.folder.iterdir() if p.is_symlink()], [])
+        self.assertEqual(((self.folder / "mine.h5md").read_text(), (self.folder / "mine.svg").read_text()), ("mine", "mine"))
+        self.assertFalse((self.folder / "nowhere.gro").exists())
+        self.assertEqual({name: (self.folder / name).stat().st_ino for name in targets}, targets)
+        self.assertIsNone(holder.poll())
+        holder.send_signal(signal.SIGTERM)
+        holder.communicate(timeout=sandbox.LONGEST)
+        self.write("run.toml", edited(LONG, ('"1000 ps"', '"1e6 ps"')))
+        process = self.start("run", "run.toml", "--continue")  # reads the checksums of its files
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.assertIn("resuming after", process.stderr.readline())
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=sandbox.LONGEST), 130)
+
+    def refused_as_link(self, *arguments):
+        process = self.polhode(*arguments)
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("is a symbolic link to", process.err)
+
+    def test_growing_files_by_another_name(self):
+        """Links to the files of a running process next to a copy of its checkpoint: they are not resumed."""
+        self.write("run.toml", LONG)
+        holder = self.holding_frames()
+        self.write("again.toml", edited(LONG, ('prefix = "out"', 'prefix = "again"')))
+        self.write("again-checkpoint.bin", (self.folder / "out-checkpoint-previous.bin").read_bytes())
+        for link in (os.symlink, os.link):
+            for name in ("energies.csv", "trajectory.xyz", "trajectory.gro"):
+                if (self.folder / f"out-{name}").exists():
+                    link(self.folder / f"out-{name}", self.folder / f"again-{name}")
+            process = self.polhode("run", "again.toml", "--continue")
+            self.assertIn(process.returncode, (1, 2))
+            self.assertIn("is being written by another process", process.err)
+            self.assertIsNone(holder.poll())
+            for path in self.folder.glob("again-[et]*"):
+                path.unlink()
 
     def test_a_file_of_the_user_is_not_a_lock(self):
         self.write("run.toml", SMALL)

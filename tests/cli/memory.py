@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Requests beyond the memory are refused before allocation, with their amount; large, nearly empty systems fit."""
 
+import os
 import resource
 import subprocess
 
@@ -36,6 +37,20 @@ class Memory(Sandbox):
         for word in ("5000000 molecules need at least 2.6", "GB of memory", "may use 2.1", "use fewer of them",
                      "many.toml"):
             self.assertIn(word, process.stderr)
+
+    def test_frames_of_h5md_need_no_memory(self):
+        """The caches of the library, 6 MB of chunks and more of their index, once grew by 200 bytes a frame here."""
+        self.write("run.toml", edited(argon(8, "2.2 nm"), ('prefix = "out"', 'prefix = "out"\ntrajectory_every = "2 fs"\nformats = ["h5md"]')))
+        peaks = []
+        for length in ("4 ps", "40 ps"):
+            process = subprocess.Popen([sandbox.PROGRAM, "run", "run.toml", "--force", "--length", length], cwd=self.folder,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env={"POLHODE_THREADS": "1"})
+            status, usage = os.wait4(process.pid, 0)[1:]
+            process.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(process.returncode, 0)
+            peaks.append(usage.ru_maxrss * 1024)
+        # 18,000 frames more: the caches are full after 2000, and a megabyte is what the peaks of equal runs differ by
+        self.assertLess(peaks[1] - peaks[0], 2 * MB)
 
     def test_what_was_not_foreseen_is_said_too(self):
         """A limit above the estimate, which is a lower bound."""

@@ -72,6 +72,46 @@ class Room(Sandbox):
         self.assertIn(0, codes, "the limits never sufficed")
         self.assertIn(1, codes)
 
+    def test_too_few_file_handles_are_named(self):
+        for amount in range(6, 14):
+            self.clear()
+            process = self.limited(resource.RLIMIT_NOFILE, amount, "run", "run.toml")
+            if process.returncode != 0:
+                self.assertIn(f"this process may have {amount} files open at once: raise the limit", process.err)
+                self.assertNotIn("check", process.err.split("error:")[-1].replace("checkpoint", ""))
+
+    def test_drafts_of_killed_processes_are_removed(self):
+        """Of the run's own files; not other names like them."""
+        stale = ("unfinished-0123abcd-out-trajectory.h5md", "unfinished-89abcdef-out-checkpoint.bin")
+        others = ("unfinished-0123abcd-out2-trajectory.h5md", "unfinished-0123abcx-out-final.gro", "unfinished-0123abcd-out")
+        for options in ((), ("--continue",), ("--force",)):
+            for name in stale + others:
+                self.write(name, f"mine: {name}\n")
+            process = self.polhode("run", "run.toml", *options)
+            self.assertEqual(process.returncode, 0, process.err)
+            self.assertEqual([name for name in stale if (self.folder / name).exists()], [])
+            for name in others:
+                self.assertEqual((self.folder / name).read_text(), f"mine: {name}\n")
+
+    def test_a_run_that_ends_with_an_error_has_no_final_state(self):
+        """That of a shorter run, or of the one that --force replaced, is not a state of its trajectory."""
+        self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
+        for options in (("--continue", "--length", "1000 ps"), ("--force", "--length", "1000 ps")):
+            self.assertTrue((self.folder / "out-final.gro").exists())
+            process = self.limited(resource.RLIMIT_FSIZE, 100_000, "run", "run.toml", *options)
+            self.assertEqual(process.returncode, 1, process.err)
+            self.assertFalse((self.folder / "out-final.gro").exists())
+            process = self.polhode("run", "run.toml", "--force")
+            self.assertEqual(process.returncode, 0, process.err)
+
+    def test_a_run_may_start_from_the_final_state_that_it_replaces(self):
+        self.assertEqual(self.polhode("run", "run.toml").returncode, 0)
+        self.write("next.toml", edited(RUN, ('box = "2.5 nm"', 'initial_configuration = "out-final.gro"')))
+        process = self.limited(resource.RLIMIT_FSIZE, 30_000, "run", "next.toml", "--force", "--length", "1000 ps")
+        self.assertEqual(process.returncode, 1, process.err)
+        process = self.polhode("run", "next.toml", "--continue", "--length", "1 ps")
+        self.assertEqual(process.returncode, 0, process.err)
+
     def test_sizes_of_files(self):
         self.assertIn(1, self.short_of(resource.RLIMIT_FSIZE, (0, 1, 100, 1000, 3000, 5000, 10_000, 20_000, 40_000)))
 

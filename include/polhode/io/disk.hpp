@@ -11,9 +11,20 @@ namespace polhode {
 /// The folder of a file; "." for a bare name.
 std::filesystem::path folder_of(const std::string& path);
 
+/// A message about a file that cannot be written, with the remedy for this errno.
+std::string cannot_write(const std::string& path, int error);
+
+/// What to do about an errno of opening a file.
+std::string remedy_of(int error);
+
 /// Refuses a file name whose folder does not exist or cannot be written to.
 /// @throws Error  in both cases
 void check_folder(const std::string& path);
+
+/// Removes the name of an output that is to be written anew. What else has its contents, such as
+/// the target of a symbolic link, is not changed.
+/// @throws Error  if that cannot be done
+void remove_output(const std::string& path);
 
 /// Syncs the contents of a file to disk.
 /// @throws RunError  if that cannot be done

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace polhode {
 
@@ -38,5 +39,13 @@ class Draft {
   int file_ = -1;
   bool has_name_ = false;
 };
+
+/// Refuses a file name that is too long for the file system, or whose draft's name is.
+/// @throws Error  with the length
+void check_length_of_name(const std::string& path);
+
+/// Removes drafts of these files, all in one folder, that killed processes left behind. Their names
+/// do not tell whether their process still exists, so call it only with a lock for the files.
+void remove_drafts(const std::vector<std::string>& files);
 
 }  // namespace polhode

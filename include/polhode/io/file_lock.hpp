@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A lock that reserves the files of a run or a study for one process.
+// Locks that reserve files for one process: those of a run or a study by a file of its own, and
+// growing files themselves.
 #pragma once
 
 #include <string>
@@ -28,6 +29,24 @@ class FileLock {
   std::string path_;
   int file_ = -1;
   bool held_ = false;
+};
+
+/// A growing file that no other process may append to or truncate. The lock of its run is not
+/// enough: another run may reach the file by a symbolic or a hard link.
+class HeldFile {
+ public:
+  HeldFile() = default;
+  ~HeldFile();
+  HeldFile(const HeldFile&) = delete;
+  HeldFile& operator=(const HeldFile&) = delete;
+
+  /// Holds an existing file until this object's end; does nothing if the file cannot be opened for
+  /// writing, or if the file system does not support locks.
+  /// @throws Error  if another process holds it
+  void hold(const std::string& path);
+
+ private:
+  int file_ = -1;
 };
 
 }  // namespace polhode

@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "polhode/io/file_lock.hpp"
+
 namespace polhode {
 
 /// How an output was made; the same lines begin every file.
@@ -58,12 +60,13 @@ struct TableMark {
 /// A CSV file that grows row by row.
 class GrowingTable {
  public:
-  /// Creates the file, replacing an existing one.
+  /// Creates the file, replacing an existing one; a link is replaced, not its target.
   /// @throws Error  if it cannot be written
   GrowingTable(const std::string& path, const std::vector<Table::Column>& columns,
                const Provenance& provenance);
   /// Resumes a file after a mark; what follows it is removed.
-  /// @throws Error  if the file is shorter, or cannot be written
+  /// @throws Error  if the file is shorter, cannot be written, or is being written by another
+  ///                process
   GrowingTable(const std::string& path, const TableMark& mark);
 
   /// @throws RunError  if the row cannot be written completely
@@ -75,6 +78,7 @@ class GrowingTable {
  private:
   void check();
   std::string path_;
+  HeldFile held_;
   std::ofstream out_;
   TableMark mark_;
 };
@@ -103,8 +107,10 @@ void each_row(const std::string& path, std::uint64_t bytes,
               const std::vector<Table::Column>& columns,
               const std::function<void(std::span<const double>)>& visit);
 
-/// Throws if the file exists and `force` is not given, if its folder cannot be written to, or if
-/// its name has control characters or is not UTF-8; call it before anything is computed.
+/// Throws if the file exists and `force` is not given, if it is a folder or a device, if its folder
+/// cannot be written to, or if its name is too long, has control characters or is not UTF-8; call
+/// it before anything is computed. A symbolic link exists, whatever its target: with `force` the
+/// link is replaced, and its target stays.
 void refuse_existing(const std::string& path, bool force);
 
 /// Writes a file completely or not at all (io/draft.hpp).

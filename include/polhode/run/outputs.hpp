@@ -37,9 +37,10 @@ Provenance provenance(const std::string& command, const std::string& config, std
 /// @throws Error  if one of them cannot be written, or exists and is not to be replaced
 void check_outputs(const std::vector<std::string>& files, ExistingFiles existing);
 
-/// Checks a prefix of output files.
-/// @throws Error  if it is empty or ends in '/', which would begin the names of the files with '-'
-void check_prefix(const std::string& prefix);
+/// Checks a prefix of output files, and the lengths of their names.
+/// @throws Error  if it is empty or ends in '/', which would begin the names of the files with '-',
+///                or if a name is too long
+void check_prefix(const std::string& prefix, const std::vector<std::string>& files = {});
 
 /// A lock for the outputs of a job, with a note where the file system has no locks.
 class OutputLock {

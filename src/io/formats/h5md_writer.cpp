@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <map>
 #include <span>
 #include <stdexcept>
@@ -33,6 +34,8 @@ using hdf5::Handle;
 // Shorter rows share a chunk of this many bytes. Nothing is compressed: most bits of positions and
 // momenta are noise, so deflate reduces a file by 7 % and triples the cost of a frame.
 constexpr hsize_t small_row = 4096;
+constexpr std::size_t chunks_in_memory = 1;       // of a series: the one that is being filled
+constexpr std::size_t index_in_memory = 1 << 20;  // [bytes], of a file
 
 class H5mdWriter : public FrameWriter {
  public:
@@ -99,18 +102,31 @@ class H5mdWriter : public FrameWriter {
   Handle make_handle(hid_t id, herr_t (*close)(hid_t)) const { return {check(id), close}; }
 
   void create() {
-    const Handle access = access_properties();
-    file_ = {H5Fcreate(path_.c_str(), H5F_ACC_TRUNC, timeless(H5P_FILE_CREATE), access), H5Fclose};
-    if (!file_.is_open())
-      throw Error(
-          fmt::format("'{}' cannot be written; check the folder and its permissions", path_));
+    remove_output(path_);
+    const Handle properties = timeless(H5P_FILE_CREATE), access = access_properties();
+    errno = 0;
+    file_ = {H5Fcreate(path_.c_str(), H5F_ACC_EXCL, properties, access), H5Fclose};
+    if (!file_.is_open()) throw Error(cannot_write(path_, errno));
+    bound_memory();
   }
 
-  // Reading while writing requires the latest file format.
+  // Reading while writing requires the latest file format. Data are written as they come: a cache
+  // of chunks could only grow, by the bytes of each short row.
   Handle access_properties() const {
     Handle access = make_handle(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     check(H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST));
+    check(H5Pset_cache(access, 0, chunks_in_memory, small_row, 1.0));
     return access;
+  }
+
+  // The index of chunks grows with the number of frames: what is not in memory is read again.
+  void bound_memory() const {
+    H5AC_cache_config_t metadata{};
+    metadata.version = H5AC__CURR_CACHE_CONFIG_VERSION;
+    check(H5Fget_mdc_config(file_, &metadata));
+    metadata.set_initial_size = true;
+    metadata.initial_size = metadata.min_size = metadata.max_size = index_in_memory;
+    check(H5Fset_mdc_config(file_, &metadata));
   }
 
   // Creation properties without timestamps, so that equal runs write equal bytes.
@@ -137,6 +153,7 @@ class H5mdWriter : public FrameWriter {
       });
       if (!copied) refuse();
       file_ = make_handle(H5Fopen(part, H5F_ACC_RDWR, access_properties()), H5Fclose);
+      bound_memory();
       take_all_series(frames);
       start();
       check(H5Fflush(file_, H5F_SCOPE_GLOBAL));

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/checksum.hpp"
 #include "polhode/io/disk.hpp"
+#include "polhode/io/file_lock.hpp"
 
 namespace polhode {
 namespace {
@@ -20,7 +22,10 @@ class StreamWriter : public FrameWriter {
                const FrameChoice& choice, const FileMark* mark)
       : appending_(appending), path_(std::move(path)), topology_(topology), choice_(choice) {
     using std::ios;
-    if (mark != nullptr) {
+    if (mark == nullptr) {
+      remove_output(path_);
+    } else {
+      held_.hold(path_);
       cut_file(path_, mark->bytes);
       frames_ = mark->frames;
       summed_ = mark->bytes;
@@ -28,9 +33,8 @@ class StreamWriter : public FrameWriter {
     }
     stream_.open(path_,
                  ios::binary | ios::in | ios::out | (mark != nullptr ? ios::ate : ios::trunc));
-    if (!stream_)
-      throw Error(
-          fmt::format("'{}' cannot be written; check the folder and its permissions", path_));
+    if (!stream_) throw Error(cannot_write(path_, errno));
+    if (mark == nullptr) held_.hold(path_);
   }
 
   void write(const State& state) override { append(view_of(state, topology_, choice_)); }
@@ -59,6 +63,7 @@ class StreamWriter : public FrameWriter {
   std::string path_;
   Topology topology_;
   FrameChoice choice_;
+  HeldFile held_;
   std::fstream stream_;
   std::uint64_t frames_ = 0;
   std::uint64_t summed_ = 0, checksum_ = 0;  // of the bytes until the last mark

@@ -36,9 +36,9 @@ MinimisationReport minimise_configuration(const Config& run_file,
   check_settings(settings);
   Config config = run_file;
   config.run.minimise = true;
-  check_prefix(config.output.prefix);
-  const OutputLock lock(config.output.prefix + "-minimise.lock", callbacks);
   const std::string file = config.output.prefix + "-minimised.gro";
+  check_prefix(config.output.prefix, {file});
+  const OutputLock lock(config.output.prefix + "-minimise.lock", callbacks);
   check_outputs({file}, options.existing);
   System system = build_system(config);
   note_molecules(system, callbacks);

@@ -379,7 +379,7 @@ PreparationReport Preparation::perform() {
 PreparationReport prepare(const Config& config, const OutputOptions& options,
                           const Callbacks& callbacks, Workers& workers) {
   const std::string& prefix = config.output.prefix;
-  check_prefix(prefix);
+  check_prefix(prefix, PreparationFiles(prefix).all());
   const OutputLock lock(prefix + "-prepare.lock", callbacks);
   return Preparation(config, options, callbacks, workers).perform();
 }

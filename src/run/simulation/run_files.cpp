@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "polhode/io/checksum.hpp"
+#include "polhode/io/disk.hpp"
 #include "polhode/run/simulation/trajectory_settings.hpp"
 
 namespace polhode {
@@ -21,6 +22,20 @@ std::vector<FrameNumber> observables(const Energies& e) {
 /// Whether the energies contain them: at constant energy they follow from the total energy.
 bool samples_step_errors(const TrajectorySettings& settings) {
   return settings.shadow_sample > 0 && !settings.ensemble.constant_energy();
+}
+
+/// The files that a run writes at its end, without those that it reads: while it goes on, or if it
+/// blows up, they would be of other states than the trajectory.
+std::vector<std::string> last_files(const RunFileNames& names, const SystemSettings& inputs) {
+  std::vector<std::string> files;
+  for (const std::string& file : {names.final_state, names.plot}) {
+    std::error_code unknown;
+    if (!file.empty() &&
+        !std::filesystem::equivalent(file, inputs.initial_configuration, unknown) &&
+        !std::filesystem::equivalent(file, inputs.topology.file, unknown))
+      files.push_back(file);
+  }
+  return files;
 }
 
 }  // namespace
@@ -59,6 +74,7 @@ RunFiles::RunFiles(const RunFileNames& names, const Topology& topology, const Co
       steps_per_frame_(static_cast<std::size_t>(
           std::max(1.0, config.output.trajectory_every / config.integrator.step + 1e-9))),
       others_(from == nullptr),
+      last_(last_files(names, config.system)),
       checkpoint_{.identity = identity, .command = provenance.command} {
   if (from) resume(*from);
 }
@@ -77,9 +93,14 @@ void RunFiles::resume(const FoundCheckpoint& from) {
     check_energies(names_.energies, step_errors_, marks.energies);
     reopen(marks);
   }
+  remove_last();
   // The intact one is now the newest: the damaged one must not become the previous one.
   if (!from.note.empty())
     std::filesystem::rename(names_.checkpoints.previous, names_.checkpoints.newest);
+}
+
+void RunFiles::remove_last() const {
+  for (const std::string& file : last_) remove_output(file);
 }
 
 void RunFiles::reopen(const OutputMarks& marks) try {
@@ -117,9 +138,11 @@ OutputMarks RunFiles::marks() {
 }
 
 void RunFiles::checkpoint(RunState at) {
-  if (std::exchange(others_, false))
+  if (std::exchange(others_, false)) {
     for (const std::string& file : {names_.checkpoints.newest, names_.checkpoints.previous})
-      std::filesystem::remove(file);
+      remove_output(file);
+    remove_last();
+  }
   checkpoint_.at = std::move(at);
   if (energies_) checkpoint_.outputs = marks();
   write_checkpoint(names_.checkpoints, checkpoint_,

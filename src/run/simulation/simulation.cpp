@@ -11,6 +11,7 @@
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/output_error.hpp"
 #include "polhode/base/version.hpp"
+#include "polhode/io/draft.hpp"
 #include "polhode/io/gro.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/output_units.hpp"
@@ -360,14 +361,15 @@ void Simulation::note_warnings(const Callbacks& callbacks) const {
 
 RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbacks) {
   resumable_step_.reset();
-  check_prefix(config_.output.prefix);
+  const RunFileNames names(config_.output);
+  check_prefix(config_.output.prefix, names.all());
   const OutputLock lock(config_.output.prefix + "-run.lock", callbacks);
   if (!choose_step(options, callbacks)) return {RunEnd::interrupted_choosing_step, {}};
-  const RunFileNames names(config_.output);
   for (const std::string& file : names.trajectories)
     check_fit(file, system_.state, system_.topology, config_.output.choice());
   check_length(steps());
   auto found = find_checkpoint(names, options, callbacks);
+  remove_drafts(names.all());
   RunFiles files(names, system_.topology, config_,
                  provenance(options.command, config_.text, config_.system.seed), identity(),
                  found ? &*found : nullptr);

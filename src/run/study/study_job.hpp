@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "polhode/base/error.hpp"
+#include "polhode/io/draft.hpp"
 #include "polhode/run/outputs.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
 #include "polhode/run/study/study_report.hpp"
@@ -53,6 +54,7 @@ class StudyJob {
     const OutputLock lock(files_.prefix + "-study.lock", callbacks_);
     // Results of a resumed study are overwritten; those of another one are not.
     if (!std::filesystem::exists(files_.runs)) check_outputs(files_.all(), existing_);
+    remove_drafts(files_.all());
     typename Study::Record record(files_.runs, made_, existing_ == ExistingFiles::replace);
     std::vector<Run> runs = record.known();
     note_begin(workers.threads());
@@ -82,7 +84,7 @@ class StudyJob {
 
  private:
   static const std::string& checked(const std::string& prefix) {
-    check_prefix(prefix);
+    check_prefix(prefix, StudyFiles(prefix).all());
     return prefix;
   }
 

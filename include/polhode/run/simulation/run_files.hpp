@@ -58,6 +58,7 @@ class RunFiles {
   void begin();
   void resume(const FoundCheckpoint& from);
   void reopen(const OutputMarks& marks);
+  void remove_last() const;
   OutputMarks marks();
 
   RunFileNames names_;
@@ -67,8 +68,9 @@ class RunFiles {
   bool step_errors_;
   double interval_;  // between checkpoints [s]
   std::size_t steps_per_frame_;
-  bool others_;            // checkpoints of another run may exist
-  Checkpoint checkpoint_;  // the fields that are the same in all of them
+  bool others_;                    // checkpoints of another run may exist
+  std::vector<std::string> last_;  // files of the end of a run, unless it starts from them
+  Checkpoint checkpoint_;          // the fields that are the same in all of them
   std::optional<EnergyFile> energies_;
   std::vector<std::unique_ptr<FrameWriter>> trajectories_;
   std::size_t next_frame_ = 0;
