@@ -37,14 +37,14 @@ Topology molecules_option(const std::string& text) {
   for (const std::string& word : words(text)) {
     std::istringstream parts(word);
     std::string model;
-    std::size_t count = 0;
+    long long count = 0;  // signed, since streams read "-1" as the largest number without a sign
     parts >> model;
-    if (!(parts >> std::ws).eof() && (!(parts >> count) || !parts.eof() || count == 0))
+    if (!(parts >> std::ws).eof() && (!(parts >> count) || !parts.eof() || count <= 0))
       throw Error(
           fmt::format("--molecules \"{}\": '{}' must be a model and its count; write for "
                       "example \"tip4p 512, na-tip4p-ew 4\"",
                       text, word));
-    topology.parts.push_back({read_molecule(model), count});
+    topology.parts.push_back({read_molecule(model), static_cast<std::size_t>(count)});
   }
   if (topology.parts.empty())
     throw Error("--molecules names no model; write for example \"tip4p 512\"");

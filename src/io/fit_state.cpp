@@ -10,6 +10,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/io/frame.hpp"
 #include "polhode/math/eigen.hpp"
+#include "polhode/model/elements.hpp"
 
 namespace polhode {
 namespace {
@@ -31,6 +32,10 @@ bool matches(std::string_view atom, const Site& site) {
   if (site.mass == 0 && atom.substr(0, 1) == "X" &&
       atom.find_first_not_of("0123456789", 1) == atom.npos)
     return true;
+  // "T1" there, for a mass of no element: that of a united atom
+  if (atom.substr(0, 1) == "T" && atom.size() > 1 && element_of_mass(site.mass).empty() &&
+      atom.find_first_not_of("0123456789", 1) == atom.npos)
+    return site.mass > 0;
   while (!atom.empty() && std::isdigit(static_cast<unsigned char>(atom.front())))
     atom.remove_prefix(1);
   return begins_with(atom, site.mass > 0 ? std::string_view(site.element)

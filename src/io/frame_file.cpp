@@ -186,6 +186,11 @@ const Format& format_of(const std::string& path) {
 std::unique_ptr<FrameReader> open_frames(const std::string& path, const Frame* names) {
   const Format& format = format_of(path);
   open_text_file(path);  // throws a precise error if the file cannot be opened
+  std::error_code unknown;
+  if (std::filesystem::is_regular_file(path, unknown) && std::filesystem::is_empty(path, unknown))
+    throw Error(
+        "the file is empty; its first frame must be here: give a file that was written completely",
+        path + ":1");
   if (format.open != nullptr) return with_names(format.open(path), format, names);
   return with_names(std::make_unique<FileReader>(path, format.read), format, names);
 }

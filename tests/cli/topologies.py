@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import sandbox
-from sandbox import Sandbox, edited
+from sandbox import SMALL, Sandbox, edited
 
 MANUAL = Path(__file__).resolve().parents[2] / "docs/manual"
 GROMACS = '[system]\ntopology = "topol.top"\ninitial_configuration = "conf.gro"\n[forces]\nelectrostatics = "pme"\ncutoff = "0.9 nm"\n'
@@ -79,6 +79,29 @@ class Topologies(Sandbox):
         self.refused(text, "does not give the mixing rule for unlike sites", "water.data")
         log = self.done("energy", text + 'mixing = "geometric"\n').err
         self.assertIn("Lennard-Jones: geometric mixing\n", log)
+
+    def test_exports_of_united_atoms_are_read_back(self):
+        """Their masses are those of no element, or of another one; the exported file names the sites."""
+        for model, name in (("methylhydrazine", "CH3NHNH2"), ("cf4-mie", "CF4")):
+            run = edited(SMALL, ('"argon"', f'"{model}"'), ('box = "2.5 nm"', 'box = "4 nm"'),
+                         ('cutoff = "1.0 nm"', 'cutoff = "1.0 nm"\ntruncation = "site-switch"\nmixing = "lorentz-berthelot"'))
+            self.write("run.toml", run)
+            process = self.polhode("export", "lammps", "run.toml", "--force")
+            self.assertEqual(process.returncode, 0, process.err)
+            exported = (self.folder / "out.data").read_text()
+            whole = json.loads(self.done("energy", run, "--json").out)
+            start = edited(run, ('box = "4 nm"', 'initial_configuration = "out.data"'))
+            without_names = "\n".join(line.partition("#")[0] if "Coeffs" not in line else line for line in exported.splitlines())
+            own_topology = re.sub("molecules = .*\n", "", start)
+            for data, text in ((exported, start), (exported, own_topology), (without_names, start), (without_names, own_topology)):
+                self.write("out.data", data)
+                process = self.done("energy", text, "--json")
+                self.assertAlmostEqual(json.loads(process.out)["potential_kJ_per_mol"], whole["potential_kJ_per_mol"], delta=1e-7 * abs(whole["potential_kJ_per_mol"]) + 1e-12)
+                if (data, text) == (exported, own_topology):
+                    self.assertIn(f"{name}: 27 of", process.err)
+            self.write("out.data", exported)
+            self.assertEqual(self.polhode("convert", "out.data", f"{model}.xyz").returncode, 0)
+            self.assertNotIn("\nX ", (self.folder / f"{model}.xyz").read_text())
 
 
 if __name__ == "__main__":

@@ -272,3 +272,16 @@ TEST_CASE("a truncated or changed file gives an error or frames, nothing else") 
     CHECK(errors > 0);
   }
 }
+
+TEST_CASE("keys of an XYZ comment that occur twice are refused") {
+  const std::string atom = "O 1 2 3\n", box = "Lattice=\"10 0 0 0 20 0 0 0 30\"";
+  const auto read = [&](const std::string& comment) {
+    std::istringstream in("1\n" + comment + "\n" + atom);
+    Frame frame;
+    return read_frames(in, "xyz", "a.xyz")->next(frame);
+  };
+  CHECK(read(box + " Time=1 note=a note=b"));
+  check_error([&] { read(box + " lattice=\"11 0 0 0 20 0 0 0 30\""); },
+              {"Lattice twice", "delete the one", "a.xyz:2"});
+  check_error([&] { read(box + " Time=1 time=2"); }, {"Time twice"});
+}

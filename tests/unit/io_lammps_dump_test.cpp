@@ -29,6 +29,11 @@ std::vector<Frame> frames_of(const std::string& text) {
   return frames;
 }
 
+/// @param by  the columns or the atoms in place of those of the good file
+std::string edited_dump(const std::string& from, const std::string& by) {
+  return replaced(good, from, by);
+}
+
 void check_near(const Vec3<double>& a, const Vec3<double>& b) { CHECK(norm(a - b) < 1e-14); }
 
 // The particles of a state as 'dump custom' writes them, in units real, in the reverse order of
@@ -159,4 +164,14 @@ TEST_CASE("wrong dump files of particles") {
       },
       {"2 particles, and the run file 3"});
   check_error([&] { open_particle_frames("run.xtc", topology); }, {"no dump file of LAMMPS"});
+}
+
+TEST_CASE("ids that occur twice and incomplete vectors are refused") {
+  check_error([] { frames_of(edited_dump("2 1 3 X 9", "1 1 3 X 9")); },
+              {"two atoms with the id 1", "ids must differ", "run.dump:"});
+  check_error([] { frames_of(edited_dump("vx vy vz", "vx vy fz")); },
+              {"velocities have 2 of three components", "vx, vy and vz", "run.dump:13"});
+  check_error([] { frames_of(edited_dump("vx vy vz", "vx vy vx")); }, {"two columns vx"});
+  check_error([] { frames_of(edited_dump("id mol type", "id mol id")); }, {"two columns id"});
+  CHECK_FALSE(frames_of(edited_dump("vx vy vz", "fx fy fz")).front().has_velocities);
 }

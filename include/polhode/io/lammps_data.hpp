@@ -20,6 +20,7 @@ namespace polhode {
 struct LammpsData {
   struct AtomType {
     double mass = 0;                ///< [u]
+    std::string site;               ///< the name that an export writes behind the mass, or empty
     double sigma = 0, epsilon = 0;  ///< [nm], [kJ/mol]
     ShortRangeLaw law{};
     bool has_pair_coefficients = false;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "../lammps/unit_styles.hpp"
 #include "atom_kinds.hpp"
@@ -145,29 +146,45 @@ class LammpsDumpReader : public FrameReader {
     }
   }
 
+  // A vector has all its components, or none.
+  void check_complete(const std::array<bool, 3>& met, const char* what, const char* names) const {
+    const auto count = std::count(met.begin(), met.end(), true);
+    if (count != 0 && count != 3)
+      lines_.refuse(
+          fmt::format("the {} have {} of three components; the columns must be {}, or none of them",
+                      what, count, names));
+  }
+
   void set_columns(std::string_view names) {
     using What = DumpColumn::What;
     columns_.clear();
-    std::array<bool, 3> position{};
-    std::size_t velocities = 0, attitudes = 0, angular_momenta = 0;
+    std::array<bool, 3> position{}, velocity{}, angular_momentum{};
+    std::array<bool, 4> attitude{};
     has_ids_ = false;
+    const auto take = [&](auto& met, std::size_t d, std::string_view name) {
+      if (std::exchange(met[d], true))
+        lines_.refuse(fmt::format("there are two columns {}; delete one of them", name));
+    };
     for (auto name = take_word(names); !name.empty(); name = take_word(names)) {
       columns_.push_back(column(name));
       const DumpColumn& c = columns_.back();
-      has_ids_ = has_ids_ || c.what == What::id;
-      velocities += c.what == What::velocity ? 1 : 0;
-      attitudes += c.what == What::attitude ? 1 : 0;
-      angular_momenta += c.what == What::angular_momentum ? 1 : 0;
+      if (c.what == What::id && std::exchange(has_ids_, true))
+        lines_.refuse("there are two columns id; delete one of them");
+      if (c.what == What::velocity) take(velocity, c.d, name);
+      if (c.what == What::attitude) take(attitude, c.d, name);
+      if (c.what == What::angular_momentum) take(angular_momentum, c.d, name);
       if (c.what == What::position || c.what == What::scaled) position[c.d] = true;
     }
+    check_complete(velocity, "velocities", "vx, vy and vz");
+    check_complete(angular_momentum, "angular momenta", "d2_angular_momentum[1] to [3]");
     for (std::size_t d = 0; d < 3; ++d)
       if (!position[d])
         lines_.refuse(
             fmt::format("the atoms have no coordinate {0}; a column must be {0}, {0}u, "
                         "{0}s or {0}su",
                         "xyz"[d]));
-    has_velocities_ = velocities == 3 && (!topology_ || angular_momenta == 3);
-    if (topology_ && attitudes != 4)
+    has_velocities_ = velocity[0] && (!topology_ || angular_momentum[0]);
+    if (topology_ && !(attitude[0] && attitude[1] && attitude[2] && attitude[3]))
       lines_.refuse(
           "particles have attitudes, in the columns d2_attitude[1] to d2_attitude[4] of 'dump "
           "custom'");
@@ -264,6 +281,12 @@ class LammpsDumpReader : public FrameReader {
     for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
     std::stable_sort(order_.begin(), order_.end(),
                      [&](std::size_t a, std::size_t b) { return ids_[a] < ids_[b]; });
+    for (std::size_t k = 1; k < order_.size(); ++k)
+      if (const int id = ids_[order_[k]]; id == ids_[order_[k - 1]])
+        lines_.refuse(fmt::format(
+            "the frame that ends here has two atoms with the id {}; ids must differ, since atoms "
+            "are sorted by them",
+            id));
     const auto sort = [&](auto& items) {
       auto sorted = items;
       for (std::size_t k = 0; k < order_.size(); ++k) sorted[k] = items[order_[k]];

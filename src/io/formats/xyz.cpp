@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <initializer_list>
+#include <utility>
 
 #include "atom_kinds.hpp"
 #include "format.hpp"
@@ -124,7 +125,9 @@ class XyzReader : public FrameReader {
     // A line without Properties is plain: an element and x y z.
     properties_ = {{Property::What::species, 1}, {Property::What::position, 3}};
     std::string_view rest = lines_.next([] { return "the comment line with the Lattice"; });
+    std::array<bool, 4> met{};
     while (const auto pair = take_pair(rest)) {
+      refuse_second(pair->key, met);
       if (same_word(pair->key, "lattice")) frame.box = lattice(pair->value);
       if (same_word(pair->key, "properties")) properties_ = columns(pair->value);
       if (same_word(pair->key, "time")) frame.time = lines_.number(pair->value, "Time");
@@ -140,6 +143,15 @@ class XyzReader : public FrameReader {
       if (!has(what))
         lines_.refuse(
             fmt::format("the Properties do not contain {}, which every atom must have", name));
+  }
+
+  // Which of two values applies cannot be known.
+  void refuse_second(std::string_view key, std::array<bool, 4>& met) const {
+    constexpr std::array<std::string_view, 4> once = {"Lattice", "Properties", "Time", "pbc"};
+    for (std::size_t k = 0; k < once.size(); ++k)
+      if (same_word(key, once[k]) && std::exchange(met[k], true))
+        lines_.refuse(
+            fmt::format("the comment line has {} twice; delete the one that is wrong", once[k]));
   }
 
   bool has(Property::What what) const {

@@ -9,7 +9,6 @@
 #include "kinds.hpp"
 #include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/model/elements.hpp"
 
 namespace polhode {
 namespace {
@@ -86,8 +85,8 @@ Frame frame_of(const LammpsData& data, AtomOrder order) {
     const auto first_kind = static_cast<std::uint32_t>(frame.kinds.size());
     const std::size_t size = kind.sites.size();
     for (std::size_t k = 0; k < size; ++k)
-      frame.kinds.push_back({kind.name, kind.sites[k],
-                             element_of_mass(data.types.at(data.atoms[kind.first + k].type).mass)});
+      frame.kinds.push_back(
+          {kind.name, kind.sites[k], element_of(data.types.at(data.atoms[kind.first + k].type))});
     for (std::size_t k = 0; k < kind.count * size; ++k) {
       if (k % size == 0) ++residue;
       const LammpsData::Atom& atom = data.atoms[kind.first + k];
@@ -110,7 +109,7 @@ RigidTopology rigid_topology(const LammpsData& data) {
     for (std::size_t k = 0; k < kind.sites.size(); ++k) {
       const LammpsData::Atom& atom = data.atoms[kind.first + k];
       const LammpsData::AtomType& type = data.types.at(atom.type);
-      sites.push_back({kind.sites[k], element_of_mass(type.mass), shape[k], type.mass, atom.charge,
+      sites.push_back({kind.sites[k], element_of(type), shape[k], type.mass, atom.charge,
                        type.sigma, type.epsilon, type.law});
       typed.push_back(
           {kind.name + '.' + kind.sites[k], std::to_string(atom.type), type.epsilon, type.law});

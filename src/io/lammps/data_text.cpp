@@ -63,6 +63,7 @@ class Parser {
   std::string_view rest_;
   std::shared_ptr<const std::string> file_;
   std::size_t line_ = 0;
+  std::string_view comment_;  // of the line
   Reader reader_ = &Parser::header;
   std::string section_ = "header";
   std::optional<std::int64_t> atoms_;
@@ -185,7 +186,10 @@ void Parser::mass(const FieldLine& line) {
   line.require(2, "atom type and mass");
   const double mass = line.number(1, "mass");
   if (mass <= 0) line.refuse(fmt::format("the mass is {} u; it must be above 0 u", mass));
-  data_.types[type(line, 0)].mass = mass;
+  LammpsData::AtomType& t = data_.types[type(line, 0)];
+  t.mass = mass;
+  if (const auto point = comment_.rfind('.'); point != comment_.npos)
+    t.site = comment_.substr(point + 1);  // "tip4p.HW1" in files that this program writes
 }
 
 // The law in the fields from k on: that of the pair style, Lennard-Jones if none is given.
@@ -311,6 +315,7 @@ LammpsData Parser::result() {
   while (const auto line = next()) {
     const auto& [text, comment] = *line;
     if (text.empty()) continue;
+    comment_ = comment;
     if (std::isupper(static_cast<unsigned char>(text.front())))
       begin(text, comment);
     else

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/suggest.hpp"
 #include "polhode/model/elements.hpp"
 
 namespace polhode {
@@ -37,10 +38,11 @@ bool alike(std::span<const DataAtom> a, std::span<const DataAtom> b, const Box& 
 }
 
 std::string symbol(const LammpsData& data, const DataAtom& atom) {
-  const double mass = data.types.at(atom.type).mass;
-  if (mass == 0) return "X";
-  const std::string element = element_of_mass(mass);
-  return element.empty() ? fmt::format("T{}", atom.type) : element;
+  const LammpsData::AtomType& type = data.types.at(atom.type);
+  if (type.mass == 0) return "X";
+  const std::string element = element_of(type);
+  if (!element.empty()) return element;
+  return type.site.empty() ? fmt::format("T{}", atom.type) : type.site;
 }
 
 // "OH2" of O, H, H; sites "O", "H1", "H2".
@@ -98,6 +100,13 @@ void sort_into_kinds(LammpsData& data) {
     sorted.insert(sorted.end(), body.atoms.begin(), body.atoms.end());
   }
   atoms = std::move(sorted);
+}
+
+std::string element_of(const LammpsData::AtomType& type) {
+  std::string element = element_of_mass(type.mass);
+  const bool agrees =
+      type.site.empty() || same_letters(type.site.substr(0, element.size()), element);
+  return agrees ? element : "";
 }
 
 Shape shape_of(const LammpsData& data, const Kind& kind, std::size_t copy) {

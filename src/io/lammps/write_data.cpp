@@ -4,7 +4,9 @@
 #include <fmt/ostream.h>
 
 #include <algorithm>
+#include <optional>
 #include <ostream>
+#include <variant>
 
 #include "polhode/io/frame.hpp"
 #include "polhode/io/lammps_export.hpp"
@@ -43,18 +45,31 @@ Vec3<double> in_real_units(const Vec3<double>& v) {
   return v / (unit("A", Dimension::length) / unit("fs", Dimension::time));
 }
 
+/// The exponents of a Lennard-Jones or Mie law; none of others.
+std::optional<MieLaw> exponents(const ShortRangeLaw& law) {
+  if (std::holds_alternative<LennardJonesLaw>(law)) return MieLaw{};
+  if (const auto* const mie = std::get_if<MieLaw>(&law)) return *mie;
+  return std::nullopt;
+}
+
+/// Where all types have laws of one pair style.
 void write_pair_coefficients(std::ostream& out, const LammpsTypes& types) {
   const auto& all = types.types();
-  if (!std::all_of(all.begin(), all.end(), [](const LammpsTypes::Type& type) {
-        return std::holds_alternative<LennardJonesLaw>(type.site.law);
-      }))
-    return;
-  fmt::print(out, "\nPair Coeffs # lj/cut\n\n");
+  bool is_mie = false;
+  for (const LammpsTypes::Type& type : all) {
+    if (!exponents(type.site.law)) return;
+    is_mie = is_mie || std::holds_alternative<MieLaw>(type.site.law);
+  }
+  fmt::print(out, "\nPair Coeffs # {}\n\n", is_mie ? "mie/cut" : "lj/cut");
   int number = 0;
-  for (const LammpsTypes::Type& type : all)
-    fmt::print(out, "{} {:.17g} {:.17g} # {}\n", ++number,
+  for (const LammpsTypes::Type& type : all) {
+    fmt::print(out, "{} {:.17g} {:.17g}", ++number,
                type.site.epsilon / unit("kcal/mol", Dimension::energy),
-               type.site.sigma / unit("A", Dimension::length), type.name);
+               type.site.sigma / unit("A", Dimension::length));
+    const MieLaw law = *exponents(type.site.law);
+    if (is_mie) fmt::print(out, " {:.17g} {:.17g}", law.n, law.m);
+    fmt::print(out, " # {}\n", type.name);
+  }
 }
 
 }  // namespace
