@@ -4,11 +4,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
+#include "polhode/model/elements.hpp"
 #include "short_range_keys.hpp"
 #include "text_file.hpp"
 
@@ -27,10 +29,26 @@ std::string required_text(TomlTable& table, std::string_view key, std::string_vi
   return *value;
 }
 
+/// Refuses one of two keys that have a meaning only together.
+void require_other(TomlTable& table, double value, const char* key, const char* other,
+                   const char* example) {
+  table.require(value == 0 || table.has(other), key,
+                fmt::format("has no effect without {0}; write for example {0} = \"{1}\", or leave "
+                            "both out",
+                            other, example));
+}
+
 Site read_site(TomlTable table, const std::string& file) {
   Site site;
   site.name = required_text(table, "name", "OW");
   site.element = table.text("element").value_or("");
+  if (!site.element.empty() && !is_element(site.element))
+    table.refuse(
+        "element",
+        fmt::format("is no chemical element{}; coordinate files need its symbol, such as O, "
+                    "also for united atoms (C for CH3); leave it out if the site has no "
+                    "mass",
+                    did_you_mean(site.element, element_symbols())));
   const auto position = table.vector("position", Dimension::length);
   if (!position)
     table.refuse("position", fmt::format("site '{}' has no position; write for example "
@@ -43,6 +61,10 @@ Site read_site(TomlTable table, const std::string& file) {
   const ShortRangeKeys keys = read_short_range(table, LawOwner::site, file);
   site.sigma = keys.sigma, site.epsilon = keys.epsilon, site.law = keys.law;
   table.refuse_unknown();
+  if (std::holds_alternative<LennardJonesLaw>(site.law)) {
+    require_other(table, site.sigma, "sigma", "epsilon", "0.8 kJ/mol");
+    require_other(table, site.epsilon, "epsilon", "sigma", "0.33 nm");
+  }
   if (site.mass > 0 && site.element.empty())
     table.refuse("element", fmt::format("site '{}' has mass but no element, which coordinate files "
                                         "need; write for example element = \"O\"",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/model/elements.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -44,5 +45,12 @@ std::string element_of_mass(double mass) {
     if (std::abs(masses[k] - mass) < std::abs(masses[nearest] - mass)) nearest = k;
   return std::abs(masses[nearest] - mass) <= 0.1 ? symbols[nearest] : "";
 }
+
+bool is_element(std::string_view symbol) {
+  return symbol == "D" || symbol == "T" ||
+         std::find(symbols.begin(), symbols.end(), symbol) != symbols.end();
+}
+
+std::vector<std::string> element_symbols() { return {symbols.begin(), symbols.end()}; }
 
 }  // namespace polhode

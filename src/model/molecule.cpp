@@ -37,6 +37,20 @@ void check(const Site& site, const std::string& molecule) {
   }
 }
 
+// Two mass points at one place are a copied line, or positions that were left out; a charge or a
+// short-range law without mass may well be at the place of another site.
+void check_apart(const std::vector<Site>& sites, const std::string& molecule) {
+  constexpr double same_place = 1e-3;  // [nm]: a hundredth of a bond
+  for (std::size_t k = 1; k < sites.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      if (sites[i].mass > 0 && sites[k].mass > 0 &&
+          norm2(sites[i].r - sites[k].r) < same_place * same_place)
+        throw Error("molecule '" + molecule + "': the sites '" + sites[i].name + "' and '" +
+                    sites[k].name +
+                    "' have mass and are at one place; correct the position of one of them, or "
+                    "make one site of both");
+}
+
 // `rounding` is an upper bound of the moments that a single mass point has due to rounding.
 Top kind(Vec3<double>& J, double rounding) {
   const double tiny = same_moment * J.z;
@@ -115,6 +129,7 @@ Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
                 " sites; a rigid molecule may have " + std::to_string(max_sites) +
                 " at most, so divide it, or check the molecule");
   check_name("a molecule", name);
+  check_apart(sites, name);
   Molecule molecule;
   Vec3<double> centre{};
   double far = 0;  // Σ m r² before the centre is known
