@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // polhode: the first word is a verb; errors become messages and exit codes.
 #include <fmt/core.h>
+#include <unistd.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/version.hpp"
 #include "streams.hpp"
+#include "terminal.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -83,8 +86,7 @@ Error parse_error(const CLI::ParseError& e, const CLI::App& app) {
 /// The arguments; those of `help VERB` as those of `VERB --help`.
 std::vector<std::string> arguments(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
-  if (words.empty()) words = {"--help"};
-  if (words[0] == "help") {
+  if (!words.empty() && words[0] == "help") {
     words.erase(words.begin());
     words.resize(std::min<std::size_t>(words.size(), 1));
     words.emplace_back("--help");
@@ -93,8 +95,12 @@ std::vector<std::string> arguments(int argc, char** argv) {
 }
 
 int run(std::vector<std::string> words) {
+  if (words.empty()) {  // a script whose verb is missing must not succeed
+    log("{}", fit_to_terminal(overview(), STDERR_FILENO));
+    return 2;
+  }
   if (words[0] == "-h" || words[0] == "--help") {
-    fmt::print("{}", overview());
+    fmt::print("{}", fit_to_terminal(overview(), STDOUT_FILENO));
     return 0;
   }
   CLI::App app{"polhode", "polhode"};
@@ -112,7 +118,12 @@ int run(std::vector<std::string> words) {
     std::reverse(words.begin(), words.end());  // the parser takes them from the back
     app.parse(std::move(words));
   } catch (const CLI::ParseError& e) {
-    if (e.get_exit_code() == 0) return app.exit(e);  // help, version
+    if (e.get_exit_code() == 0) {  // help, version
+      std::ostringstream text;
+      const int code = app.exit(e, text, text);
+      fmt::print("{}", fit_to_terminal(text.str(), STDOUT_FILENO));
+      return code;
+    }
     throw parse_error(e, app);
   }
   for (const auto& [command, action] : actions)
