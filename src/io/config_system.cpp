@@ -85,6 +85,12 @@ Vec3<double> read_box(TomlTable& table) {
 void read_extent(TomlTable& table, SystemSettings& system) {
   system.density = table.quantity("density", Dimension::density);
   table.require(system.density.value_or(1) > 0, "density", "must be above 0 g/cm3");
+  const double osmium = 22.6;  // [g/cm3], the densest element
+  table.require(
+      system.density.value_or(1) <= osmium * unit("g/cm3", Dimension::density), "density",
+      fmt::format("is more than {:g} g/cm3, the density of osmium, the densest element; is it in "
+                  "kg/m3? Water has 1 g/cm3",
+                  osmium));
   if (table.has("box")) system.box = read_box(table);
   if (system.box)
     table.require(std::min({system.box->x, system.box->y, system.box->z}) > 0, "box",

@@ -64,7 +64,7 @@ void Draft::create_named() {
     file_ = ::open(draft_.c_str(), O_CREAT | O_EXCL | O_RDWR | O_CLOEXEC, 0666);
   } while (file_ < 0 && errno == EEXIST);
   if (file_ < 0) throw Error(cannot_write(path_, errno));
-  ::close(std::exchange(file_, -1));  // its writer may create it anew
+  ::close(std::exchange(file_, -1));  // its writer may create it again
   has_name_ = true;
 }
 
@@ -114,12 +114,12 @@ Draft::~Draft() {
 void check_length_of_name(const std::string& path) {
   const std::size_t length = std::filesystem::path(path).filename().string().size();
   const long limit = ::pathconf(folder_of(path).c_str(), _PC_NAME_MAX);
-  const std::size_t longest = (limit > 0 ? static_cast<std::size_t>(limit) : 255) - longer;
-  if (length > longest)
+  const std::size_t max_length = (limit > 0 ? static_cast<std::size_t>(limit) : 255) - longer;
+  if (length > max_length)
     throw Error(fmt::format(
         "the name of the output '{}' has {} bytes; it can have {}, as unfinished files have {} "
         "more; choose a shorter name",
-        path, length, longest, longer));
+        path, length, max_length, longer));
 }
 
 void remove_drafts(const std::vector<std::string>& files) {

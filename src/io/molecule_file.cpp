@@ -8,6 +8,7 @@
 
 #include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/model/elements.hpp"
@@ -42,6 +43,11 @@ Site read_site(TomlTable table, const std::string& file) {
   Site site;
   site.name = required_text(table, "name", "OW");
   site.element = table.text("element").value_or("");
+  try {
+    check_name("the element of site '" + site.name + "'", site.element);
+  } catch (const Error& e) {
+    throw e.at(table.where("element"));
+  }
   if (!site.element.empty() && !is_element(site.element))
     table.refuse(
         "element",

@@ -69,6 +69,12 @@ std::string toml_complaint(const std::string& what) {
       return fmt::format("{} occurs twice, and only one of the two can apply; delete one of them",
                          what.substr(open, close - open + 1));
   }
+  // Control characters are refused before, so that this one is the end of the line.
+  if (what.find("parsing string") != what.npos &&
+      (what.find("control characters") != what.npos || what.find("end-of-file") != what.npos))
+    return "the text is not TOML: a text in quotes has no end on this line; close it with a "
+           "quotation mark, as in step = "
+           "\"2 fs\"";
   return fmt::format(
       "the text is not TOML: {}; quantities are written in quotes, as in step = \"2 fs\"",
       uncapitalized(what));

@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import unittest
 
 import sandbox
@@ -233,7 +234,7 @@ class BadInput(Sandbox):
 
     def test_length_shorter_than_a_step(self):
         self.write("run.toml", edited(SMALL, ('"0.02 ps"\n\n[output]', '"1.5 fs"\n\n[output]')))
-        self.refused(("run", "run.toml"), ["1.5 fs", "2 fs", "one step"], "length")
+        self.refused(("run", "run.toml"), ["1.5 fs", "2 fs", "shorter step"], "length")
 
     def test_nested_schemes_where_error_brackets_are_needed(self):
         nested = ('"hoa2"', '"hoa2 / hoa2 x 1 within 0.5 nm"')
@@ -279,8 +280,43 @@ class BadInput(Sandbox):
                                       ('"0.02 ps"\n\n[output]', '"400 ps"\n\n[output]')))
         process = self.polhode("run", "run.toml")
         self.assertEqual(process.returncode, 1, process.err)
-        for word in ("blew up at step", " ps): ", "(argon) are ", "nm apart, between Ar and Ar", "400 fs", "try 200 fs, or"):
+        for word in ("blew up at step", " ps): ", "(argon) are ", "nm apart, between Ar and Ar", "400 fs", "try ", " fs, or equilibrate"):
             self.assertIn(word, process.err)
+
+    def test_the_step_of_the_warning_is_the_one_of_the_error(self):
+        """However far beyond the limit."""
+        dense = edited(SMALL, ("count = 27", "count = 200"), ('"0.02 ps"\n\n[output]', '"0.02 ps"\nequilibrate = "1 ps"\n\n[output]'))
+        for step in ("500 fs", "1 ps", "5 ps"):
+            self.write("run.toml", edited(dense, ('"2 fs"\n\n', f'"{step}"\n\n'), ('length = "0.02 ps"\nequil', 'length = "2000 ps"\nequil')))
+            process = self.polhode("run", "run.toml", "--force")
+            self.assertEqual(process.returncode, 1, process.err)
+            warned = re.search(r"use at most (\S+ fs)", process.err)[1]
+            self.assertIn(f"try {warned}, or equilibrate", process.err)
+
+    def test_a_lattice_that_overlaps(self):
+        """It is refused with two molecules and a density at which it fits; minimised or equilibrated it runs."""
+        dense = edited(SMALL, ('{ model = "argon", count = 27 }', '{ model = "ccl4", count = 108 }'), ('box = "2.5 nm"', 'density = "2 g/cm3"'))
+        self.write("run.toml", dense)
+        before = self.contents()
+        process = self.polhode("run", "run.toml")
+        self.assertEqual(process.returncode, 2, process.err)
+        self.assertRegex(process.err, r"overlap on the lattice of 2 g/cm3: molecules \d+ \(ccl4\) and \d+ \(ccl4\) are 0\.\d+ nm apart")
+        self.assertEqual(self.contents(), before)
+        fits = re.search(r"a density of (\S+ g/cm3), at which", process.err)[1]
+        self.done("run", edited(dense, ('"2 g/cm3"', f'"{fits}"')), "--force")
+        self.done("run", edited(dense, ('length = "0.02 ps"\n\n[output]', 'length = "0.02 ps"\nminimise = true\n\n[output]')), "--force")
+
+    def test_a_start_almost_at_rest_is_no_blow_up(self):
+        """Errors of the energy are no larger than what the potential energy sets free."""
+        for temperature in ("1e-9 K", "1e-15 K"):
+            for precision in ("double", "mixed"):
+                text = edited(SMALL, ('"100 K"', f'"{temperature}"'), ("count = 27", "count = 100"), ('"0.02 ps"\n\n[output]', '"10 ps"\n\n[output]'),
+                              ('"2 fs"\n\n', '"5 fs"\n\n'))
+                self.done("run", text, "--force", "--precision", precision)
+        self.write("run.toml", edited(text, ('"5 fs"\n\n', '"300 fs"\n\n'), ('"10 ps"', '"1000 ps"')))
+        process = self.polhode("run", "run.toml", "--force")
+        self.assertEqual(process.returncode, 1, process.err)
+        self.assertIn("blew up", process.err)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Help, run files to start from, options of a run, progress in logs, and numbers with as many digits as they have."""
 
+import fcntl
 import json
+import os
+import pty
 import re
+import struct
+import subprocess
+import termios
 import time
 import unittest
 
@@ -75,9 +81,11 @@ class FirstSteps(Sandbox):
 
     def test_help(self):
         """Without a verb there is a short list of verbs in groups with examples; help of a verb is its --help."""
-        overview = self.text()
-        for words in (("help",), ("--help",), ("-h",)):
+        overview = self.text("help")
+        for words in (("--help",), ("-h",)):
             self.assertEqual(self.text(*words), overview)
+        process = self.polhode()
+        self.assertEqual((process.returncode, process.out, process.err), (2, "", overview))
         self.assertLess(len(overview.splitlines()), 36)  # a screen
         for word in ("simulate", "choose a scheme and a step", "look up", "examples", "polhode new water", "polhode help VERB"):
             self.assertIn(word, overview)
@@ -88,6 +96,34 @@ class FirstSteps(Sandbox):
         self.refused(("help", "stdy"), ["'stdy'", "'study'"])
         self.assertRegex(self.text("-V"), r"^polhode \d+\.\d+")
         self.assertEqual(self.text("-V"), self.text("--version"))
+
+    def on_terminal(self, columns, *arguments):
+        """What `polhode ARGUMENTS` prints on a terminal of this width."""
+        ours, its = pty.openpty()
+        fcntl.ioctl(its, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
+        environment = {name: value for name, value in os.environ.items() if name != "COLUMNS"}
+        with subprocess.Popen([sandbox.PROGRAM, *arguments], stdin=its, stdout=its, stderr=its, env=environment) as process:
+            os.close(its)
+            text = b""
+            try:
+                while part := os.read(ours, 4096):
+                    text += part
+            except OSError:  # how Linux shows the end
+                pass
+        os.close(ours)
+        return text.decode().replace("\r\n", "\n")
+
+    def test_help_has_the_width_of_the_terminal(self):
+        for words in (("help",), ("run", "--help"), ("analyze", "--help"), ("verify", "--help")):
+            whole = self.text(*words)
+            for columns in (50, 80, 132):
+                for text in (self.on_terminal(columns, *words), self.polhode(*words, COLUMNS=str(columns)).out):
+                    self.assertEqual(text.split(), whole.split())
+                    self.assertLessEqual(max(map(len, text.splitlines())), columns, text)
+            # Meanings stay in their column, and lines that fit stay as they are.
+            self.assertEqual(self.on_terminal(1000, *words), whole)
+        narrow = self.on_terminal(60, "run", "--help")
+        self.assertRegex(narrow, r"(?m)^  --scheme TEXT {14} *a name.*\n {30}\S")
 
     def test_options_that_do_not_exist(self):
         self.write("run.toml", SMALL)

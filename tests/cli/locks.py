@@ -129,7 +129,7 @@ class Locks(Sandbox):
     def test_outputs_that_are_links(self):
         """Links to the files of a running process, and one to nothing: they exist, --force replaces them, and their targets stay."""
         self.write("run.toml", LONG)
-        self.write("linked.toml", edited(RUN, ('prefix = "out"', 'prefix = "linked"\nformats = ["gro", "h5md"]'),
+        self.write("linked.toml", edited(RUN, ('prefix = "out"', 'prefix = "linked"\nformats = ["xyz", "gro", "h5md"]'),
                                          ('plot = "none"', 'plot = "svg"')))
         holder = self.holding_frames()
         names = [path.name for path in self.folder.glob("out-*") if not path.name.endswith(".lock")]

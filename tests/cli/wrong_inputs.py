@@ -28,11 +28,29 @@ TILTED = """LAMMPS data file
 0 5 zlo zhi
 1 0 0 xy xz yz
 """
+OWN = """name = "own"
+source = "user"
+[[site]]
+name = "C1"
+element = "C"
+position = "0 0 0 nm"
+LINE
+[[site]]
+name = "C2"
+element = "C"
+position = "0.152 0 0 nm"
+mass = "12 u"
+"""
 RUN = ("run", "run.toml")
 
 
 def system(*changes):
     return edited(SMALL, *changes)
+
+
+def own(line):
+    """The small run file with a molecule of its own, of two atoms, the first with this line."""
+    return system(('model = "argon"', 'model = "own.toml"')) + "### own.toml\n" + OWN.replace("LINE", line)
 
 
 def scheme(text):
@@ -128,6 +146,19 @@ CASES = [
      ["none.gro", "w512", "run.toml:3"]),
     ("a tilted box of LAMMPS", system(('box = "2.5 nm"', 'initial_configuration = "tilted.data"'), ("count = 27", "count = 2")), RUN,
      ["triclinic", "orthorhombic", "'region box block'", "tilted.data:7"]),
+    ("an empty initial configuration", system(('box = "2.5 nm"', 'initial_configuration = "empty.gro"')), RUN, ["is empty", "first frame", "empty.gro:1"]),
+    # units and molecules
+    ("a quotation mark that is missing", system(('"1.0 nm"', '"1.0 nm')), RUN, ["no end on this line", "quotation mark", "run.toml:7"]),
+    ("a density in another unit", system(('box = "2.5 nm"', 'density = "1000 g/cm3"')), RUN, ["1000 g/cm3", "22.6 g/cm3", "kg/m3", "system.density"]),
+    ("a step longer than the run", SMALL, (*RUN, "--step", "1e30 fs"), ["the step of 1e+30 fs is longer than the length of 20 fs", "shorter step"]),
+    ("a diameter without a depth", own('sigma = "0.34 nm"'), RUN, ["sigma", "no effect without epsilon", "site[0].sigma"]),
+    ("a depth without a diameter", own('epsilon = "1 kJ/mol"'), RUN, ["epsilon", "no effect without sigma", "site[0].epsilon"]),
+    ("an element that does not exist", own('mass = "2 u"').replace('element = "C"', 'element = "Xx"'), RUN, ['"Xx"', "no chemical element", "site[0].element"]),
+    ("two atoms at one place", own('mass = "2 u"').replace("0.152 0", "0 0"), RUN, ["'C1' and 'C2'", "one place"]),
+    ("molecules in angstrom that overlap", own('mass = "2 u"').replace("0.152 0", "1.52 0").replace("count = 27", "count = 4000"), RUN,
+     ["overlap", "'C1' is 1.52 nm from", "at most 0.6 nm", "write A instead of nm"]),
+    ("the order of a scheme with a bath", "", ("verify", "B(1/2) A(1/2) O(1) A(1/2) B(1/2)"), ["has a bath O", "without its stages O"]),
+    ("a negative count", SMALL, ("analyze", "start.gro", "--molecules", "argon -32"), ["'argon -32'", "a model and its count"]),
     # schemes
     ("a scheme with a missing bracket", scheme("B(1/2) A(1 B(1/2)"), RUN, ["'B(1/2)'", "character 12", "')'"]),
     ("a scheme whose kicks do not sum to one", scheme("B(1/2) A(1) B(1/3)"), RUN, ["0.8333", "sum to 1"]),
@@ -194,7 +225,10 @@ class WrongInputs(Sandbox):
         self.write("tilted.data", TILTED)
         for name in ("w.dat", "w.data"):
             self.write(name, "LAMMPS data file\n\n2 atoms\n")
-        self.write("run.toml", text)
+        self.write("empty.gro", "")
+        run, _, own_molecule = text.partition("### own.toml\n")
+        self.write("own.toml", own_molecule)
+        self.write("run.toml", run)
 
     def test_messages(self):
         for title, text, command, words in CASES:

@@ -204,7 +204,8 @@ TEST_CASE("errors in molecule files name file, line and key") {
              {"charge = 0.5 has no unit", "\"0.5 e\"", "x.toml:8, site[0].charge"});
   check_text(file(head, site + "charge = \"0.5 nm\""), {"is a length; it must be a charge"});
   check_text(file(head, site + "sigma = \"-3 A\""), {"sigma = \"-3 A\" must be 0 or more"});
-  check_text(file(head, site + "epsilon = \"3 K\""), {"sigma is 0", "x.toml"});
+  check_text(file(head, site + "epsilon = \"3 K\""),
+             {"no effect without sigma", "x.toml:8, site[0].epsilon"});
   check_text(file(head, site + "epsilon = \"-3 K\""), {"epsilon = \"-3 K\" must be 0 or more"});
   check_text(file(head + "\nmoments = \"1 1 3 nm\"", site),  // they follow from the sites
              {"there is no key 'moments'", "there are: name, description, source, site"});
@@ -217,6 +218,10 @@ TEST_CASE("errors in molecule files name file, line and key") {
   check_text(file(head, "name = \"A\"\nposition = \"0 0 0 nm\"\ncharge = \"1 e\""),
              {"has mass 0 u", "give a mass", "x.toml"});
   check_text(head, {"there is no site", "[[site]]"});
-  check_text(file(head, "name = \"A"), {"not TOML", "x.toml:4"});
+  check_text(file(head, "name = \"A"), {"not TOML", "no end on this line", "x.toml:4"});
+  check_text(file(head, site + "sigma = \"3 A\""), {"no effect without epsilon", "site[0].sigma"});
+  check_text(file(head, site + "[[site]]\n" + site), {"at one place"});
+  check_text(file(head, replaced(site, "element = \"", "element = \"X")),
+             {"no chemical element", "leave it out"});
   check_text("name = \"x\"\nsource = 3", {"source = 3 must be a text in quotes", "x.toml:2"});
 }

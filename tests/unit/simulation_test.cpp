@@ -245,7 +245,8 @@ TEST_CASE("settings that do not fit are refused with their place") {
     check_error([&] { Simulation simulation(config_in(folder, replaced(argon, from, to))); },
                 parts);
   };
-  refused("0.2 ps", "0.001 ps", {"length 1 fs is shorter than the step of 5 fs", "argon.toml"});
+  refused("0.2 ps", "0.001 ps",
+          {"the step of 5 fs is longer than the length of 1 fs", "argon.toml"});
   refused("0.65 nm", "1.2 nm", {"argon.toml:6", "forces.cutoff"});
   check_error(
       [&] {

@@ -209,20 +209,55 @@ length = "20 ps"
   CHECK(trajectory.failure.find("try " + advised + ", or equilibrate") != std::string::npos);
 }
 
-TEST_CASE("the step advised after a run that blew up is between a tenth and a half of its own") {
+TEST_CASE(
+    "the step advised after a run that blew up is the one of the warning, or half of its own") {
   const Config config = parse_config(
       "[system]\ndensity = \"0.2 g/cm3\"\n"
       "molecules = [{ model = \"argon\", count = 64 }]\n",
       "run.toml");
   const System lattice = build_system(config);
   TrajectorySettings settings = trajectory_settings(config);
-  settings.step = 0.4;
-  CHECK(shorter_step(lattice, lattice.state, settings) == doctest::Approx(0.2));
+  const double stable = max_stable_step(lattice, lattice.state, settings);
+  // A step below the limit is halved; one beyond it, however far, becomes the limit.
+  settings.step = 0.9 * stable;
+  CHECK(shorter_step(lattice, lattice.state, settings).value() == doctest::Approx(0.45 * stable));
+  for (const double factor : {1.1, 3.0, 30.0}) {
+    settings.step = factor * stable;
+    CHECK(shorter_step(lattice, lattice.state, settings).value() == stable);
+  }
   CHECK(rounded_fs(0.2) == "200 fs");
   CHECK(rounded_fs(0.00628) == "6.3 fs");
   State overlapping = lattice.state;
   overlapping.q.set(1, overlapping.q[0] + Vec3<double>{0.05, 0, 0});
-  CHECK(shorter_step(lattice, overlapping, settings) == doctest::Approx(0.04));
+  CHECK_FALSE(shorter_step(lattice, overlapping, settings));
+}
+
+TEST_CASE("rounded charges make no ions, and positions in angstrom are a warning") {
+  const auto system_with = [](const std::string& more) {
+    return build_system(
+        parse_config("[system]\ndensity = \"0.01 g/cm3\"\n"
+                     "molecules = [{ model = { name = \"own\", source = \"user\", site = [\n"
+                     "{ name = \"C\", element = \"C\", position = \"0 0 0 nm\", mass = \"12 u\", "
+                     "charge = \"0.2 e\" },\n"
+                     "{ name = \"F\", element = \"F\", mass = \"19 u\", " +
+                         more +
+                         " }] }, count = 8 }]\n"
+                         "[forces]\nelectrostatics = \"coulomb\"\n",
+                     "run.toml"));
+  };
+  for (const char* charge : {"-0.2", "-0.20002", "-0.195"})
+    CHECK_FALSE(cutoff_of_ions(
+        system_with("charge = \"" + std::string(charge) + " e\", position = \"0.152 0 0 nm\"")));
+  CHECK(cutoff_of_ions(system_with("charge = \"0.6 e\", position = \"0.152 0 0 nm\"")));
+  // The longest bond of a bead, and the shortest of atoms in the wrong unit.
+  for (const char* x : {"0.07", "0.47", "0.59"})
+    CHECK_FALSE(distant_sites(system_with("position = \"" + std::string(x) + " 0 0 nm\"")));
+  for (const char* x : {"0.74", "1.52"}) {
+    const auto warning = distant_sites(system_with("position = \"" + std::string(x) + " 0 0 nm\""));
+    REQUIRE(warning);
+    CHECK(warning->value == doctest::Approx(std::stod(x)));
+    CHECK(warning->remedy.find("write A instead of nm") != std::string::npos);
+  }
 }
 
 // The temperature of n degrees of freedom scatters by T √(2/n), and four times that is the bound.

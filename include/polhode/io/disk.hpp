@@ -21,7 +21,7 @@ std::string remedy_of(int error);
 /// @throws Error  in both cases
 void check_folder(const std::string& path);
 
-/// Removes the name of an output that is to be written anew. What else has its contents, such as
+/// Removes the name of an output that is written again. What else has its contents, such as
 /// the target of a symbolic link, is not changed.
 /// @throws Error  if that cannot be done
 void remove_output(const std::string& path);

@@ -17,6 +17,11 @@ bool Verification::holds() const {
 
 Verification verify(const std::string& scheme, int order, double lambda) {
   Verification v{nested_scheme_of(scheme), {}, order};
+  if (v.scheme.has(Flow::bath))
+    throw Error(
+        fmt::format("'{}' has a bath O, which exchanges energy with the system, so that the error "
+                    "of the energy measures no order; verify the scheme without its stages O",
+                    scheme));
   v.measured = measure_order(v.scheme, lambda);
   if (order == 0) v.declared = v.scheme.order();
   return v;

@@ -29,6 +29,10 @@ struct BlowUp : RunError {
   std::string cause;
 };
 
+/// The share of the potential energy by which rounding in mixed precision may change the total
+/// energy of a run that begins almost at rest.
+constexpr double rounding_share = 1e-5;
+
 /// What shows which molecules collided: its copy at each step costs half of that of the state.
 void copy_positions(const State& from, State& to) {
   to.q = from.q;
@@ -36,16 +40,19 @@ void copy_positions(const State& from, State& to) {
   to.box = from.box;
 }
 
-/// @param shorter  step to try [ps]
+/// @param shorter  step to try [ps]; nothing if no step is short enough
 [[noreturn]] void throw_blow_up(const TrajectorySettings& s, std::size_t step,
-                                const std::string& cause, double shorter) {
-  throw BlowUp(
-      fmt::format("the run blew up at step {} ({:.4f} ps): {}; the step of {:g} fs is too long for "
-                  "{}, or the initial configuration is too far from equilibrium: try {}, or "
-                  "equilibrate first",
-                  step, static_cast<double>(step) * s.step, cause, s.step * units::fs_per_ps,
-                  name_of({s.scheme, s.inner}), rounded_fs(shorter)),
-      cause);
+                                const std::string& cause, std::optional<double> shorter) {
+  const std::string remedy =
+      shorter ? fmt::format(
+                    "the step of {:g} fs is too long for {}, or the initial configuration "
+                    "is too far from equilibrium: try {}, or equilibrate first",
+                    s.step * units::fs_per_ps, name_of({s.scheme, s.inner}), rounded_fs(*shorter))
+              : "molecules of the initial configuration overlap, which no step can help: use "
+                "minimise = true and equilibrate in [run], or 'polhode prepare'";
+  throw BlowUp(fmt::format("the run blew up at step {} ({:.4f} ps): {}; {}", step,
+                           static_cast<double>(step) * s.step, cause, remedy),
+               cause);
 }
 
 /// Computing time by part, added to that of an earlier part of the run.
@@ -173,6 +180,7 @@ class Propagator::Impl {
     start_ = from.start;
     steps_ = from.steps;
     conserved_.reset();
+    potential_.reset();
     statistics_ = from.statistics;
     integrator_.resume_from(from);
     moves_.resume_from(from.ensemble);
@@ -416,14 +424,21 @@ class Propagator::Impl {
   }
 
   /// At constant energy since the start; a bath takes up a drift, so with one since the last
-  /// sample. Hybrid Monte Carlo rejects such trajectories.
+  /// sample. Errors count against the initial kinetic energy; almost at rest, against
+  /// what the potential energy has set free. Hybrid Monte Carlo rejects such trajectories.
   void check_total(const Energies& now) {
     const Energies& first = statistics_.energies.first;
     const bool constant_energy = settings_.ensemble.constant_energy();
     const double from = constant_energy ? first.conserved() : conserved_.value_or(now.conserved());
+    const double before =
+        constant_energy ? first.potential() : potential_.value_or(now.potential());
     conserved_ = now.conserved();
+    potential_ = now.potential();
+    const double freed = std::abs(now.potential() - before);
+    const double bound =
+        std::max({first.kinetic(), freed, rounding_share * std::abs(first.potential())});
     if (settings_.ensemble.hybrid_monte_carlo || first.kinetic() == 0 ||
-        !(std::abs(now.conserved() - from) > first.kinetic()))
+        !(std::abs(now.conserved() - from) > bound))
       return;
     blow_up(steps_,
             fmt::format("the {} energy went from {:.6g} to {:.6g} kJ/mol{}, more than the initial "
@@ -447,6 +462,7 @@ class Propagator::Impl {
   std::size_t steps_ = 0;
   TrajectoryStatistics statistics_;
   std::optional<double> conserved_;  // energy at the last sample, unless that was before a resume
+  std::optional<double> potential_;  // likewise
   std::optional<Clocks> clocks_;
   std::optional<RunState> before_last_sample_;
   State first_, before_;  // positions at the start, and before the last step

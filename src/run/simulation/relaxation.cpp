@@ -3,7 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
+
 #include "polhode/base/error.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/model/initial_state.hpp"
 #include "polhode/run/simulation/contact.hpp"
 
 namespace polhode {
@@ -19,6 +23,47 @@ Vec3Column angular_momenta_in_body_frame(const State& state) {
 }
 
 }  // namespace
+
+bool molecules_overlap(const System& system, const State& state) try {
+  ForceField forces(system.topology, system.forces, state.box);
+  Load load(state.size());
+  forces(state, load);
+  const auto within = [](const Vec3Column& all, double bound) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!(norm2(all[i]) <= bound * bound)) return false;
+    return true;
+  };
+  return !within(load.f, max_initial_force) || !within(load.tau, max_initial_torque);
+} catch (const RunError&) {  // a force is not finite
+  return true;
+}
+
+void check_lattice(const System& system, const Config& config) {
+  if (!config.system.initial_configuration.empty() || config.run.minimise ||
+      config.run.equilibrate > 0 || !molecules_overlap(system, system.state))
+    return;
+  const double density = system.topology.mass() / system.state.box.volume();
+  double fits = density;
+  constexpr double lower = 0.9, least = 0.05;  // of the density
+  bool overlap = true;
+  while (overlap && fits > least * density) {
+    fits *= lower;
+    const Box box{std::cbrt(density / fits) * system.state.box.edge};
+    overlap = molecules_overlap(system, lattice(system.topology, box, config.system.seed));
+  }
+  const std::string contact = strongest_contact(system, system.state);
+  const double unit_density = unit("g/cm3", Dimension::density);
+  throw Error(
+      fmt::format(
+          "molecules overlap on the lattice of {:.3g} g/cm3{}, so that forces are beyond those "
+          "from which a run can begin; write minimise = true and equilibrate = \"20 ps\" in "
+          "[run], or use 'polhode prepare'{}",
+          density / unit_density, contact.empty() ? "" : ": " + contact,
+          overlap ? ""
+                  : fmt::format(", or a density of {:.2g} g/cm3, at which this lattice fits",
+                                fits / unit_density)),
+      config.source);
+}
 
 Minimisation minimise(System& system, const MinimisationSettings& settings,
                       const MinimisationWatch& watch, Workers& workers) try {

@@ -24,7 +24,7 @@ bool samples_step_errors(const TrajectorySettings& settings) {
   return settings.shadow_sample > 0 && !settings.ensemble.constant_energy();
 }
 
-/// The files that a run writes at its end, without those that it reads: while it goes on, or if it
+/// The files that a run writes at its end, without those that it reads: until then, or if it
 /// blows up, they would be of other states than the trajectory.
 std::vector<std::string> last_files(const RunFileNames& names, const SystemSettings& inputs) {
   std::vector<std::string> files;

@@ -232,7 +232,10 @@ bool Simulation::minimise(const Callbacks& callbacks, RunFiles* files) {
 bool Simulation::equilibrate(const Callbacks& callbacks, RunFiles* files) {
   if (trajectory_started()) return true;
   identity();
-  if (at_) system_.state = at_->state;
+  if (at_)
+    system_.state = at_->state;
+  else
+    check_lattice(system_, config_);
   const RunState start = run_state();
   if (!minimise(callbacks, files)) return false;
   RunState from = start;

@@ -3,13 +3,13 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "polhode/integrate/stability.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/run/simulation/einstein_frequency.hpp"
+#include "polhode/run/simulation/relaxation.hpp"
 
 namespace polhode {
 
@@ -21,10 +21,11 @@ double max_stable_step(const System& system, const State& state, const Trajector
          einstein_frequency(system, state, workers);
 }
 
-double shorter_step(const System& system, const State& start, const TrajectorySettings& settings,
-                    Workers& workers) {
+std::optional<double> shorter_step(const System& system, const State& start,
+                                   const TrajectorySettings& settings, Workers& workers) {
+  if (molecules_overlap(system, start)) return std::nullopt;
   const double stable = max_stable_step(system, start, settings, workers);
-  return std::max(settings.step / 10, std::min(settings.step / 2, stable));
+  return stable < settings.step ? stable : settings.step / 2;
 }
 
 std::string rounded_fs(double step) {

@@ -15,6 +15,7 @@
 #include "polhode/model/centre_of_mass.hpp"
 #include "polhode/model/initial_state.hpp"
 #include "polhode/run/simulation/precise_start.hpp"
+#include "polhode/run/simulation/warnings.hpp"
 
 namespace polhode {
 namespace {
@@ -154,6 +155,9 @@ System build_system(const Config& config) {
         !(config.system.initial_configuration.empty() && config.run.equilibrate > 0))
       check_overlap(system.topology, system.state);
   } catch (const Error& e) {
+    if (const auto warning = distant_sites(system))
+      throw Error(fmt::format("{}; {}; {}", e.what(), warning->text, warning->remedy),
+                  config.source);
     throw e.at(config.source);
   }
   try {

@@ -11,6 +11,7 @@
 #include "polhode/io/ensemble_text.hpp"
 #include "polhode/io/output_units.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
+#include "polhode/run/simulation/warnings.hpp"
 
 namespace polhode {
 
@@ -20,6 +21,7 @@ void note_molecules(const System& system, const Callbacks& callbacks) {
     callbacks.note(fmt::format("{}: {} of {} sites, {}", molecule.name, count,
                                molecule.sites.size(), printable(system.origins[k])));
   }
+  if (const auto warning = distant_sites(system)) callbacks.note(line_of(*warning));
   if (system.fit_deviation > 1e-4)
     callbacks.note(fmt::format(
         "note: atoms of the initial configuration deviate by up to {:.4f} nm from the rigid models",

@@ -123,8 +123,9 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) try
   check_ensemble(settings);
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(fmt::format(
-        "length {:g} fs is shorter than the step of {:g} fs; it must be at least one step",
-        settings.length * units::fs_per_ps, settings.step * units::fs_per_ps));
+        "the step of {:g} fs is longer than the length of {:g} fs; use a shorter step, or a longer "
+        "length",
+        settings.step * units::fs_per_ps, settings.length * units::fs_per_ps));
   settings.steps();
   constexpr double steps_per_shadow = 100;  // costs about 1 % of a run
   settings.shadow_sample = config.run.shadow_sample.value_or(

@@ -30,6 +30,14 @@ std::string description(const Minimisation& minimisation);
 /// larger than those of liquids.
 inline constexpr double max_initial_force = 2e4, max_initial_torque = 500;
 
+/// Whether the forces or torques of a state are beyond these bounds, or not finite.
+bool molecules_overlap(const System& system, const State& state);
+
+/// Refuses a lattice from which dynamics are to begin at once, if its molecules overlap. Other
+/// initial configurations are as the user made them.
+/// @throws Error  naming two molecules, with a density at which the lattice does not overlap
+void check_lattice(const System& system, const Config& config);
+
 /// Minimises until forces and torques are within these bounds. Configurations without larger ones,
 /// such as those of liquids, stay unchanged bit by bit.
 /// @param stop  asked before every step; true ends it

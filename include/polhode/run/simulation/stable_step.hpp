@@ -2,6 +2,7 @@
 // How long a step a simulation can take, by the stability of its scheme.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "polhode/run/simulation/system.hpp"
@@ -20,10 +21,12 @@ double max_stable_step(const System& system, const State& state, const Trajector
                        Workers& workers = Workers::serial());
 
 /// The step to try after a run blew up [ps]: max_stable_step() at the positions from which it
-/// started, at most half of its own, and at least a tenth, since larger forces are those of
-/// overlapping molecules and say nothing about the step.
-double shorter_step(const System& system, const State& start, const TrajectorySettings& settings,
-                    Workers& workers = Workers::serial());
+/// started, as the warning before the run has it; half of its own if that is longer. Nothing if
+/// forces or torques there are beyond the bounds of relaxation.hpp: those of overlapping molecules
+/// say nothing about the step.
+std::optional<double> shorter_step(const System& system, const State& start,
+                                   const TrajectorySettings& settings,
+                                   Workers& workers = Workers::serial());
 
 /// "6.3 fs": a step [ps] with two digits, for advice.
 std::string rounded_fs(double step);

@@ -28,6 +28,10 @@ std::string line_of(const Warning& warning);
 /// that is plain Coulomb, or a reaction field. The value is the largest net charge [e].
 std::optional<Warning> cutoff_of_ions(const System& system);
 
+/// A warning about a molecule with a site that is too far from all others for a bond, since its
+/// positions in ångström were probably given in nm.
+std::optional<Warning> distant_sites(const System& system);
+
 /// Velocities of the initial configuration that do not have the temperature that the run file
 /// gives, although no thermostat changes it: the deviation exceeds four standard deviations of a
 /// canonical kinetic temperature, T √(2/n) for n degrees of freedom.
