@@ -62,12 +62,13 @@ void print_drift(const RunSummary& s) {
              drift_text(s.drift, s.samples),
              s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision");
   if (s.shadow)
-    fmt::print("shadow energy drift   {}{}; rms fluctuation {:.3g} kJ/mol\n",
+    fmt::print("shadow energy drift   {}{}; rms fluctuation {}\n",
                drift_text(s.shadow->drift, s.shadow->samples),
                s.shadow->time_gain
                    ? fmt::format(", detected {:.2g} times sooner", *s.shadow->time_gain)
                    : "",
-               s.shadow->fluctuation);
+               estimate_text({s.shadow->fluctuation.value, s.shadow->fluctuation.error},
+                             s.shadow->fluctuation.known, s.shadow->samples, 3, "kJ/mol"));
 }
 
 void print_kinetic(const char* name, const TemperatureEstimates& T, const RunSummary& s) {

@@ -38,10 +38,10 @@ void ShadowStatistics::add(double time, double shadow) {
   blocks.add(std::array{time - start, x, x * x});
 }
 
-double ShadowStatistics::fluctuation() const {
-  if (samples == 0) return 0;
-  const std::vector<double> mean = blocks.means().mean();
-  return std::sqrt(std::max(0.0, mean[2] - mean[1] * mean[1]));
+SeriesEstimate ShadowStatistics::fluctuation() const {
+  return series_estimate(blocks.means(), [](auto mean) {
+    return std::sqrt(std::max(0.0, mean[2] - mean[1] * mean[1]));
+  });
 }
 
 Drift ShadowStatistics::drift() const { return series_drift_over_walk(blocks.means(), 0, 1); }

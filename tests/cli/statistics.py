@@ -59,9 +59,11 @@ class Statistics(Sandbox):
             known = report[error] is not None and report[error] != [None] * 3
             self.assertNotEqual(known, error in report["errors_not_known"], error)
             self.assertIn(report["errors_not_known"].get(error, "run too short"), ("run too short", "not defined"))
-        for line in ("R", "potential energy", "total energy", "temperature", "pressure"):
+        shadow = report["shadow"]
+        self.assertNotEqual(shadow["rms_error_kJ_per_mol"] is None, "error_not_known" not in shadow)
+        for line in ("R", "shadow energy drift", "potential energy", "total energy", "temperature", "pressure"):
             found = next(x for x in text.splitlines() if x.startswith(f"{line:<22}"))
-            self.assertRegex(found, "±|the run is too short to estimate its error", line)
+            self.assertRegex(found, "±|the run is too short to estimate its error|its error is not known from 11 samples", line)
 
     def test_without_forces_nothing_is_significant(self):
         text, report = self.both(FREE)

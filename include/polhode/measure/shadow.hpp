@@ -45,7 +45,7 @@ struct ShadowStatistics {
   TimeBlocks blocks;
 
   void add(double time, double shadow);
-  double fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
+  SeriesEstimate fluctuation() const;  ///< rms deviation from the mean [kJ/mol]
   /// [kJ/mol/ps]
   /// Tested against a random walk of unknown strength: that of rounding, and that of the remaining
   /// discontinuities of the forces (docs/statistics.md).
@@ -58,8 +58,8 @@ struct ShadowStatistics {
 /// Results from the shadow energy of a trajectory.
 struct ShadowSummary {
   std::uint64_t samples = 0;
-  double fluctuation = 0;  ///< rms [kJ/mol]
-  Drift drift;             ///< [kJ/mol/ps]
+  SeriesEstimate fluctuation;  ///< rms [kJ/mol]
+  Drift drift;                 ///< [kJ/mol/ps]
   /// How many times sooner an energy drift becomes significant than in the energy itself: its
   /// standard error falls with the length of a run as t^{−3/2}, so the times go as the errors to
   /// the power 2/3. Nothing if one of the errors is not known.

@@ -161,7 +161,10 @@ json costs_json(const RunReport& r) {
 json shadow_json(const ShadowSummary& shadow) {
   json report = drift_json(shadow.drift, shadow.samples);
   report["samples"] = shadow.samples;
-  report["rms_kJ_per_mol"] = shadow.fluctuation;
+  const SeriesEstimate& rms = shadow.fluctuation;
+  report["rms_kJ_per_mol"] = rms.value;
+  report["rms_error_kJ_per_mol"] = number_if(rms.known == Known::yes, rms.error);
+  if (rms.known != Known::yes) report["error_not_known"] = reason(rms.known);
   report["time_gain"] = shadow.time_gain ? json(*shadow.time_gain) : json();
   return report;
 }
