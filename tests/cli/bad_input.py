@@ -306,6 +306,14 @@ class BadInput(Sandbox):
         self.done("run", edited(dense, ('"2 g/cm3"', f'"{fits}"')), "--force")
         self.done("run", edited(dense, ('length = "0.02 ps"\n\n[output]', 'length = "0.02 ps"\nminimise = true\n\n[output]')), "--force")
 
+    def test_a_lattice_whose_sites_coincide(self):
+        text = edited(SMALL, ('{ model = "argon", count = 27 }', '{ model = "benzene", count = 64 }'), ('box = "2.5 nm"', 'density = "0.8 g/cm3"'))
+        self.write("run.toml", text)
+        process = self.polhode("energy", "run.toml")
+        self.assertEqual(process.returncode, 2, process.err)
+        fits = re.search(r"molecules 2 and 14 overlap: .*, or a density of (\S+ g/cm3), at which", process.err)[1]
+        self.done("energy", edited(text, ('"0.8 g/cm3"', f'"{fits}"')))
+
     def test_a_start_almost_at_rest_is_no_blow_up(self):
         """Errors of the energy are no larger than what the potential energy sets free."""
         for temperature in ("1e-9 K", "1e-15 K"):

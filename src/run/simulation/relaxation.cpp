@@ -3,12 +3,10 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-
 #include "polhode/base/error.hpp"
 #include "polhode/io/quantity.hpp"
-#include "polhode/model/initial_state.hpp"
 #include "polhode/run/simulation/contact.hpp"
+#include "polhode/run/simulation/fitting_density.hpp"
 
 namespace polhode {
 namespace {
@@ -42,26 +40,17 @@ void check_lattice(const System& system, const Config& config) {
   if (!config.system.initial_configuration.empty() || config.run.minimise ||
       config.run.equilibrate > 0 || !molecules_overlap(system, system.state))
     return;
-  const double density = system.topology.mass() / system.state.box.volume();
-  double fits = density;
-  constexpr double lower = 0.9, least = 0.05;  // of the density
-  bool overlap = true;
-  while (overlap && fits > least * density) {
-    fits *= lower;
-    const Box box{std::cbrt(density / fits) * system.state.box.edge};
-    overlap = molecules_overlap(system, lattice(system.topology, box, config.system.seed));
-  }
   const std::string contact = strongest_contact(system, system.state);
-  const double unit_density = unit("g/cm3", Dimension::density);
+  const std::string fits =
+      fitting_density(system.topology, system.state.box, config.system.seed,
+                      [&](const State& state) { return molecules_overlap(system, state); });
   throw Error(
       fmt::format(
-          "molecules overlap on the lattice of {:.3g} g/cm3{}, so that forces are beyond those "
-          "from which a run can begin; write minimise = true and equilibrate = \"20 ps\" in "
-          "[run], or use 'polhode prepare'{}",
-          density / unit_density, contact.empty() ? "" : ": " + contact,
-          overlap ? ""
-                  : fmt::format(", or a density of {:.2g} g/cm3, at which this lattice fits",
-                                fits / unit_density)),
+          "molecules overlap on the lattice of {:.3g} g/cm3{}, so that forces are beyond "
+          "those from which a run can begin; write minimise = true and equilibrate = \"20 "
+          "ps\" in [run], or use 'polhode prepare'{}",
+          system.topology.mass() / system.state.box.volume() / unit("g/cm3", Dimension::density),
+          contact.empty() ? "" : ": " + contact, fits),
       config.source);
 }
 

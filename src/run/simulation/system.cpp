@@ -14,6 +14,7 @@
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 #include "polhode/model/initial_state.hpp"
+#include "polhode/run/simulation/fitting_density.hpp"
 #include "polhode/run/simulation/precise_start.hpp"
 #include "polhode/run/simulation/warnings.hpp"
 
@@ -98,6 +99,31 @@ void take_velocities(System& system, const SystemSettings& settings) {
     system.file_temperature = kinetic_temperature(system);
 }
 
+/// At which density a lattice that overlaps would fit.
+std::string density_advice(const Config& config, const System& system) {
+  if (!config.system.initial_configuration.empty()) return {};
+  return fitting_density(system.topology, system.state.box, config.system.seed,
+                         [&](const State& state) {
+                           try {
+                             check_overlap(system.topology, state);
+                             return false;
+                           } catch (const Error&) {
+                             return true;
+                           }
+                         });
+}
+
+// Minimisation moves molecules apart, and equilibration those of a lattice.
+void check_apart(const Config& config, const System& system) try {
+  const bool is_lattice = config.system.initial_configuration.empty();
+  if (!config.run.minimise && !(is_lattice && config.run.equilibrate > 0))
+    check_overlap(system.topology, system.state);
+} catch (const Error& e) {
+  if (const auto warning = distant_sites(system))
+    throw Error(fmt::format("{}; {}; {}", e.what(), warning->text, warning->remedy), config.source);
+  throw Error(e.what() + density_advice(config, system), config.source);
+}
+
 void scale(Vec3Column& v, double factor) {
   for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
 }
@@ -150,16 +176,10 @@ System build_system(const Config& config) {
   }
   try {
     check_edges(system.state.box);
-    // Minimisation moves molecules apart, and equilibration those of a lattice.
-    if (!config.run.minimise &&
-        !(config.system.initial_configuration.empty() && config.run.equilibrate > 0))
-      check_overlap(system.topology, system.state);
   } catch (const Error& e) {
-    if (const auto warning = distant_sites(system))
-      throw Error(fmt::format("{}; {}; {}", e.what(), warning->text, warning->remedy),
-                  config.source);
     throw e.at(config.source);
   }
+  check_apart(config, system);
   try {
     system.forces = ForceField(system.topology, system.forces, system.state.box).settings();
   } catch (const Error& e) {
