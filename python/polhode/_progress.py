@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Progress of a job: a bar in terminals and notebooks, silence in pipes."""
 
+from __future__ import annotations
+
 import sys
 
 from ._types import Messages, Progress
@@ -10,44 +12,78 @@ __all__ = ["hooks"]
 
 def _in_notebook():
     """Whether this runs in a Jupyter kernel."""
-    shell = sys.modules.get("IPython")
-    return bool(shell and type(shell.get_ipython()).__name__ == "ZMQInteractiveShell")
+    shell = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    return type(shell).__name__ == "ZMQInteractiveShell"
+
+
+def _of_notebook(job):
+    import ipywidgets  # noqa: F401: without it tqdm makes half a bar, which complains when it is deleted
+    from tqdm.notebook import tqdm
+
+    return tqdm(total=100, desc=job, leave=False)
+
+
+def _of_text(job):
+    from tqdm import tqdm
+
+    return tqdm(total=100, desc=job, leave=False)
+
+
+class _Line:
+    """A line of text, where tqdm is not installed."""
+
+    def __init__(self, job):
+        self._job, self.n, self._shown = job, 0, False
+
+    def set_postfix_str(self, detail):
+        sys.stderr.write(f"\r{self._job} {self.n:3.0f} % {detail[:40]:<40}")
+        sys.stderr.flush()
+        self._shown = True
+
+    def close(self):
+        if self._shown:
+            sys.stderr.write("\r" + 60 * " " + "\r")
 
 
 class Bar:
-    """A bar of tqdm if it is installed, or a line of text."""
+    """A bar of tqdm: in a notebook one of widgets, elsewhere and without ipywidgets one of text; a
+    line of text without tqdm. Progress is worth no run: whatever fails is replaced by the next kind,
+    and in the end by silence."""
 
     def __init__(self):
-        self._bar, self._job, self._shown = None, "", False
-        try:
-            if _in_notebook():
-                from tqdm.notebook import tqdm
-            else:
-                from tqdm import tqdm
-            self._tqdm = tqdm
-        except ImportError:
-            self._tqdm = None
+        self._kinds = [*([_of_notebook] if _in_notebook() else []), _of_text, _Line]
+        self._bar, self._job = None, None
 
     def __call__(self, job, done, detail):
-        if self._tqdm is None:
-            percent = "" if done is None else f" {100 * done:3.0f} %"
-            sys.stderr.write(f"\r{job}{percent} {detail[:40]:<40}")
-            sys.stderr.flush()
-            self._shown = True
-            return
-        if job != self._job:
+        while self._kinds:
+            try:
+                self._show(job, done, detail)
+                return
+            except Exception:  # of any kind: ImportError without ipywidgets, ValueError of a closed stream
+                self._bar, self._kinds = None, self._kinds[1:]
+
+    def _show(self, job, done, detail):
+        if self._bar is None or job != self._job:
             self.close()
-            self._bar, self._job = self._tqdm(total=100, desc=job, leave=False), job
+            self._bar, self._job = self._kinds[0](job), job
         self._bar.n = round(100 * (done or 0), 1)
         self._bar.set_postfix_str(detail)
 
     def close(self):
-        if self._bar is not None:
-            self._bar.close()
-            self._bar = None
-        if self._shown:
-            sys.stderr.write("\r" + 60 * " " + "\r")
-            self._shown = False
+        bar, self._bar = self._bar, None
+        try:
+            if bar is not None:
+                bar.close()
+        except Exception:  # as above
+            pass
+
+
+def _watched():
+    """Whether someone sees a bar."""
+    try:
+        return _in_notebook() or sys.stderr.isatty()
+    except (AttributeError, ValueError):  # there is no stream, or it is closed
+        return False
 
 
 class hooks:
@@ -64,8 +100,7 @@ class hooks:
         if callable(progress):
             self.progress = progress
             return
-        watched = _in_notebook() or (sys.stderr is not None and sys.stderr.isatty())
-        if progress is True or (progress is None and watched):
+        if progress is True or (progress is None and _watched()):
             self._bar = Bar()
         self.progress = self._bar
 

@@ -34,7 +34,7 @@ for file in (polhode._core.__file__, package / "bin/polhode"):
         name, _, path = line.strip().partition(" => ")
         assert sys.argv[1] in path or allowed.search(name), f"{file} loads {line}"
 CODE
-  for test in simulation settings own_physics jobs hostile; do
+  for test in simulation changes settings progress own_physics jobs hostile; do
     bin/python -B "$root/tests/python/$test.py" --program bin/polhode 2>&1 | tail -1 | sed "s/^/$test: /"
   done
   cd "$root"

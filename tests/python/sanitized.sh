@@ -8,7 +8,7 @@ cd "$(dirname "$0")/../.."
 build=$(realpath "$1")
 shift
 tests=("$@")
-[[ $# == 0 ]] && tests=(hostile own_physics settings simulation jobs)
+[[ $# == 0 ]] && tests=(hostile own_physics settings simulation changes progress jobs)
 folder=$build/python-sanitized
 flags="-fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=all"
 

@@ -14,6 +14,7 @@ import package
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 PAGES = [p for p in sorted((DOCS / "tutorials").glob("*.md")) if p.stem != "README"]
 CELL = re.compile(r"^```(?:\{code-cell\} python|python)\n(.*?)^```$", re.M | re.S)
+FRONT = re.compile(r"---\n(jupytext:\n.*?\nkernelspec:\n.*?)\n---\n\n# ", re.S)
 
 
 def cells(page):
@@ -41,6 +42,21 @@ def make_test(page):
 class Tutorials(unittest.TestCase):
     def test_there_are_some(self):
         self.assertGreater(len(PAGES), 3)
+
+    def test_jupyter_knows_their_format_and_kernel(self):
+        """What jupytext needs to open a page as a notebook: without it the cells are text."""
+        for page in PAGES:
+            front = FRONT.match(page.read_text(encoding="utf-8"))
+            self.assertIsNotNone(front, f"{page.name} does not begin with a front matter; copy that of another page")
+            for line in ("    format_name: myst", "  language: python", "  name: python3"):
+                self.assertIn(line, front[1].splitlines(), page.name)
+
+    def test_jupytext_finds_every_cell(self):
+        jupytext = package.optional("jupytext")
+        for page in PAGES:
+            found = [cell.source for cell in jupytext.read(page).cells if cell.cell_type == "code"]
+            self.assertEqual(found, [cell[1].rstrip() for cell in CELL.finditer(page.read_text(encoding="utf-8"))],
+                             page.name)
 
 
 for path in (*PAGES, DOCS / "manual" / "python.md"):
