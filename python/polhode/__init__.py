@@ -23,7 +23,8 @@ from ._progress import hooks as Progress
 from ._quantities import quantity
 from ._results import EnergySeries, Report, Run
 from ._settings import Settings, settings
-from ._simulation import Simulation, State
+from ._simulation import Simulation
+from ._state import State
 from ._tops import free_rotation, rotate_table, rotation_matrix, top
 from .errors import Error, OutputError, RunError
 from .forces import ExternalForces

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Coordinate files and trajectories of every format, as arrays."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterable, Iterator
 
@@ -9,13 +11,14 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arrays import reals
+from ._guard import Guarded
 from ._types import Path
 from .errors import Error
 
 __all__ = ["Frame", "read", "read_frames", "write"]
 
 
-class Frame:
+class Frame(Guarded):
     """The atoms at one time.
 
     Attributes:
@@ -27,6 +30,9 @@ class Frame:
         names, residues, elements (list of str): of each atom
         molecules (numpy.ndarray): number of the molecule of each atom (n)
     """
+
+    __slots__ = ("positions", "velocities", "box", "time", "title", "names", "residues", "elements",
+                 "molecules")
 
     def __init__(self, positions: np.ndarray, velocities: np.ndarray | None = None,
                  box: ArrayLike = (0, 0, 0), time: float = 0.0, names: list[str] | None = None,

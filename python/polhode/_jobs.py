@@ -1,19 +1,27 @@
 # SPDX-License-Identifier: MIT
 """The verbs of the command line as functions: the same library calls, files and reports."""
 
+from __future__ import annotations
+
 import json
 import os
 import pathlib
 from collections.abc import Mapping, Sequence
-from typing import SupportsIndex
+from typing import TYPE_CHECKING, SupportsIndex
 
 from . import _core
+from ._keywords import takes_settings
 from .errors import Error
 from ._progress import hooks
 from ._quantities import optional_text
 from ._results import Report
 from ._settings import settings
 from ._types import Messages, Path, Progress, Quantity, Source, Texts
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import Keywords
 
 __all__ = ["advise", "analyze", "bench", "convert", "energy", "export", "minimise", "new", "prepare", "run",
            "study", "tune_scheme"]
@@ -92,9 +100,10 @@ def new(kind: str, path: Path | None = None) -> pathlib.Path:
     return path
 
 
+@takes_settings
 def run(source: Source = None, *, output: Path | None = None, resume: bool = False,
         force: bool = False, threads: int | None = None, progress: Progress = None,
-        messages: Messages = None, **keywords: object) -> Report:
+        messages: Messages = None, **keywords: Unpack[Keywords]) -> Report:
     """Simulates with all output files, as ``polhode run``: energies, trajectories, checkpoints.
 
     Args:
@@ -119,8 +128,9 @@ def run(source: Source = None, *, output: Path | None = None, resume: bool = Fal
     return Report("run", json.loads(text) or {}, files, complete)
 
 
+@takes_settings
 def energy(source: Source = None, *, derivative: bool = False, messages: Messages = None,
-           **keywords: object) -> Report:
+           **keywords: Unpack[Keywords]) -> Report:
     """Energies and pressure of an initial configuration, as ``polhode energy``.
 
     Args:
@@ -134,10 +144,11 @@ def energy(source: Source = None, *, derivative: bool = False, messages: Message
                                                     messages)), [])
 
 
+@takes_settings
 def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Quantity | None = None,
             npt: Quantity | None = None, output: Path | None = None, resume: bool = False,
             force: bool = False, threads: int | None = None, progress: Progress = None,
-            messages: Messages = None, **keywords: object) -> Report:
+            messages: Messages = None, **keywords: Unpack[Keywords]) -> Report:
     """Prepares an equilibrated start, as ``polhode prepare``: minimises, NVT, NPT.
 
     Args:
@@ -157,10 +168,11 @@ def prepare(source: Source = None, *, pressure: Quantity | None = None, nvt: Qua
     return Report("prepare", data, data.get("files") or [])
 
 
+@takes_settings
 def minimise(source: Source = None, *, max_force: Quantity | None = None,
              max_torque: Quantity | None = None, max_steps: SupportsIndex = 20000,
              output: Path | None = None, force: bool = False, threads: int | None = None,
-             progress: Progress = None, messages: Messages = None, **keywords: object) -> Report:
+             progress: Progress = None, messages: Messages = None, **keywords: Unpack[Keywords]) -> Report:
     """Minimises the energy of an initial configuration, as ``polhode minimise``.
 
     Args:
@@ -260,10 +272,11 @@ def convert(source: Path, target: Path, *, names: Path | None = None,
                              optional_text(stop, "time", "stop"), options)
 
 
+@takes_settings
 def export(program: str, source: Source = None, *, pair_style: str = "table",
            output: Path | None = None, force: bool = False, progress: Progress = None,
            messages: Messages = None,
-           **keywords: object) -> list[pathlib.Path]:
+           **keywords: Unpack[Keywords]) -> list[pathlib.Path]:
     """Writes a run as input of another program, as ``polhode export``.
 
     Args:
@@ -284,11 +297,12 @@ def export(program: str, source: Source = None, *, pair_style: str = "table",
         return [pathlib.Path(file) for file in _core.export_lammps(config, pair_style, options)]
 
 
+@takes_settings
 def study(source: Source = None, *, schemes: Texts | None = None,
           steps: Sequence[Quantity] | Quantity | None = None, quick: bool = False,
           from_record: Path | None = None, output: Path = "study", force: bool = False,
           threads: int | None = None, progress: Progress = None, messages: Messages = None,
-          **keywords: object) -> Report:
+          **keywords: Unpack[Keywords]) -> Report:
     """Accuracy against cost of each scheme, as ``polhode study``: the figure of the paper.
 
     A study that was interrupted resumes from its record of runs.
@@ -316,12 +330,13 @@ def study(source: Source = None, *, schemes: Texts | None = None,
     return Report("study", json.loads(text), files, complete)
 
 
+@takes_settings
 def advise(source: Source = None, *, accuracy: Quantity | None = None,
            drift: Quantity | None = None, temperature_bias: Quantity | None = None,
            bias: str | None = None, schemes: Texts | None = None, ensemble: str = "nve",
            evaluations: SupportsIndex = 5000, time: float = 60, output: Path = "advice",
            force: bool = False, threads: int | None = None, progress: Progress = None,
-           messages: Messages = None, **keywords: object) -> Report:
+           messages: Messages = None, **keywords: Unpack[Keywords]) -> Report:
     """Chooses scheme and step for a required accuracy, as ``polhode advise``.
 
     Args:
@@ -360,11 +375,12 @@ def advise(source: Source = None, *, accuracy: Quantity | None = None,
     return Report("advise", {**json.loads(text), "answer": answer}, files)
 
 
+@takes_settings
 def tune_scheme(source: Source = None, *, scheme: str | None = None, step: Quantity | None = None,
                 runs: SupportsIndex = 4, length: Quantity | None = None,
                 decorrelate: Quantity | None = None, sample: Quantity | None = None,
                 threads: int | None = None, progress: Progress = None, messages: Messages = None,
-                **keywords: object) -> Report:
+                **keywords: Unpack[Keywords]) -> Report:
     """Optimizes the parameters of a scheme for a system and step, as ``polhode tune-scheme``.
 
     Args:

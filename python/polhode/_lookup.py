@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Schemes and molecules: those of the program, and one's own."""
 
+from __future__ import annotations
+
 import json
 import os
 from collections.abc import Mapping
@@ -9,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from . import _core
+from ._guard import Record
 from .errors import Error
 from ._results import Report
 from ._settings import toml_text
@@ -17,7 +20,7 @@ from ._types import Path
 __all__ = ["Molecule", "Scheme", "molecules", "schemes", "verify"]
 
 
-class Scheme:
+class Scheme(Record):
     """A splitting scheme: a name of the table, or stages as text such as "B(1/2) A(1) B(1/2)".
 
     Attributes:
@@ -31,15 +34,16 @@ class Scheme:
         text (str): the stages as text.
     """
 
+    __slots__ = ()
+    _remedy = "another scheme is polhode.Scheme(\"B(1/2) A(1) B(1/2)\")"
+
     def __init__(self, text: str) -> None:
         if not isinstance(text, str):
             raise Error(f"a scheme is a text, a name or stages, not of type {type(text).__name__}")
         self._take(json.loads(_core.scheme_json(text)))
 
     def _take(self, data):
-        self.data = data
-        for key, value in data.items():
-            setattr(self, key, value)
+        self._data = data
         return self
 
     def __str__(self):
@@ -115,7 +119,7 @@ def _site_table(site):
     return table
 
 
-class Molecule:
+class Molecule(Record):
     """A rigid molecule, from a dict with the keys of a molecule file::
 
         Molecule({"name": "dumbbell", "source": "mine", "site": [
@@ -124,12 +128,14 @@ class Molecule:
     Attributes:
         name, description, source (str)
         mass (float): [u]
-        moments (numpy.ndarray): principal moments (3) [u nm²]
         top (str): "atom", "linear", "spherical", "symmetric" or "asymmetric"
         charge (float): [e]
         dipole (float): [D]
         sites (list of dict): in the principal frame; positions (3) [nm], masses [u], charges [e].
     """
+
+    __slots__ = ("_table", "_moments")
+    _remedy = "another molecule is polhode.Molecule({**molecule.as_dict(), ...})"
 
     def __init__(self, table: Mapping[str, Any]) -> None:
         if not isinstance(table, Mapping):
@@ -139,11 +145,14 @@ class Molecule:
         self._take(json.loads(_core.molecule_json(_document(self._table), "dict")))
 
     def _take(self, data):
-        self.data = data
-        for key, value in data.items():
-            setattr(self, key, value)
-        self.moments = np.array(data["moments"])
+        self._data = data
+        self._moments = np.array(data["moments"])
         return self
+
+    @property
+    def moments(self) -> np.ndarray:
+        """numpy.ndarray: principal moments (3) [u nm²]."""
+        return self._moments
 
     def as_dict(self) -> dict:
         """The molecule with the keys of a molecule file."""

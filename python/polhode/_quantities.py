@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Quantities: texts such as "2 fs", or those of pint and openmm.unit, as texts for the library."""
 
+from __future__ import annotations
+
 import math
 import numbers
 
@@ -101,6 +103,20 @@ def quantity(value: Quantity, dimension: str, name: str = "quantity") -> float:
         Error: if the unit is missing, unknown or of another dimension.
     """
     return _core.quantity(quantity_text(value, dimension, name), dimension, name)
+
+
+def positive(value, dimension, name) -> float:
+    """The same of a quantity that must be above 0.
+
+    Raises:
+        Error: if it is not, with the message of the command line.
+    """
+    number = quantity(value, dimension, name)
+    if not number > 0:
+        from .errors import Error
+
+        raise Error(f"{name} = \"{text_of(value)}\" must be longer than 0; write for example \"2 fs\"")
+    return number
 
 
 def is_finite_number(value):

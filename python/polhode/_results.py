@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Results: energies as a structured array, reports of jobs as dicts that show themselves."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 import numpy as np
 
 from . import _core
+from ._guard import Guarded, Record, missing
 from .errors import Error
 
 __all__ = ["EnergySeries", "Report", "Run"]
@@ -13,21 +16,28 @@ __all__ = ["EnergySeries", "Report", "Run"]
 _UNITS = {"kJ/mol": "kJ/mol", "ps": "ps", "K": "K", "bar": "bar", "nm3": "nm³"}
 
 
-class EnergySeries:
-    """Energies along a trajectory: the columns of PREFIX-energies.csv.
+class EnergySeries(Guarded):
+    """Energies along a trajectory: the columns of PREFIX-energies.csv."""
 
-    Attributes:
-        array (numpy.ndarray): structured, one row per sample, fields names(); times [ps],
-            energies [kJ/mol], temperature [K], pressure [bar], volume [nm³].
-        conserves (bool): whether "conserved" is a conserved energy. Hybrid Monte Carlo has none: there it
-            performs a random walk of the energy errors of all trajectories, which decisions correct.
-    """
+    __slots__ = ("_array", "_conserves")
 
     def __init__(self, rows, conserves=True):
-        self.conserves = conserves
-        self.array = np.zeros(len(rows), dtype=[(name, float) for name in self.names()])
+        self._conserves = conserves
+        self._array = np.zeros(len(rows), dtype=[(name, float) for name in self.names()])
         for k, name in enumerate(self.names()):
-            self.array[name] = rows[:, k]
+            self._array[name] = rows[:, k]
+
+    @property
+    def conserves(self) -> bool:
+        """bool: whether "conserved" is a conserved energy. Hybrid Monte Carlo has none: there it performs a
+        random walk of the energy errors of all trajectories, which decisions correct."""
+        return self._conserves
+
+    @property
+    def array(self) -> np.ndarray:
+        """numpy.ndarray: structured, one row per sample, fields names(); times [ps], energies [kJ/mol],
+        temperature [K], pressure [bar], volume [nm³]."""
+        return self._array
 
     @staticmethod
     def names() -> list[str]:
@@ -43,6 +53,8 @@ class EnergySeries:
         return len(self.array)
 
     def __getitem__(self, key):
+        if isinstance(key, str) and key not in self.array.dtype.names:
+            raise KeyError(missing(key, self.names()))
         return self.array[key]
 
     def __array__(self, dtype=None, copy=None):
@@ -71,23 +83,36 @@ class EnergySeries:
                 f"{self['time'][-1]:g} ps>")
 
 
-class Report(Mapping):
-    """The report of a job: the keys of its JSON, ``report["R"]`` or ``report.R``.
+class Report(Record, Mapping):
+    """The report of a job: the keys of its JSON, ``report["R"]`` or ``report.R``; names contain units, as
+    in "length_ps"."""
 
-    Attributes:
-        job (str): the verb: "run", "study", ...
-        data (dict): all keys; names contain units, as in "length_ps".
-        files (list of str): that were written.
-        complete (bool): False if it was interrupted.
-    """
+    __slots__ = ("_job", "_files", "_complete")
 
     def __init__(self, job, data, files, complete=True):
-        self.job, self.data, self.complete = job, data, complete
-        self.files = list(files)
+        self._job, self._data, self._complete = job, data, complete
+        self._files = list(files)
         if isinstance(data, dict) and not files:
-            self.data = {k: v for k, v in data.items() if k not in ("files", "energies_file")}
+            self._data = {k: v for k, v in data.items() if k not in ("files", "energies_file")}
+
+    @property
+    def job(self) -> str:
+        """str: the verb: "run", "study", ..."""
+        return self._job
+
+    @property
+    def files(self) -> list[str]:
+        """list of str: that were written."""
+        return self._files
+
+    @property
+    def complete(self) -> bool:
+        """bool: False if it was interrupted."""
+        return self._complete
 
     def __getitem__(self, key):
+        if key not in self.data:
+            raise KeyError(missing(key, self.data))
         return self.data[key]
 
     def __iter__(self):
@@ -95,18 +120,6 @@ class Report(Mapping):
 
     def __len__(self):
         return len(self.data)
-
-    def __getattr__(self, name):
-        if name.startswith("_") or "data" not in self.__dict__:
-            raise AttributeError(name)
-        try:
-            return self.data[name]
-        except KeyError:
-            near = _core.did_you_mean(name, list(self.data))
-            raise AttributeError(f"the report has no '{name}'{near}") from None
-
-    def __dir__(self):
-        return [*super().__dir__(), *self.data]
 
     def __repr__(self):
         return f"<report of {self.job}: {', '.join(list(self.data)[:6])}, ...>"
@@ -127,33 +140,48 @@ class Report(Mapping):
         return plot_report(self, ax)
 
 
-class Run:
-    """What Simulation.run() computed.
+class Run(Guarded):
+    """What Simulation.run() computed."""
 
-    Attributes:
-        energies (EnergySeries): samples of the energies.
-        frames (list): (time [ps], box (3) [nm], positions of all sites (m, 3) [nm]), if requested.
-        simulation (Simulation): that it is of; None in a copy that was pickled, which keeps the summary.
-    """
+    __slots__ = ("_simulation", "_energies", "_frames", "_summary", "__weakref__")
 
     def __init__(self, simulation):
-        self.simulation = simulation
-        self.energies = EnergySeries(np.zeros((0, len(EnergySeries.names()))))
-        self.frames = []
+        self._simulation = simulation
+        self._energies = EnergySeries(np.zeros((0, len(EnergySeries.names()))))
+        self._frames = []
 
     def _add(self, rows, tasks):
         hybrid = self.simulation.settings.tables.get("hybrid_monte_carlo") is not None
-        self.energies = EnergySeries(rows, conserves=not hybrid)
-        self.frames = next((task.kept for _, task in tasks if hasattr(task, "kept")), [])
+        self._energies = EnergySeries(rows, conserves=not hybrid)
+        self._frames = next((task.kept for _, task in tasks if hasattr(task, "kept")), [])
+
+    @property
+    def energies(self) -> EnergySeries:
+        """EnergySeries: samples of the energies."""
+        return self._energies
+
+    @property
+    def frames(self) -> list:
+        """list of (time [ps], box (3) [nm], positions of all sites (m, 3) [nm]), if requested."""
+        return self._frames
+
+    @property
+    def simulation(self):
+        """Simulation: that it is of; None in a copy that was pickled, which keeps the summary."""
+        return self._simulation
 
     @property
     def summary(self) -> Report:
-        """Report: statistics of the whole trajectory of the simulation, until now."""
+        """Report: statistics of the trajectory of the simulation until now, or of its present segment."""
         return self._summary if self.simulation is None else self.simulation.summary
 
     def __getstate__(self):
-        return {"energies": self.energies, "frames": self.frames, "simulation": None,
+        return {"_energies": self.energies, "_frames": self.frames, "_simulation": None,
                 "_summary": self.summary}
+
+    def __setstate__(self, state):
+        for name, value in state.items():
+            setattr(self, name, value)
 
     @property
     def ratio(self) -> float | None:

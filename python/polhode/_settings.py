@@ -1,37 +1,27 @@
 # SPDX-License-Identifier: MIT
 """Settings: the tables and keys of a run file, from a file, a dict, or keywords."""
 
+from __future__ import annotations
+
 import os
 from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from . import _core
+from ._guard import Guarded
 from .errors import Error
 from .forces import add_forces
+from ._keywords import KEY_OF, TABLE_OF, TABLES, takes_settings
 from ._quantities import text_of
 from ._types import Source
 
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import Keywords
+
 __all__ = ["settings"]
-
-# Words that may be given without their table, as options of the command line.
-TABLE_OF = {
-    "molecules": "system", "topology": "system", "initial_configuration": "system",
-    "density": "system", "box": "system", "temperature": "system", "seed": "system",
-    "velocities": "system", "checkpoint": "system",
-    "cutoff": "forces", "switch": "forces", "truncation": "forces", "smoothness": "forces",
-    "electrostatics": "forces", "dielectric": "forces", "skin": "forces", "precision": "forces",
-    "mixing": "forces", "pme_accuracy": "forces", "coulomb_cutoff": "forces", "damping": "forces",
-    "dispersion_correction": "forces",
-    "scheme": "integrator", "step": "integrator", "accuracy": "integrator",
-    "candidates": "integrator",
-    "length": "run", "sample": "run", "equilibrate": "run", "minimise": "run",
-    "shadow_sample": "run", "configurational_sample": "run",
-    "friction": "thermostat", "time_constant": "thermostat",
-    "pressure": "barostat", "hybrid_steps": "hybrid_monte_carlo",
-    "prefix": "output", "formats": "output", "trajectory_every": "output", "plot": "output",
-}
-TABLES = ("system", "forces", "pair", "schemes", "integrator", "run", "prepare", "output", "study",
-          "thermostat", "barostat", "hybrid_monte_carlo")
-
 
 # TOML text of Python values.
 
@@ -134,27 +124,34 @@ def _components(molecules, count):
     return [{"model": model(molecules), "count": count}]
 
 
+def _set_type(tables, word, value):
+    """The type of a thermostat or barostat. Of keys so far, those remain that all types have, as with
+    the options of the command line."""
+    if value in (None, "none"):
+        tables[word] = None
+        return
+    keys = dict(tables.get(word) or {})
+    if keys.get("type", value) != value:
+        keys = {k: v for k, v in keys.items() if k in ("pressure", "compressibility", "every", "edges")}
+    tables[word] = {**keys, "type": value}
+
+
 def _place(tables, word, value):
     """Puts a keyword into its table."""
     if word in ("thermostat", "barostat") and not isinstance(value, Mapping):
-        if value in (None, "none"):
-            tables[word] = None
-        else:
-            tables[word] = {**(tables.get(word) or {}), "type": value}
-        return
-    if word in TABLES:
+        _set_type(tables, word, value)
+    elif word in TABLES:
         if not isinstance(value, Mapping) or not isinstance(tables.get(word), Mapping):
             tables[word] = value
         else:
             tables[word] = {**tables[word], **value}
-        return
-    if word not in TABLE_OF:
+    elif word in TABLE_OF:
+        table = TABLE_OF[word]
+        tables[table] = {**(tables.get(table) or {}), KEY_OF[word]: value}
+    else:
         near = _core.did_you_mean(word, [*TABLE_OF, *TABLES, "count", "threads"])
         raise Error(f"there is no keyword '{word}'{near or '; those of run files are there, as in '}"
                     + ("" if near else "scheme=\"hoa2\", step=\"2 fs\", run={\"length\": \"1 ps\"}"))
-    table = TABLE_OF[word]
-    key = "steps" if word == "hybrid_steps" else word
-    tables[table] = {**(tables.get(table) or {}), key: value}
 
 
 def _merged(tables, words):
@@ -167,8 +164,8 @@ def _merged(tables, words):
         tables["system"] = {**system, "molecules": _components(molecules, count)}
     elif count is not None:
         raise Error("count belongs to molecules; write for example molecules=\"tip4p\", count=512")
-    for word, value in words.items():
-        _place(tables, word, value)
+    for word in sorted(words, key=lambda w: w not in TABLES):  # types before the keys that they have
+        _place(tables, word, words[word])
     integrator = tables.get("integrator")
     if isinstance(integrator, Mapping) and ("step" in words) != ("accuracy" in words):
         drop = "accuracy" if "step" in words else "step"
@@ -176,21 +173,34 @@ def _merged(tables, words):
     for density in ("density", "box"):
         if density in words and isinstance(tables.get("system"), Mapping):
             tables["system"].pop("box" if density == "density" else "density", None)
+    if "pressure" in words and "thermostat" not in words and tables.get("hybrid_monte_carlo") is None:
+        # As on the command line, a pressure without a thermostat selects langevin.
+        tables["thermostat"] = tables.get("thermostat") or {"type": "langevin"}
     return tables
 
 
-def settings(source: Source = None, **keywords: object) -> "Settings":
+def _parts(source):
+    """Tables, keywords, and own forces of a dict, which has tables as in a run file or keywords."""
+    tables = {k: v for k, v in source.items() if k in TABLES and (k == "pair" or isinstance(v, Mapping))}
+    words = {k: v for k, v in source.items() if k not in tables and k != "external_forces"}
+    return tables, words, source.get("external_forces")
+
+
+@takes_settings
+def settings(source: Source = None, **keywords: Unpack[Keywords]) -> Settings:
     """The settings of a run: those of a run file.
 
     Args:
-        source: path of a run file; a dict with its tables, ``{"system": {...}, ...}``; settings
-            that were made before; or None for the default run, 512 TIP4P waters (with the keyword
-            ``molecules`` or ``system``: an empty run file).
+        source: path of a run file; a dict with its tables, ``{"system": {...}, ...}``, or with
+            keywords; settings that were made before; or None for the default run, 512 TIP4P waters
+            (with the keyword ``molecules`` or ``system``: an empty run file).
         **keywords: tables, as in ``run={"length": "1 ps"}``, or keys without their table:
             ``scheme="hoa2"``, ``step="4 fs"``, ``temperature="298 K"``, ``seed=7``,
-            ``molecules="tip4p"`` with ``count=512``, ``thermostat="langevin"``,
-            ``pressure="1 bar"``; they have precedence over the source.
-            ``forces=f`` with a function adds forces of one's own, see polhode.forces.
+            ``molecules="tip4p"`` with ``count=512``, ``thermostat="langevin"``; they have precedence
+            over the source. A key of two tables is that of the first: ``time_constant`` is the
+            thermostat's. ``pressure="1 bar"`` without a thermostat selects Langevin, and without a
+            barostat cell rescaling. ``forces=f`` with a function adds forces of one's own, see
+            polhode.forces.
 
     Returns:
         Settings: for any function of this package that takes a run file.
@@ -199,46 +209,71 @@ def settings(source: Source = None, **keywords: object) -> "Settings":
         Error: if a key or a value is wrong, with its place.
     """
     words = {k: v for k, v in keywords.items() if v is not None}
-    own = words.pop("forces", None) if callable(words.get("forces")) else None
+    base, name, own = None, "keywords", None
     if isinstance(source, Settings):
-        base, name, origin = source.tables, source.name, source
-        own = own or source.own_forces
+        base, name, own = source._tables, source.name, source.own_forces
     elif isinstance(source, Mapping):
-        base, name = dict(source), "dict"
-        own = own or base.pop("external_forces", None)
+        base, more, own = _parts(source)
+        name, words = "dict", {**more, **words}
     elif source is not None:
-        base, name = None, os.fspath(source)
-    else:
-        base, name = ({} if "molecules" in words or "system" in words else None), "keywords"
-    return Settings(base, name, words, own)
+        name = os.fspath(source)
+    if callable(words.get("forces")):
+        own = words.pop("forces")
+    is_file = source is not None and not isinstance(source, (Settings, Mapping))
+    if not base and not is_file and words:
+        base = {} if "molecules" in words or "system" in words else None
+    return Settings(base, name if is_file or base is not None else "keywords", words, own)
 
 
-class Settings:
-    """The settings of a run, made by settings(). They can be pickled.
+def _view(value):
+    """A value that cannot be changed."""
+    if isinstance(value, Mapping):
+        return MappingProxyType({k: _view(v) for k, v in value.items()})
+    return tuple(map(_view, value)) if isinstance(value, list) else value
 
-    Attributes:
-        tables (dict): the tables of a run file.
-        name (str): where they are from, for errors.
+
+class Settings(Guarded):
+    """The settings of a run, made by settings(). They can be pickled, and are not changed: settings
+    with other values are ``polhode.settings(these, step="2 fs")``.
     """
 
+    __slots__ = ("_tables", "_name", "_own_forces", "_core", "__weakref__")
+    _remedy = "settings with another value are polhode.settings(these, step=\"2 fs\")"
+    _instead = dict.fromkeys((*TABLE_OF, *TABLES), _remedy)
+
     def __init__(self, base, name, words, own_forces=None):
-        self.own_forces = own_forces
-        self.name = name
+        self._own_forces = own_forces
+        self._name = name
         if base is None and not words:
             self._core = _core.read_config(name) if name != "keywords" else _core.default_config()
-            self.tables = parsed(self._core.text)
+            self._tables = parsed(self._core.text)
         else:
             if base is None:
                 base = parsed(_core.read_config(name).text if name != "keywords"
                               else _core.default_text())
-            self.tables = _merged(dict(base), dict(words))
-            self._core = _core.parse_config(toml_text(self.tables), name)
+            self._tables = _merged(dict(base), dict(words))
+            self._core = _core.parse_config(toml_text(self._tables), name)
         self._core.own_forces = None
         if own_forces is not None:
             add_forces(self._core, own_forces)
 
     @property
-    def text(self):
+    def tables(self) -> Mapping:
+        """The tables of a run file, read-only."""
+        return _view(self._tables)
+
+    @property
+    def name(self) -> str:
+        """str: where the settings are from, for errors."""
+        return self._name
+
+    @property
+    def own_forces(self):
+        """ExternalForces, or the function: the forces of one's own; None: none."""
+        return self._own_forces
+
+    @property
+    def text(self) -> str:
         """The TOML text that was read."""
         return self._core.text
 
@@ -246,7 +281,7 @@ class Settings:
         return f"<polhode settings of {self.name}>"
 
     def __reduce__(self):
-        return _unpickled, (self.tables, self.name, self.own_forces)
+        return _unpickled, (self._tables, self._name, self._own_forces)
 
 
 def _unpickled(tables, name, own_forces):

@@ -1,133 +1,48 @@
 # SPDX-License-Identifier: MIT
 """A simulation in memory: steps, views of its state, energies, checkpoints."""
 
+from __future__ import annotations
+
 import json
 import math
 import os
-from collections.abc import Callable, Sequence
-from typing import SupportsIndex, TypeAlias
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, SupportsIndex, TypeAlias
 
 import numpy as np
 
 from . import _core
-from .errors import Error
+from ._guard import Energies, Guarded
+from ._keywords import TABLE_OF, takes_settings
 from ._lookup import Molecule, kinds_of
 from ._progress import hooks
-from ._quantities import quantity
+from ._quantities import positive
 from ._results import EnergySeries, Report, Run
-from ._settings import settings
+from ._settings import Settings, settings
+from ._state import State
 from ._types import Path, Progress, Quantity, Source
+from .errors import Error
 
-__all__ = ["Simulation", "State"]
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from ._keywords import Keywords
+
+__all__ = ["Simulation"]
 
 Observers: TypeAlias = \
     "Callable[[Simulation], object] | Sequence[Callable[[Simulation], object]] | None"
 
 
-def _steps_of(time, step, name):
-    """The number of steps in a time [ps].
-
-    Raises:
-        Error: if it is not a whole number from 1.
-    """
-    steps = time / step
-    if not 0.5 <= steps < 2**53 or abs(steps - round(steps)) > 1e-6 * max(steps, 1):
-        raise Error(f"{name} of {time:g} ps is not a whole number of steps of {1000 * step:g} fs; "
-                    f"{1000 * step * max(1, round(min(steps, 1e15))):g} fs would be")
-    return round(steps)
+# The settings of the scheme and the ensemble.
+_CHANGEABLE = {"temperature", "integrator", "thermostat", "barostat",
+               *(word for word, table in TABLE_OF.items() if table in ("integrator", "thermostat", "barostat"))}
+_METHODS = {"step": "it is the method that advances; the time step is simulation.time_step = \"1 fs\"",
+            "run": "it is the method that advances by a time",
+            "state": "write 'with simulation.state.change() as state:', and there state.positions = ..."}
 
 
-class State:
-    """The state of a simulation: views of the numbers in use, without a copy.
-
-    A view shows the present state at any time, also after further steps; it is read-only, and
-    stays valid as long as it exists. To change the state, enter change()::
-
-        with simulation.state.change() as state:
-            state.positions[0] += [0.1, 0, 0]
-
-    Rows are molecules, in the order of the topology.
-    """
-
-    def __init__(self, core, settings):
-        self._core = core
-        self._settings = settings  # which have the forces of one's own
-
-    @property
-    def positions(self) -> np.ndarray:
-        """Centres of mass (n, 3) [nm], lab frame, not wrapped into the box."""
-        return self._core.positions
-
-    @property
-    def momenta(self) -> np.ndarray:
-        """Momenta (n, 3) [u nm/ps], lab frame."""
-        return self._core.momenta
-
-    @property
-    def attitudes(self) -> np.ndarray:
-        """Attitudes (n, 4), unit quaternions (w, x, y, z) that rotate body to lab."""
-        return self._core.attitudes
-
-    @property
-    def angular_momenta(self) -> np.ndarray:
-        """Angular momenta (n, 3) about the centres of mass [u nm²/ps], lab frame."""
-        return self._core.angular_momenta
-
-    @property
-    def box(self) -> np.ndarray:
-        """Edges of the periodic box (3) [nm]; a copy."""
-        return self._core.box
-
-    @property
-    def time(self) -> float:
-        """Time [ps]."""
-        return self._core.time
-
-    def __len__(self):
-        return self._core.molecules
-
-    def __repr__(self):
-        return f"<state of {len(self)} molecules at {self.time:g} ps>"
-
-    def change(self) -> "_Change":
-        """A context in which the state can be changed: its target has the writable arrays
-        `positions`, `momenta`, `attitudes` and `angular_momenta`.
-
-        At its end attitudes are normalized, and a trajectory begins with new forces and statistics;
-        steps are counted on. If an exception leaves the block, or a number is wrong, the state is
-        as it was before. The arrays must not be kept: later writes have no defined effect.
-
-        Raises:
-            Error: at the end, naming the molecule, if a number is not finite or an angular momentum
-                has a component along an axis without inertia.
-        """
-        return _Change(self._core, self._settings)
-
-    def _set(self, **arrays):
-        with self.change() as state:
-            for name, values in arrays.items():
-                getattr(state, name)[...] = values
-
-
-class _Change:
-    """The target of State.change()."""
-
-    def __init__(self, core, settings):
-        self._core, self._settings, self._arrays = core, settings, ()
-
-    def __enter__(self):
-        self._arrays = self._core.begin_change()
-        self.positions, self.momenta, self.attitudes, self.angular_momenta = self._arrays
-        return self
-
-    def __exit__(self, kind, *_):
-        for array in self._arrays:
-            array.flags.writeable = False
-        self._core.end_change(kind is None)
-        return False
-
-
-class Simulation:
+class Simulation(Guarded):
     """The system of a run file and its trajectory.
 
     Args:
@@ -143,14 +58,33 @@ class Simulation:
         Error: if a setting or the initial configuration does not fit.
 
     A simulation is used by one thread at a time; several simulations can run in several threads.
+
+    Between steps, temperature, pressure, time_step, scheme, thermostat and barostat can be set; see
+    change().
     """
 
+    __slots__ = ("_settings", "_core", "_last_run", "__weakref__")
+    _remedy = "it follows from the settings and the state; another one needs a new Simulation"
+    _instead = {**{word: f"write simulation.change({word}=...)" if word in _CHANGEABLE else
+                   f"make a new simulation, polhode.Simulation(simulation.settings, {word}=...)"
+                   for word in TABLE_OF}, **_METHODS}
+
+    @takes_settings
     def __init__(self, source: Source = None, *, threads: int | None = None,
-                 **keywords: object) -> None:
-        self.settings = settings(source, **keywords)
-        self._core = _core.Simulation(self.settings._core, _core.threads(threads))
-        #: Run: the last result of run(), also if it was interrupted.
-        self.last_run = None
+                 **keywords: Unpack[Keywords]) -> None:
+        self._settings = settings(source, **keywords)
+        self._core = _core.Simulation(self._settings._core, _core.threads(threads))
+        self._last_run = None
+
+    @property
+    def settings(self) -> Settings:
+        """Settings: those in force, with all changes since the simulation was made."""
+        return self._settings
+
+    @property
+    def last_run(self) -> Run | None:
+        """Run: the last result of run(), also if it was interrupted."""
+        return self._last_run
 
     @property
     def state(self) -> State:
@@ -166,6 +100,84 @@ class Simulation:
     def time(self) -> float:
         """Time of the state [ps]."""
         return self._core.time
+
+    def change(self, **keywords: Unpack[Keywords]) -> None:
+        """Changes scheme, step, temperature, thermostat or barostat between two steps, any of them at
+        once: ``simulation.change(scheme="gier4-fd", step="6 fs")``. Momenta stay as they are.
+
+        A segment of the trajectory begins, with statistics, heat and work of its own, which the
+        summary is of; ``summary.segment`` has its first step and what was changed. Checkpoints
+        are those of a simulation that is made with these settings.
+
+        Args:
+            **keywords: those of polhode.settings() for the scheme and the ensemble.
+
+        Raises:
+            Error: with nothing changed, if a setting cannot be changed, or does not fit.
+        """
+        for word in keywords:
+            if word not in _CHANGEABLE:
+                raise Error(f"{word} cannot be changed in a simulation under way, but scheme, step, temperature, "
+                            "thermostat and barostat can; make a new one: "
+                            f"polhode.Simulation(simulation.settings, {word}=...)")
+        new = settings(self._settings, **keywords)
+        self._core.change(new._core)
+        self._settings = new
+
+    @property
+    def time_step(self) -> float:
+        """The step of the scheme [ps]; it is set as a quantity, ``"2 fs"``."""
+        return self._core.config.step
+
+    @time_step.setter
+    def time_step(self, value: Quantity) -> None:
+        self.change(step=value)
+
+    @property
+    def scheme(self) -> str:
+        """The splitting scheme: a name, or stages as text."""
+        return self._core.config.scheme
+
+    @scheme.setter
+    def scheme(self, value: str) -> None:
+        self.change(scheme=str(value))
+
+    @property
+    def temperature(self) -> float | None:
+        """Temperature that is kept [K], None at constant energy; it is set as a quantity, ``"300 K"``.
+        The temperature of the momenta is in `energies`."""
+        return self._core.config.kept_temperature
+
+    @temperature.setter
+    def temperature(self, value: Quantity) -> None:
+        self.change(temperature=value)
+
+    @property
+    def pressure(self) -> float | None:
+        """Pressure that a barostat keeps [bar], None without; it is set as a quantity, ``"1 bar"``."""
+        return self._core.config.pressure
+
+    @pressure.setter
+    def pressure(self, value: Quantity) -> None:
+        self.change(pressure=value)
+
+    @property
+    def thermostat(self) -> str | None:
+        """The type of the thermostat, None without; it is set as a type or a dict with parameters."""
+        return self._core.config.thermostat
+
+    @thermostat.setter
+    def thermostat(self, value: str | Mapping[str, Any] | None) -> None:
+        self.change(thermostat="none" if value is None else value)
+
+    @property
+    def barostat(self) -> str | None:
+        """The type of the barostat, None without; it is set as a type or a dict with parameters."""
+        return self._core.config.barostat
+
+    @barostat.setter
+    def barostat(self, value: str | Mapping[str, Any] | None) -> None:
+        self.change(barostat="none" if value is None else value)
 
     @property
     def masses(self) -> np.ndarray:
@@ -192,7 +204,7 @@ class Simulation:
         """dict: energies of the present state [kJ/mol], temperature [K], pressure [bar], volume
         [nm³]; from a force evaluation that leaves the trajectory as it is."""
         row = self._core.energies()
-        return dict(zip(EnergySeries.names(), row, strict=True))
+        return Energies(zip(EnergySeries.names(), row, strict=True))
 
     @property
     def forces(self) -> tuple[np.ndarray, np.ndarray]:
@@ -202,7 +214,8 @@ class Simulation:
 
     @property
     def summary(self) -> Report:
-        """Report: statistics of the trajectory so far, with the keys of ``polhode run --json``.
+        """Report: statistics of the trajectory so far, with the keys of ``polhode run --json``; of its
+        present segment, if something was changed.
 
         Raises:
             Error: if there is no trajectory yet.
@@ -243,10 +256,11 @@ class Simulation:
         """Advances by a time, in memory; no file is written.
 
         Args:
-            length: "15 ps"; default: that of the settings.
+            length: "15 ps", rounded to whole steps; default: what remains of that of the settings.
             observe: function, or list of functions, called with this simulation at the start, and
                 then at each interval.
-            every: the interval: "20 fs"; default: that of the samples of the energies.
+            every: the interval: "20 fs", as other intervals rounded down to whole steps; default: that
+                of the samples of the energies.
             frames: interval at which positions of sites are kept for the result: "0.1 ps".
             progress: see polhode.Progress.
 
@@ -258,20 +272,17 @@ class Simulation:
             KeyboardInterrupt: after Ctrl-C, between two steps; `last_run` has the results so far,
                 and another call continues.
         """
-        config = self.settings._core
         if config_accuracy(self.settings):
             self.choose_step(progress)
-        step = self._core.config.step
-        total = _steps_of(quantity(length, "time", "length"), step, "the length") if length is not \
-            None else max(1, math.floor(config.length / step + 1e-9) - self.steps)
-        tasks = _tasks(observe, every, frames, step, config.sample)
-        self.last_run = Run(self)
+        tasks = _tasks(observe, every, frames, self._core)
+        total = _steps(self._core, length)
+        self._last_run = Run(self)
         with hooks(progress) as h:
             try:
                 _advance(self._core, total, tasks, self, h)
             finally:
-                self.last_run._add(self._core.take_energies(), tasks)
-        return self.last_run
+                self._last_run._add(self._core.take_energies(), tasks)
+        return self._last_run
 
     def save(self, path: Path) -> None:
         """Writes a checkpoint, from which a simulation of the same settings resumes bit for bit."""
@@ -360,17 +371,38 @@ class _Frames:
         self.kept.append(simulation._frame())
 
 
-def _tasks(observe, every, frames, step, sample):
+def _steps(core, length):
+    """The number of steps in a length, or up to that of the settings."""
+    if length is None:
+        steps = core.steps_left()
+        if steps == 0:
+            raise Error(f"the trajectory has the {core.config.length:g} ps of the settings already; give the length "
+                        "to run further: run(\"1 ps\")")
+        return steps
+    steps = core.steps_in(positive(length, "time", "length"))
+    if steps == 0:
+        raise Error(f"length = \"{length}\" is shorter than half a step of {1000 * core.config.step:g} fs; it must "
+                    "be at least one step")
+    return steps
+
+
+def _interval(core, time):
+    """The number of whole steps in an interval [ps], at least one, or trajectories of hybrid Monte Carlo."""
+    step = core.config.step
+    whole = core.steps_in(step)
+    return math.ceil(max(1, math.floor(min(time / step, 2**53) + 1e-9)) / whole) * whole
+
+
+def _tasks(observe, every, frames, core):
     """[(steps between calls, function)]."""
     tasks = []
     if frames is not None:
-        tasks.append((_steps_of(quantity(frames, "time", "frames"), step, "frames"), _Frames()))
+        tasks.append((_interval(core, positive(frames, "time", "frames")), _Frames()))
     if observe is not None:
         functions = observe if isinstance(observe, (list, tuple)) else [observe]
         if not all(callable(f) for f in functions):
             raise Error("observe must be a function of the simulation, or a list of them")
-        interval = max(1, round(sample / step)) if every is None else \
-            _steps_of(quantity(every, "time", "every"), step, "every")
+        interval = _interval(core, core.config.sample if every is None else positive(every, "time", "every"))
         tasks += [(interval, f) for f in functions]
     elif every is not None:
         raise Error("every is the interval of observe, which is not given")

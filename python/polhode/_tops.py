@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Free rotation: of arrays of tops, and the trajectory of one."""
 
+from __future__ import annotations
+
 import os
 
 import numpy as np

@@ -8,21 +8,22 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeAlias
 if TYPE_CHECKING:
     from ._settings import Settings
 
-__all__ = ["Messages", "Path", "Progress", "Quantity", "Source", "Texts"]
+__all__ = ["Messages", "Path", "Progress", "Quantity", "Source", "Text", "Texts"]
 
 
-class _WithUnits(Protocol):
+class PintQuantity(Protocol):
     """A quantity of pint."""
     units: Any
 
 
-class _WithUnit(Protocol):
+class OpenMMQuantity(Protocol):
     """A quantity of openmm.unit."""
     unit: Any
 
 
 Path: TypeAlias = str | os.PathLike[str]
-Quantity: TypeAlias = str | _WithUnits | _WithUnit
+Text: TypeAlias = str | os.PathLike[str]  # of a setting; a path where it is the name of a file
+Quantity: TypeAlias = str | PintQuantity | OpenMMQuantity
 Texts: TypeAlias = str | list[str] | tuple[str, ...]
 Source: TypeAlias = "Settings | Mapping[str, Any] | str | os.PathLike[str] | None"
 Progress: TypeAlias = bool | Callable[[str, float | None, str], object] | None

@@ -18,6 +18,8 @@ The arrays belong to the function. Forces must depend on these arguments alone, 
 gradient of the energy.
 """
 
+from __future__ import annotations
+
 import inspect
 from collections.abc import Callable
 from typing import Any
@@ -25,12 +27,13 @@ from typing import Any
 import numpy as np
 
 from ._arrays import reals
+from ._guard import Guarded
 from .errors import Error, RunError
 
 __all__ = ["ExternalForces"]
 
 
-class ExternalForces:
+class ExternalForces(Guarded):
     """A function that computes forces, with a name.
 
     Args:
@@ -39,14 +42,32 @@ class ExternalForces:
         virial (bool): whether it returns a virial, too.
     """
 
+    __slots__ = ("_function", "_name", "_virial", "_takes_box", "__weakref__")
+    _remedy = "other forces are polhode.ExternalForces(function, name=..., virial=...)"
+
     def __init__(self, function: Callable[..., Any], name: str | None = None,
                  virial: bool = False) -> None:
         if not callable(function):
             raise Error(f"forces must be a function, not of type {type(function).__name__}")
-        self.function = function
-        self.name = name or getattr(function, "__name__", type(function).__name__)
-        self.virial = bool(virial)
+        self._function = function
+        self._name = name or getattr(function, "__name__", type(function).__name__)
+        self._virial = bool(virial)
         self._takes_box = _takes_box(function)
+
+    @property
+    def function(self) -> Callable[..., Any]:
+        """The function."""
+        return self._function
+
+    @property
+    def name(self) -> str:
+        """str: under which checkpoints know it."""
+        return self._name
+
+    @property
+    def virial(self) -> bool:
+        """bool: whether it returns a virial, too."""
+        return self._virial
 
     def __call__(self, q, attitude, box):
         """The result of the function, checked: force, torque, energy, virial."""

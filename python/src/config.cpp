@@ -3,17 +3,56 @@
 
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
+#include <nanobind/stl/vector.h>
+
+#include <tuple>
 
 #include "bind.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/io/embedded.hpp"
+#include "polhode/io/ensemble_names.hpp"
+#include "polhode/io/quantity.hpp"
 #include "polhode/io/run_file_template.hpp"
+#include "polhode/io/setting_keys.hpp"
 #include "polhode/run/simulation/system.hpp"
 
 namespace polhode::python {
 
 namespace nb = nanobind;
 using namespace nb::literals;
+
+namespace {
+
+/// The name of the kind of a thermostat or barostat; nothing without.
+template <class Settings>
+std::optional<std::string> kind_of(const std::optional<Settings>& settings) {
+  return settings ? std::optional(std::string(name_of(settings->kind))) : std::nullopt;
+}
+
+std::optional<double> kept_temperature(const Config& config) {
+  return config.ensemble.constant_energy() ? std::nullopt
+                                           : std::optional(config.ensemble.temperature);
+}
+
+std::optional<double> pressure_in_bar(const Config& config) {
+  const auto& barostat = config.ensemble.barostat;
+  return barostat ? std::optional(barostat->pressure / unit("bar", Dimension::pressure))
+                  : std::nullopt;
+}
+
+/// (table, key, kinds of its values)
+std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> keys() {
+  std::vector<std::tuple<std::string, std::string, std::vector<std::string>>> all;
+  for (const SettingKey& key : setting_keys()) {
+    std::vector<std::string> kinds;
+    for (const SettingKind kind : key.kinds) kinds.emplace_back(name_of(kind));
+    all.emplace_back(key.table, key.key, std::move(kinds));
+  }
+  return all;
+}
+
+}  // namespace
 
 void bind_config(nb::module_& m) {
   nb::class_<Config>(m, "Config", nb::dynamic_attr())
@@ -24,6 +63,11 @@ void bind_config(nb::module_& m) {
           "prefix", [](const Config& c) { return c.output.prefix; },
           [](Config& c, const std::string& prefix) { c.output.prefix = prefix; })
       .def_prop_ro("step", [](const Config& c) { return c.integrator.step; })
+      .def_prop_ro("scheme", [](const Config& c) { return c.integrator.scheme; })
+      .def_prop_ro("kept_temperature", &kept_temperature)
+      .def_prop_ro("pressure", &pressure_in_bar)
+      .def_prop_ro("thermostat", [](const Config& c) { return kind_of(c.ensemble.thermostat); })
+      .def_prop_ro("barostat", [](const Config& c) { return kind_of(c.ensemble.barostat); })
       .def_prop_ro("length", [](const Config& c) { return c.run.length; })
       .def_prop_ro("sample", [](const Config& c) { return c.run.sample; })
       .def("set_forces",
@@ -34,6 +78,7 @@ void bind_config(nb::module_& m) {
   m.def("parse_config",
         [](const std::string& text, const std::string& file) { return parse_config(text, file); });
   m.def("default_config", &default_config);
+  m.def("setting_keys", &keys);
   m.def("default_text", [] { return std::string(embedded_text("runs/default.toml").value()); });
   m.def("run_file_template",
         [](const std::string& kind) { return std::string(run_file_template(kind)); });

@@ -49,6 +49,13 @@ std::string energy(const Config& config, bool derivative, nb::object message) {
   });
 }
 
+void set_stage(double& length, const Text& text, const std::string& name) {
+  if (!text) return;
+  length = quantity(*text, Dimension::time, name);
+  if (!(length >= 0))
+    throw Error(name + " = \"" + *text + "\" must be 0 or longer; write for example \"20 ps\"");
+}
+
 std::string prepare_start(Config config, const Text& pressure, const Text& nvt, const Text& npt,
                           const JobOptions& options) {
   if (pressure) {
@@ -56,10 +63,8 @@ std::string prepare_start(Config config, const Text& pressure, const Text& nvt, 
     if (!barostat) barostat = BarostatSettings{.compressibility = default_compressibility()};
     barostat->pressure = quantity(*pressure, Dimension::pressure, "pressure");
   }
-  if (nvt) config.prepare.nvt = quantity(*nvt, Dimension::time, "nvt");
-  if (npt) config.prepare.npt = quantity(*npt, Dimension::time, "npt");
-  if (config.prepare.nvt < 0 || config.prepare.npt < 0)
-    throw Error("nvt and npt must be 0 ps or longer");
+  set_stage(config.prepare.nvt, nvt, "nvt");
+  set_stage(config.prepare.npt, npt, "npt");
   return options.run([&](const Callbacks& callbacks, Workers& workers) {
     return preparation_json(prepare(config, options.output, callbacks, workers));
   });
@@ -188,13 +193,24 @@ std::vector<std::string> export_lammps(const Config& config, const std::string& 
 
 // Schemes and steps.
 
+double bounded_fraction(const std::string& text, const std::string& name) {
+  const double value = quantity(text, Dimension::fraction, name);
+  if (const std::string wrong = wrong_bound(value); !wrong.empty())
+    throw Error(name + " = \"" + text + "\" " + wrong);
+  return value;
+}
+
 Criterion criterion(const Config& config, const Text& accuracy, const Text& drift,
                     const Text& temperature_bias, const Text& bias) {
-  if (accuracy) return {Quality::ratio, *positive(accuracy, Dimension::fraction, "accuracy")};
+  if (accuracy.has_value() + drift.has_value() + temperature_bias.has_value() + bias.has_value() >
+      1)
+    throw Error(
+        "accuracy, drift, temperature_bias and bias exclude each other: the step meets one bound; "
+        "give one of them");
+  if (accuracy) return {Quality::ratio, bounded_fraction(*accuracy, "accuracy")};
   if (drift) return {Quality::drift, *positive(drift, Dimension::power, "drift")};
   if (temperature_bias)
-    return {Quality::temperature_bias,
-            *positive(temperature_bias, Dimension::fraction, "temperature_bias")};
+    return {Quality::temperature_bias, bounded_fraction(*temperature_bias, "temperature_bias")};
   if (bias) return criterion_of(required_bias(*bias, "bias"), config.ensemble);
   if (config.integrator.accuracy) return criterion_of(*config.integrator.accuracy, config.ensemble);
   throw Error(

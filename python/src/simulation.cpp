@@ -224,13 +224,23 @@ void bind_state(nb::class_<OwnedSimulation>& c) {
       .def("write", &write_state);
 }
 
+void bind_steps(nb::class_<OwnedSimulation>& c) {
+  c.def_prop_ro("steps", [](const OwnedSimulation& s) { return s.simulation.steps(); })
+      .def("steps_in", [](const OwnedSimulation& s, double t) { return s.simulation.steps_in(t); })
+      .def("steps_left", [](const OwnedSimulation& s) { return s.simulation.steps_left(); })
+      .def("change",
+           [](OwnedSimulation& s, const Config& config) {
+             const InUse use(s.in_use);
+             s.simulation.change(config.integrator, config.ensemble);
+           })
+      .def_prop_ro("config", [](const OwnedSimulation& s) { return s.simulation.config(); });
+}
+
 }  // namespace
 
 void bind_simulation(nb::module_& m) {
   nb::class_<OwnedSimulation> c(m, "Simulation", nb::is_weak_referenceable());
   c.def(nb::init<const Config&, int>(), nb::call_guard<nb::gil_scoped_release>())
-      .def_prop_ro("steps", [](const OwnedSimulation& s) { return s.simulation.steps(); })
-      .def_prop_ro("config", [](const OwnedSimulation& s) { return s.simulation.config(); })
       .def_prop_ro("threads", [](const OwnedSimulation& s) { return s.workers.threads(); })
       .def(
           "step",
@@ -277,6 +287,7 @@ void bind_simulation(nb::module_& m) {
              s.simulation.resume(path);
            }));
   bind_state(c);
+  bind_steps(c);
   m.def("energy_columns", [] {
     std::vector<std::pair<std::string, std::string>> names;
     for (const Table::Column& column : energy_columns(false))

@@ -11,6 +11,7 @@
 #include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/io/embedded.hpp"
+#include "polhode/io/setting_keys.hpp"
 #include "text_file.hpp"
 #include "toml_table.hpp"
 
@@ -24,12 +25,11 @@ std::string one_of(TomlTable& table, std::string_view key, std::string_view fall
   return value;
 }
 
-Config parse_config(std::string_view text, const std::string& file) {
-  const toml::table document = parse_toml(text, file);
-  TomlTable table(document, file);
+namespace {
+
+Config read_document(TomlTable table, const std::string& file) {
   Config config;
   config.source = file;
-  config.text = text;
   auto system = table.table("system");
   auto forces = table.table("forces");
   auto pairs = table.tables("pair");
@@ -78,6 +78,35 @@ Config parse_config(std::string_view text, const std::string& file) {
     system->refuse("temperature", wrong);
   set_precision(config, config.forces.precision);
   return config;
+}
+
+}  // namespace
+
+Config parse_config(std::string_view text, const std::string& file) {
+  const toml::table document = parse_toml(text, file);
+  Config config = read_document(TomlTable(document, file), file);
+  config.text = text;
+  return config;
+}
+
+// A run file with each table and the keys that must be there: readers ask for all others.
+std::vector<SettingKey> setting_keys() {
+  constexpr std::string_view text = R"(
+    system.molecules = [{ model = "argon", count = 1 }]
+    system.box = "3 nm"
+    forces = {}
+    integrator = {}
+    run = {}
+    prepare = {}
+    output = {}
+    study = {}
+    thermostat = {}
+    barostat.pressure = "1 bar"
+    hybrid_monte_carlo = {})";
+  const toml::table document = parse_toml(text, "keys");
+  std::vector<SettingKey> keys;
+  read_document(TomlTable(document, "keys", "", &keys), "keys");
+  return keys;
 }
 
 std::string wrong_temperature(const Config& config) {

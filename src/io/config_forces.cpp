@@ -17,12 +17,11 @@ namespace polhode {
 namespace {
 
 // A key that only one kind of electrostatics uses.
-bool has_key_of(TomlTable& table, std::string_view key, const ForceSettings& forces,
+void check_user(TomlTable& table, std::string_view key, const ForceSettings& forces,
                 Electrostatics user) {
   table.require(
       forces.electrostatics == user || !table.has(key), key,
       fmt::format("has no meaning without electrostatics = \"{}\"; leave it out", name_of(user)));
-  return table.has(key);
 }
 
 // The default of each of the two depends on the other.
@@ -62,14 +61,14 @@ void read_dielectric(TomlTable& table, double& dielectric) {
 }
 
 void read_electrostatics(TomlTable& table, ForceSettings& forces) {
-  if (has_key_of(table, "pme_accuracy", forces, Electrostatics::pme))
-    take(forces.pme_accuracy, table.number("pme_accuracy"));
-  if (has_key_of(table, "coulomb_cutoff", forces, Electrostatics::pme))
-    forces.coulomb_cutoff = table.quantity("coulomb_cutoff", Dimension::length, "0.8 nm");
-  if (has_key_of(table, "damping", forces, Electrostatics::damped_shifted_force))
-    take(forces.damping, table.quantity("damping", Dimension::inverse_length, "2 1/nm"));
-  if (has_key_of(table, "dielectric", forces, Electrostatics::reaction_field))
-    read_dielectric(table, forces.dielectric);
+  check_user(table, "pme_accuracy", forces, Electrostatics::pme);
+  take(forces.pme_accuracy, table.number("pme_accuracy"));
+  check_user(table, "coulomb_cutoff", forces, Electrostatics::pme);
+  forces.coulomb_cutoff = table.quantity("coulomb_cutoff", Dimension::length, "0.8 nm");
+  check_user(table, "damping", forces, Electrostatics::damped_shifted_force);
+  take(forces.damping, table.quantity("damping", Dimension::inverse_length, "2 1/nm"));
+  check_user(table, "dielectric", forces, Electrostatics::reaction_field);
+  read_dielectric(table, forces.dielectric);
 }
 
 PairOverride read_pair(TomlTable& table, const std::string& file) {

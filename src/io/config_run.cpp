@@ -35,19 +35,19 @@ void take_schemes(TomlTable& table, std::string_view key, std::vector<std::strin
 
 /// "0.5 %" of R, or the bias of an average.
 std::optional<Requirement> read_accuracy(TomlTable& table) {
-  if (!table.has("accuracy")) return std::nullopt;
   if (table.holds_text("accuracy"))
     if (const std::string text = *table.text("accuracy"); is_of_bias(text)) try {
         return required_bias(text, "accuracy");
       } catch (const Error& e) {
         throw Error(e.what(), table.where("accuracy"));
       }
-  const double ratio = table.quantity("accuracy", Dimension::fraction, "0.5 %").value();
-  if (const std::string wrong = wrong_bound(ratio); !wrong.empty())
+  const auto ratio = table.quantity("accuracy", Dimension::fraction, "0.5 %");
+  if (!ratio) return std::nullopt;
+  if (const std::string wrong = wrong_bound(*ratio); !wrong.empty())
     table.refuse("accuracy", wrong +
                                  ": it bounds R, the fluctuation of the total energy divided "
                                  "by that of the potential energy");
-  return Requirement{RequiredOf::ratio, ratio};
+  return Requirement{RequiredOf::ratio, *ratio};
 }
 
 void take_configurational_sample(TomlTable& table, double& interval) {

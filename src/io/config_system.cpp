@@ -63,12 +63,10 @@ SystemSettings::Component read_component(TomlTable table, const path& folder,
 }
 
 Vec3<double> read_box(TomlTable& table) {
-  if (table.holds_text("box")) {
+  if (!table.holds_list("box")) {
     const double edge = *table.quantity("box", Dimension::length, "2.5 nm");
     return {edge, edge, edge};
   }
-  if (!table.holds_list("box"))  // reports a bare number, or a value of the wrong type
-    table.quantity("box", Dimension::length, "2.5 nm");
   const auto edges = table.texts("box");
   table.require(edges->size() == 3, "box", "must be one edge or a list of three");
   Vec3<double> box;

@@ -106,6 +106,17 @@ const toml::node* TomlTable::find(std::string_view key) {
   return table_->get(key);
 }
 
+const toml::node* TomlTable::find(std::string_view key, SettingKind kind) {
+  if (log_ != nullptr) {
+    const auto same = [&](const SettingKey& k) { return k.table == path_ && k.key == key; };
+    auto known = std::find_if(log_->begin(), log_->end(), same);
+    if (known == log_->end()) known = log_->insert(log_->end(), {path_, std::string(key), {}});
+    auto& kinds = known->kinds;
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) kinds.push_back(kind);
+  }
+  return find(key);
+}
+
 std::vector<std::string> TomlTable::keys() const {
   std::vector<std::string> names;
   for (const auto& [key, node] : *table_) names.emplace_back(key.str());
@@ -135,21 +146,25 @@ void TomlTable::refuse_kind(std::string_view key, std::string_view must) const {
   refuse(key, fmt::format("must be {}", must));
 }
 
+std::string TomlTable::text_of(const toml::node& node, std::string_view key) const {
+  if (!node.is_string()) refuse_kind(key, "a text in quotes");
+  return *node.value<std::string>();
+}
+
 std::optional<std::string> TomlTable::text(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::text);
   if (node == nullptr) return std::nullopt;
-  if (!node->is_string()) refuse_kind(key, "a text in quotes");
-  return node->value<std::string>();
+  return text_of(*node, key);
 }
 
 std::optional<double> TomlTable::quantity(std::string_view key, Dimension dimension,
                                           std::string_view example) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::quantity);
   if (node == nullptr) return std::nullopt;
   if (node->is_number()) throw Error(no_unit(key, written(*node), dimension, example), where(key));
-  const auto words = text(key);
+  const std::string words = text_of(*node, key);
   try {
-    return polhode::quantity(*words, dimension, key, example);
+    return polhode::quantity(words, dimension, key, example);
   } catch (const Error& e) {
     throw e.at(where(key));
   }
@@ -166,7 +181,7 @@ std::optional<Vec3<double>> TomlTable::vector(std::string_view key, Dimension di
 }
 
 std::optional<double> TomlTable::number(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::number);
   if (node == nullptr) return std::nullopt;
   if (!node->is_number()) refuse_kind(key, "a number without unit or quotes");
   const double value = *node->value<double>();
@@ -175,21 +190,21 @@ std::optional<double> TomlTable::number(std::string_view key) {
 }
 
 std::optional<std::int64_t> TomlTable::integer(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::integer);
   if (node == nullptr) return std::nullopt;
   if (!node->is_integer()) refuse_kind(key, "a whole number without unit or quotes");
   return node->value<std::int64_t>();
 }
 
 std::optional<bool> TomlTable::boolean(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::boolean);
   if (node == nullptr) return std::nullopt;
   if (!node->is_boolean()) refuse_kind(key, "true or false, without quotes");
   return node->value<bool>();
 }
 
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::texts);
   if (node == nullptr) return std::nullopt;
   std::vector<std::string> values;
   const toml::array* list = node->as_array();
@@ -202,14 +217,14 @@ std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) {
 }
 
 std::optional<TomlTable> TomlTable::table(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::table);
   if (node == nullptr) return std::nullopt;
   if (!node->is_table()) refuse_kind(key, fmt::format("a table, [{}]", full(key)));
-  return TomlTable(*node->as_table(), file_, full(key));
+  return TomlTable(*node->as_table(), file_, full(key), log_);
 }
 
 std::optional<std::vector<TomlTable>> TomlTable::tables(std::string_view key) {
-  const toml::node* node = find(key);
+  const toml::node* node = find(key, SettingKind::tables);
   if (node == nullptr) return std::nullopt;
   const toml::array* list = node->as_array();
   if (list == nullptr) refuse_kind(key, "a list of tables, [{ ... }, { ... }]");
@@ -221,13 +236,13 @@ std::optional<std::vector<TomlTable>> TomlTable::tables(std::string_view key) {
   return values;
 }
 
-bool TomlTable::holds_list(std::string_view key) const {
-  const toml::node* node = table_->get(key);
+bool TomlTable::holds_list(std::string_view key) {
+  const toml::node* node = find(key, SettingKind::texts);
   return node != nullptr && node->is_array();
 }
 
-bool TomlTable::holds_text(std::string_view key) const {
-  const toml::node* node = table_->get(key);
+bool TomlTable::holds_text(std::string_view key) {
+  const toml::node* node = find(key, SettingKind::text);
   return node != nullptr && node->is_string();
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "polhode/io/quantity.hpp"
+#include "polhode/io/setting_keys.hpp"
 
 namespace polhode {
 
@@ -20,8 +21,10 @@ toml::table parse_toml(std::string_view text, const std::string& file);
 
 class TomlTable {
  public:
-  TomlTable(const toml::table& table, std::string file, std::string path = {})
-      : table_(&table), file_(std::move(file)), path_(std::move(path)) {}
+  /// @param log  receives the keys that this table and those in it are asked for; null: none
+  TomlTable(const toml::table& table, std::string file, std::string path = {},
+            std::vector<SettingKey>* log = nullptr)
+      : table_(&table), file_(std::move(file)), path_(std::move(path)), log_(log) {}
 
   /// The names of all keys.
   std::vector<std::string> keys() const;
@@ -38,8 +41,8 @@ class TomlTable {
   std::optional<std::vector<std::string>> texts(std::string_view key);
   std::optional<TomlTable> table(std::string_view key);
   std::optional<std::vector<TomlTable>> tables(std::string_view key);
-  bool holds_list(std::string_view key) const;
-  bool holds_text(std::string_view key) const;
+  bool holds_list(std::string_view key);
+  bool holds_text(std::string_view key);
 
   /// "water.toml:9, forces.cutoff"; the table's own place if it has no such key.
   std::string where(std::string_view key) const;
@@ -60,12 +63,15 @@ class TomlTable {
 
  private:
   const toml::node* find(std::string_view key);
+  const toml::node* find(std::string_view key, SettingKind kind);
   [[noreturn]] void refuse_kind(std::string_view key, std::string_view must) const;
+  std::string text_of(const toml::node& node, std::string_view key) const;
   std::string full(std::string_view key) const;
 
   const toml::table* table_;
   std::string file_, path_;
   std::vector<std::string> asked_;
+  std::vector<SettingKey>* log_;
 };
 
 }  // namespace polhode

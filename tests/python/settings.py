@@ -232,5 +232,84 @@ class Version(unittest.TestCase):
         self.assertEqual(program("--version").strip(), f"polhode {polhode.__version__}")
 
 
+class AsOnTheCommandLine(unittest.TestCase):
+    def test_every_key_is_a_keyword_with_a_type(self):
+        """The list is what the reader of run files asks for: each of its tables, and each key of the manual's page."""
+        keys = {(table, key): kinds for table, key, kinds in polhode._core.setting_keys()}
+        tables = {key for table, key in keys if not table}
+        self.assertEqual(tables - {"pair", "schemes"}, {table for table, _ in keys if table})
+        self.assertTrue(all(keys.values()))
+        manual = Path(__file__).resolve().parents[2] / "docs/manual"
+        text = (manual / "run-files.md").read_text(encoding="utf-8") + (manual / "ensembles.md").read_text(encoding="utf-8")
+        for table, key in keys:
+            self.assertIn(f"{key}", text)
+        for function in (polhode.settings, polhode.Simulation, polhode.run, polhode.advise, polhode.study):
+            parameters = inspect.signature(function).parameters
+            self.assertFalse([p for p in parameters.values() if p.kind is p.VAR_KEYWORD])
+            for table, key in keys:
+                word = {"lambda": "lambda_", "steps": "hybrid_steps"}.get(key, key)
+                if table not in ("study", "prepare") and key != "type":
+                    self.assertIn(word, parameters, function)
+                    self.assertIsNot(parameters[word].annotation, inspect.Parameter.empty)
+        self.assertEqual(inspect.signature(polhode.settings).parameters["cutoff"].annotation, "Quantity | None")
+        self.assertEqual(inspect.signature(polhode.settings).parameters["minimise"].annotation, "bool | None")
+
+    def test_every_keyword_reaches_its_key(self):
+        from polhode._keywords import KEY_OF, TABLE_OF
+
+        base = {"system": {"molecules": [{"model": "argon", "count": 2}]}, "barostat": {"pressure": "1 bar"}}
+        for word, table in TABLE_OF.items():
+            # A dict is of no kind that the readers accept but for molecules: the error names the key.
+            self.assertIn("molecules" if word == "molecules" else KEY_OF[word], message(polhode.settings, base, **{word: {"a": 1}}),
+                          f"{word} in {table}")
+
+    def test_types_have_names_that_say_something(self):
+        import pydoc
+
+        text = pydoc.render_doc(polhode.Simulation)
+        self.assertNotIn("._With", text)
+        self.assertIn("cutoff: 'Quantity | None'", text)
+
+    def test_the_package_has_types_of_keywords(self):
+        stub = Path(polhode.__file__).with_name("_keywords.pyi").read_text(encoding="utf-8")
+        compile(stub, "_keywords.pyi", "exec")
+        self.assertIn("    cutoff: Quantity | None\n", stub)
+
+    def test_a_dict_of_keywords(self):
+        words = dict(molecules="tip4p", count=64, density="1 g/cm3", cutoff="0.6 nm", switch="0.5 nm", thermostat="langevin")
+        self.assertEqual(polhode.settings(words).text, polhode.settings(**words).text)
+        self.assertEqual(polhode.settings({**WATER, "seed": 7}).tables["system"]["seed"], 7)
+        self.assertEqual(polhode.settings({"step": "1 fs"}).tables["system"], polhode.settings(step="1 fs").tables["system"])
+        self.assertIn("did you mean 'scheme'", message(polhode.settings, {**words, "shceme": "hoa2"}))
+
+    def test_a_pressure_alone(self):
+        self.assertEqual(polhode.Simulation(WATER, pressure="1 bar").thermostat, "langevin")
+        self.assertEqual(polhode.Simulation(WATER, pressure="1 bar", thermostat="rescaling").thermostat, "rescaling")
+        self.assertIsNone(polhode.Simulation(WATER, pressure="1 bar", hybrid_steps=4).thermostat)
+
+    def test_another_thermostat_than_that_of_the_file(self):
+        langevin = polhode.settings(WATER, thermostat="langevin", friction="2 1/ps")
+        self.assertEqual(polhode.Simulation(langevin, time_constant="1 ps", thermostat="rescaling").thermostat, "rescaling")
+        self.assertEqual(polhode.settings(langevin, thermostat="langevin").tables["thermostat"]["friction"], "2 1/ps")
+
+    def test_lengths_are_rounded_to_whole_steps(self):
+        s = polhode.Simulation(WATER, step="3 fs", length="50 fs")
+        self.assertEqual(s.run("20 fs", observe=lambda s: None, every="5 fs").simulation.steps, 7)
+        s.run()
+        self.assertEqual(s.steps, 17)
+
+    def test_lengths_that_are_none(self):
+        s = polhode.Simulation(WATER)
+        for call in (lambda: s.run("-1 ps"), lambda: s.run("0 fs"), lambda: s.run("4 fs", frames="-1 fs"),
+                     lambda: s.run("4 fs", observe=print, every="0 fs"), lambda: polhode.prepare(WATER, nvt="-1 ps"),
+                     lambda: polhode.study(WATER, steps=["-1 fs"])):
+            self.assertRegex(message(call), r'= "-?[01] [fp]s" must be (longer than 0|0 or longer|above 0)')
+        self.assertIn("half a step", message(s.run, "0.9 fs"))
+
+    def test_bounds_of_the_adviser(self):
+        self.assertIn("200 %", message(polhode.advise, WATER, accuracy="200 %"))
+        self.assertIn("exclude each other", message(polhode.advise, WATER, accuracy="1 %", bias="0.1 K"))
+
+
 if __name__ == "__main__":
     package.main()

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/io/config.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "errors.hpp"
+#include "polhode/io/setting_keys.hpp"
 
 using namespace polhode;
 
@@ -361,5 +365,28 @@ TEST_CASE("a run file truncated anywhere gives an error with its line, or is com
       CAPTURE(e.what());
       CHECK(e.where().find("water.toml") == 0);
     }
+  }
+}
+
+TEST_CASE("the keys of run files are known with the kinds of their values, for every table") {
+  std::vector<std::string> tables;
+  std::size_t cutoffs = 0;
+  const std::vector<SettingKey> keys = setting_keys();
+  for (const SettingKey& key : keys) {
+    CAPTURE(key.table);
+    CAPTURE(key.key);
+    CHECK(!key.kinds.empty());
+    if (key.table.empty()) tables.push_back(key.key);
+    if (key.key != "cutoff") continue;
+    CHECK(key.table == "forces");
+    CHECK(key.kinds == std::vector{SettingKind::quantity});
+    ++cutoffs;
+  }
+  CHECK(cutoffs == 1);
+  for (const std::string& table : tables) {
+    CAPTURE(table);
+    const auto belongs = [&](const SettingKey& key) { return key.table == table; };
+    const bool free = table == "pair" || table == "schemes";
+    CHECK(std::any_of(keys.begin(), keys.end(), belongs) != free);
   }
 }

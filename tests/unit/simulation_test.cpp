@@ -217,6 +217,35 @@ TEST_CASE("a run continues from steps already taken") {
               {"0.2 ps", "0.205 ps", "already has"});
 }
 
+TEST_CASE("a change of the step begins a segment, which a run with its files reports") {
+  const Folder folder;
+  Simulation simulation(config_in(folder));
+  simulation.step(16);  // 80 fs
+  Config to = simulation.config();
+  to.integrator.step = 0.002;
+  simulation.change(to.integrator, to.ensemble);
+  CHECK(simulation.steps_left() == 60);  // the 120 fs that remain of 200 fs
+  const RunResult result = simulation.run({ExistingFiles::refuse, "test"});
+  CHECK(simulation.steps() == 76);
+  CHECK(simulation.state().time == doctest::Approx(0.2).epsilon(1e-12));
+  const auto json = nlohmann::json::parse(run_json(*result.report));
+  CHECK(json.at("steps") == 60);
+  CHECK(json.at("samples") == 13);  // every fifth step, with that at the start
+  CHECK(json.at("force_evaluations") == 120);
+  CHECK(json.at("segment").at("number") == 2);
+  CHECK(json.at("segment").at("first_step") == 16);
+  CHECK(json.at("segment").at("changes") == "integrator.step was 5 fs and is now 2 fs");
+  CHECK(bytes(folder / "out-energies.csv")
+            .find("# command: test (segment 2 from step 16: integrator.step was 5 fs and is now 2 "
+                  "fs)") != std::string::npos);
+
+  to.ensemble.hybrid_monte_carlo.emplace();
+  check_error([&] { simulation.change(to.integrator, to.ensemble); }, {"hybrid Monte Carlo"});
+  to.ensemble.hybrid_monte_carlo.reset();
+  to.ensemble.temperature = 160;
+  check_error([&] { simulation.change(to.integrator, to.ensemble); }, {"160 K", "constant energy"});
+}
+
 TEST_CASE("a saved simulation resumes to the same bits") {
   const Result whole = whole_run();
   const Folder folder;

@@ -126,9 +126,13 @@ class NestedIntegrator {
     inner.derivatives = near_derivatives();
     return memory;
   }
+  /// @param memory  without that of an inner scheme, if the scheme so far had none
   void resume_from(const IntegratorMemory& memory) {
     outer_.resume_from(memory);
-    inner_.resume_from(memory.inner.at(0));
+    if (memory.inner.empty())
+      inner_.forget();
+    else
+      inner_.resume_from(memory.inner.front());
     slow_.reset_counts();
   }
 

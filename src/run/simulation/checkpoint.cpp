@@ -134,6 +134,8 @@ void run_state(Archive& archive, Of& at) {
                      &at.timings.measurement, &at.timings.near})
     archive(*part);
   ensemble(archive, at.ensemble);
+  counter(archive, at.segment.number), counter(archive, at.segment.first_step);
+  archive(at.segment.earlier), archive(at.segment.changes);
 }
 
 template <class Archive, class Of>
@@ -291,11 +293,16 @@ Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
 Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
                               const ProgramVersion& reader) {
   Checkpoint checkpoint = read_checkpoint(path, reader);
-  if (!same_run(checkpoint.identity, identity))
+  if (!same_run(checkpoint.identity, identity)) {
+    const std::string settings = differences(checkpoint.identity, identity);
     throw OutputError(
         fmt::format("the checkpoint '{}' belongs to another run, started with '{}': {}; give that "
                     "run file with the same options, another output, or start over",
-                    path, checkpoint.command, differences(checkpoint.identity, identity)));
+                    path, checkpoint.command,
+                    settings.empty() ? "molecules, parameters of pairs, initial configuration or "
+                                       "velocities differ"
+                                     : settings));
+  }
   return checkpoint;
 }
 

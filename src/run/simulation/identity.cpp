@@ -132,12 +132,16 @@ bool same_run(std::string_view one, std::string_view other) {
 std::string differences(const std::string& then, const std::string& now) {
   const auto before = settings_of(then), after = settings_of(now);
   std::string text;
+  const auto add = [&](const std::string& key, const std::string& was, const std::string& is) {
+    if (was != is)
+      text += fmt::format("{}{} was {} and is now {}", text.empty() ? "" : ", ", key, was, is);
+  };
+  const std::string none = "none";
   for (const auto& [key, value] : before)
-    if (const auto found = after.find(key); found != after.end() && found->second != value)
-      text += fmt::format("{}{} was {} and is now {}", text.empty() ? "" : ", ", key, value,
-                          found->second);
-  if (!text.empty()) return text;
-  return "molecules, parameters of pairs, initial configuration or velocities differ";
+    add(key, value, after.contains(key) ? after.at(key) : none);
+  for (const auto& [key, value] : after)
+    if (!before.contains(key)) add(key, none, value);
+  return text;
 }
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "clocks.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/forces/laws/law_range.hpp"
 #include "polhode/forces/timed_forces.hpp"
@@ -54,49 +55,6 @@ void copy_positions(const State& from, State& to) {
                            static_cast<double>(step) * s.step, cause, remedy),
                cause);
 }
-
-/// Computing time by part, added to that of an earlier part of the run.
-class Clocks {
- public:
-  /// @param near  of an inner scheme, if there is one
-  Clocks(const TimedForces& whole, const TimedForces* near, const Timings& earlier)
-      : whole_(whole),
-        near_(near),
-        earlier_(earlier),
-        list_before_(in_list(&whole)),
-        near_list_before_(in_list(near)) {}
-  double in_forces() const { return whole_.seconds + (near_ ? near_->seconds : 0); }
-  /// The time since the last call of this or skip() was spent in drifts, kicks and forces.
-  void add_motion() { motion_ += part_.lap(); }
-  void skip() { part_.lap(); }
-  void forces_of_sample(double seconds) { forces_of_samples_ += seconds; }
-  /// The time since the last call is not part of the trajectory.
-  void skip_pause() {
-    run_.lap();
-    skip();
-  }
-  Timings timings() {
-    all_ += run_.lap();
-    const double list = in_list(&whole_) - list_before_;
-    const double near_list = in_list(near_) - near_list_before_;
-    const double motion = motion_ - (in_forces() - forces_of_samples_);
-    return {earlier_.forces + whole_.seconds - list, earlier_.list + list + near_list,
-            earlier_.motion + motion,
-            earlier_.measurement + std::max(0.0, all_ - in_forces() - motion),
-            earlier_.near + (near_ ? near_->seconds : 0) - near_list};
-  }
-
- private:
-  static double in_list(const TimedForces* timed) { return timed ? timed->in_list() : 0; }
-
-  const TimedForces& whole_;
-  const TimedForces* near_;
-  Timings earlier_;
-  double list_before_, near_list_before_;
-  double all_ = 0, motion_ = 0;
-  double forces_of_samples_ = 0;  // schemes that end with a drift need forces for the energy
-  Stopwatch run_, part_;
-};
 
 /// The integrator of a trajectory with its forces: of one scheme, or of two for multiple time
 /// steps.
@@ -173,14 +131,17 @@ class Propagator::Impl {
   }
 
   std::size_t steps() const { return steps_; }
+  const Segment& segment() const { return segment_; }
   double exchanged() const { return moves_.exchanged(); }
 
   void resume_from(const RunState& from) {
     system_.state = from.state;
     start_ = from.start;
     steps_ = from.steps;
+    segment_ = from.segment;
     conserved_.reset();
     potential_.reset();
+    before_last_sample_.reset();
     statistics_ = from.statistics;
     integrator_.resume_from(from);
     moves_.resume_from(from.ensemble);
@@ -200,7 +161,8 @@ class Propagator::Impl {
         integrator_.near ? integrator_.near->forces.list_memory(system_.state.box) : ListMemory{},
         statistics_,
         clocks_->timings(),
-        moves_.memory()};
+        moves_.memory(),
+        segment_};
     clocks_->skip();
     return now;
   }
@@ -226,7 +188,7 @@ class Propagator::Impl {
 
   Trajectory run(const Watch& watch) {
     leave_last_sample();
-    const std::size_t last = settings_.steps();
+    const std::size_t last = last_step(settings_, segment_);
     bool stopped = false;
     std::string failure, cause;
     try {
@@ -239,7 +201,7 @@ class Propagator::Impl {
         stopped = watch.stop && watch.stop();
         if (stopped || steps_ == last || (watch.due && watch.due())) checkpoint(watch);
       }
-      if (steps_ % interval_ != 0) last_sample(watch);
+      if (!sampled(steps_)) last_sample(watch);
     } catch (const BlowUp& e) {
       failure = e.what();
       cause = e.cause;
@@ -256,6 +218,7 @@ class Propagator::Impl {
     Trajectory result;
     result.statistics = statistics_;
     result.steps = steps_;
+    result.segment = segment_;
     integrator_.count(result);
     result.timings = clocks_->timings();
     result.ensemble = moves_.memory();
@@ -272,12 +235,17 @@ class Propagator::Impl {
   }
 
   void sampled_step(const Watch& watch) {
-    const bool sampled = (steps_ + 1) % interval_ == 0, moves = moves_.due(steps_ + 1);
+    const bool samples = sampled(steps_ + 1), moves = moves_.due(steps_ + 1);
     moves_.before_step(system_.state, steps_, [&]() -> const Load& { return complete_load(); });
-    step(sampled || moves);
+    step(samples || moves);
     if (moves) move();
-    if (sampled) sample(watch);
+    if (samples) sample(watch);
   }
+
+  std::size_t steps_of_segment() const { return steps_ - segment_.first_step; }
+
+  /// Samples are counted from the beginning of the segment, which has the first one.
+  bool sampled(std::size_t step) const { return (step - segment_.first_step) % interval_ == 0; }
 
   /// Of the current positions, with energies.
   const Load& complete_load() {
@@ -312,7 +280,7 @@ class Propagator::Impl {
       blow_up(steps_ + 1, e.what() + inner_limit_note(system_.topology));
     }
     ++steps_;
-    system_.state.time = start_ + static_cast<double>(steps_) * settings_.step;
+    system_.state.time = start_ + static_cast<double>(steps_of_segment()) * settings_.step;
     if (!std::isfinite(last_load().potential()))
       blow_up(steps_, "the potential energy is no longer a finite number" +
                           inner_limit_note(system_.topology));
@@ -458,8 +426,9 @@ class Propagator::Impl {
   TimedIntegrator integrator_;
   Load moved_;     // after a move of the box or a decision
   Load complete_;  // of all forces, where the integrator has the slow ones
-  double start_;   // time of the state at step 0 [ps]
+  double start_;   // time of the state at the first step of the segment [ps]
   std::size_t steps_ = 0;
+  Segment segment_;
   TrajectoryStatistics statistics_;
   std::optional<double> conserved_;  // energy at the last sample, unless that was before a resume
   std::optional<double> potential_;  // likewise
@@ -485,6 +454,8 @@ Trajectory Propagator::run(const Watch& watch) { return impl_->run(watch); }
 double Propagator::exchanged() const { return impl_->exchanged(); }
 
 std::size_t Propagator::steps() const { return impl_->steps(); }
+
+const Segment& Propagator::segment() const { return impl_->segment(); }
 
 Trajectory Propagator::trajectory() { return impl_->trajectory(); }
 

@@ -95,6 +95,13 @@ json step_bias_json(const RunSummary& s) {
           {"temperature_configurational_K", configurational}};
 }
 
+json segment_json(const Segment& s) {
+  return {{"number", s.number},
+          {"first_step", s.first_step},
+          {"earlier_ps", s.earlier},
+          {"changes", s.changes.empty() ? json() : json(s.changes)}};
+}
+
 json run_settings(const RunReport& r) {
   const RunSummary& s = r.summary;
   return {{"molecules", s.molecules},
@@ -106,6 +113,7 @@ json run_settings(const RunReport& r) {
           {"sample_fs", s.sample * units::fs_per_ps},
           {"interrupted", r.interrupted},
           {"samples", s.samples},
+          {"segment", segment_json(s.segment)},
           {"files", r.files.all()}};
 }
 

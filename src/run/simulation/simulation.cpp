@@ -27,23 +27,6 @@ namespace {
 
 ProgramVersion this_program() { return {version(), name(current_instruction_set())}; }
 
-/// Cell rescaling follows the pressure.
-void check_external(const Config& config) {
-  const ExternalForces* const external = config.forces.external.get();
-  const auto& barostat = config.ensemble.barostat;
-  if (external && !external->has_virial && barostat &&
-      barostat->kind == BarostatKind::cell_rescaling)
-    throw Error(
-        fmt::format("the forces '{}' have no virial, so the pressure that cell-rescaling follows "
-                    "would lack them; give them a virial, or choose the barostat monte-carlo",
-                    external->name),
-        config.source);
-}
-
-double length_of(std::size_t steps, const TrajectorySettings& settings) {
-  return static_cast<double>(steps) * settings.step;
-}
-
 /// R as the summary has it; empty where it has none, or none that means anything: decisions of
 /// hybrid Monte Carlo change the energy without an error of the step.
 std::string ratio_text(const RunSummary& s) {
@@ -70,7 +53,6 @@ Simulation::Simulation(const Config& config, Workers& workers)
       system_(build_system(config)),
       forces_(system_.topology, system_.forces, system_.state.box, workers) {
   if (settings_) check_near(system_.forces, {settings_->scheme, settings_->inner}, config.source);
-  check_external(config_);
 }
 
 std::size_t Simulation::steps() const {
@@ -133,9 +115,11 @@ bool Simulation::choose_step(const OutputOptions& options, const Callbacks& call
 
 // Checkpoints.
 
-// Must be called before the state changes.
+// Must be called before the state changes, unless settings have: a simulation that is built with
+// the present ones can resume its checkpoints.
 const std::string& Simulation::identity() {
-  if (identity_.empty()) identity_ = run_identity(config_, system_);
+  if (identity_.empty())
+    identity_ = run_identity(config_, settings_changed_ ? build_system(config_) : system_);
   return identity_;
 }
 
@@ -147,7 +131,7 @@ RunState Simulation::run_state() {
 
 void Simulation::save(const std::string& path) {
   const Checkpoint checkpoint{.identity = identity(),
-                              .command = "Simulation::save",
+                              .command = command_of("Simulation::save"),
                               .at = run_state(),
                               .noise = noise_,
                               .minimisation_evaluations = minimisation_evaluations_};
@@ -166,11 +150,11 @@ void Simulation::resume(Checkpoint checkpoint) {
   propagator_.reset();
 }
 
-void Simulation::check_length(std::size_t steps_done) const {
-  if (steps_done > settings_->steps())
+void Simulation::check_length(std::size_t steps_done, const Segment& segment) const {
+  if (steps_done > last_step(*settings_, segment))
     throw Error(fmt::format(
         "length {:g} ps is shorter than the {:g} ps that the run already has; give a longer one",
-        settings_->length, length_of(steps_done, *settings_)));
+        settings_->length, simulated(*settings_, segment, steps_done)));
 }
 
 // The checkpoint to resume from, if requested and if there is one. Existing files of another run
@@ -195,11 +179,11 @@ std::optional<FoundCheckpoint> Simulation::find_checkpoint(const RunFileNames& n
   }
   if (!found->note.empty()) callbacks.note("note: " + found->note);
   const RunState& at = found->checkpoint.at;
-  check_length(at.steps);
+  check_length(at.steps, at.segment);
   callbacks.note(at.equilibrated
                      ? fmt::format("resuming after {:g} ps of the equilibration", *at.equilibrated)
                      : fmt::format("resuming after {} steps, {:g} ps", at.steps,
-                                   length_of(at.steps, *settings_)));
+                                   simulated(*settings_, at.segment, at.steps)));
   return found;
 }
 
@@ -264,19 +248,30 @@ bool Simulation::equilibrate(const Callbacks& callbacks, RunFiles* files) {
   return true;
 }
 
-Propagator& Simulation::propagator() {
+const TrajectorySettings& Simulation::settings() const {
   if (!settings_)
     throw Error(
         fmt::format("the run asks for accuracy = \"{}\", and its step is not chosen yet; choose "
                     "it first, or give a step instead of an accuracy",
                     text_of(*config_.integrator.accuracy)),
         config_.source);
+  return *settings_;
+}
+
+Propagator& Simulation::propagator() {
   identity();
   if (!propagator_) {
-    propagator_.emplace(system_, forces_, *settings_, workers_);
+    propagator_.emplace(system_, forces_, settings(), workers_);
     if (at_) propagator_->resume_from(*std::exchange(at_, std::nullopt));
   }
   return *propagator_;
+}
+
+std::size_t Simulation::steps_in(double time) const { return settings().steps_in(time); }
+
+std::size_t Simulation::steps_left() const {
+  const std::size_t last = last_step(settings(), segment());
+  return last - std::min(last, steps());
 }
 
 bool Simulation::step(std::size_t steps, const Callbacks& callbacks) {
@@ -294,26 +289,8 @@ bool Simulation::step(std::size_t steps, const Callbacks& callbacks) {
   return trajectory.steps() - first == steps;
 }
 
-State& Simulation::state_to_change() {
-  identity();
-  return system_.state;
-}
-
-void Simulation::state_changed() {
-  check_motion(system_.state, system_.bodies);
-  if (!trajectory_started()) {
-    if (at_) at_->state = system_.state;
-    return;
-  }
-  RunState now = propagator().run_state();
-  now.integrator.current = false;
-  for (IntegratorMemory& inner : now.integrator.inner) inner.current = false;
-  now.statistics = {};
-  propagator().resume_from(now);
-}
-
 Trajectory Simulation::run_trajectory(RunFiles& files, const Callbacks& callbacks) try {
-  const auto last = static_cast<double>(settings_->steps());
+  const auto last = static_cast<double>(last_step(*settings_, segment()));
   const Watch watch{.sample =
                         [&](std::size_t step, const State& state, const Energies& energies) {
                           callbacks.report({"running", static_cast<double>(step) / last});
@@ -370,12 +347,12 @@ RunResult Simulation::run(const OutputOptions& options, const Callbacks& callbac
   if (!choose_step(options, callbacks)) return {RunEnd::interrupted_choosing_step, {}};
   for (const std::string& file : names.trajectories)
     check_fit(file, system_.state, system_.topology, config_.output.choice());
-  check_length(steps());
+  check_length(steps(), segment());
   auto found = find_checkpoint(names, options, callbacks);
   remove_drafts(names.all());
   RunFiles files(names, system_.topology, config_,
-                 provenance(options.command, config_.text, config_.system.seed), identity(),
-                 found ? &*found : nullptr);
+                 provenance(command_of(options.command), config_.text, config_.system.seed),
+                 identity(), found ? &*found : nullptr);
   if (found) resume(std::move(found->checkpoint));
   note_begin(callbacks);
 

@@ -54,8 +54,9 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
                    const Trajectory& trajectory, const ForceNoise& noise) {
   RunSummary s;
   s.molecules = system.topology.size();
-  s.steps = trajectory.steps;
-  s.length = static_cast<double>(trajectory.steps) * settings.step;
+  s.segment = trajectory.segment;
+  s.steps = trajectory.steps - s.segment.first_step;
+  s.length = static_cast<double>(s.steps) * settings.step;
   s.sample = static_cast<double>(settings.steps_per_sample()) * settings.step;
   s.degrees_of_freedom = degrees_of_freedom(system.topology);
 

@@ -14,6 +14,14 @@
 
 namespace polhode {
 
+double simulated(const TrajectorySettings& settings, const Segment& segment, std::size_t steps) {
+  return segment.earlier + static_cast<double>(steps - segment.first_step) * settings.step;
+}
+
+std::size_t last_step(const TrajectorySettings& settings, const Segment& segment) {
+  return segment.first_step + settings.steps_in(std::max(0.0, settings.length - segment.earlier));
+}
+
 Trajectory run_trajectory(System& system, ForceField& forces, const TrajectorySettings& settings,
                           const Watch& watch, Workers& workers, const RunState* from) {
   Propagator propagator(system, forces, settings, workers);

@@ -26,15 +26,27 @@ std::string name_with_bath(const Scheme& scheme) {
   return name.size() <= Scheme::max_name ? name : "";
 }
 
+/// Cell rescaling follows the pressure.
+void check_external(const Config& config) {
+  const ExternalForces* const external = config.forces.external.get();
+  const auto& barostat = config.ensemble.barostat;
+  if (external && !external->has_virial && barostat &&
+      barostat->kind == BarostatKind::cell_rescaling)
+    throw Error(
+        fmt::format("the forces '{}' have no virial, so the pressure that cell-rescaling follows "
+                    "would lack them; give them a virial, or choose the barostat monte-carlo",
+                    external->name));
+}
+
 }  // namespace
 
-std::size_t TrajectorySettings::steps() const {
-  if (!(length / step <= max_steps))
+std::size_t TrajectorySettings::steps_in(double time) const {
+  if (!(time / step <= max_steps))
     throw Error(
         fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
                     "which the times of steps could not be distinguished; use a shorter length",
-                    length, step * units::fs_per_ps, length / step, max_steps));
-  const auto all = static_cast<std::size_t>(std::llround(length / step));
+                    time, step * units::fs_per_ps, time / step, max_steps));
+  const auto all = static_cast<std::size_t>(std::llround(time / step));
   const std::size_t whole = steps_per_trajectory();
   return (all + whole - 1) / whole * whole;
 }
@@ -121,6 +133,7 @@ TrajectorySettings trajectory_settings(const Config& config, double stretch) try
                               .ensemble = config.ensemble};
   settings.ensemble.temperature = config.system.temperature;
   check_ensemble(settings);
+  check_external(config);
   if (settings.length < settings.step * (1 - 1e-9))
     throw Error(fmt::format(
         "the step of {:g} fs is longer than the length of {:g} fs; use a shorter step, or a longer "

@@ -21,7 +21,8 @@ std::string settings_text(const Config& config);
 /// Whether two identities, a hash with settings_text() below it, are of the same run.
 bool same_run(std::string_view one, std::string_view other);
 
-/// What differs between the identities of two runs: "integrator.step was 2 fs and is now 1 fs".
+/// What differs between the settings in two such texts: "integrator.step was 2 fs and is now 1 fs";
+/// empty if nothing.
 std::string differences(const std::string& then, const std::string& now);
 
 }  // namespace polhode

@@ -40,6 +40,7 @@ class Propagator {
 
   /// Steps done since the start of the trajectory.
   std::size_t steps() const;
+  const Segment& segment() const;
   /// Statistics, counts and times so far.
   Trajectory trajectory();
 

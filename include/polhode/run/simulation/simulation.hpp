@@ -51,17 +51,26 @@ class Simulation {
   /// The state, to be changed from outside between two steps; its memory stays where it is until
   /// the end of the simulation. Afterwards call state_changed().
   State& state_to_change();
-  /// Begins a trajectory with the state as it is now: with new statistics and forces; the steps are
-  /// counted on.
+  /// Begins a segment of the trajectory with the state as it is now and new forces.
   /// @throws Error  if the state is not one of these molecules, with nothing changed but attitudes,
   ///                which are normalized
   void state_changed();
+  /// Continues from here with another scheme or step, or in another ensemble, in a new segment of
+  /// the trajectory. Momenta are not changed. If an accuracy is required, a new step is chosen.
+  /// @throws Error  with nothing changed, if they do not suit each other or the forces, or if they
+  ///                add, remove or change hybrid Monte Carlo
+  void change(const IntegratorSettings& integrator, const EnsembleSettings& ensemble);
   /// Steps of the trajectory done so far.
   std::size_t steps() const;
+  /// The part of the trajectory with the present settings.
+  Segment segment() const;
+  /// The numbers of steps that run() and a run of a given time [ps] take: see TrajectorySettings.
+  std::size_t steps_left() const;
+  std::size_t steps_in(double time) const;
   /// Energies of the current state, with the heat and work received so far, from a separate force
   /// evaluation that leaves the trajectory as it is.
   Energies energies() const;
-  /// Statistics of the trajectory so far.
+  /// Statistics of the trajectory's present segment so far.
   RunSummary summary();
   /// The same as run() reports it, with its warnings, of a trajectory in memory.
   RunReport report();
@@ -106,14 +115,17 @@ class Simulation {
   std::optional<FoundCheckpoint> find_checkpoint(const RunFileNames& names,
                                                  const OutputOptions& options,
                                                  const Callbacks& callbacks);
-  void check_length(std::size_t steps_done) const;
+  void check_length(std::size_t steps_done, const Segment& segment) const;
   RunState run_state();
   void resume(Checkpoint checkpoint);
+  RunState next_segment(const std::string& changes);
+  std::string command_of(const std::string& command) const;
   void note_begin(const Callbacks& callbacks) const;
   void note_warnings(const Callbacks& callbacks) const;
   bool minimise(const Callbacks& callbacks, RunFiles* files);
   bool equilibrate(const Callbacks& callbacks, RunFiles* files);
   bool trajectory_started() const;
+  const TrajectorySettings& settings() const;
   Propagator& propagator();
   Trajectory run_trajectory(RunFiles& files, const Callbacks& callbacks);
   RunSummary summary_of(const Trajectory& trajectory) const;
@@ -128,6 +140,7 @@ class Simulation {
   System system_;
   ForceField forces_;
   std::string identity_;
+  bool settings_changed_ = false;               // since the system was built
   ForceNoise noise_;                            // of the forces at the start of the trajectory
   std::uint64_t minimisation_evaluations_ = 0;  // of forces
   std::optional<RunState> at_;  // its current state, until the propagator takes it over

@@ -14,8 +14,10 @@ namespace polhode {
 /// Fewer samples give neither a fluctuation nor a slope.
 inline constexpr std::uint64_t min_samples_reported = 3;
 
+/// All of it is of the present segment, which is the whole run unless something was changed.
 struct RunSummary {
   std::size_t molecules = 0;
+  Segment segment;
   std::size_t steps = 0;
   double length = 0;          ///< simulated [ps]
   double sample = 0;          ///< between energies [ps]

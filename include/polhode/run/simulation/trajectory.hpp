@@ -35,18 +35,33 @@ struct EnsembleMemory {
   double exchanged() const { return heat + barostat.work + hybrid.work; }  ///< [kJ/mol]
 };
 
+/// A part of a trajectory with the same settings. A change of the settings or of the state from
+/// outside begins the next one, which has statistics, costs, heat and work of its own.
+struct Segment {
+  std::uint64_t number = 1;
+  std::size_t first_step = 0;  ///< steps of the trajectory before it
+  double earlier = 0;          ///< time simulated before it [ps]
+  std::string changes;  ///< what began it, such as "integrator.step was 2 fs and is now 1 fs"
+};
+
 /// The state of a run between two steps: all that its continuation depends on, to the last bit.
 struct RunState {
   State state;
   std::optional<double> equilibrated;  ///< so far [ps]; nothing once the trajectory has started
   std::size_t steps = 0;
-  double start = 0;                 ///< time of the state at step 0 [ps]
+  double start = 0;                 ///< time of the state at the first step of the segment [ps]
   IntegratorMemory integrator;      ///< empty while equilibrating
   ListMemory list, near_list;       ///< the second that of an inner scheme's near forces
   TrajectoryStatistics statistics;  ///< so far
   Timings timings;
   EnsembleMemory ensemble;
+  Segment segment;
 };
+
+/// The time simulated in a number of steps [ps], of which the last ones are in this segment.
+double simulated(const TrajectorySettings& settings, const Segment& segment, std::size_t steps);
+/// The step at which a trajectory with the length of the settings ends.
+std::size_t last_step(const TrajectorySettings& settings, const Segment& segment);
 
 /// Callbacks during a trajectory, all of them optional.
 struct Watch {
@@ -65,6 +80,7 @@ struct Watch {
 struct Trajectory {
   TrajectoryStatistics statistics;
   std::size_t steps = 0;
+  Segment segment;                      ///< that all counts but `steps` belong to
   std::uint64_t force_evaluations = 0;  ///< by the scheme
   std::uint64_t derivatives = 0;        ///< of the forces, by the scheme
   std::uint64_t near_evaluations = 0;   ///< of the near forces of an inner scheme

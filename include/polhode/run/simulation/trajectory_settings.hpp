@@ -27,7 +27,9 @@ struct TrajectorySettings {
   double stretch = 0;           ///< R is also computed for parts of this length [ps]; 0: none
   EnsembleSettings ensemble{};  ///< by default constant energy
 
-  std::size_t steps() const;                 ///< whole trajectories of hybrid Monte Carlo
+  std::size_t steps() const { return steps_in(length); }
+  /// The number of steps in a time [ps], rounded; up to whole trajectories of hybrid Monte Carlo.
+  std::size_t steps_in(double time) const;
   std::size_t steps_per_trajectory() const;  ///< of hybrid Monte Carlo; 1 without
   std::size_t steps_per_move() const;        ///< of a barostat, in whole trajectories
   double move_interval() const;              ///< the time of steps_per_move() [ps]

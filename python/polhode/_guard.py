@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""Objects in which no assignment is without effect: what cannot be set is refused."""
+
+from __future__ import annotations
+
+from . import _core
+
+__all__ = ["Energies", "Guarded", "Record", "missing"]
+
+
+def missing(name, names) -> str:
+    """"there is no 'totl'; did you mean 'total'?", or the names that there are."""
+    near = _core.did_you_mean(str(name), [str(n) for n in names])
+    return f"there is no '{name}'{near or '; there are: ' + ', '.join(map(str, names))}"
+
+
+class Guarded:
+    """A base of classes with slots. Attributes that cannot be set say what to do instead.
+
+    Class attributes:
+        _instead (dict): what to do, for the names of attributes.
+        _remedy (str): the same for all others that exist.
+    """
+
+    __slots__ = ()
+    _instead: dict[str, str] = {}
+    _remedy = "it is a result, or follows from other things"
+
+    def __setattr__(self, name, value):
+        there = getattr(type(self), name, None)
+        if hasattr(type(there), "__set__") and getattr(there, "fset", there) is not None:
+            object.__setattr__(self, name, value)
+            return
+        kind = type(self).__name__.lstrip("_")
+        if name in self._instead:
+            raise AttributeError(f"{kind}.{name} cannot be set: {self._instead[name]}")
+        if name in dir(self):
+            raise AttributeError(f"{kind}.{name} cannot be set: {self._remedy}")
+        names = [n for n in dir(self) if not n.startswith("_")]
+        raise AttributeError(f"a {kind} has no attribute '{name}'{_core.did_you_mean(name, names)}")
+
+
+class Record(Guarded):
+    """A base of objects whose attributes are the keys of a dict."""
+
+    __slots__ = ("_data",)
+
+    @property
+    def data(self) -> dict:
+        """dict: all attributes by name."""
+        return self._data
+
+    def __getattr__(self, name):
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self._data[name]
+        except KeyError:
+            kind = type(self).__name__
+            near = _core.did_you_mean(name, list(self._data))
+            raise AttributeError(f"the {kind.lower()} has no '{name}'{near}") from None
+
+    def __dir__(self):
+        return [*super().__dir__(), *self._data]
+
+
+class Energies(dict):
+    """Energies by name."""
+
+    def __missing__(self, name):
+        raise KeyError(missing(name, self))

@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: MIT
+"""The state of a simulation: views of its numbers, and changes of them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ._arrays import reals
+from ._guard import Guarded
+from .errors import Error
+
+__all__ = ["State"]
+
+
+class State(Guarded):
+    """The state of a simulation: views of the numbers in use, without a copy.
+
+    A view shows the present state at any time, also after further steps; it is read-only, and
+    stays valid as long as it exists. To change the state, enter change()::
+
+        with simulation.state.change() as state:
+            state.positions[0] += [0.1, 0, 0]
+
+    Rows are molecules, in the order of the topology.
+    """
+
+    __slots__ = ("_core", "_settings")
+    _remedy = "write 'with simulation.state.change() as state:', and there state.positions = ..."
+    _instead = {"box": "it is that of the settings or of the initial configuration, and a barostat changes it",
+                "time": "it is that of the trajectory"}
+
+    def __init__(self, core, settings):
+        self._core = core
+        self._settings = settings  # which have the forces of one's own
+
+    @property
+    def positions(self) -> np.ndarray:
+        """Centres of mass (n, 3) [nm], lab frame, not wrapped into the box."""
+        return self._core.positions
+
+    @property
+    def momenta(self) -> np.ndarray:
+        """Momenta (n, 3) [u nm/ps], lab frame."""
+        return self._core.momenta
+
+    @property
+    def attitudes(self) -> np.ndarray:
+        """Attitudes (n, 4), unit quaternions (w, x, y, z) that rotate body to lab."""
+        return self._core.attitudes
+
+    @property
+    def angular_momenta(self) -> np.ndarray:
+        """Angular momenta (n, 3) about the centres of mass [u nm²/ps], lab frame."""
+        return self._core.angular_momenta
+
+    @property
+    def box(self) -> np.ndarray:
+        """Edges of the periodic box (3) [nm]; a copy."""
+        return self._core.box
+
+    @property
+    def time(self) -> float:
+        """Time [ps]."""
+        return self._core.time
+
+    def __len__(self):
+        return self._core.molecules
+
+    def __repr__(self):
+        return f"<state of {len(self)} molecules at {self.time:g} ps>"
+
+    def change(self) -> _Change:
+        """A context in which the state can be changed: its target has the writable arrays
+        `positions`, `momenta`, `attitudes` and `angular_momenta`, to be changed in place or assigned.
+
+        At its end attitudes are normalized, and a segment of the trajectory begins, with new forces
+        and statistics; steps are counted on. If an exception leaves the block, or a number is wrong, the state is
+        as it was before. The arrays must not be kept: later writes have no defined effect.
+
+        Raises:
+            Error: at the end, naming the molecule, if a number is not finite or an angular momentum
+                has a component along an axis without inertia.
+        """
+        return _Change(self._core, self._settings)
+
+    def _set(self, **arrays):
+        with self.change() as state:
+            for name, values in arrays.items():
+                getattr(state, name)[...] = values
+
+
+def _column(index, name, doc):
+    """A writable array of a change, into which an assignment copies."""
+
+    def get(change):
+        return change._arrays[index]
+
+    def put(change, values):
+        array = change._arrays[index]
+        if values is array:  # of an operation in place
+            return
+        values = reals(values, name)
+        if values.shape != array.shape:
+            raise Error(f"{name} has the shape {values.shape}, and must have {array.shape}; for one value "
+                        f"in all places write state.{name}[...] = value")
+        array[...] = values
+
+    return property(get, put, doc=doc)
+
+
+class _Change(Guarded):
+    """The target of State.change()."""
+
+    __slots__ = ("_core", "_settings", "_arrays")
+    _instead = State._instead
+
+    positions = _column(0, "positions", "Centres of mass (n, 3) [nm].")
+    momenta = _column(1, "momenta", "Momenta (n, 3) [u nm/ps].")
+    attitudes = _column(2, "attitudes", "Attitudes (n, 4), quaternions (w, x, y, z).")
+    angular_momenta = _column(3, "angular_momenta", "Angular momenta (n, 3) [u nm²/ps].")
+
+    def __init__(self, core, settings):
+        self._core, self._settings, self._arrays = core, settings, ()
+
+    def __enter__(self):
+        self._arrays = self._core.begin_change()
+        return self
+
+    def __exit__(self, kind, *_):
+        for array in self._arrays:
+            array.flags.writeable = False
+        self._core.end_change(kind is None)
+        return False

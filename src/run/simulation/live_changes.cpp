@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// Changes of a simulation under way: of its state from outside, and of its settings. Each begins a
+// segment of the trajectory, since averages over different states or time steps mean nothing.
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "polhode/run/simulation/check_motion.hpp"
+#include "polhode/run/simulation/identity.hpp"
+#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/simulation.hpp"
+
+namespace polhode {
+namespace {
+
+/// Forces are evaluated again, and evaluations are counted from 0; steps are not, since they number
+/// the random numbers of a bath.
+void begin_counts(IntegratorMemory& memory) {
+  memory.current = false;
+  memory.evaluations = memory.derivatives = memory.measurements = 0;
+  for (IntegratorMemory& inner : memory.inner) begin_counts(inner);
+}
+
+void check_changes(const Config& from, const Config& to) {
+  if (const std::string wrong = wrong_temperature(to); !wrong.empty())
+    throw Error(fmt::format("temperature = {:g} K {}", to.system.temperature, wrong));
+  if (to.ensemble.constant_energy() && to.system.temperature != from.system.temperature)
+    throw Error(
+        fmt::format("temperature = {:g} K has no meaning at constant energy, where the "
+                    "temperature follows from the momenta; add a thermostat, or change the momenta",
+                    to.system.temperature));
+  if (to.ensemble.hybrid_monte_carlo != from.ensemble.hybrid_monte_carlo)
+    throw Error(
+        "hybrid Monte Carlo cannot be added, removed or changed in a simulation under way, whose "
+        "steps are counted in its trajectories; make a new simulation with this state");
+}
+
+}  // namespace
+
+Segment Simulation::segment() const {
+  return propagator_ ? propagator_->segment() : at_ ? at_->segment : Segment{};
+}
+
+State& Simulation::state_to_change() {
+  identity();
+  return system_.state;
+}
+
+void Simulation::state_changed() {
+  check_motion(system_.state, system_.bodies);
+  if (!trajectory_started()) {
+    if (at_) at_->state = system_.state;
+    return;
+  }
+  RunState now = next_segment("the state was changed");
+  if (propagator_)
+    propagator_->resume_from(now);
+  else
+    at_ = std::move(now);
+}
+
+void Simulation::change(const IntegratorSettings& integrator,
+                        const EnsembleSettings& ensemble) try {
+  Config to = config_;
+  to.integrator = integrator;
+  to.ensemble = ensemble;
+  to.system.temperature = ensemble.temperature;
+  check_changes(config_, to);
+  const auto settings = integrator.accuracy ? std::nullopt : std::optional(trajectory_settings(to));
+  if (settings) check_near(system_.forces, {settings->scheme, settings->inner}, config_.source);
+  const std::string changes = differences(settings_text(config_), settings_text(to));
+  if (changes.empty() && integrator.accuracy == config_.integrator.accuracy) return;
+
+  if (trajectory_started()) {
+    at_ = next_segment(changes);
+    propagator_.reset();
+  }
+  config_ = std::move(to);
+  settings_ = settings;
+  guarantee_.reset();
+  system_.temperature = ensemble.temperature;
+  identity_.clear();
+  settings_changed_ = true;
+} catch (const Error& e) {
+  throw e.at(config_.source);
+}
+
+// Two changes without a step between them begin one segment.
+RunState Simulation::next_segment(const std::string& changes) {
+  RunState now = propagator_ ? propagator_->run_state() : *at_;
+  now.state = system_.state;
+  Segment& segment = now.segment;
+  if (now.steps > segment.first_step) {
+    segment = {.number = segment.number + 1,
+               .first_step = now.steps,
+               .earlier = simulated(this->settings(), segment, now.steps),
+               .changes = changes};
+  } else {
+    segment.changes += (segment.changes.empty() ? "" : ", ") + changes;
+  }
+  now.start = now.state.time;
+  begin_counts(now.integrator);
+  now.list.rebuilds = now.near_list.rebuilds = 0;
+  now.statistics = {};
+  now.timings = {};
+  now.ensemble = {};
+  return now;
+}
+
+std::string Simulation::command_of(const std::string& command) const {
+  const Segment now = segment();
+  if (now.changes.empty()) return command;
+  return fmt::format("{} (segment {} from step {}: {})", command, now.number, now.first_step,
+                     now.changes);
+}
+
+}  // namespace polhode
