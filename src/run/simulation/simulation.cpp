@@ -17,7 +17,6 @@
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/plot.hpp"
 #include "polhode/io/with_error.hpp"
-#include "polhode/run/simulation/check_motion.hpp"
 #include "polhode/run/simulation/near_forces.hpp"
 #include "polhode/run/simulation/relaxation.hpp"
 #include "polhode/run/simulation/system_notes.hpp"
