@@ -8,10 +8,11 @@ import inspect
 
 from . import _core
 
-__all__ = ["KEYWORDS", "TABLES", "TABLE_OF", "stub", "takes_settings"]
+__all__ = ["KEYWORDS", "LISTS", "TABLES", "TABLE_OF", "stub", "takes_settings"]
 
 # Whose keys are keywords in their tables only: lengths and steps of several runs.
 OF_TABLES = ("study", "prepare")
+LISTS = ("pair", "shape")  # of tables
 # Keys by another name, or none: thermostat="langevin" is the type of a thermostat.
 RENAMED = {("integrator", "lambda"): "lambda_", ("hybrid_monte_carlo", "steps"): "hybrid_steps",
            ("thermostat", "type"): None, ("barostat", "type"): None}
@@ -40,7 +41,7 @@ def _read_keys():
         if word == "molecules":
             KEYWORDS["count"] = "int"
     for table in TABLES:
-        KEYWORDS[table] = MORE.get(table, KINDS["tables" if table == "pair" else "table"])
+        KEYWORDS[table] = MORE.get(table, KINDS["tables" if table in LISTS else "table"])
 
 
 _read_keys()

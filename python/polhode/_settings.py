@@ -12,7 +12,7 @@ from . import _core
 from ._guard import Guarded
 from .errors import Error
 from .forces import add_forces
-from ._keywords import KEY_OF, TABLE_OF, TABLES, takes_settings
+from ._keywords import KEY_OF, LISTS, TABLE_OF, TABLES, takes_settings
 from ._quantities import text_of
 from ._types import Source
 
@@ -80,10 +80,10 @@ def toml_text(tables) -> str:
     Raises:
         Error: if a value has no place in a run file.
     """
-    pairs = tables.get("pair")
-    lines = [] if pairs is None else [f"pair = {_value(pairs, 'pair')}\n"]  # before all tables
+    lines = [f"{name} = {_value(tables[name], name)}\n" for name in LISTS  # before all tables
+             if tables.get(name) is not None]
     for table, keys in tables.items():
-        if keys is None or table == "pair":
+        if keys is None or table in LISTS:
             continue
         if not isinstance(keys, Mapping):
             raise Error(f"{table} must be a dict with the keys of the table [{table}]")
@@ -181,7 +181,7 @@ def _merged(tables, words):
 
 def _parts(source):
     """Tables, keywords, and own forces of a dict, which has tables as in a run file or keywords."""
-    tables = {k: v for k, v in source.items() if k in TABLES and (k == "pair" or isinstance(v, Mapping))}
+    tables = {k: v for k, v in source.items() if k in TABLES and (k in LISTS or isinstance(v, Mapping))}
     words = {k: v for k, v in source.items() if k not in tables and k != "external_forces"}
     return tables, words, source.get("external_forces")
 

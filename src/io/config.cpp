@@ -33,6 +33,7 @@ Config read_document(TomlTable table, const std::string& file) {
   auto system = table.table("system");
   auto forces = table.table("forces");
   auto pairs = table.tables("pair");
+  auto shapes = table.tables("shape");
   auto schemes = table.table("schemes");
   auto integrator = table.table("integrator");
   auto run = table.table("run");
@@ -49,6 +50,7 @@ Config read_document(TomlTable table, const std::string& file) {
         "molecules = [{ model = \"tip4p\", count = 512 }], density = \"1 g/cm3\"",
         file);
   read_system(*system, file, config.system);
+  if (shapes) read_shapes(*shapes, config.system.topology);
   config.cutoff_place = file;
   if (forces) {
     config.mixing_given = forces->has("mixing");

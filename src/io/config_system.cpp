@@ -212,6 +212,30 @@ Molecule molecule_of(const SystemSettings::Component& component) {
   return component.own ? *component.own : read_molecule(component.model);
 }
 
+void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topology) {
+  for (TomlTable table : tables) {
+    const auto molecule = table.text("molecule");
+    const auto positions = table.texts("positions");
+    table.refuse_unknown();
+    if (topology.file.empty() || is_data_file(topology.file))
+      table.refuse("",
+                   "a shape is for a molecule type of a GROMACS topology, and there is none; other "
+                   "molecules have theirs in their models; leave it out");
+    if (!molecule || !positions || positions->empty())
+      table.refuse("",
+                   "a shape needs a molecule and its positions; write for example "
+                   "molecule = \"CO2\", positions = [\"0 0 0 nm\", \"0.116 0 0 nm\"]");
+    Shape shape;
+    for (const std::string& position : *positions) try {
+        shape.push_back(vector_quantity(position, Dimension::length, "positions"));
+      } catch (const Error& e) {
+        throw e.at(table.where("positions"));
+      }
+    if (!topology.shapes.emplace(*molecule, std::move(shape)).second)
+      table.refuse("molecule", "has two shapes; leave one out");
+  }
+}
+
 void read_system(TomlTable table, const std::string& file, SystemSettings& system) {
   const path folder = path(file).parent_path();
   read_start(table, folder, system);

@@ -16,6 +16,8 @@ namespace polhode {
 
 /// @param file  the run file, to whose folder its paths are relative
 void read_system(TomlTable table, const std::string& file, SystemSettings& system);
+/// The tables [[shape]] of molecule types of a GROMACS topology.
+void read_shapes(const std::vector<TomlTable>& tables, TopologySettings& topology);
 void read_forces(TomlTable table, ForceSettings& forces);
 /// The tables [[pair]]; the names of sites are checked against the molecules.
 void read_pairs(const std::vector<TomlTable>& tables, const SystemSettings& system,

@@ -64,6 +64,25 @@ void rewrite_system(toml::table& system, const Config& config, const std::string
   system.insert_or_assign("seed", static_cast<std::int64_t>(config.system.seed));
 }
 
+/// That of the preparation, which may have been given in place of the run file's: runs from several
+/// preparations of one run file must not meet.
+void write_prefix(toml::table& document, const std::string& prefix) {
+  if (!document.contains("output")) document.insert("output", toml::table{});
+  if (auto* output = document["output"].as_table()) output->insert_or_assign("prefix", prefix);
+}
+
+/// A shape is derived once: from the new coordinates it would have other principal axes.
+void write_shapes(toml::table& document, const std::map<std::string, Shape>& shapes) {
+  toml::array tables;
+  for (const auto& [molecule, shape] : shapes) {
+    toml::array positions;
+    for (const Vec3<double>& r : shape)
+      positions.push_back(fmt::format("{} {} {} nm", r.x, r.y, r.z));
+    tables.push_back(toml::table{{"molecule", molecule}, {"positions", std::move(positions)}});
+  }
+  if (!shapes.empty()) document.insert_or_assign("shape", std::move(tables));
+}
+
 void rewrite_barostat(toml::table& barostat, const Config& config) {
   const BarostatSettings& settings = config.ensemble.barostat.value();
   barostat.insert_or_assign(
@@ -84,6 +103,8 @@ std::string prepared_run_file(const Config& config, const std::string& coordinat
   if (auto* system = document["system"].as_table())
     rewrite_system(*system, config, coordinates, checkpoint, rebase);
   each_table(document, "pair", [&](toml::table& pair) { rebase(pair, "table"); });
+  write_shapes(document, config.system.topology.shapes);
+  write_prefix(document, config.output.prefix);
   document.erase("prepare");
   if (auto* run = document["run"].as_table())
     for (const char* key : {"minimise", "equilibrate"}) run->erase(key);

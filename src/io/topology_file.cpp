@@ -14,7 +14,7 @@ RigidTopology read_topology(const TopologySettings& settings, const Frame* start
   if (is_data_file(settings.file)) return rigid_topology(read_lammps_data(settings.file));
   return rigid_topology(parse_gromacs(file_text(settings.file), settings.file,
                                       file_loader(settings.include), settings.define),
-                        settings.rigid, start);
+                        settings, start);
 }
 
 }  // namespace polhode

@@ -2,6 +2,8 @@
 #include "polhode/math/shape.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 #include "polhode/math/eigen.hpp"
 
@@ -56,6 +58,34 @@ Shape straighten(Shape shape) {
   for (const Vec3<double>& r : shape)
     if (norm(r - along(r)) > line_rounding) return shape;
   for (Vec3<double>& r : shape) r = along(r);
+  return shape;
+}
+
+Shape principal_shape(Shape shape, std::span<const double> mass) {
+  Vec3<double> centre{};
+  double all = 0;
+  for (std::size_t i = 0; i < shape.size(); ++i) centre += mass[i] * shape[i], all += mass[i];
+  Mat3<double> inertia{};  // Σ m (r² 1 − r rᵀ)
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const Vec3<double> r = shape[i] -= centre / all;
+    for (std::size_t a = 0; a < 3; ++a)
+      for (std::size_t b = 0; b < 3; ++b)
+        inertia[a][b] += mass[i] * ((a == b ? norm2(r) : 0.0) - r[a] * r[b]);
+  }
+  Mat3<double> axes = symmetric_eigen(inertia).vectors;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto along = [&](const Vec3<double>& r) { return dot(axes[k], r); };
+    double extent = 0;
+    for (const Vec3<double>& r : shape) extent = std::max(extent, std::abs(along(r)));
+    constexpr double far =
+        0.6;  // symmetric shapes have points at 1/2 and at the square root of 3/4
+    const auto first = std::find_if(shape.begin(), shape.end(), [&](const Vec3<double>& r) {
+      return std::abs(along(r)) > far * extent;
+    });
+    if (first != shape.end() && along(*first) < 0) axes[k] = -axes[k];
+  }
+  axes[2] = cross(axes[0], axes[1]);
+  for (Vec3<double>& r : shape) r = axes * r;
   return shape;
 }
 

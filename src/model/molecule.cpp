@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/printable.hpp"
 #include "polhode/math/eigen.hpp"
 #include "polhode/model/dipole.hpp"
+#include "polhode/model/molecule_in_frame.hpp"
 
 namespace polhode {
 namespace {
@@ -68,6 +70,20 @@ Top kind(Vec3<double>& J, double rounding) {
   return low || high ? Top::symmetric : Top::asymmetric;
 }
 
+// Whether the frame of these moments is a principal one; their off-diagonal elements are then the
+// rounding of the sites.
+bool is_principal(const Mat3<double>& inertia) {
+  const double rounding = 1e-14 * (inertia[0][0] + inertia[1][1] + inertia[2][2]);
+  const auto none = [&](double x) { return std::abs(x) <= rounding; };
+  return none(inertia[0][1]) && none(inertia[1][2]) && none(inertia[0][2]) &&
+         inertia[0][0] <= inertia[1][1] + rounding && inertia[1][1] <= inertia[2][2] + rounding;
+}
+
+Eigen3 axes_of_frame(const Mat3<double>& inertia) {
+  if (!is_principal(inertia)) return symmetric_eigen(inertia);
+  return {{inertia[0][0], inertia[1][1], inertia[2][2]}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+}
+
 // A body without inertia about an axis cannot take up a torque about it: all its sites must lie on
 // that axis.
 void check_lever(Site& site, Top top, const std::string& molecule) {
@@ -123,7 +139,10 @@ double Molecule::extent() const {
   return far;
 }
 
-Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
+namespace {
+
+Molecule build(std::string name, std::vector<Site> sites,
+               Eigen3 (*principal_axes)(const Mat3<double>&)) {
   if (sites.size() > max_sites)
     throw Error("molecule '" + name + "' has " + std::to_string(sites.size()) +
                 " sites; a rigid molecule may have " + std::to_string(max_sites) +
@@ -152,7 +171,7 @@ Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
     xy += site.mass * x * y, yz += site.mass * y * z, zx += site.mass * z * x;
   }
   const Eigen3 principal =
-      symmetric_eigen({{yy + zz, -xy, -zx}, {-xy, xx + zz, -yz}, {-zx, -yz, xx + yy}});
+      principal_axes({{yy + zz, -xy, -zx}, {-xy, xx + zz, -yz}, {-zx, -yz, xx + yy}});
   molecule.J = principal.values;
   molecule.top = kind(molecule.J, 1e-28 * far);
   for (Site& site : sites) {
@@ -162,6 +181,16 @@ Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
   molecule.name = std::move(name);
   molecule.sites = std::move(sites);
   return molecule;
+}
+
+}  // namespace
+
+Molecule rigid_molecule(std::string name, std::vector<Site> sites) {
+  return build(std::move(name), std::move(sites), symmetric_eigen);
+}
+
+Molecule molecule_in_frame(std::string name, std::vector<Site> sites) {
+  return build(std::move(name), std::move(sites), axes_of_frame);
 }
 
 }  // namespace polhode

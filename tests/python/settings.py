@@ -237,7 +237,7 @@ class AsOnTheCommandLine(unittest.TestCase):
         """The list is what the reader of run files asks for: each of its tables, and each key of the manual's page."""
         keys = {(table, key): kinds for table, key, kinds in polhode._core.setting_keys()}
         tables = {key for table, key in keys if not table}
-        self.assertEqual(tables - {"pair", "schemes"}, {table for table, _ in keys if table})
+        self.assertEqual(tables - {"pair", "shape", "schemes"}, {table for table, _ in keys if table})
         self.assertTrue(all(keys.values()))
         manual = Path(__file__).resolve().parents[2] / "docs/manual"
         text = (manual / "run-files.md").read_text(encoding="utf-8") + (manual / "ensembles.md").read_text(encoding="utf-8")

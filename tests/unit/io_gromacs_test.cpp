@@ -74,7 +74,7 @@ Frame start_of(const std::vector<Shape>& shapes) {
   return frame;
 }
 
-// Of the first molecule.
+// Of the first molecule, in its principal frame.
 Shape shape_of(const RigidTopology& rigid) {
   Shape shape;
   for (const Site& site : rigid.topology.parts[0].molecule.sites) shape.push_back(site.r);
@@ -129,7 +129,8 @@ TEST_CASE("the preprocessor handles includes, macros, conditions and continuatio
   CHECK(rigid_topology(parsed(text, good), {}, nullptr).origins[0] == "rigid by settles");
   check_error([&] { rigid_topology(parsed(text, good, {"FLEXIBLE"}), {}, nullptr); },
               {"molecule type 'SOL' is not held rigid", "rigid = [\"SOL\"]", "topol.top:"});
-  const RigidTopology declared = rigid_topology(parsed(text, good, {"FLEXIBLE"}), {"SOL"}, nullptr);
+  const RigidTopology declared =
+      rigid_topology(parsed(text, good, {"FLEXIBLE"}), {.rigid = {"SOL"}}, nullptr);
   CHECK(declared.origins[0] == "declared rigid, shape of bonds and angles");
   const Molecule own = read_molecule("spce");  // 109.47 degrees, from the bonds and angles
   CHECK(std::abs(declared.topology.parts[0].molecule.J.x / own.J.x - 1) < 1e-9);
@@ -269,11 +270,11 @@ TEST_CASE(
   const Shape truth = {{0, 0, 0}, {0.1, 0, 0}, {-0.0333, 0.0943, 0}};
   Shape longer = truth, shorter = truth;  // one bond, by 1 pm
   longer[1].x += 0.001, shorter[1].x -= 0.001;
-  check_error([&] { rigid_topology(parsed(text), {"SOL"}, nullptr); },
+  check_error([&] { rigid_topology(parsed(text), {.rigid = {"SOL"}}, nullptr); },
               {"do not determine a shape and there is no initial configuration that has it",
                "topol.top:8"});
   const Frame start = start_of({truth, longer, shorter});
-  const RigidTopology rigid = rigid_topology(parsed(text), {"SOL"}, &start);
+  const RigidTopology rigid = rigid_topology(parsed(text), {.rigid = {"SOL"}}, &start);
   CHECK(rigid.origins[0] == "declared rigid, mean shape in the initial configuration");
   // The superposition of the first onto the others has a second-order error: 0.001² / 0.1 nm.
   CHECK(difference(shape_of(rigid), truth) < 1e-5);
@@ -281,8 +282,53 @@ TEST_CASE(
   CHECK(deviation < 0.001);  // a fit spreads it over the atoms
   CHECK(deviation > 0.0003);
   const Frame one = start_of({truth});
-  check_error([&] { rigid_topology(parsed(text), {"SOL"}, &one); },
+  check_error([&] { rigid_topology(parsed(text), {.rigid = {"SOL"}}, &one); },
               {"the initial configuration ends after 3 atoms, within molecules 'SOL'"});
+}
+
+TEST_CASE("a mean shape has the same axes whatever the orientation of the molecules") {
+  const std::string text = replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n", "");
+  const Shape bent = {{0, 0, 0}, {0.1, 0, 0}, {-0.0333, 0.0943, 0}};
+  const TopologySettings settings{.rigid = {"SOL"}};
+  const Frame start = start_of({bent, bent, bent});
+  const Shape first = shape_of(rigid_topology(parsed(text), settings, &start));
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    const auto turn = rotation_quaternion(Vec3<double>{1.0 * k, 2 - 0.3 * k, 0.7});
+    Shape turned = bent;
+    for (Vec3<double>& r : turned) r = to_lab(turn, r);
+    const Frame other = start_of({turned, bent, turned});
+    const Shape shape = shape_of(rigid_topology(parsed(text), settings, &other));
+    for (std::size_t i = 0; i < 3; ++i) CHECK(norm(shape[i] - first[i]) < 1e-12);
+  }
+}
+
+TEST_CASE("a given shape takes the place of the derived one, and must fit it") {
+  const std::string text = replaced(spce, "[ settles ]\n1 1 0.1 0.16330\n", "");
+  const Shape bent = {{0, 0, 0}, {0.1, 0, 0}, {-0.02, 0.09, 0}};
+  TopologySettings settings{.shapes = {{"SOL", bent}}};
+  const RigidTopology rigid = rigid_topology(parsed(text), settings, nullptr);
+  CHECK(rigid.origins[0] == "rigid, shape of the run file");
+  CHECK(difference(shape_of(rigid), bent) < 1e-12);
+  // Written down, in its principal frame, it gives the same axes.
+  settings.shapes = rigid.shapes;
+  const Shape again = shape_of(rigid_topology(parsed(text), settings, nullptr));
+  for (std::size_t i = 0; i < 3; ++i) CHECK(norm(again[i] - shape_of(rigid)[i]) < 1e-15);
+
+  const auto with = [&](const std::string& name, const Shape& shape) {
+    return TopologySettings{.shapes = {{name, shape}}};
+  };
+  check_error(
+      [&] {
+        rigid_topology(parsed(text), with("SOL", {{}, {0.1, 0, 0}}), nullptr);
+      },
+      {"2 positions", "must have 3", "topol.top:8"});
+  check_error([&] { rigid_topology(parsed(text), with("SAL", bent), nullptr); },
+              {"'SAL' has a shape", "SOL", "topol.top"});
+  check_error([&] { rigid_topology(parsed(spce), settings, nullptr); },
+              {"atoms 1 and 3", "by its settles or constraints 0.1 nm", "topol.top:8"});
+  // Settles determine the shape, so nothing is to be written down.
+  CHECK(rigid_topology(parsed(spce), {}, nullptr).shapes.empty());
 }
 
 TEST_CASE("of two mirror images that of the initial configuration is taken") {

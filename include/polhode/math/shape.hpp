@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "polhode/base/vec3.hpp"
@@ -26,6 +27,10 @@ inline constexpr double line_rounding = 0.002;
 /// Puts points that are collinear to within `line_rounding` exactly on a line: a linear body would
 /// otherwise spin about its axis with nearly zero inertia.
 Shape straighten(Shape shape);
+
+/// A shape in its principal frame, with signs that do not depend on the orientation in which it is
+/// given: of the points far from the centre along an axis, the first is on the positive side.
+Shape principal_shape(Shape shape, std::span<const double> mass);
 
 /// The mirror image of a shape.
 Shape mirror_image(Shape shape);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
@@ -53,17 +54,19 @@ class Copies {
 struct FoundShape {
   Shape shape;
   std::string origin;
+  bool of_topology = true;  // or of the run file or the initial configuration
 };
 
 class Shapes {
  public:
-  Shapes(const GromacsTopology& gromacs, const std::vector<std::string>& rigid, const Frame* start)
-      : gromacs_(gromacs), rigid_(rigid), start_(start) {}
+  Shapes(const GromacsTopology& gromacs, const TopologySettings& settings, const Frame* start)
+      : gromacs_(gromacs), settings_(settings), start_(start) {}
 
   FoundShape of(std::size_t index) const {
     const GromacsMolecule& molecule = gromacs_.molecules[index];
     const std::size_t atoms = real_atoms(molecule).size();
-    const bool declared = std::find(rigid_.begin(), rigid_.end(), molecule.name) != rigid_.end();
+    const auto& rigid = settings_.rigid;
+    const bool declared = std::find(rigid.begin(), rigid.end(), molecule.name) != rigid.end();
     if (atoms == 0)
       throw Error(
           fmt::format("molecule type '{}' has no atoms; it must have at least one", molecule.name),
@@ -79,11 +82,15 @@ class Shapes {
           fmt::format("molecule type '{}' has {} atoms; a rigid molecule may have {} at most",
                       molecule.name, atoms, max_atoms),
           text_of(molecule.place));
+    if (const auto given = settings_.shapes.find(molecule.name); given != settings_.shapes.end())
+      return {check(given->second, molecule), "rigid, shape of the run file", false};
     if (atoms == 1) return {{Vec3<double>{}}, "one atom"};
     try {
       const auto rigidity = declared ? Rigidity::by_bonds : Rigidity::by_constraints;
-      return {place_atoms(index, constrained_distances(gromacs_, molecule, rigidity), atoms),
-              declared ? "declared rigid, shape of bonds and angles" : by_what(molecule)};
+      FoundShape found =
+          place_atoms(index, constrained_distances(gromacs_, molecule, rigidity), atoms);
+      found.origin = declared ? "declared rigid, shape of bonds and angles" : by_what(molecule);
+      return found;
     } catch (const Error& e) {
       if (!e.where().empty()) throw;
       if (declared) return mean(index);
@@ -92,16 +99,36 @@ class Shapes {
   }
 
  private:
-  Shape place_atoms(std::size_t index, const std::vector<Distance>& distances,
-                    std::size_t atoms) const {
+  // A given shape, which must be that of its settles and constraints.
+  Shape check(const Shape& shape, const GromacsMolecule& molecule) const {
+    const std::size_t atoms = real_atoms(molecule).size();
+    if (shape.size() != atoms)
+      throw Error(fmt::format("the shape of molecule type '{}' has {} positions; it must have {}, "
+                              "one for each atom in their order, without virtual sites",
+                              molecule.name, shape.size(), atoms),
+                  text_of(molecule.place));
+    for (const auto& [a, b, length] :
+         constrained_distances(gromacs_, molecule, Rigidity::by_constraints))
+      if (const double found = norm(shape[a] - shape[b]);
+          !(std::abs(found - length) <= distance_tolerance))
+        throw Error(fmt::format("in the shape of molecule type '{}' atoms {} and {} are {:.6g} nm "
+                                "apart, and by its settles or constraints {:.6g} nm; they must "
+                                "agree to {:g} nm",
+                                molecule.name, a + 1, b + 1, found, length, distance_tolerance),
+                    text_of(molecule.place));
+    return shape;
+  }
+
+  FoundShape place_atoms(std::size_t index, const std::vector<Distance>& distances,
+                         std::size_t atoms) const {
     PlacedPoints found = place_points(atoms, distances);
-    if (found.dimension < 3 || start_ == nullptr) return std::move(found.points);
+    if (found.dimension < 3 || start_ == nullptr) return {std::move(found.points), {}};
     // Distances do not distinguish a shape from its mirror image; the first molecule in the initial
     // configuration does.
     const Shape there = Copies(gromacs_, index, *start_)(0);
     Shape mirror = mirror_image(found.points);
-    return difference(mirror, there) < difference(found.points, there) ? std::move(mirror)
-                                                                       : std::move(found.points);
+    const bool mirrored = difference(mirror, there) < difference(found.points, there);
+    return {std::move(mirrored ? mirror : found.points), {}, false};
   }
 
   FoundShape mean(std::size_t index) const {
@@ -115,8 +142,10 @@ class Shapes {
           text_of(molecule.place));
     const Copies copies(gromacs_, index, *start_);
     Shape shape = mean_shape(copies.size(), [&](std::size_t k) { return copies(k); });
-    return {straighten(std::move(shape)),
-            "declared rigid, mean shape in the initial configuration"};
+    std::vector<double> mass;
+    for (const std::size_t atom : real_atoms(molecule)) mass.push_back(molecule.atoms[atom].mass);
+    return {principal_shape(straighten(std::move(shape)), mass),
+            "declared rigid, mean shape in the initial configuration", false};
   }
 
   static std::string by_what(const GromacsMolecule& molecule) {
@@ -141,20 +170,28 @@ class Shapes {
   }
 
   const GromacsTopology& gromacs_;
-  const std::vector<std::string>& rigid_;
+  const TopologySettings& settings_;
   const Frame* start_;
 };
 
-void check_names(const GromacsTopology& gromacs, const std::vector<std::string>& rigid) {
+void check_names(const GromacsTopology& gromacs, const TopologySettings& settings) {
   std::vector<std::string> names;
   for (const auto& block : gromacs.blocks) names.push_back(gromacs.molecules[block.molecule].name);
-  for (const std::string& name : rigid)
-    if (std::find(names.begin(), names.end(), name) == names.end())
-      throw Error(
-          fmt::format("'{}' is declared rigid and no molecule of the topology has that name; "
-                      "there are: {}",
-                      name, join_names(names)),
-          gromacs.file);
+  const auto require = [&](const std::string& name, const char* what) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    throw Error(fmt::format("'{}' {} and no molecule of the topology has that name; there are: {}",
+                            name, what, join_names(names)),
+                gromacs.file);
+  };
+  for (const std::string& name : settings.rigid) require(name, "is declared rigid");
+  for (const auto& [name, shape] : settings.shapes) require(name, "has a shape");
+}
+
+// The atoms in the principal frame, without virtual sites.
+Shape shape_of(const Molecule& molecule, const GromacsMolecule& gromacs) {
+  Shape shape;
+  for (const std::size_t atom : real_atoms(gromacs)) shape.push_back(molecule.sites[atom].r);
+  return shape;
 }
 
 std::vector<TypedSite> typed_sites(const GromacsTopology& gromacs) {
@@ -170,22 +207,20 @@ std::vector<TypedSite> typed_sites(const GromacsTopology& gromacs) {
 
 }  // namespace
 
-RigidTopology rigid_topology(const GromacsTopology& gromacs, const std::vector<std::string>& rigid,
+RigidTopology rigid_topology(const GromacsTopology& gromacs, const TopologySettings& settings,
                              const Frame* start) {
-  check_names(gromacs, rigid);
-  const Shapes shapes(gromacs, rigid, start);
+  check_names(gromacs, settings);
+  const Shapes shapes(gromacs, settings, start);
   std::map<std::size_t, std::pair<Molecule, std::string>> made;
   RigidTopology result;
   for (const auto& block : gromacs.blocks) {
     auto known = made.find(block.molecule);
     if (known == made.end()) {
+      const GromacsMolecule& molecule = gromacs.molecules[block.molecule];
       const FoundShape found = shapes.of(block.molecule);
-      known =
-          made.emplace(
-                  block.molecule,
-                  std::pair{rigid_molecule(gromacs, gromacs.molecules[block.molecule], found.shape),
-                            found.origin})
-              .first;
+      const Molecule rigid = rigid_molecule(gromacs, molecule, found.shape);
+      if (!found.of_topology) result.shapes.emplace(molecule.name, shape_of(rigid, molecule));
+      known = made.emplace(block.molecule, std::pair{rigid, found.origin}).first;
     }
     result.topology.parts.push_back({known->second.first, block.count});
     result.origins.push_back(known->second.second);

@@ -11,6 +11,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/io/gromacs.hpp"
 #include "polhode/model/elements.hpp"
+#include "polhode/model/molecule_in_frame.hpp"
 
 namespace polhode {
 namespace {
@@ -204,7 +205,7 @@ Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& 
                      type.epsilon, type.law});
   }
   try {
-    return rigid_molecule(molecule.name, std::move(sites));
+    return molecule_in_frame(molecule.name, std::move(sites));
   } catch (const Error& e) {
     throw e.at(text_of(molecule.place));
   }

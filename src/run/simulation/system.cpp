@@ -27,6 +27,7 @@ void take_topology_file(const Config& config, const Frame& start, System& system
   RigidTopology read = read_topology(config.system.topology, &start);
   system.topology = std::move(read.topology);
   system.origins = std::move(read.origins);
+  system.shapes = std::move(read.shapes);
   if (read.rule_matters && !config.mixing_given)
     throw Error(
         "the file does not give the mixing rule for unlike sites; write for example mixing = "

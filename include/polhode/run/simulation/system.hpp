@@ -2,12 +2,14 @@
 // Builds the system that a run file describes, ready for simulation.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/scheme.hpp"
 #include "polhode/io/config.hpp"
+#include "polhode/math/shape.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
@@ -31,6 +33,8 @@ struct System {
   double removed_velocity = 0, removed_temperature = 0;
   /// For each part of the topology that comes from a topology file: how its shape was determined.
   std::vector<std::string> origins{};
+  /// Shapes by molecule type that a topology file does not determine (RigidTopology::shapes).
+  std::map<std::string, Shape> shapes{};
 };
 
 /// The molecules of a run file; a count that is to be taken from the initial configuration is 0.
