@@ -28,21 +28,21 @@ const char* change_of(const Drift& drift) {
 void print_preparation(const PreparationReport& r) {
   if (!r.properties) return;
   const PreparedProperties& p = *r.properties;
-  const double bar = unit("bar", Dimension::pressure), density = unit("g/cm3", Dimension::density);
+  const double bar = unit("bar", Dimension::pressure), density = unit("kg/m3", Dimension::density);
   fmt::print("{} molecules, averages of the last {:g} ps\n\n", r.molecules, p.summary.length);
   fmt::print("density               {}{}\n",
-             p.pressure ? text_of(p.density, density, "g/cm3")
-                        : fmt::format("{:.4g} g/cm3, constant", p.density.value / density),
-             r.estimated ? fmt::format(" (lattice: {:.3g})", r.lattice_density / density) : "");
+             p.pressure ? text_of(p.density, density, "kg/m3")
+                        : fmt::format("{:.4g} kg/m3, constant", p.density.value / density),
+             r.estimated ? fmt::format(" (lattice: {:.0f})", r.lattice_density / density) : "");
   fmt::print("temperature           {}\n", text_of(p.summary.temperatures.all, 1, "K"));
   fmt::print("pressure              {}{}\n", text_of(p.summary.pressure, bar, "bar"),
              p.pressure ? fmt::format(" (barostat: {:g})", *p.pressure / bar) : "");
   fmt::print("potential energy      {}, {}\n",
              text_of(p.summary.potential, 1, "kJ/mol per molecule"),
              change_of(p.summary.potential_drift));
-  if (r.compressibility > 0)
-    fmt::print("compressibility       {:.2g} 1/bar, estimated, for the moves of the barostat\n",
-               r.compressibility / unit("1/bar", Dimension::compressibility));
+  if (p.pressure)
+    fmt::print("compressibility       {}\n",
+               compressibility_text(p.compressibility, p.moves_compressibility));
   print_files(r.files);
   fmt::print("next                  polhode run {}\n", r.run_file);
   print_warnings(p.warnings);

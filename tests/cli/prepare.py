@@ -126,7 +126,7 @@ class Prepare(Sandbox):
     def test_prepare_at_a_density(self):
         text = edited(ARGON, ('temperature', 'density = "1.3 g/cm3"\ntemperature'))
         out = self.done("prepare", text).out
-        self.assertIn("1.3 g/cm3, constant", out)
+        self.assertIn("1300 kg/m3, constant", out)
         self.assertIn("polhode run out-prepared.toml", out)
         self.refused(("prepare", "run.toml"), ["out-prepared.bin", "--continue", "--force"])
 

@@ -63,6 +63,30 @@ TEST_CASE("a volume that drifts by more than 0.5 % is a warning") {
   }
 }
 
+// The slower a volume relaxes, the less is its error known.
+TEST_CASE("a volume that changes by more than 0.5 % with an unknown error is a warning") {
+  for (const Known unknown : {Known::too_short, Known::too_few_samples}) {
+    RunSummary s = npt();
+    s.ensemble.barostat->volume_drift = {{-0.0051 * 15 / 10, 0}, 1, unknown};
+    CHECK(kinds(s) == "volume ");
+    s.ensemble.barostat->volume_drift = {{-0.0049 * 15 / 10, 0}, 1, unknown};
+    CHECK(kinds(s).empty());
+  }
+}
+
+// Its volume relaxes with the time constant times its compressibility over that of the barostat.
+TEST_CASE("a system softer than its barostat assumes needs a longer run") {
+  RunSummary s = npt();
+  s.ensemble.settings.barostat->compressibility = 2;
+  auto& found = s.ensemble.barostat->compressibility;
+  found = {2.05, 0.1, Known::yes};  // 20 times 0.5 ps times 1.025 are more than 10 ps
+  CHECK(kinds(s) == "volume_samples ");
+  found = {1.9, 0.1, Known::yes};
+  CHECK(kinds(s).empty());
+  found = {20, 0, Known::too_short};
+  CHECK(kinds(s).empty());
+}
+
 // Of 2000 moves, 1000 or 200 of which are expected, chance accounts for 3 √(2000 p (1 − p)) = 67.1
 // or 40.2.
 TEST_CASE("too few accepted moves of the box are a warning") {

@@ -54,7 +54,8 @@ std::string bytes(const std::string& path) {
 /// What a preparation writes for other programs, and its report.
 std::string results(const Folder& folder, const PreparationReport& report) {
   const std::string json = preparation_json(report);
-  return bytes(folder / "out-prepared.gro") + bytes(folder / "out-prepared.toml") +
+  return bytes(folder / "out-prepared.gro") +
+         replaced(bytes(folder / "out-prepared.toml"), folder / "out", "out") +
          json.substr(0, json.find("\"files\"")) + json.substr(json.find("\"interrupted\""));
 }
 
@@ -110,6 +111,14 @@ TEST_CASE("a preparation that has ended prints its summary again and leaves its 
       {"belongs to another run", "prepare.npt was 2 ps and is now 3 ps"});
 }
 
+TEST_CASE("runs of two preparations of one run file have different outputs") {
+  const Folder folder;
+  Config config = config_in(folder);
+  config.output.prefix = folder / "second";
+  prepare(config);
+  CHECK(read_config(folder / "second-prepared.toml").output.prefix == folder / "second");
+}
+
 TEST_CASE("a run starts from the prepared state to the last bit") {
   const Folder folder;
   prepare(config_in(folder));
@@ -153,14 +162,26 @@ TEST_CASE("the checkpoint of another configuration is refused, and so is one wit
       {"is not a file", "no.bin"});
 }
 
-// The default is that of water; argon at 90 K is 4 to 5 times as compressible.
-TEST_CASE("an estimated compressibility is within the default and ten times as much") {
+// 1 ps of NPT is half a time constant of the barostat, 40 ps are 80. The value is tested with
+// volumes of a known compressibility (compressibility_test.cpp).
+TEST_CASE("the compressibility of a preparation is measured, or not known yet") {
   const double per_bar = unit("1/bar", Dimension::compressibility);
-  const Folder folder;
-  const PreparationReport estimated = prepare(config_in(folder));
-  CHECK(estimated.compressibility >= default_compressibility());
-  CHECK(estimated.compressibility <= 10 * default_compressibility());
-  const Folder other;
+  const Folder folder, longer, other;
+  const PreparationReport brief = prepare(config_in(folder));
+  CHECK(brief.properties->compressibility.known != Known::yes);
+  CHECK(brief.compressibility >= default_compressibility());
+  CHECK(compressibility_text(brief.properties->compressibility, 1e-4 * per_bar) ==
+        "not known yet; the moves of the barostat assume 100 1e-6/bar");
+  const PreparationReport report = prepare(
+      config_in(longer, replaced(replaced(argon, "npt = \"2 ps\"", "npt = \"80 ps\""),
+                                 "[integrator]", "time_constant = \"0.5 ps\"\n[integrator]")));
+  const SeriesEstimate& found = report.properties->compressibility;
+  REQUIRE(found.known == Known::yes);
+  CHECK(compressibility_text(found, 0).find("1e-6/bar, from the fluctuations") !=
+        std::string::npos);
+  CHECK(report.compressibility == found.value);
+  CHECK(read_config(longer / "out-prepared.toml").ensemble.barostat->compressibility ==
+        doctest::Approx(found.value).epsilon(0.05));  // two digits
   const Config given = config_in(
       other, replaced(argon, "[integrator]", "compressibility = \"2e-4 1/bar\"\n[integrator]"));
   CHECK(prepare(given).compressibility == 0);

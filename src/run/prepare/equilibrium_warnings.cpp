@@ -13,12 +13,13 @@ namespace polhode {
 std::optional<Warning> density_warning(const Drift& slope, double length, double volume) {
   constexpr double min_change = 0.005, significance_level = 0.001;
   const double change = slope.rate.value * length / volume;
-  if (slope.known != Known::yes || slope.p_value > significance_level ||
-      std::abs(change) < min_change)
+  const bool known = slope.known == Known::yes;
+  if ((known && slope.p_value > significance_level) || !(std::abs(change) >= min_change))
     return std::nullopt;
   return Warning{"density", change, min_change,
-                 fmt::format("the volume is still {}: by {:.2g} % in the last {:g} ps",
-                             change > 0 ? "growing" : "shrinking", 100 * std::abs(change), length),
+                 fmt::format("the volume is still {}: by {:.2g} % in the last {:g} ps{}",
+                             change > 0 ? "growing" : "shrinking", 100 * std::abs(change), length,
+                             known ? "" : ", too short for the error of this number"),
                  "prepare longer: npt = \"500 ps\" in [prepare], or give a density"};
 }
 

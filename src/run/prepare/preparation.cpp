@@ -21,7 +21,9 @@
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/prepared_run_file.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/io/with_error.hpp"
 #include "polhode/math/random.hpp"
+#include "polhode/run/prepare/compressibility.hpp"
 #include "polhode/run/simulation/checkpoint.hpp"
 #include "polhode/run/simulation/propagator.hpp"
 #include "polhode/run/simulation/relaxation.hpp"
@@ -36,9 +38,9 @@ constexpr double friction = 5;                             // of the Langevin th
 constexpr double first_step = 0.001, max_step = 0.002;     // [ps]
 constexpr std::uint64_t streams = std::uint64_t{1} << 40;  // of derived seeds: others use less
 
-double g_per_cm3(double density) { return density / unit("g/cm3", Dimension::density); }
+double kg_per_m3(double density) { return density / unit("kg/m3", Dimension::density); }
 
-/// Half of a stage. The second half has its own random numbers and statistics.
+/// A part of a stage, with its own random numbers and statistics.
 struct Stage {
   const char* name;
   double length;  ///< [ps]
@@ -48,8 +50,8 @@ struct Stage {
 std::vector<Stage> stages_of(const Config& config) {
   const PreparationSettings& p = config.prepare;
   std::vector<Stage> stages = {{"NVT", p.nvt / 2, false}, {"NVT", p.nvt / 2, false}};
-  if (config.ensemble.barostat)
-    stages.insert(stages.end(), {{"NPT", p.npt / 2, true}, {"NPT", p.npt / 2, true}});
+  if (config.ensemble.barostat)  // the moves of the barostat adapt after each part
+    for (const double part : {8, 8, 4, 2}) stages.push_back({"NPT", p.npt / part, true});
   std::erase_if(stages, [](const Stage& stage) { return stage.length < 2 * max_step; });
   if (stages.empty())
     throw Error(
@@ -77,19 +79,6 @@ std::string identity_of(const Config& config, const System& system) {
   const std::string stages = fmt::format("prepare.nvt = {:.12g} ps\nprepare.npt = {:.12g} ps\n",
                                          config.prepare.nvt, config.prepare.npt);
   return text_hash(run + stages) + run.substr(run.find('\n')) + stages;
-}
-
-/// The compressibility that the fluctuations of the volume show, without their linear trend
-/// [nm³ mol/kJ]. A volume that has not had the time to fluctuate shows too small a one, and one
-/// that relaxes too large a one, so it is at least the default and at most ten times as much. That
-/// is enough, since moves sample the same distribution with any.
-double estimated_compressibility(const EnergyStatistics& energies, double length, double kT) {
-  const double min = default_compressibility(), max = 10 * min;
-  const double variance = energies.relative_volume_variance().value;
-  const double trend = energies.volume_drift().rate.value * length;
-  const double of_trend = trend * trend / (12 * energies.volume().value);
-  const double estimate = (variance - of_trend) / kT;
-  return estimate > min ? std::min(estimate, max) : min;  // also if it is not a number
 }
 
 /// A run at constant energy keeps the energy of its start, and with the mean of the canonical
@@ -158,9 +147,9 @@ void Preparation::choose_density(PreparationReport& report) {
   if (s.density) report.lattice_density = *s.density;
   if (report.estimated)
     callbacks_.note(fmt::format(
-        "note: there is no density, so the lattice has {:.3g} g/cm3, estimated from the diameters "
+        "note: there is no density, so the lattice has {:.0f} kg/m3, estimated from the diameters "
         "of the sites; the barostat changes it",
-        g_per_cm3(*s.density)));
+        kg_per_m3(*s.density)));
 }
 
 TrajectorySettings Preparation::settings_of(std::size_t stage) const {
@@ -230,8 +219,8 @@ Trajectory Preparation::run(System& system, const TrajectorySettings& settings) 
   const auto show = [&](std::size_t steps, const State& state, const Energies&) {
     const double now = static_cast<double>(steps) * settings.step;
     callbacks_.report({"preparing", (before + now) / all,
-                       fmt::format("{}, {:.3g} g/cm3", name,
-                                   g_per_cm3(system.topology.mass() / state.box.volume()))});
+                       fmt::format("{}, {:.0f} kg/m3", name,
+                                   kg_per_m3(system.topology.mass() / state.box.volume()))});
   };
   Stopwatch since_checkpoint;
   const Watch watch{
@@ -257,18 +246,19 @@ Trajectory Preparation::run(System& system, const TrajectorySettings& settings) 
   return trajectory;
 }
 
-/// Forces are those of a liquid now, and at constant pressure the volume has fluctuated.
+/// Forces are those of a liquid now, and at constant pressure the volume has changed.
 void Preparation::set_up_next(const System& system, const TrajectorySettings& settings,
                               const Trajectory& trajectory) {
   constexpr double tenth_of_fs = 1e-4;
   if (settings.ensemble.barostat && !config_.compressibility_given) {
-    progress_.compressibility =
-        estimated_compressibility(trajectory.statistics.energies, settings.length,
-                                  units::boltzmann * settings.ensemble.temperature);
-    callbacks_.note(fmt::format(
-        "compressibility {:.2g} 1/bar, from the fluctuations of the volume: it sets the size of "
-        "the moves of the barostat",
-        progress_.compressibility / unit("1/bar", Dimension::compressibility)));
+    const EnergyStatistics& energies = trajectory.statistics.energies;
+    const BarostatSettings& barostat = *settings.ensemble.barostat;
+    const double kT = units::boltzmann * settings.ensemble.temperature;
+    progress_.compressibility = next_compressibility(energies, barostat, settings.length, kT);
+    callbacks_.note(
+        "compressibility " +
+        compressibility_text(measured_compressibility(energies, barostat, settings.length, kT),
+                             progress_.compressibility));
   }
   const double stable = max_stable_step(system, system.state, settings, workers_);
   progress_.step =
@@ -316,7 +306,12 @@ PreparedProperties Preparation::properties(System& system) const {
   const EnergyStatistics& energies = trajectory.statistics.energies;
   PreparedProperties p{summary(system, settings, trajectory), energies.volume(), {}};
   const double mass = system.topology.mass(), V = p.density.value;
-  if (settings.ensemble.barostat) p.pressure = settings.ensemble.barostat->pressure;
+  if (const auto& barostat = settings.ensemble.barostat) {
+    p.pressure = barostat->pressure;
+    p.compressibility = measured_compressibility(energies, *barostat, settings.length,
+                                                 units::boltzmann * settings.ensemble.temperature);
+    p.moves_compressibility = barostat->compressibility;
+  }
   p.density.value = mass / V;
   p.density.error *= mass / (V * V);
   p.warnings =
@@ -333,6 +328,7 @@ PreparedProperties Preparation::properties(System& system) const {
 }
 
 void Preparation::write_files(const System& system, PreparationReport& report) {
+  config_.system.topology.shapes = system.shapes;
   if (report.compressibility > 0)
     config_.ensemble.barostat->compressibility = report.compressibility;
   const auto write = [&](const std::string& file, const auto& text) {
@@ -370,6 +366,9 @@ PreparationReport Preparation::perform() {
   if (!continues) return report;
   system.state = at_.state;
   report.properties = properties(system);
+  if (const SeriesEstimate& measured = report.properties->compressibility;
+      report.compressibility > 0 && measured.known == Known::yes)
+    report.compressibility = measured.value;
   write_files(system, report);
   return report;
 }

@@ -30,14 +30,17 @@ double chance(double probability, std::uint64_t n) {
 std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
   const Drift& slope = s.volume_drift;
   const double change = slope.rate.value * length, bound = min_volume_change * s.volume.value;
-  if (slope.known != Known::yes || slope.p_value > significance_level ||
-      !(std::abs(change) > bound))
+  const bool known = slope.known == Known::yes;
+  if ((known && slope.p_value > significance_level) || !(std::abs(change) > bound))
     return std::nullopt;
   return Warning{
       "volume", change, bound,
-      fmt::format("the volume still drifts: by {:.2g} % in this run (bound: {:g} %; p-value "
-                  "{:.2g}), so density and averages are not those of equilibrium",
-                  100 * change / s.volume.value, 100 * min_volume_change, slope.p_value),
+      fmt::format("the volume {}: by {:.2g} % in this run (bound: {:g} %; {}), so density and "
+                  "averages are not those of equilibrium",
+                  known ? "still drifts" : "changes from begin to end",
+                  100 * change / s.volume.value, 100 * min_volume_change,
+                  known ? fmt::format("p-value {:.2g}", slope.p_value)
+                        : "the run is too short for the error of this number"),
       "run longer, or start a new run from the final state of this one"};
 }
 
@@ -46,19 +49,21 @@ std::optional<Warning> volume_warning(const BarostatSummary& s, double length) {
 std::optional<Warning> length_warning(const BarostatSummary& s, const BarostatSettings& settings,
                                       double length) {
   const bool rescaling = settings.kind == BarostatKind::cell_rescaling;
-  const double value =
-      rescaling ? length / settings.time_constant : static_cast<double>(s.accepted);
+  const bool known = s.compressibility.known == Known::yes;
+  const double relaxation = volume_relaxation(settings, known ? s.compressibility.value : 0);
+  const double value = rescaling ? length / relaxation : static_cast<double>(s.accepted);
   const auto bound = rescaling ? min_relaxation_times : static_cast<double>(min_accepted_moves);
   if (s.moves == 0 || !(value < bound)) return std::nullopt;
-  const std::string what = rescaling
-                               ? fmt::format("{:.3g} time constants of the barostat ({:g} ps each)",
-                                             value, settings.time_constant)
-                               : fmt::format("{} accepted moves of the volume", s.accepted);
+  const std::string what =
+      rescaling
+          ? fmt::format("{:.3g} relaxation times of the volume ({:.3g} ps each)", value, relaxation)
+          : fmt::format("{} accepted moves of the volume", s.accepted);
   return Warning{"volume_samples", value, bound,
                  fmt::format("the run has {} (bound: {:g}), too few for density and "
                              "compressibility: their errors are larger than stated",
                              what, bound),
-                 rescaling ? "run longer, or use a shorter time_constant in [barostat]"
+                 rescaling ? "run longer, or use a shorter time_constant, or a compressibility "
+                             "closer to that of the system, in [barostat]"
                            : "run longer, or move the volume more often (every, in [barostat])"};
 }
 
@@ -125,6 +130,14 @@ std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
 }
 
 }  // namespace
+
+double volume_relaxation(const BarostatSettings& barostat, double compressibility) {
+  constexpr double moves = 4;  // of Monte Carlo, of up to two standard deviations of the volume
+  const bool rescaling = barostat.kind == BarostatKind::cell_rescaling;
+  const double softer =
+      barostat.compressibility > 0 ? compressibility / barostat.compressibility : 1;
+  return std::max(1.0, softer) * (rescaling ? barostat.time_constant : moves * barostat.every);
+}
 
 std::vector<Warning> ensemble_warnings(const RunSummary& s) {
   std::vector<Warning> all;

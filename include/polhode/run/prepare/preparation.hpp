@@ -17,9 +17,13 @@ namespace polhode {
 /// The part of a preparation that is measured: the second half of its last stage.
 struct PreparedProperties {
   RunSummary summary;
-  SeriesEstimate density;           ///< [u/nm³]
-  std::optional<double> pressure;   ///< of the barostat [kJ/mol/nm³]
-  std::vector<Warning> warnings{};  ///< what is probably wrong
+  SeriesEstimate density;          ///< [u/nm³]
+  std::optional<double> pressure;  ///< of the barostat [kJ/mol/nm³]
+  /// With a barostat: from the fluctuations of the volume, known if the volume has fluctuated long
+  /// enough and does not drift [nm³ mol/kJ].
+  SeriesEstimate compressibility{};
+  double moves_compressibility = 0;  ///< that the moves of the barostat assumed [nm³ mol/kJ]
+  std::vector<Warning> warnings{};   ///< what is probably wrong
 };
 
 struct PreparationReport {
@@ -27,7 +31,8 @@ struct PreparationReport {
   double lattice_density = 0;  ///< [u/nm³]; 0 if there is an initial configuration
   bool estimated = false;      ///< the density of the lattice, by estimated_density()
   Minimisation minimisation;
-  double compressibility = 0;  ///< of the barostat if estimated, otherwise 0 [nm³ mol/kJ]
+  /// Of the barostat in the new run file, if estimated, otherwise 0 [nm³ mol/kJ].
+  double compressibility = 0;
   std::optional<PreparedProperties> properties;  ///< nothing if it was interrupted
   std::vector<std::string> files;                ///< that were written
   std::string run_file, checkpoint;              ///< those of them, if written
@@ -46,8 +51,9 @@ double estimated_density(const Topology& topology);
 /// 2. minimise(), to forces of 100 kJ/mol/nm and torques of 10 kJ/mol.
 /// 3. NVT: Langevin dynamics by BAOAB [leimkuhler2013] in steps of 1 fs, friction 5/ps.
 /// 4. NPT if there is a barostat: the same with its moves of the box, in steps of at most 2 fs. If
-///    the run file gives no compressibility, the second half takes it from the fluctuations of the
-///    volume in the first, within the default and ten times as much.
+///    the run file gives no compressibility, it adapts after an eighth, a quarter and half of the
+///    stage: to the fluctuations of the volume once these are known, and to four times as much,
+///    up to 16 times the default, while the volume drifts.
 /// If the run file has neither a thermostat nor hybrid Monte Carlo, momenta are then scaled to the
 /// mean total energy of the last half stage, so that a run at constant energy has the temperature.
 /// Writes PREFIX-prepared.gro, with velocities; PREFIX-prepared.bin, a checkpoint with the same
@@ -58,6 +64,10 @@ double estimated_density(const Topology& topology);
 /// @throws RunError  if molecules still overlap, or a stage blows up
 PreparationReport prepare(const Config& config, const OutputOptions& options = {},
                           const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
+
+/// "310 ± 40 1e-6/bar, from the fluctuations of the volume", or that it is not known yet.
+/// @param in_use  the compressibility that sets the size of the moves [nm³ mol/kJ]
+std::string compressibility_text(const SeriesEstimate& measured, double in_use);
 
 /// The report as JSON. Names contain units, as in "density_g_per_cm3".
 std::string preparation_json(const PreparationReport& report);

@@ -13,4 +13,9 @@ namespace polhode {
 /// (docs/manual/ensembles.md, Warnings).
 std::vector<Warning> ensemble_warnings(const RunSummary& summary);
 
+/// The relaxation time of the volume [ps]. The time constant of cell rescaling is that of a system
+/// with the compressibility of the barostat; a softer one relaxes more slowly.
+/// @param compressibility  of the system [nm³ mol/kJ]; 0 if it is not known
+double volume_relaxation(const BarostatSettings& barostat, double compressibility);
+
 }  // namespace polhode
