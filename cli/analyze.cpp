@@ -73,7 +73,7 @@ Action analyze_verb(Command& command) {
                      "viscosity of the liquid, \"0.855 mPa s\", for the Yeh-Hummer finite-size "
                      "correction of D; default: the published value of the model");
   command.add_option("--temperature", o->temperature,
-                     "\"298 K\"; default: the temperature of the velocities");
+                     "\"298 K\"; default: the temperature of the velocities, or of the run file");
   command.add_option(
       "--electrostatics", o->electrostatics,
       fmt::format("instead of the run file's: pme, reaction-field (of {:g}) or coulomb",

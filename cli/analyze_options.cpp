@@ -108,7 +108,7 @@ AnalysisSettings analysis_settings(const AnalyzeOptions& o, const Topology& topo
 SummarySettings summary_settings(const AnalyzeOptions& o, const std::optional<Config>& config) {
   SummarySettings s;
   s.no_surroundings = "it depends on the electrostatics of the run; give --run or --electrostatics";
-  if (config) s.set_surroundings(config->forces);
+  if (config) s.set_run(*config);
   if (!o.electrostatics.empty()) set_surroundings(s, o.electrostatics);
   if (!o.temperature.empty())
     s.temperature = positive(o.temperature, Dimension::temperature, "--temperature");

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "polhode/base/units.hpp"
+#include "polhode/io/quantity.hpp"
 #include "polhode/io/with_error.hpp"
 #include "streams.hpp"
 
@@ -99,11 +99,13 @@ void print_analysis(const AnalysisReport& report) {
   fmt::print("{} frames from {:g} to {:g} ps", a.frames, a.first, a.last);
   if (a.interval > 0) fmt::print(", {:.6g} ps apart", a.interval);
   fmt::print(", {} molecules\n\n", a.topology.size());
-  fmt::print("density               {} g/cm3\n",
-             text(a.conditions->density(), 5, 1 / units::gram_per_cm3));
+  fmt::print("density               {} kg/m3\n",
+             text(a.conditions->density(), 2, 1 / unit("kg/m3", Dimension::density)));
   if (a.has_velocities)
     fmt::print("temperature           {} K, of the velocities\n",
                text(a.conditions->temperature(), 2));
+  else if (s.temperature)
+    fmt::print("temperature           {:g} K, {}\n", *s.temperature, s.temperature_source);
   for (std::size_t k = 0; k < s.peaks.size(); ++k) {
     print_peak(a.pairs[k], s.peaks[k]);
     if (a.fixed && s.peaks_bias[k]) print_peak_bias(*s.peaks_bias[k], *s.peaks[k]);

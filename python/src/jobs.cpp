@@ -125,7 +125,7 @@ AnalysisSettings analysis_settings(const AnalysisOptions& o, const Config* confi
 SummarySettings summary_settings(const AnalysisOptions& o, const Config* config) {
   SummarySettings s;
   s.no_surroundings = "it depends on the electrostatics of the run; give run or electrostatics";
-  if (config) s.set_surroundings(config->forces);
+  if (config) s.set_run(*config);
   if (o.electrostatics) {
     ForceSettings forces;
     forces.electrostatics = named<Electrostatics>(*o.electrostatics, "electrostatics");

@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-#include "polhode/base/units.hpp"
+#include "polhode/io/quantity.hpp"
 #include "polhode/io/with_error.hpp"
 
 namespace polhode {
@@ -256,16 +256,17 @@ AnalysisFile dielectric_file(const Analysis& a, const AnalysisSummary& s) {
 }
 
 AnalysisFile density_file(const Analysis& a) {
+  const double kg_per_m3 = unit("kg/m3", Dimension::density);
   const BlockMeans means = a.conditions->blocks();
   std::vector<double> frames;
   std::vector<SeriesEstimate> densities;
   for (const auto& [weight, sum] : means.blocks()) {
     frames.push_back(weight + (frames.empty() ? 0 : frames.back()));
-    densities.push_back({sum[0] / weight / units::gram_per_cm3});
+    densities.push_back({sum[0] / weight / kg_per_m3});
   }
   AnalysisFile file = file_over_time(a, "density", frames,
-                                     {{}, "density in blocks of frames", {}, "density  (g/cm³)"});
-  file.table.columns.push_back({"density", "g/cm3"});
+                                     {{}, "density in blocks of frames", {}, "density  (kg/m³)"});
+  file.table.columns.push_back({"density", "kg/m3"});
   file.table.columns.push_back({"temperature", "K"});
   for (std::size_t k = 0; k < frames.size(); ++k) {
     const auto& [weight, sum] = means.blocks()[k];
@@ -273,13 +274,12 @@ AnalysisFile density_file(const Analysis& a) {
     file.table.rows[k].emplace_back(a.has_velocities ? sum[1] / weight : std::nan(""));
   }
   const SeriesEstimate mean = a.conditions->density();
-  const double value = mean.value / units::gram_per_cm3;
+  const double value = mean.value / kg_per_m3;
   CurvesFigure::Panel panel;
   draw(panel, "blocks", {"", 2}, densities);
-  panel.lines.push_back(
-      {"mean: " + with_error(value, known_error(mean) / units::gram_per_cm3) + " g/cm³",
-       {0, file.figure.right},
-       {value, value}});
+  panel.lines.push_back({"mean: " + with_error(value, known_error(mean) / kg_per_m3) + " kg/m³",
+                         {0, file.figure.right},
+                         {value, value}});
   file.figure.panels.push_back(std::move(panel));
   finish(file.figure, false);
   return file;

@@ -2,6 +2,7 @@
 #include "polhode/run/analysis/analysis_report.hpp"
 
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include "analysis_files.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/io/quantity.hpp"
 
 namespace polhode {
 namespace {
@@ -130,6 +132,13 @@ nlohmann::json part_json(const PartSummary& part, const AnalysisSummary& s) {
   return one;
 }
 
+/// Why no observable could be computed.
+std::string why_nothing(const AnalysisSummary& s) {
+  return fmt::format("nothing was computed: {}", s.notes.empty()
+                                                     ? "no observable was requested"
+                                                     : fmt::format("{}", fmt::join(s.notes, "; ")));
+}
+
 }  // namespace
 
 AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& options,
@@ -147,9 +156,10 @@ AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& opt
   if (report.analysis.deviation > 1e-4)
     callbacks.note(fmt::format("note: atoms deviate by up to {:.4f} nm from the rigid models",
                                report.analysis.deviation));
-  for (const std::string& note : report.summary.notes) callbacks.note("note: " + note);
   const Provenance made = provenance(options.command, input.origin, input.seed);
   report.files = write_files(report, input, made, callbacks, workers);
+  if (report.files.empty() && !report.analysis.stopped) throw Error(why_nothing(report.summary));
+  for (const std::string& note : report.summary.notes) callbacks.note("note: " + note);
   return report;
 }
 
@@ -165,7 +175,9 @@ std::string analysis_json(const AnalysisReport& report) {
       {"fit_deviation_nm", a.deviation},
       {"interrupted", a.stopped},
       {"notes", s.notes},
-      {"density_g_per_cm3", pair(a.conditions->density(), 1 / units::gram_per_cm3)}};
+      {"density_g_per_cm3", pair(a.conditions->density(), 1 / units::gram_per_cm3)},
+      {"density_kg_per_m3", pair(a.conditions->density(), 1 / unit("kg/m3", Dimension::density))},
+      {"temperature_source", s.temperature_source}};
   if (a.has_velocities) json["temperature_K"] = pair(a.conditions->temperature());
   for (std::size_t k = 0; k < s.peaks.size(); ++k) {
     json["rdf"].push_back(peak_json(a.pairs[k], s.peaks[k]));

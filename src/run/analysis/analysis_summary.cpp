@@ -25,6 +25,28 @@ constexpr PublishedViscosity published[] = {
 constexpr double published_temperature = 298;  // [K]
 constexpr double near = 5;                     // [K]: the viscosity of water changes by 2 % in 1 K
 
+constexpr const char* of_run_file = "of the run file";
+
+void find_temperature(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
+  const double kinetic = a.conditions->temperature().value;
+  const auto take = [&](double temperature, const char* source) {
+    s.temperature = temperature;
+    s.temperature_source = source;
+  };
+  if (settings.temperature)
+    take(*settings.temperature, "as given");
+  else if (kinetic > 0)
+    take(kinetic, "of the velocities");
+  else if (settings.run_temperature)
+    take(*settings.run_temperature, of_run_file);
+  if (s.temperature_source == of_run_file && settings.constant_energy)
+    s.notes.push_back(
+        fmt::format("the frames have no velocities, so the temperature is {:g} K, of the run file; "
+                    "a run at constant energy may have another, which its summary states: give "
+                    "that temperature",
+                    *s.temperature));
+}
+
 void find_viscosity(AnalysisSummary& s, const Analysis& a, const SummarySettings& settings) {
   if (settings.viscosity) {
     s.viscosity = settings.viscosity;
@@ -129,9 +151,10 @@ void find_step_bias(AnalysisSummary& s, const Analysis& a, const SummarySettings
   const double n = degrees_of_freedom(a.topology).all();
   for (std::size_t k = 0; k < s.peaks.size(); ++k)
     s.peaks_bias.push_back(a.radial->first_peak_bias(k, n, *a.fixed));
-  if (s.dielectric)
-    s.dielectric_bias =
-        a.dipole->step_bias(settings.temperature, *settings.surroundings_permittivity, n, *a.fixed);
+  if (s.dielectric)  // velocities have their own bias, and a given temperature has none
+    s.dielectric_bias = a.dipole->step_bias(
+        settings.temperature || !a.has_velocities ? s.temperature : std::nullopt,
+        *settings.surroundings_permittivity, n, *a.fixed);
 }
 
 /// The unit of the second digit of a positive number.
@@ -190,10 +213,19 @@ void SummarySettings::set_surroundings(const ForceSettings& forces) {
       break;
     case Electrostatics::coulomb:
     case Electrostatics::damped_shifted_force:
+      surroundings_permittivity.reset();
       no_surroundings =
           "dipole fluctuations give no dielectric constant if electrostatics is truncated or "
           "switched; pme or a reaction field is needed";
   }
+}
+
+void SummarySettings::set_run(const Config& config) {
+  set_surroundings(config.forces);
+  constant_energy = config.ensemble.constant_energy();
+  // The default of a run at constant energy says nothing about its velocities.
+  const bool told = config.system.temperature_given || !constant_energy;
+  if (told && config.system.temperature > 0) run_temperature = config.system.temperature;
 }
 
 std::optional<SeriesEstimate> PartSummary::corrected(const AnalysisSummary& summary) const {
@@ -205,11 +237,7 @@ std::optional<SeriesEstimate> PartSummary::corrected(const AnalysisSummary& summ
 AnalysisSummary summary(Analysis& a, const SummarySettings& settings, Workers& workers) {
   AnalysisSummary s;
   s.notes = a.notes;
-  const double kinetic = a.conditions->temperature().value;
-  if (settings.temperature)
-    s.temperature = settings.temperature;
-  else if (kinetic > 0)
-    s.temperature = kinetic;
+  find_temperature(s, a, settings);
   if (a.radial)
     for (std::size_t k = 0; k < a.pairs.size(); ++k) s.peaks.push_back(a.radial->first_peak(k));
   for (std::size_t part = 0; part < a.topology.parts.size(); ++part)

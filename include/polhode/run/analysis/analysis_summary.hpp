@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "polhode/forces/laws/setting_names.hpp"
+#include "polhode/io/config.hpp"
 #include "polhode/run/analysis/analysis.hpp"
 
 namespace polhode {
@@ -17,13 +18,18 @@ struct SummarySettings {
   std::optional<FitWindow> fit;       ///< of the diffusion coefficient; default: from a fifth of
                                       ///< the lags on
   std::optional<double> temperature;  ///< [K]; default: that of the velocities
-  std::optional<double> viscosity;    ///< [u/(nm ps)]; default: the published one, if there is one
+  /// Of the run file [K], where the frames have no velocities.
+  std::optional<double> run_temperature{};
+  bool constant_energy = false;     ///< of the run, whose temperature may then be another
+  std::optional<double> viscosity;  ///< [u/(nm ps)]; default: the published one, if there is one
   std::optional<double> surroundings_permittivity;  ///< permittivity of the surroundings:
                                                     ///< `tin_foil`, or that of the reaction field
   std::string no_surroundings;                      ///< why there is none
 
   /// Takes the permittivity of the surroundings from the forces of the run.
   void set_surroundings(const ForceSettings& forces);
+  /// Takes from the run file the permittivity of the surroundings, and the temperature.
+  void set_run(const Config& config);
 };
 
 /// Factor of diffusion coefficients in nm²/ps to those in 10⁻⁹ m²/s.
@@ -50,6 +56,7 @@ struct PartSummary {
 
 struct AnalysisSummary {
   std::optional<double> temperature;  ///< [K]
+  std::string temperature_source;     ///< "as given", "of the velocities", "of the run file"; or ""
   FitWindow fit;                      ///< of the diffusion coefficient [ps]
   std::optional<double> viscosity;    ///< [u/(nm ps)]
   std::string viscosity_source;       ///< "as given", or the publication; else why there is none
