@@ -50,7 +50,8 @@ void print_step_bias(const RunSummary& s) {
   print_line("pressure", bias.pressure, s.pressure.value, unit("bar", Dimension::pressure), "bar",
              1);
   if (const auto& barostat = s.ensemble.barostat) {
-    print_line("volume", bias.volume, barostat->volume.value, 1, "nm³", 4);
+    print_line("density", bias.density, barostat->density.value, unit("kg/m3", Dimension::density),
+               "kg/m3", 2);
     print_line("compressibility", bias.compressibility, barostat->compressibility.value,
                1e-6 * unit("1/bar", Dimension::compressibility), "1e-6/bar", 2);
   }

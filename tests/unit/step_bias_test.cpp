@@ -129,8 +129,12 @@ TEST_CASE("step bias: the volume takes up the bias of the pressure") {
   const DegreesOfFreedom translation{modes, {}};
   const double pressure = -error * spread * spread / kT;
   check(statistics.bias(translation, FixedMeans::kinetic_energy).pressure, pressure);
-  check(statistics.bias(translation, FixedMeans::kinetic_energy_and_pressure).volume,
-        pressure / stiffness);
+  constexpr double mass = 18, V = 10;
+  const StepBias bias =
+      statistics.bias(translation, FixedMeans::kinetic_energy_and_pressure, 300, mass);
+  check(bias.volume, pressure / stiffness);
+  // The mean of M/V, of volumes with the variance kT/κ.
+  check(bias.density, -mass * pressure / stiffness / (V * V) * (1 + 3 * kT / stiffness / (V * V)));
 }
 
 // An error fast K_rot: at one mean of the kinetic energy, translation is warmer by half of it.

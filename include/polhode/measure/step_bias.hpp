@@ -20,6 +20,7 @@ struct StepBias {
   SeriesEstimate potential;            ///< energy [kJ/mol]
   SeriesEstimate pressure;             ///< [kJ/mol/nm³]
   SeriesEstimate volume;               ///< [nm³]
+  SeriesEstimate density;              ///< mass over volume [u/nm³]
   SeriesEstimate compressibility;      ///< at a mean pressure [nm³ mol/kJ]; else 0
 };
 
@@ -30,8 +31,9 @@ struct StepBiasStatistics {
   void add(const StepError& at, const Energies& now);
   /// Each with its standard error.
   /// @param temperature  of the thermostat, for the compressibility [K]
+  /// @param mass         of all molecules, for the density [u]
   StepBias bias(const DegreesOfFreedom& degrees_of_freedom, FixedMeans fixed,
-                double temperature = 0) const;
+                double temperature = 0, double mass = 0) const;
 };
 
 }  // namespace polhode

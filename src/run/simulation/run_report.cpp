@@ -90,6 +90,7 @@ json step_bias_json(const RunSummary& s) {
           {"potential_kJ_per_mol", estimate_json(bias.potential, static_cast<double>(s.molecules))},
           {"pressure_bar", estimate_json(bias.pressure, unit("bar", Dimension::pressure))},
           {"volume_nm3", estimate_json(bias.volume, 1)},
+          {"density_kg_per_m3", estimate_json(bias.density, unit("kg/m3", Dimension::density))},
           {"compressibility_per_bar",
            estimate_json(bias.compressibility, unit("1/bar", Dimension::compressibility))},
           {"temperature_configurational_K", configurational}};

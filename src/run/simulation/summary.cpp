@@ -77,8 +77,8 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   const std::optional<FixedMeans> fixed = settings.fixed_means();
   if (fixed && s.potential_fluctuation.value > 0 &&
       trajectory.statistics.step_bias.response.samples() >= min_samples_reported) {
-    s.step_bias = trajectory.statistics.step_bias.bias(s.degrees_of_freedom, *fixed,
-                                                       settings.ensemble.temperature);
+    s.step_bias = trajectory.statistics.step_bias.bias(
+        s.degrees_of_freedom, *fixed, settings.ensemble.temperature, system.topology.mass());
     s.configurational_bias =
         trajectory.statistics.configurational.step_bias(s.degrees_of_freedom.all(), *fixed);
   }
