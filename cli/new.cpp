@@ -8,42 +8,67 @@
 #include <string>
 
 #include "polhode/base/error.hpp"
+#include "polhode/base/printable.hpp"
+#include "polhode/io/gromacs_mdp.hpp"
 #include "polhode/io/run_file_template.hpp"
 #include "polhode/run/outputs.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
 namespace {
 
-void write_run_file(const std::string& kind, const std::string& file) {
-  const std::string_view text = run_file_template(kind);
+struct Options {
+  std::string kind, file, mdp;
+  bool nvt = false, npt = false;
+};
+
+std::string text_of(const Options& o, const std::string& file) {
+  if (o.nvt && o.npt) throw Error("--nvt and --npt exclude each other; leave one out");
+  if (o.mdp.empty()) return run_file_template(o.kind, o.npt ? "npt" : o.nvt ? "nvt" : "");
+  if (o.kind != "gromacs")
+    throw Error(
+        fmt::format("--mdp has parameters of GROMACS, and the kind is '{}'; write "
+                    "polhode new gromacs --mdp {}",
+                    o.kind, o.mdp));
+  if (o.nvt || o.npt)
+    throw Error("--mdp has the ensemble, tcoupl and pcoupl; leave out --nvt and --npt");
+  const MdpImport read = read_mdp(o.mdp, {.prefix = std::filesystem::path(file).stem().string()});
+  for (const auto& [parameter, reason] : read.differences)
+    log("note: {}: {}\n", printable(parameter), reason);
+  return read.run_file;
+}
+
+int write_run_file(const Options& o) {
+  const std::string file = o.file.empty() ? o.kind + ".toml" : o.file;
+  const std::string text = text_of(o, file);
   if (std::filesystem::exists(file))
     throw Error(
         fmt::format("'{}' exists and is never overwritten; give another name, for example "
                     "polhode new {} my-{}.toml",
-                    file, kind, kind));
+                    file, o.kind, o.kind));
   check_outputs({file}, ExistingFiles::refuse);
   write_file(file, [&](std::ostream& out) { out << text; });
+  fmt::print("{0} is written; edit it, then: polhode run {0}\n", file);
+  return 0;
 }
 
 }  // namespace
 
 Action new_verb(Command& command) {
-  struct Options {
-    std::string kind, file;
-  };
   auto o = std::make_shared<Options>();
   command
       .add_option("KIND", o->kind,
                   "water, nvt, npt, mixture, gromacs (topology) or lammps (data file)")
       .required();
   command.add_option("FILE", o->file, "file to write; default: KIND.toml");
-  return [o] {
-    const std::string file = o->file.empty() ? o->kind + ".toml" : o->file;
-    write_run_file(o->kind, file);
-    fmt::print("{0} is written; edit it, then: polhode run {0}\n", file);
-    return 0;
-  };
+  command.add_flag("--nvt", o->nvt,
+                   "add a thermostat to a kind without one: gromacs, lammps, water, mixture");
+  command.add_flag("--npt", o->npt, "add a thermostat and a barostat");
+  command.add_option("--mdp", o->mdp,
+                     "run parameters of GROMACS to translate; those without counterpart are "
+                     "listed");
+  return [o] { return write_run_file(*o); };
 }
 
 }  // namespace polhode::cli

@@ -78,18 +78,30 @@ def _settings(source, output, keywords):
     return config
 
 
-def new(kind: str, path: Path | None = None) -> pathlib.Path:
+def new(kind: str, path: Path | None = None, *, ensemble: str | None = None,
+        mdp: Path | None = None, messages: Messages = None) -> pathlib.Path:
     """Writes a commented run file to start from, as ``polhode new``.
 
     Args:
         kind (str): "water", "nvt", "npt", "mixture", "gromacs" or "lammps".
         path: file to write; default: KIND.toml. An existing one is never overwritten.
+        ensemble (str): "nvt" or "npt", for a kind at constant energy.
+        mdp: run parameters of GROMACS to translate; kind is "gromacs".
+        messages: called with each parameter without counterpart, and why, such as print.
 
     Returns:
         pathlib.Path: the file.
     """
     path = pathlib.Path(f"{kind}.toml" if path is None else path)
-    text = _core.run_file_template(kind)
+    if mdp is None:
+        text = _core.run_file_template(kind, ensemble or "")
+    elif kind != "gromacs" or ensemble is not None:
+        raise Error("mdp has parameters of GROMACS, with the ensemble; give the kind \"gromacs\" "
+                    "and no ensemble")
+    else:
+        text, differences = _core.read_mdp(os.fspath(mdp), path.stem)
+        for parameter, reason in differences if messages is not None else []:
+            messages(f"note: {parameter}: {reason}")
     try:
         with open(path, "x", encoding="utf-8") as file:
             file.write(text)

@@ -75,6 +75,7 @@ _F = TypeVar("_F", bound=Callable[..., Any])
 class Keywords(TypedDict, total=False):
 {words}
 TABLES: list[str]
+LISTS: tuple[str, ...]
 TABLE_OF: dict[str, str]
 KEY_OF: dict[str, str]
 KEYWORDS: dict[str, str]

@@ -2,16 +2,21 @@
 #include "config.hpp"
 
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
+#include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "bind.hpp"
 #include "polhode/base/threads.hpp"
 #include "polhode/io/embedded.hpp"
 #include "polhode/io/ensemble_names.hpp"
+#include "polhode/io/gromacs_mdp.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/run_file_template.hpp"
 #include "polhode/io/setting_keys.hpp"
@@ -80,8 +85,16 @@ void bind_config(nb::module_& m) {
   m.def("default_config", &default_config);
   m.def("setting_keys", &keys);
   m.def("default_text", [] { return std::string(embedded_text("runs/default.toml").value()); });
-  m.def("run_file_template",
-        [](const std::string& kind) { return std::string(run_file_template(kind)); });
+  m.def("run_file_template", [](const std::string& kind, const std::string& ensemble) {
+    return run_file_template(kind, ensemble);
+  });
+  m.def("read_mdp", [](const std::string& path, const std::string& prefix) {
+    MdpImport read = read_mdp(path, {.prefix = prefix});
+    std::vector<std::pair<std::string, std::string>> differences;
+    for (MdpDifference& d : read.differences)
+      differences.emplace_back(std::move(d.parameter), std::move(d.reason));
+    return std::pair{std::move(read.run_file), std::move(differences)};
+  });
   m.def(
       "threads", [](std::optional<int> threads) { return requested_threads(threads); },
       "threads"_a = nb::none());

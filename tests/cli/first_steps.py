@@ -157,6 +157,47 @@ class FirstSteps(Sandbox):
                 self.write(name, text)
             self.assertEqual(json.loads(self.text("energy", f"{kind}.toml", "--json"))["molecules"], 2)
 
+    def test_new_run_files_in_other_ensembles(self):
+        self.text("new", "gromacs", "--npt")
+        text = (self.folder / "gromacs.toml").read_text()
+        self.assertIn("[barostat]", text)
+        self.assertNotIn("constant energy", text)
+        self.write("conf.gro", CONF)
+        self.write("topol.top", TOPOLOGY)
+        self.assertEqual(json.loads(self.text("energy", "gromacs.toml", "--json"))["molecules"], 2)
+        self.refused(("new", "nvt", "--npt"), ["'nvt'", "kind 'npt'"])
+        self.refused(("new", "lammps", "--npt", "--nvt"), ["exclude each other"])
+        self.write("md.mdp", "nsteps = 10\nfreezegrps = A\n")
+        self.refused(("new", "lammps", "--mdp", "md.mdp"), ["polhode new gromacs --mdp md.mdp"])
+        self.refused(("new", "gromacs", "--mdp", "md.mdp", "--npt"), ["tcoupl"])
+        self.refused(("new", "gromacs", "--mdp", "gone.mdp"), ["gone.mdp"])
+        made = self.polhode("new", "gromacs", "own.toml", "--mdp", "md.mdp")
+        self.assertIn("note: freezegrps = A: not offered", made.err)
+        self.assertIn("#   freezegrps = A: not offered", (self.folder / "own.toml").read_text())
+        self.assertEqual(json.loads(self.text("energy", "own.toml", "--json"))["molecules"], 2)
+
+    def test_dielectric_constant_of_a_run_to_start_from(self):
+        """Its trajectory has no velocities, so the temperature is that of the run file."""
+        self.text("new", "nvt")
+        text = edited((self.folder / "nvt.toml").read_text(), ("count = 512", "count = 64"), ("0.9 nm", "0.55 nm"))
+        self.write("small.toml", text)
+        self.text("prepare", "small.toml", "--nvt", "0.1 ps")
+        self.text("run", "nvt-prepared.toml", "--length", "1 ps")
+        analysis = ("analyze", "nvt-trajectory.xtc", "--run", "nvt-prepared.toml", "--plot", "none")
+        report = json.loads(self.text(*analysis, "--what", "dielectric", "--json"))
+        self.assertEqual(report["files"], ["polhode-analysis-dielectric.csv"])
+        self.assertEqual(report["temperature_source"], "of the run file")
+        self.assertIn("constant", report["dielectric"])
+        # Epsilon - 1 is proportional to 1/T.
+        hot = json.loads(self.text(*analysis, "--what", "dielectric", "--json", "--force", "--temperature", "596 K"))
+        self.assertEqual(hot["temperature_source"], "as given")
+        last = [float(self.rows("polhode-analysis-dielectric.csv")[-1].split(",")[1])]
+        self.text(*analysis, "--what", "dielectric", "--force")
+        last.append(float(self.rows("polhode-analysis-dielectric.csv")[-1].split(",")[1]))
+        self.assertAlmostEqual((last[1] - 1) / (last[0] - 1), 2, places=4)
+        self.refused((*analysis, "--what", "dielectric", "--electrostatics", "coulomb", "--force"),
+                     ["nothing was computed", "truncated"])
+
     def test_seed_temperature_and_equilibration_of_a_run(self):
         """Options are as the keys of the run file."""
         def energies(text, *options):

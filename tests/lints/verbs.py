@@ -8,7 +8,7 @@ from tree import Finding, line_of, lines, main
 
 # Verb: functions of the library that its file of the command line and the Python module call.
 CALLS = {
-    "new": ["run_file_template"],
+    "new": ["run_file_template", "read_mdp"],
     "prepare": ["prepare"],
     "minimise": ["minimise_configuration"],
     "run": ["Simulation", "run_json"],

@@ -171,6 +171,17 @@ class Verbs(InFolder):
         self.assertEqual(Path("a.toml").read_text(), Path("b.toml").read_text())
         with self.assertRaises(polhode.Error):
             polhode.new("water", "a.toml")
+        polhode.new("gromacs", "c.toml", ensemble="npt")
+        self.assertIn("[barostat]", Path("c.toml").read_text())
+        Path("md.mdp").write_text("nsteps = 10\nfreezegrps = A\n")
+        said = []
+        polhode.new("gromacs", "d.toml", mdp="md.mdp", messages=said.append)
+        self.assertIn("note: freezegrps = A: not offered", said)
+        program("new", "gromacs", "e.toml", "--mdp", "md.mdp")
+        self.assertEqual(Path("d.toml").read_text(), Path("e.toml").read_text().replace('"e"', '"d"').replace("'e'", "'d'"))
+        for keywords in ({"ensemble": "npt"}, {}):
+            with self.assertRaises(polhode.Error):
+                polhode.new("lammps", "f.toml", mdp="md.mdp", **keywords)
 
     def test_bench(self):
         report = polhode.bench(quick=True, sizes=[512], precision="double", threads=1)

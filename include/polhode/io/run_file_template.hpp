@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <string_view>
 
 namespace polhode {
@@ -12,8 +13,13 @@ namespace polhode {
 inline constexpr std::array<std::string_view, 6> run_file_kinds = {"water",   "nvt",    "npt",
                                                                    "gromacs", "lammps", "mixture"};
 
+/// The ensembles of the kinds that have no other: constant energy, constant temperature, constant
+/// temperature and pressure.
+inline constexpr std::array<std::string_view, 3> run_file_ensembles = {"nve", "nvt", "npt"};
+
 /// The text of the run file of a kind.
-/// @throws Error  if there is no such kind
-std::string_view run_file_template(std::string_view kind);
+/// @param ensemble  empty: that of the kind; otherwise one of run_file_ensembles
+/// @throws Error  if there is no such kind or ensemble, or the kind has another ensemble
+std::string run_file_template(std::string_view kind, std::string_view ensemble = {});
 
 }  // namespace polhode
