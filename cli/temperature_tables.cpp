@@ -12,6 +12,14 @@
 namespace polhode::cli {
 namespace {
 
+/// The limit for h = 0, with a p-value if it differs from 0.
+std::string limit_text(const std::optional<Line>& line) {
+  if (!line) return "-";
+  const double p = p_value(line->intercept, line->degrees_of_freedom);
+  return with_error(line->intercept.value, line->intercept.error) +
+         (p < significance ? fmt::format(" (p {:.1g})", p) : "");
+}
+
 /// @param columns  the kinds of differences
 /// @param at       the differences at a point
 /// @param limits   the fitted lines
@@ -41,8 +49,7 @@ void print_excesses(const std::vector<Curve>& curves, const std::vector<Equipart
       fmt::print("\n");
     }
     fmt::print("{:<18} {:>8}", "", fmt::format("0, k = {}", fits[c].order));
-    for (const std::optional<Line>& line : limits(fits[c]))
-      fmt::print(" {:>16}", text(line ? std::optional(line->intercept) : std::nullopt));
+    for (const std::optional<Line>& line : limits(fits[c])) fmt::print(" {:>16}", limit_text(line));
     fmt::print("\n");
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/math/fit.hpp"
 
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
@@ -55,12 +56,30 @@ Line weighted_line(std::span<const double> x, std::span<const Estimate> y) {
   return {{y0 - b * x0, std::sqrt(1 / w + x0 * x0 / xx)}, {b, std::sqrt(1 / xx)}};
 }
 
+double misfit_p_value(const Line& line, std::span<const double> x, std::span<const Estimate> y) {
+  if (x.size() < 3) return 1;
+  double squares = 0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    squares +=
+        std::pow((y[i].value - line.intercept.value - line.slope.value * x[i]) / y[i].error, 2);
+  const auto free = static_cast<double>(x.size() - 2);
+  return boost::math::cdf(boost::math::complement(
+      boost::math::fisher_f(free, line.degrees_of_freedom), squares / free));
+}
+
 double p_value(const Estimate& estimate, double degrees_of_freedom) {
   if (estimate.value == 0) return 1;
   if (estimate.error == 0) return 0;
   const boost::math::students_t t(degrees_of_freedom);
   return 2 *
          boost::math::cdf(boost::math::complement(t, std::abs(estimate.value / estimate.error)));
+}
+
+double three_sigma_quantile(double degrees_of_freedom) {
+  constexpr double beyond = 0.0013498980316300946;  // of a normal distribution, on one side
+  return degrees_of_freedom == 0 ? 3
+                                 : boost::math::quantile(boost::math::complement(
+                                       boost::math::students_t(degrees_of_freedom), beyond));
 }
 
 }  // namespace polhode

@@ -63,3 +63,23 @@ TEST_CASE("a weighted line has the errors of its points") {
   const std::vector<Estimate> unequal{{2, 0.1}, {8, 0.1}, {13, 0.2}};  // weights 4 to 1: 9
   CHECK(weighted_line(twice, unequal).slope.value == doctest::Approx(3.5));
 }
+
+// Tables of Student's t: 6.620 and 4.277 are exceeded in 0.27 % with 4 and 8 degrees of freedom.
+TEST_CASE("the multiple of an error that chance exceeds as rarely as three standard deviations") {
+  CHECK(three_sigma_quantile(4) == doctest::Approx(6.620).epsilon(1e-3));
+  CHECK(three_sigma_quantile(8) == doctest::Approx(4.277).epsilon(1e-3));
+  CHECK(three_sigma_quantile(1e6) == doctest::Approx(3).epsilon(1e-4));
+  CHECK(three_sigma_quantile(0) == 3);
+}
+
+// Three points of error 1 with deviations 1/6, −1/3 and 1/6 of d from their line: χ² = d²/6 of one
+// degree of freedom, whose root has Student's t distribution with those of the error.
+TEST_CASE("deviations from a line have the p-value of Student's t for three points") {
+  const std::vector<double> x{0, 1, 2};
+  const std::vector<Estimate> y{{0, 1}, {5, 1}, {0, 1}};
+  Line line = weighted_line(x, y);
+  line.degrees_of_freedom = 6;
+  CHECK(misfit_p_value(line, x, y) ==
+        doctest::Approx(p_value({10 / std::sqrt(6.0), 1}, 6)).epsilon(1e-9));
+  CHECK(misfit_p_value(line, std::vector<double>{0, 1}, y) == 1);
+}

@@ -27,13 +27,16 @@ void add_limits(nlohmann::json& json, const std::vector<EquipartitionFit>& fits)
   const auto add = [&](const char* kind, const EquipartitionFit& fit, nlohmann::json motion,
                        const std::optional<Line>& line) {
     if (!line) return;
-    json[kind].push_back({{"scheme", fit.scheme},
-                          {"axis", std::move(motion)},
-                          {"order", fit.order},
-                          {"without_step_K", line->intercept.value},
-                          {"without_step_error", line->intercept.error},
-                          {"slope_K_per_ps_to_the_order", line->slope.value},
-                          {"slope_error", line->slope.error}});
+    json[kind].push_back(
+        {{"scheme", fit.scheme},
+         {"axis", std::move(motion)},
+         {"order", fit.order},
+         {"without_step_K", line->intercept.value},
+         {"without_step_error", line->intercept.error},
+         {"slope_K_per_ps_to_the_order", line->slope.value},
+         {"slope_error", line->slope.error},
+         {"degrees_of_freedom", line->degrees_of_freedom},
+         {"without_step_p_value", p_value(line->intercept, line->degrees_of_freedom)}});
   };
   for (const EquipartitionFit& fit : fits) {
     for (std::size_t k = 0; k < fit.axes.size(); ++k) add("equipartition", fit, k + 1, fit.axes[k]);

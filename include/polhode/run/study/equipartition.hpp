@@ -17,9 +17,12 @@ namespace polhode {
 /// kind of motion. For h → 0 all temperatures are equal, so a measures other errors: insufficient
 /// equilibration, or chance.
 struct EquipartitionFit {
+  static constexpr double min_free = 4;  ///< of the pooled variance: two steps of three runs
   std::string scheme;
-  int order = 2;                            ///< k, of the scheme; 2 if that is unknown
-  std::array<std::optional<Line>, 3> axes;  ///< a [K], b [K/psᵏ]; empty with fewer than two steps
+  int order = 2;  ///< k, of the scheme; 2 if that is unknown
+  /// a [K], b [K/psᵏ]; empty with fewer than two steps, fewer than `min_free` degrees of freedom,
+  /// or without three steps on a line.
+  std::array<std::optional<Line>, 3> axes;
   ByMotion<std::optional<Line>> configurational;  ///< likewise
 };
 
