@@ -21,6 +21,8 @@ std::string missing_error(Known known, std::uint64_t samples) {
       return ", the run is too short to estimate its error";
     case Known::not_defined:
       return ", its error is not defined";
+    case Known::grows:
+      return ", which grows with the length of the run";
   }
   return "";
 }

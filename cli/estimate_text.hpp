@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "polhode/math/fit.hpp"
 #include "polhode/measure/correlated_series.hpp"
 
 namespace polhode::cli {

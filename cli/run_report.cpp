@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "ensemble_report.hpp"
 #include "estimate_text.hpp"
@@ -56,11 +57,24 @@ void print_energy(const char* name, const SeriesEstimate& e, std::uint64_t sampl
 
 double percent(double x) { return 100 * x; }
 
+/// "; in this run 0.4 % of the rms fluctuation of the potential energy, too little to matter".
+std::string size_text(const RunSummary& s) {
+  if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0) return "";
+  return fmt::format("; in this run {:.2g} % of the rms fluctuation of the potential energy{}",
+                     percent(s.relative_drift()), drift_matters(s) ? "" : ", too little to matter");
+}
+
 void print_drift(const RunSummary& s) {
-  fmt::print("energy drift          {}{}{}\n",
+  const char* energy = s.ensemble.settings.constant_energy() ? "total" : "conserved";
+  fmt::print("energy drift          {}{}{}{}\n",
              s.ensemble.settings.constant_energy() ? "" : "of the conserved energy: ",
-             drift_text(s.drift, s.samples),
+             drift_text(s.drift, s.samples), size_text(s),
              s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision");
+  if (s.walk > 0)
+    fmt::print(
+        "random walk           of the {} energy, {:.2g} kJ/mol per sqrt(ps): R of {:.2g} % in "
+        "this run, growing as the square root of its length\n",
+        energy, std::sqrt(s.walk), percent(s.ratio_of_walk()));
   if (s.shadow)
     fmt::print("shadow energy drift   {}{}; rms fluctuation {}\n",
                drift_text(s.shadow->drift, s.shadow->samples),

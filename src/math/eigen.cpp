@@ -2,6 +2,7 @@
 #include "polhode/math/eigen.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 namespace polhode {
 
@@ -16,6 +17,19 @@ Eigen3 symmetric_eigen(const Mat3<double>& m) {
   const auto& w = solver.eigenvalues();
   const Vec3<double> first = column(0), second = column(1);
   return {{w(0), w(1), w(2)}, {first, second, cross(first, second)}};
+}
+
+SymmetricEigen symmetric_eigen(std::span<const double> matrix) {
+  const auto n = std::lround(std::sqrt(static_cast<double>(matrix.size())));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+      Eigen::Map<const Eigen::MatrixXd>(matrix.data(), n, n));
+  SymmetricEigen eigen;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    eigen.values.push_back(solver.eigenvalues()(k));
+    const auto vector = solver.eigenvectors().col(k);
+    eigen.vectors.emplace_back(vector.begin(), vector.end());
+  }
+  return eigen;
 }
 
 Quaternion<double> best_rotation(std::span<const Vec3<double>> body,

@@ -10,8 +10,6 @@
 namespace polhode {
 namespace {
 
-constexpr double far = 3;  // standard errors
-
 /// Mean of the blocks from `first` to `end`.
 std::vector<double> mean_of(const BlockMeans& blocks, std::size_t first, std::size_t end) {
   const auto begin = blocks.blocks().begin();
@@ -50,18 +48,18 @@ bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
                   const std::function<double(std::span<const double>)>& statistic) {
   if (whole.known != Known::yes) return false;
   const double first = statistic(mean_of(blocks, 0, blocks.blocks().size() / 2));
-  return !(std::abs(first - whole.value) <= far * whole.error);
+  return !(std::abs(first - whole.value) <= three_sigma(whole));
 }
 
 bool differs(const SeriesEstimate& difference, double value) {
   constexpr double matters = 0.1;
-  return difference.known == Known::yes && std::abs(difference.value) > far * difference.error &&
+  return difference.known == Known::yes && std::abs(difference.value) > three_sigma(difference) &&
          std::abs(difference.value) > matters * std::abs(value);
 }
 
 bool matters(const SeriesEstimate& systematic, const SeriesEstimate& result) {
   const double size = std::abs(systematic.value);
-  return systematic.known == Known::yes && size > far * systematic.error && size > result.error;
+  return systematic.known == Known::yes && size > three_sigma(systematic) && size > result.error;
 }
 
 }  // namespace polhode

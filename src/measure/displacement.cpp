@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "polhode/base/units.hpp"
+#include "polhode/math/fit.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {

@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "slow_modes.hpp"
 
 namespace polhode {
 namespace {
@@ -99,8 +103,29 @@ Temperatures EnergyStatistics::temperatures(const DegreesOfFreedom& degrees_of_f
   return mean_temperatures(kinetic_energies(blocks.means().mean()), degrees_of_freedom);
 }
 
+// The variance of the conserved energy is the mean variance within the blocks plus Σ c²/n over the
+// slow modes c. Its first part is a mean like any other. A slow mode is one normal variable, whose
+// square has the variance 2 ⟨c²⟩² = 2/3 ⟨c⁴⟩.
 SeriesEstimate EnergyStatistics::ratio_with_error() const {
-  return series_estimate(blocks.means(), ratio_of);
+  const BlockMeans means = blocks.means();
+  if (means.blocks().size() < min_samples) return series_estimate(means, ratio_of);
+  const SlowModes modes = slow_modes(means, time, conserved_);
+  double slow = 0, uncertain = 0;
+  for (const double c : modes.values) {
+    slow += c * c / modes.samples;
+    uncertain += 2 * std::pow(c, 4) / 3 / (modes.samples * modes.samples);
+  }
+  std::vector<BlockMeans::Block> within = means.blocks();
+  for (auto& [weight, sum] : within) {
+    sum[conserved_square] += weight * slow - sum[conserved_] * sum[conserved_] / weight;
+    sum[conserved_] = 0;
+  }
+  SeriesEstimate R = series_estimate(BlockMeans(std::move(within)), ratio_of);
+  const double square = variance(means.mean(), conserved_, conserved_square);
+  if (R.known == Known::yes && square > 0)
+    R.error = std::hypot(R.error, R.value * std::sqrt(uncertain) / (2 * square));
+  R.value = ratio();
+  return R;
 }
 
 SeriesEstimate EnergyStatistics::total_with_error() const {
@@ -161,6 +186,10 @@ Drift EnergyStatistics::volume_drift() const { return series_drift(blocks.means(
 
 Drift EnergyStatistics::drift(std::span<const WalkStrength> walks) const {
   return series_drift(blocks.means(), time, conserved_, walks);
+}
+
+Drift EnergyStatistics::drift_over_walk(double known) const {
+  return series_drift_over_walk(blocks.means(), time, conserved_, known);
 }
 
 Drift EnergyStatistics::potential_drift() const {

@@ -102,6 +102,24 @@ TEST_CASE("without an error, the momentary scatter of the temperature counts") {
   CHECK(kinds(s) == "temperature ");
 }
 
+// P(|t| > 6.62) = 0.27 % with four degrees of freedom, the number of an error from four modes.
+TEST_CASE("an error from four modes counts by Student's t: 6.62 of them are not due to chance") {
+  RunSummary s = good();
+  const TargetTemperature kept{.value = 300, .kept = true};
+  for (const double sign : {1.0, -1.0}) {
+    s.temperatures.all = {300 + sign * 6.5, 1, Known::yes, 4};
+    CHECK(kinds(s, kept).empty());
+    s.temperatures.all.value = 300 + sign * 6.7;
+    CHECK(kinds(s, kept) == "temperature ");
+  }
+  const double kbar = 1000 * unit("bar", Dimension::pressure);
+  s = good();
+  s.pressure = {5.65 * kbar, 0.1 * kbar, Known::yes, 4};
+  CHECK(kinds(s).empty());
+  s.pressure.value = 5.67 * kbar;
+  CHECK(kinds(s) == "pressure ");
+}
+
 TEST_CASE("R above 5 % is a warning") {
   RunSummary s = good();
   s.ratio.value = 0.049;
@@ -128,6 +146,47 @@ TEST_CASE("a drift is a warning if it is significant and makes up half of R") {
   CHECK(kinds(s).empty());
   s.drift.rate.value = -1.1e-3 * s.potential_fluctuation.value * std::sqrt(12.0) / s.length;
   CHECK(kinds(s) == "drift ");
+}
+
+// A walk of variance D t has the rms deviation √(D t/6) from its mean: R of 0.6 % of 20 kJ/mol in
+// 10 ps. It is loud from 0.5 % on, if it makes up half of R², and a thermostat takes it up.
+TEST_CASE("a random walk of the total energy is a warning if it matters") {
+  RunSummary s = good();
+  s.ratio = {0.007, 0, Known::grows};
+  s.walk = std::pow(0.006 * 20, 2) * 6 / 10;
+  CHECK(s.ratio_of_walk() == doctest::Approx(0.006));
+  CHECK(kinds(s) == "walk ");
+  s.ratio.value = 0.009;
+  CHECK(kinds(s).empty());
+  s.ratio.value = 0.006;
+  s.walk = std::pow(0.0049 * 20, 2) * 6 / 10;
+  CHECK(kinds(s).empty());
+  s.walk = std::pow(0.006 * 20, 2) * 6 / 10;
+  s.ensemble.settings.thermostat.emplace();
+  CHECK(kinds(s, {{.value = 300, .kept = true}}).empty());
+}
+
+// R² of 6 % without a walk of 4 % is 4.5 %.
+TEST_CASE("with a thermostat, R without the random walk is compared with 5 %") {
+  RunSummary s = good();
+  s.ratio = {0.06, 0, Known::grows};
+  s.walk = std::pow(0.04 * 20, 2) * 6 / 10;
+  CHECK(kinds(s) == "R ");
+  const TargetTemperature kept{.value = 300, .kept = true};
+  s.ensemble.settings.thermostat.emplace();
+  CHECK(kinds(s, kept).empty());
+  s.walk = 0;
+  CHECK(kinds(s, kept) == "R ");
+}
+
+TEST_CASE("an energy drift matters by the bound of its warning, whatever its significance") {
+  RunSummary s = good();
+  const double whole = s.ratio.value * 20 * std::sqrt(12.0) / s.length;
+  s.drift = {{-0.6 * whole, 0}, 1, Known::too_few_samples};
+  CHECK(drift_matters(s));
+  CHECK(s.relative_drift() == doctest::Approx(0.6 * 0.005 * std::sqrt(12.0)));
+  s.drift.rate.value = 0.4 * whole;
+  CHECK(!drift_matters(s));
 }
 
 TEST_CASE("a potential energy that still falls is a warning, one that rises is not") {

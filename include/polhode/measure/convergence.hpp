@@ -52,18 +52,18 @@ inline constexpr double windows_of_lags = 8;
 /// @param square  M²
 double relaxation_share(const BlockMeans& blocks, std::size_t x, std::size_t square);
 
-/// Whether a statistic still changes along the run: over its first half it differs by more than
-/// three standard errors from that over the whole run, which is also the standard deviation of this
-/// difference. False if the error is not known.
+/// Whether a statistic still changes along the run: over its first half it differs from that over
+/// the whole run by more than three_sigma(); its standard error is also the standard deviation of
+/// this difference. False if the error is not known.
 bool still_moving(const BlockMeans& blocks, const SeriesEstimate& whole,
                   const std::function<double(std::span<const double>)>& statistic);
 
 /// Whether a difference that ought to vanish, such as that of two values of D from different lags,
-/// does not: it exceeds three standard errors, and a tenth of the value.
+/// does not: it exceeds three_sigma(), and a tenth of the value.
 bool differs(const SeriesEstimate& difference, double value);
 
-/// Whether a systematic error of a result matters: it exceeds three of its own standard errors, and
-/// the standard error of the result.
+/// Whether a systematic error of a result matters: it exceeds three_sigma(), and the standard error
+/// of the result.
 bool matters(const SeriesEstimate& systematic, const SeriesEstimate& result);
 
 }  // namespace polhode

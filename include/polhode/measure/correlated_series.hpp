@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Statistics of quantities that are correlated in time: means with errors and slopes with their
-// significance, estimated from the slowest modes of a run (docs/statistics.md).
+// Statistics of quantities that are correlated in time, with errors estimated from the slowest
+// modes of a run (docs/statistics.md).
 #pragma once
 
 #include <functional>
 #include <span>
 #include <vector>
 
-#include "polhode/math/fit.hpp"
 #include "polhode/measure/block_means.hpp"
 
 namespace polhode {
@@ -17,7 +16,8 @@ enum class Known {
   yes,
   too_few_samples,  ///< fewer than `min_samples`
   too_short,        ///< the series is correlated over too much of the run
-  not_defined       ///< the run has no such quantity
+  not_defined,      ///< the run has no such quantity
+  grows             ///< the statistic has no limit: a random walk makes it grow with the run
 };
 
 /// A statistic of a run with its standard error.
@@ -33,24 +33,13 @@ struct SeriesEstimate {
 /// An estimate in another unit, or of a multiple of the quantity.
 SeriesEstimate scaled(SeriesEstimate estimate, double factor);
 
-/// The energy drift of one run, or of a series of runs.
-struct Drift {
-  Estimate rate;  ///< error 0 unless it is known
-  double p_value =
-      1;  ///< probability of such a slope if there is no energy drift; 1 unless it is known
-  Known known = Known::too_few_samples;
-  bool significant() const;
-};
-
-/// An energy drift with a smaller p-value is significant.
-inline constexpr double significance = 0.01;
-
 /// Minimum number of blocks for an error; runs with few samples have one block per sample.
 inline constexpr std::size_t min_samples = 12;
 
-/// The energy drift over a series of independent runs: the mean of their slopes and its standard
-/// error.
-Drift drift_of_series(std::span<const double> rates);
+/// The deviation from its true value that a statistic with a known error exceeds as rarely as a
+/// normal distribution exceeds three standard deviations, in 0.27 % of runs: by Student's t, since
+/// the error itself is estimated from a few modes; three errors without their number.
+double three_sigma(const SeriesEstimate& estimate);
 
 /// A statistic computed from the means of all quantities, with its standard error: the influences
 /// of the blocks on it are a series, whose slowest modes give the variance of its mean. The error
@@ -68,30 +57,5 @@ SeriesEstimate correlation_time(const SeriesEstimate& mean, double variance, dou
 
 /// The mean of each quantity with its standard error.
 std::vector<SeriesEstimate> series_estimates(const BlockMeans& blocks);
-
-/// A possible strength of a random walk, with its probability.
-struct WalkStrength {
-  double probability = 1;
-  double rate = 0;  ///< variance per time
-};
-
-/// The strength of a random walk under white noise, as the shadow energy performs it: its posterior
-/// probability, given all modes above the slope (docs/statistics.md). Empty with fewer than
-/// `min_samples` blocks.
-std::vector<WalkStrength> walk_strengths(const BlockMeans& blocks, std::size_t time,
-                                         std::size_t quantity);
-
-/// The slope of the least-squares line through the block means of a quantity against those of the
-/// time. The significance is averaged over the spectra that the noise may have: white, with a
-/// correlated part.
-/// @param time, quantity  which of the sums
-/// @param walks  variance per time that a random walk adds to the quantity, known independently,
-///               or its possible values, over which the significance is averaged
-Drift series_drift(const BlockMeans& blocks, std::size_t time, std::size_t quantity,
-                   std::span<const WalkStrength> walks = {});
-
-/// The same for a quantity that performs a random walk of unknown strength under white noise, as
-/// the shadow energy does: the significance is averaged over the posterior of the strength.
-Drift series_drift_over_walk(const BlockMeans& blocks, std::size_t time, std::size_t quantity);
 
 }  // namespace polhode

@@ -8,9 +8,9 @@
 #include <span>
 
 #include "polhode/measure/configurational_temperature.hpp"
-#include "polhode/measure/correlated_series.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/shadow.hpp"
+#include "polhode/measure/slope.hpp"
 #include "polhode/measure/step_bias.hpp"
 
 namespace polhode {
@@ -44,7 +44,8 @@ struct EnergyStatistics {
   double ratio() const;
   Temperatures temperatures(const DegreesOfFreedom& degrees_of_freedom) const;  ///< means [K]
 
-  /// R with its standard error.
+  /// R with its standard error, which includes the scatter of the slow modes of the conserved
+  /// energy.
   SeriesEstimate ratio_with_error() const;
   SeriesEstimate total_with_error() const;                  ///< mean [kJ/mol]
   SeriesEstimate potential_with_error() const;              ///< mean [kJ/mol]
@@ -62,6 +63,9 @@ struct EnergyStatistics {
   /// The drift of the conserved energy [kJ/mol/ps].
   /// @param walks  variance per time of the random walk of the energy [(kJ/mol)²/ps]
   Drift drift(std::span<const WalkStrength> walks = {}) const;
+  /// The drift of a conserved energy that performs a random walk of unknown strength [kJ/mol/ps].
+  /// @param known  variance per time of another walk [(kJ/mol)²/ps]
+  Drift drift_over_walk(double known) const;
   /// The slope of the potential energy [kJ/mol/ps], tested as a drift.
   Drift potential_drift() const;
 };

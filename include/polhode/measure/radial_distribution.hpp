@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/math/fit.hpp"
 #include "polhode/measure/correlated_series.hpp"
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"

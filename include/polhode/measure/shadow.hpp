@@ -9,8 +9,8 @@
 
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/error_terms.hpp"
-#include "polhode/measure/correlated_series.hpp"
 #include "polhode/measure/energy.hpp"
+#include "polhode/measure/slope.hpp"
 #include "polhode/model/topology.hpp"
 
 namespace polhode {

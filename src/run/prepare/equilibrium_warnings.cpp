@@ -24,9 +24,9 @@ std::optional<Warning> density_warning(const Drift& slope, double length, double
 }
 
 std::optional<Warning> pressure_warning(const SeriesEstimate& pressure, const BarostatSettings& b) {
-  constexpr double min_change = 0.005, far = 3;
+  constexpr double min_change = 0.005;
   const double bar = unit("bar", Dimension::pressure);
-  const double bound = std::max(far * pressure.error, min_change / b.compressibility);
+  const double bound = std::max(three_sigma(pressure), min_change / b.compressibility);
   if (pressure.known != Known::yes || std::abs(pressure.value - b.pressure) <= bound)
     return std::nullopt;
   return Warning{"barostat", pressure.value / bar, bound / bar,

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "polhode/measure/correlated_series.hpp"
+#include "polhode/measure/slope.hpp"
 #include "polhode/model/ensemble_settings.hpp"
 #include "polhode/run/simulation/warnings.hpp"
 

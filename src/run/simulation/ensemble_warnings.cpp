@@ -11,7 +11,7 @@
 namespace polhode {
 namespace {
 
-constexpr double far = 3;                     // standard errors
+constexpr double far = 3;                     // standard deviations, of a share
 constexpr double significance_level = 0.001;  // p-value of slopes, as for other warnings of a run
 constexpr double min_volume_change = 0.005;   // of the mean volume
 // Of the volume: its variance then has a relative error of a third, √(2τ/T).
@@ -114,7 +114,7 @@ std::optional<Warning> weight_warning(const HybridMonteCarloSummary& s) {
   const auto warning = [](const SeriesEstimate& mean, double exact,
                           const char* name) -> std::optional<Warning> {
     const double difference = mean.value - exact;
-    const double bound = std::max(min_weight_difference, far * mean.error);
+    const double bound = std::max(min_weight_difference, three_sigma(mean));
     if (mean.known != Known::yes || !(std::abs(difference) > bound)) return std::nullopt;
     return Warning{
         "weights", difference, bound,

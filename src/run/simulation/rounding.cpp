@@ -126,10 +126,12 @@ double drift_rate(const EnergyStatistics& energies, double step) {
   return std::abs(rate) > double_drift(energies.first, step) ? rate : 0;
 }
 
+double walk_fluctuation(double rate, double length) { return std::sqrt(rate * length / 6); }
+
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length) {
-  const double walk = rounding_walk(noise, scheme, lambda, step) * length / 6;
-  return std::sqrt(walk + noise.energy * noise.energy);
+  return std::hypot(walk_fluctuation(rounding_walk(noise, scheme, lambda, step), length),
+                    noise.energy);
 }
 
 }  // namespace polhode

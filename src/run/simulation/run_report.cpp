@@ -32,6 +32,17 @@ json drift_json(const Drift& drift, std::uint64_t samples) {
           {"drift_verdict", verdict(drift)}};
 }
 
+/// The size of the energy drift, and the random walk; null if they are not known.
+json walk_json(const RunSummary& s) {
+  const bool known = s.samples >= min_samples_reported && s.potential_fluctuation.value > 0;
+  const double n = s.degrees_of_freedom.all(), kT = units::boltzmann * s.temperatures.all.value;
+  return {{"drift_in_run_over_rms_potential", number_if(known, s.relative_drift())},
+          {"drift_kT_per_ns_per_degree_of_freedom",
+           number_if(known && n > 0, s.drift.rate.value * units::ps_per_ns / (kT * n))},
+          {"random_walk_kJ_per_mol_per_sqrt_ps", number_if(s.walk > 0, std::sqrt(s.walk))},
+          {"R_of_random_walk", number_if(s.walk > 0, s.ratio_of_walk())}};
+}
+
 /// A value with its error, in this unit; each null if it is not known, with the reason.
 json estimate_json(const SeriesEstimate& e, double unit) {
   json report{{"value", number_if(true, e.value / unit)},
@@ -169,6 +180,8 @@ json costs_json(const RunReport& r) {
 
 json shadow_json(const ShadowSummary& shadow) {
   json report = drift_json(shadow.drift, shadow.samples);
+  report["random_walk_kJ_per_mol_per_sqrt_ps"] =
+      number_if(shadow.drift.walk > 0, std::sqrt(shadow.drift.walk));
   report["samples"] = shadow.samples;
   const SeriesEstimate& rms = shadow.fluctuation;
   report["rms_kJ_per_mol"] = rms.value;
@@ -256,6 +269,8 @@ std::string reason(Known known) {
       return "run too short";
     case Known::not_defined:
       return "not defined";
+    case Known::grows:
+      return "grows with the length of the run";
   }
   return "";
 }
@@ -265,6 +280,7 @@ std::string run_json(const RunReport& r) {
   report.update(energies_json(r.summary));
   report.update(costs_json(r));
   report.update(drift_json(r.summary.drift, r.summary.samples));
+  report.update(walk_json(r.summary));
   report["step_bias"] = step_bias_json(r.summary);
   report["ensemble"] = ensemble_json(r.summary.ensemble);
   if (r.summary.shadow) report["shadow"] = shadow_json(*r.summary.shadow);

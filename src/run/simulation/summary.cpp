@@ -12,13 +12,25 @@
 namespace polhode {
 namespace {
 
-/// The random walk of the energy: that of the shadow energy, where it was sampled, and no less than
-/// rounding makes it.
-std::vector<WalkStrength> walks(const ShadowStatistics& shadow, double rounding) {
-  std::vector<WalkStrength> result = shadow.walks();
-  if (result.empty()) return {{1, rounding}};
-  for (WalkStrength& walk : result) walk.rate = std::max(walk.rate, rounding);
-  return result;
+/// The energy drift of the run. The conserved energy performs a random walk: that of the shadow
+/// energy, where it was sampled, and no less than rounding makes it; else one of any strength.
+Drift drift(const TrajectoryStatistics& statistics, double rounding) {
+  std::vector<WalkStrength> walks = statistics.shadow.walks();
+  if (walks.empty()) return statistics.energies.drift_over_walk(rounding);
+  for (WalkStrength& walk : walks) walk.rate = std::max(walk.rate, rounding);
+  return statistics.energies.drift(walks);
+}
+
+/// Marks R as growing if its square is made of random walks by more than a tenth.
+/// @param rounding  variance per time of the walk of rounding [(kJ/mol)²/ps]
+void mark_growth(RunSummary& s, double rounding) {
+  constexpr double max_share = 0.1;
+  const double of_walk = std::hypot(
+      s.ratio_of_walk(), walk_fluctuation(rounding, s.length) / s.potential_fluctuation.value);
+  if (s.ratio.known != Known::yes || of_walk * of_walk <= max_share * std::pow(s.ratio.value, 2))
+    return;
+  s.ratio = {s.ratio.value, 0, Known::grows};
+  s.total_fluctuation = {s.total_fluctuation.value, 0, Known::grows};
 }
 
 /// Means and fluctuations of energies, temperatures and pressure.
@@ -45,10 +57,21 @@ void remove_conservation(RunSummary& s) {
                                 .known = Known::not_defined};
   s.ratio = s.total_fluctuation = none;
   s.drift = {{none.value, 0}, 1, Known::not_defined};
+  s.walk = 0;
   s.rounding = s.truncation = none.value;
 }
 
 }  // namespace
+
+double RunSummary::relative_drift() const {
+  const double V = potential_fluctuation.value;
+  return V > 0 ? std::abs(drift.rate.value) * length / V : 0;
+}
+
+double RunSummary::ratio_of_walk() const {
+  const double V = potential_fluctuation.value;
+  return V > 0 ? walk_fluctuation(walk, length) / V : 0;
+}
 
 RunSummary summary(const System& system, const TrajectorySettings& settings,
                    const Trajectory& trajectory, const ForceNoise& noise) {
@@ -70,10 +93,12 @@ RunSummary summary(const System& system, const TrajectorySettings& settings,
   const double rounding = rounding_walk(noise, scheme, settings.lambda, settings.step) +
                           double_walk(energies.first, settings.step);
   s.walk_known = system.forces.precision == Precision::double_precision || noise.power > 0;
-  s.drift = energies.drift(walks(trajectory.statistics.shadow, rounding));
+  s.drift = drift(trajectory.statistics, rounding);
   if (std::abs(s.drift.rate.value) <= double_drift(energies.first, settings.step))
     s.drift.p_value = 1;  // no larger than rounding
   s.shadow = shadow_summary(trajectory.statistics.shadow, s.drift);
+  s.walk = std::max(s.drift.walk, s.shadow ? s.shadow->drift.walk : 0.0);
+  mark_growth(s, rounding);
   const std::optional<FixedMeans> fixed = settings.fixed_means();
   if (fixed && s.potential_fluctuation.value > 0 &&
       trajectory.statistics.step_bias.response.samples() >= min_samples_reported) {

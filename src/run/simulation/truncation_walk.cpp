@@ -182,6 +182,4 @@ double truncation_walk(const Topology& topology, const ForceSettings& forces, do
   return sum * std::pow(step, 2 * passages.n + 2) * passage_error(scheme, passages.n);
 }
 
-double walk_fluctuation(double rate, double length) { return std::sqrt(rate * length / 6); }
-
 }  // namespace polhode

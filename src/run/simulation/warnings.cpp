@@ -19,8 +19,8 @@
 namespace polhode {
 namespace {
 
-/// Standard deviations beyond which a difference is not due to chance: two normal values of a
-/// thousand.
+/// Standard deviations beyond which a difference is not due to chance, of a deviation that is
+/// known; an estimated one counts by three_sigma().
 constexpr double far = 3;
 /// The bounds below which nothing is wrong whatever the statistics, each relative to the quantity
 /// in its comment.
@@ -29,8 +29,10 @@ constexpr double min_ignored_difference = 0.02;      // likewise, if it had no e
 constexpr double max_ratio = 0.05;                   // R itself
 constexpr double min_drift_share = 0.5;              // R
 constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
-constexpr double min_walk_share = 1.0 / 3;           // R: a tenth of its square
-constexpr double min_walk_ratio = 0.001;             // the fluctuation of the potential energy
+constexpr double min_truncation_share = 1.0 / 3;     // R: a tenth of its square
+constexpr double min_truncation_ratio = 0.001;       // the fluctuation of the potential energy
+constexpr double min_walk_share = 0.5;               // R²
+constexpr double min_walk_ratio = 0.005;             // the fluctuation of the potential energy
 constexpr double min_fall = 0.02;                    // the kinetic energy
 constexpr double max_pressure_kbar = 5;
 /// p-value of slopes: a tenth of that of a verdict, since these tests are made on every run.
@@ -54,13 +56,13 @@ std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemp
   // If the error is not known, the current temperature is used for the mean.
   const double T = target.value;
   const SeriesEstimate mean = s.temperatures_at_bath.value_or(s.temperatures).all;
-  const double error = mean.known == Known::yes ? mean.error : T * std::sqrt(2 / n);
+  const double error = mean.known == Known::yes ? three_sigma(mean) : far * T * std::sqrt(2 / n);
   // Of velocities that were not drawn at T, or that a thermostat changes, only the error of the
   // mean is due to chance.
   const double scatter = target.ignored || target.kept ? 0 : temperature_scatter(T, n);
   const double bound =
       std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
-               far * std::hypot(scatter, error));
+               std::hypot(far * scatter, error));
   const double difference = mean.value - T;
   if (!(std::abs(difference) > bound)) return std::nullopt;
   return Warning{
@@ -86,24 +88,36 @@ bool is_corrected(const RunSummary& s) {
   return s.ensemble.hybrid_monte_carlo || s.temperatures_at_bath;
 }
 
+/// R without the random walk, which grows with the run but not with the bias of averages where a
+/// thermostat takes it up.
+double stationary_ratio(const RunSummary& s) {
+  if (s.ensemble.settings.constant_energy()) return s.ratio.value;
+  return std::sqrt(std::max(0.0, std::pow(s.ratio.value, 2) - std::pow(s.ratio_of_walk(), 2)));
+}
+
 std::optional<Warning> ratio_warning(const RunSummary& s) {
-  if (s.samples < min_samples_reported || is_corrected(s) || !(s.ratio.value > max_ratio))
-    return std::nullopt;
+  const double R = stationary_ratio(s);
+  if (s.samples < min_samples_reported || is_corrected(s) || !(R > max_ratio)) return std::nullopt;
   return Warning{
-      "R", s.ratio.value, max_ratio,
+      "R", R, max_ratio,
       fmt::format("R is {:.3g} %, above {:g} %: {} is conserved so badly that averages are biased",
-                  100 * s.ratio.value, 100 * max_ratio, conserved_energy(s)),
+                  100 * R, 100 * max_ratio, conserved_energy(s)),
       "use a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
+}
+
+/// The R that the energy drift alone would give: the rms deviation of a straight line from its mean
+/// is its rise divided by √12.
+double ratio_of_drift(const RunSummary& s) { return s.relative_drift() / std::sqrt(12.0); }
+
+double drift_bound(const RunSummary& s) {
+  return std::max(min_drift_share * s.ratio.value, min_drift_ratio);
 }
 
 std::optional<Warning> drift_warning(const RunSummary& s) {
   if (s.drift.known != Known::yes || is_corrected(s) || s.drift.p_value > significance_level ||
       !(s.potential_fluctuation.value > 0))
     return std::nullopt;
-  // The rms deviation of a straight line from its mean is its rise divided by √12.
-  const double drifted =
-      std::abs(s.drift.rate.value) * s.length / std::sqrt(12.0) / s.potential_fluctuation.value;
-  const double bound = std::max(min_drift_share * s.ratio.value, min_drift_ratio);
+  const double drifted = ratio_of_drift(s), bound = drift_bound(s);
   if (!(drifted > bound)) return std::nullopt;
   return Warning{
       "drift", drifted, bound,
@@ -141,6 +155,27 @@ Warning truncation_warning(const ForceSettings& forces, const std::string& schem
           truncation_remedy(forces)};
 }
 
+double truncation_bound(const RunSummary& s) {
+  return std::max(min_truncation_share * s.ratio.value, min_truncation_ratio);
+}
+
+/// At constant energy only, since a thermostat takes up the walk, and where the truncation does not
+/// explain it, which has a warning of its own.
+std::optional<Warning> walk_warning(const RunSummary& s) {
+  const double walked = s.ratio_of_walk();
+  const double bound = std::max(std::sqrt(min_walk_share) * s.ratio.value, min_walk_ratio);
+  if (!s.ensemble.settings.constant_energy() || s.samples < min_samples_reported ||
+      s.truncation > truncation_bound(s) || !(walked > bound))
+    return std::nullopt;
+  return Warning{
+      "walk", walked, bound,
+      fmt::format("the total energy performs a random walk of {:.2g} kJ/mol per sqrt(ps), which "
+                  "alone makes R {:.2g} % in this run (bound: {:.2g} %) and grows with its length",
+                  std::sqrt(s.walk), 100 * walked, 100 * bound),
+      "use a shorter step, electrostatics = \"pme\" or a larger smoothness in [forces], or a "
+      "thermostat"};
+}
+
 std::optional<Warning> relaxation_warning(const RunSummary& s) {
   const Drift& slope = s.potential_drift;
   const double fall = -slope.rate.value * s.length;
@@ -161,9 +196,9 @@ std::optional<Warning> relaxation_warning(const RunSummary& s) {
 
 std::optional<Warning> pressure_warning(const RunSummary& s) {
   const double pressure = in_bar(s.pressure.value) / 1000, bound = max_pressure_kbar;  // [kbar]
-  const double error = s.pressure.known == Known::yes ? in_bar(s.pressure.error) / 1000 : 0;
+  const double error = s.pressure.known == Known::yes ? in_bar(three_sigma(s.pressure)) / 1000 : 0;
   if (s.samples < min_samples_reported || s.ensemble.barostat ||
-      !(std::abs(pressure) - far * error > bound))
+      !(std::abs(pressure) - error > bound))
     return std::nullopt;
   return Warning{
       "pressure", pressure, bound,
@@ -186,6 +221,8 @@ bool is_plain(Electrostatics electrostatics) {
 std::string line_of(const Warning& warning) {
   return fmt::format("warning: {}; {}", warning.text, warning.remedy);
 }
+
+bool drift_matters(const RunSummary& s) { return ratio_of_drift(s) > drift_bound(s); }
 
 double temperature_scatter(double temperature, double degrees_of_freedom) {
   return temperature / std::sqrt(2 * degrees_of_freedom);
@@ -223,9 +260,9 @@ std::optional<Warning> rough_truncation(const System& system, const TrajectorySe
                                        system.temperature, settings.scheme, settings.step),
                        settings.length);
   const double ratio = walk / (units::boltzmann * system.temperature * std::sqrt(n / 2));
-  if (!(ratio > min_walk_ratio)) return std::nullopt;
+  if (!(ratio > min_truncation_ratio)) return std::nullopt;
   return truncation_warning(system.forces, name_of({settings.scheme, settings.inner}), ratio,
-                            min_walk_ratio);
+                            min_truncation_ratio);
 }
 
 std::optional<Warning> distant_sites(const System& system) {
@@ -297,6 +334,7 @@ std::vector<Warning> warnings_of_results(const RunSummary& s,
   if (target) add(temperature_warning(s, *target));
   add(ratio_warning(s));
   add(drift_warning(s));
+  add(walk_warning(s));
   add(relaxation_warning(s));
   add(pressure_warning(s));
   for (const Warning& warning : ensemble_warnings(s)) all.push_back(warning);
@@ -316,7 +354,7 @@ std::vector<Warning> warnings(const RunSummary& s, const System& system,
   else if (!of_file || config.system.temperature_given)
     target = {.value = config.system.temperature, .ignored = of_file};
   std::vector<Warning> all = warnings_of_results(s, target);
-  const double bound = std::max(min_walk_share * s.ratio.value, min_walk_ratio);
+  const double bound = truncation_bound(s);
   if (!is_corrected(s) && s.truncation > bound)
     all.push_back(truncation_warning(system.forces, name_of({settings.scheme, settings.inner}),
                                      s.truncation, bound));

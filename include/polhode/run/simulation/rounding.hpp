@@ -61,10 +61,12 @@ double double_drift(const Energies& energies, double step);
 /// molecules without interactions.
 double drift_rate(const EnergyStatistics& energies, double step);
 
+/// The rms deviation of a random walk of this variance per time from its own mean over a run:
+/// √(rate t/6), from rate t/2 about its first value minus rate t/3 for the mean.
+double walk_fluctuation(double rate, double length);
+
 /// The rms deviation of the total energy from its mean that rounding alone makes in a run
-/// [kJ/mol]. A walk over t has the mean variance t/6 about its own mean (t/2 about its first value,
-/// minus t/3 for the mean). The noise of the energy itself is added: σ² = power² h t Σw²/6 +
-/// energy².
+/// [kJ/mol]: its random walk, and the noise of the energy itself, σ² = power² h t Σw²/6 + energy².
 double rounding_fluctuation(const ForceNoise& noise, const NestedScheme& scheme, double lambda,
                             double step, double length);
 

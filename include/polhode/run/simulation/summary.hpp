@@ -31,6 +31,9 @@ struct RunSummary {
   double truncation = 0;                 ///< R of the walk that the truncation drives, predicted
   bool walk_known = true;  ///< false: mixed precision, and too large for its noise to be estimated
   Drift drift;             ///< of the conserved energy [kJ/mol/ps]
+  /// Variance per time of the random walk of the conserved energy, beyond that of rounding in mixed
+  /// precision [(kJ/mol)²/ps]; 0 unless there is clear evidence for one.
+  double walk = 0;
   std::optional<ShadowSummary> shadow;                           ///< if requested
   std::optional<StepBias> step_bias;                             ///< nothing where it is not known
   ByMotion<std::optional<SeriesEstimate>> configurational;       ///< temperatures [K], if requested
@@ -51,6 +54,12 @@ struct RunSummary {
   std::size_t list_rebuilds = 0;
   Timings timings;
   double ns_per_day = 0;
+
+  /// The change of the conserved energy by its drift over the run, divided by the rms fluctuation
+  /// of the potential energy, without sign; 0 if that is constant.
+  double relative_drift() const;
+  /// The R that the random walk alone would give in a run of this length.
+  double ratio_of_walk() const;
 };
 
 /// @param noise  of the forces at the start; none in double precision

@@ -26,8 +26,4 @@ double passage_error(const Scheme& scheme, int n);
 double truncation_walk(const Topology& topology, const ForceSettings& forces, double volume,
                        double temperature, const Scheme& scheme, double step);
 
-/// The rms deviation from its mean that a walk makes in a run, √(rate · length/6).
-/// @param rate  variance per time
-double walk_fluctuation(double rate, double length);
-
 }  // namespace polhode

@@ -12,9 +12,9 @@ namespace polhode {
 
 /// One thing that is probably wrong. It does not end a run, nor change its exit code.
 struct Warning {
-  std::string kind;  ///< "temperature", "R", "drift", "truncation", "relaxation", "pressure",
-                     ///< "ions", "step", "volume", "barostat", "acceptance" or "weights"; at the
-                     ///< start also "velocities"
+  std::string kind;  ///< "temperature", "R", "drift", "walk", "truncation", "relaxation",
+                     ///< "pressure", "ions", "step", "volume", "barostat", "acceptance" or
+                     ///< "weights"; at the start also "velocities"
   double value = 0;  ///< what was found, in the unit that `text` gives
   double bound = 0;  ///< what it exceeds, likewise
   std::string text;
@@ -64,6 +64,10 @@ struct TargetTemperature {
 /// @param target  nothing if any temperature is right
 std::vector<Warning> warnings_of_results(const RunSummary& summary,
                                          const std::optional<TargetTemperature>& target);
+
+/// Whether the energy drift alone would account for more than half of R and for more than 0.1 % of
+/// the fluctuation of the potential energy.
+bool drift_matters(const RunSummary& summary);
 
 /// The standard deviation of the mean temperature of runs at constant energy whose momenta were
 /// drawn, or rescaled, at a temperature T [K]: at most T/√(2n) for n degrees of freedom.

@@ -13,7 +13,7 @@
 #include "polhode/integrate/nested_scheme.hpp"
 #include "polhode/io/config.hpp"
 #include "polhode/measure/configurational_temperature.hpp"
-#include "polhode/measure/correlated_series.hpp"
+#include "polhode/measure/slope.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/simulation/rounding.hpp"
 #include "polhode/run/simulation/system.hpp"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The slow modes of a series in which a random walk, white noise and slow noise are uncorrelated
+// from mode to mode (docs/statistics.md).
+#pragma once
+
+#include <vector>
+
+#include "polhode/measure/block_means.hpp"
+
+namespace polhode {
+
+/// Coefficients of a series of block means in the eigenvectors of the covariance of a random walk,
+/// from the slowest on: half cosines over the run, if all blocks are equal. White noise has the
+/// variance of a sample in each. The mean is subtracted.
+struct SlowModes {
+  double samples = 0, length = 0;  ///< length [time]
+  std::vector<double> values;      ///< coefficients of the series
+  std::vector<double> line;        ///< coefficients of the time itself
+  std::vector<double> walk;        ///< variances of a random walk of variance 1 per time
+
+  std::size_t count() const { return values.size(); }
+  /// (π k)² of the mode k of equal blocks, k = 1, 2, ...
+  double wave_number_squared(std::size_t k) const { return samples * length / walk[k]; }
+
+  double line_squared() const;
+  /// The slope of the least-squares line; 0 without modes.
+  double slope() const;
+};
+
+/// @param time, quantity  which of the sums
+SlowModes slow_modes(const BlockMeans& blocks, std::size_t time, std::size_t quantity);
+
+}  // namespace polhode
