@@ -40,6 +40,13 @@ CELLS = [  # system, scheme, step [fs], smoothness, thermostat
     ("TIP4P", "hoa2", 4, 2, "rescaling"),
 ]
 LENGTHS = (8, 40)  # [ps]
+HEAD = """# Calibration of the test for an energy drift
+
+By [drift.py](../calibration/README.md#energy-drift). `p-value`: share of runs that have one; `p < 1 %`, `of`: share of runs below, with its 95 % interval [%]; `slope`: rms of the
+stated errors of the slope divided by the scatter of the slopes; `walk`: share of runs with a random walk; `R %`: rms of R; `R known`: share of runs in which R has an error;
+`R`: rms of these errors divided by the scatter of R, where at least 20 runs have one.
+
+"""
 RUN = """[system]
 molecules = [{{ model = "{model}", count = {count} }}]
 density = "{density}"
@@ -161,7 +168,7 @@ def main():
 
 def write(file, runs):
     rows = [row(cell, length, of_length) for (cell, length), of_length in runs.items()]
-    file.write_text("# Calibration of the test for an energy drift\n\n" + table(rows) + "\n\n" + totals(runs) + "\n")
+    file.write_text(HEAD + table(rows) + "\n\n" + totals(runs) + "\n")
 
 
 if __name__ == "__main__":
