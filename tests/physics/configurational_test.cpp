@@ -14,6 +14,7 @@
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/rodrigues.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/math/fit.hpp"
 #include "polhode/measure/energy.hpp"
 #include "scenes.hpp"
 
