@@ -15,7 +15,8 @@ std::string with_error(double value, double error) {
   const int exponent = std::stoi(fmt::format("{:.1e}", error).substr(4));
   const int decimals = 1 - exponent;
   const double size = std::max(std::abs(value), error);
-  if (decimals > 6 || size >= 1e7) {  // as powers of ten, of the same exponent
+  constexpr double small = 1e-3, large = 1e7;
+  if ((decimals > 6 && size < small) || size >= large) {  // powers of ten, of the same exponent
     const int power = static_cast<int>(std::floor(std::log10(size)));
     const double unit = std::pow(10.0, power);
     const int digits = std::clamp(power + decimals, 1, 15);

@@ -14,6 +14,7 @@ TEST_CASE("values have the decimals of their errors") {
   CHECK(with_error(0, 0.5) == "0.00 ± 0.50");
   CHECK(with_error(29859, 1234) == "29900 ± 1200");
   CHECK(with_error(123, 99.6) == "120 ± 100");
+  CHECK(with_error(-34.68774276, 4e-8) == "-34.687742760 ± 0.000000040");
 }
 
 TEST_CASE("very small and very large values are written as powers of ten") {
