@@ -45,7 +45,7 @@ MIXTURES = {
     "water and ions": ('[{ model = "spce", count = 60 }, { model = "na-spce", count = 2 }, { model = "cl-spce", count = 2 }]',
                        "1 g/cm3"),
     "CO2 and argon": ('[{ model = "co2", count = 40 }, { model = "argon", count = 24 }]', "0.9 g/cm3"),
-    "benzene in water": ('[{ model = "spce", count = 60 }, { model = "benzene", count = 1 }]', "0.6 g/cm3"),
+    "benzene in water": ('[{ model = "spce", count = 60 }, { model = "benzene", count = 1 }]', "0.35 g/cm3"),
 }
 
 

@@ -46,7 +46,7 @@ MIXTURES = {
                                     '{ model = "cl-spce", count = 2 }]'},
     "CO2 and argon": {"molecules": '[{ model = "co2", count = 40 }, { model = "argon", count = 24 }]', "density": "0.9 g/cm3",
                       "more": '[[pair]]\nsites = ["co2.C", "argon.Ar"]\nsigma = "0.3 nm"\nepsilon = "0.5 kJ/mol"'},
-    "benzene in water": {"molecules": '[{ model = "spce", count = 60 }, { model = "benzene", count = 1 }]', "density": "0.6 g/cm3"},
+    "benzene in water": {"molecules": '[{ model = "spce", count = 60 }, { model = "benzene", count = 1 }]', "density": "0.35 g/cm3"},
 }
 
 
