@@ -172,13 +172,14 @@ std::vector<std::string> molecules_with(const Topology& topology, const std::str
 
 double count_pairs(const Topology& topology, const SitePair& pair) {
   double first = 0, second = 0, within = 0;
-  for (const auto& [molecule, count] : topology.parts) {
-    const auto selected = [&, &sites = molecule.sites](const std::string& word) {
-      return static_cast<double>(std::count_if(sites.begin(), sites.end(), [&](const Site& site) {
-        return names(word, molecule, site);
-      }));
+  for (const Topology::Part& part : topology.parts) {
+    const Molecule& molecule = part.molecule;
+    const auto selected = [&molecule](const std::string& word) {
+      return static_cast<double>(
+          std::count_if(molecule.sites.begin(), molecule.sites.end(),
+                        [&](const Site& site) { return names(word, molecule, site); }));
     };
-    const double a = selected(pair[0]), b = selected(pair[1]), n = static_cast<double>(count);
+    const double a = selected(pair[0]), b = selected(pair[1]), n = static_cast<double>(part.count);
     first += n * a, second += n * b, within += n * a * b;
   }
   return (first * second - within) / (pair[0] == pair[1] ? 2 : 1);

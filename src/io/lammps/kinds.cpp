@@ -40,7 +40,7 @@ bool alike(std::span<const DataAtom> a, std::span<const DataAtom> b, const Box& 
 std::string symbol(const LammpsData& data, const DataAtom& atom) {
   const LammpsData::AtomType& type = data.types.at(atom.type);
   if (type.mass == 0) return "X";
-  const std::string element = element_of(type);
+  std::string element = element_of(type);
   if (!element.empty()) return element;
   return type.site.empty() ? fmt::format("T{}", atom.type) : type.site;
 }
