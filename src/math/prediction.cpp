@@ -13,6 +13,23 @@ double t_quantile(double probability, double degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom), probability);
 }
 
+ErrorPart summed(std::initializer_list<ErrorPart> parts) {
+  double squares = 0, fourth = 0;
+  for (const ErrorPart& part : parts) {
+    const double square = part.error * part.error;
+    squares += square;
+    fourth += square * square / part.degrees_of_freedom;
+  }
+  return {std::sqrt(squares),
+          fourth > 0 ? squares * squares / fourth : std::numeric_limits<double>::infinity()};
+}
+
+double confidence_half_width(const ErrorPart& part) {
+  if (part.error == 0) return 0;
+  if (!(part.degrees_of_freedom > 0)) return std::numeric_limits<double>::infinity();
+  return t_quantile(0.975, part.degrees_of_freedom) * part.error;
+}
+
 double prediction_bound(std::span<const double> values, double probability) {
   const auto n = static_cast<double>(values.size());
   if (n < 2) return std::numeric_limits<double>::infinity();

@@ -68,15 +68,22 @@ struct Laws {
 
 }  // namespace
 
+constexpr double exact = 1e9;  // degrees of freedom for which Student's t is a normal deviate
+
 TEST_CASE("a printed number means all that round to it, and the data may be undecided") {
-  CHECK(rounds_to({1.54, 0.005}, 1.5, 0.05) == Verdict::reproduced);
-  CHECK(rounds_to({1.46, 0.005}, 1.5, 0.05) == Verdict::reproduced);
-  CHECK(rounds_to({1.54, 0.006}, 1.5, 0.05) == Verdict::undecided);
-  CHECK(rounds_to({1.56, 0.006}, 1.5, 0.05) == Verdict::undecided);
-  CHECK(rounds_to({1.56, 0.005}, 1.5, 0.05) == Verdict::not_reproduced);
-  CHECK(rounds_to({1.44, 0.005}, 1.5, 0.05) == Verdict::not_reproduced);
+  CHECK(rounds_to({1.54, 0.005}, exact, 1.5, 0.05) == Verdict::reproduced);
+  CHECK(rounds_to({1.46, 0.005}, exact, 1.5, 0.05) == Verdict::reproduced);
+  CHECK(rounds_to({1.54, 0.006}, exact, 1.5, 0.05) == Verdict::undecided);
+  CHECK(rounds_to({1.56, 0.006}, exact, 1.5, 0.05) == Verdict::undecided);
+  CHECK(rounds_to({1.56, 0.005}, exact, 1.5, 0.05) == Verdict::not_reproduced);
+  CHECK(rounds_to({1.44, 0.005}, exact, 1.5, 0.05) == Verdict::not_reproduced);
+  // With three runs, and so two degrees of freedom, the interval is ±4.3 errors.
+  CHECK(rounds_to({1.52, 0.0069}, 2, 1.5, 0.05) == Verdict::reproduced);
+  CHECK(rounds_to({1.52, 0.0071}, 2, 1.5, 0.05) == Verdict::undecided);
+  CHECK(rounds_to({1.61, 0.029}, exact, 1.5, 0.05) == Verdict::not_reproduced);
+  CHECK(rounds_to({1.61, 0.029}, 8, 1.5, 0.05) == Verdict::undecided);
   // An imprecise measurement decides nothing.
-  CHECK(rounds_to({1.5, 0.03}, 1.5, 0.05) == Verdict::undecided);
+  CHECK(rounds_to({1.5, 0.03}, exact, 1.5, 0.05) == Verdict::undecided);
 }
 
 TEST_CASE("power laws for which the paper's claims hold reproduce all of them") {

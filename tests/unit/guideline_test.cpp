@@ -109,9 +109,10 @@ TEST_CASE("the crossing of two power laws") {
   const auto all = curves(points);
   const auto crossing = crossover(all[1], all[0]);
   REQUIRE(crossing);
-  CHECK(crossing->value == doctest::Approx(std::pow(2.0 / 3, 4) * c2 * c2 / c4).epsilon(0.003));
-  CHECK(crossing->error > 0);
-  const auto table = guidelines(all, {0.5 * crossing->value, 2 * crossing->value});
+  CHECK(crossing->ratio.value ==
+        doctest::Approx(std::pow(2.0 / 3, 4) * c2 * c2 / c4).epsilon(0.003));
+  CHECK(crossing->ratio.error > 0);
+  const auto table = guidelines(all, {0.5 * crossing->ratio.value, 2 * crossing->ratio.value});
   CHECK(table[0].best == 1);
   CHECK(table[1].best == 0);
 }

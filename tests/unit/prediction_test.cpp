@@ -35,3 +35,15 @@ TEST_CASE("a further value is below the prediction bound at the stated rate") {
   }
   CHECK(std::abs(kept - 19500) < 88);
 }
+
+// Satterthwaite: errors of equal size add their degrees of freedom, and one that dominates keeps
+// its own.
+TEST_CASE("degrees of freedom of an error that has several parts") {
+  const ErrorPart both = summed({{0.3, 2}, {0.3, 2}});
+  CHECK(both.error == doctest::Approx(0.3 * std::sqrt(2.0)).epsilon(1e-14));
+  CHECK(both.degrees_of_freedom == doctest::Approx(4).epsilon(1e-14));
+  CHECK(summed({{1, 2}, {1e-6, 50}}).degrees_of_freedom == doctest::Approx(2).epsilon(1e-9));
+  CHECK(confidence_half_width(both) == doctest::Approx(2.776 * 0.3 * std::sqrt(2.0)).epsilon(3e-4));
+  CHECK(confidence_half_width(summed({{0, 2}})) == 0);
+  CHECK(std::isinf(confidence_half_width({0.3, 0})));
+}

@@ -2,12 +2,25 @@
 // Bounds that hold with a given probability, from a few values of a normal distribution.
 #pragma once
 
+#include <initializer_list>
 #include <span>
 
 namespace polhode {
 
 /// Quantile of Student's t distribution: a deviate is below it with this probability.
 double t_quantile(double probability, double degrees_of_freedom);
+
+/// A standard error with its degrees of freedom.
+struct ErrorPart {
+  double error = 0, degrees_of_freedom = 0;
+};
+
+/// The error of a sum of independent estimates, with effective degrees of freedom by Welch and
+/// Satterthwaite: (Σ e²)² / Σ e⁴/ν.
+ErrorPart summed(std::initializer_list<ErrorPart> parts);
+
+/// Half of the two-sided 95 % confidence interval; infinite without degrees of freedom.
+double confidence_half_width(const ErrorPart& part);
 
 /// One-sided prediction interval: a further value of the same normal distribution is below mean + t
 /// s √(1 + 1/n) with this probability. Accounts for the scatter of that value and for the

@@ -6,14 +6,17 @@
 
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/with_error.hpp"
+#include "polhode/math/prediction.hpp"
 #include "polhode/run/canonical/canonical_report.hpp"
 
 namespace polhode {
 namespace {
 
-/// Two estimates whose 95 % intervals of the difference include 0.
-bool distinguishable(const Estimate& a, const Estimate& b) {
-  return std::abs(a.value - b.value) > 1.96 * std::hypot(a.error, b.error);
+/// Whether the 95 % interval of the difference in cost of two points excludes 0.
+bool distinguishable(const CanonicalPoint& one, const CanonicalPoint& other) {
+  const Estimate a = one.evaluations_per_sample(), b = other.evaluations_per_sample();
+  const ErrorPart doubt = summed({{a.error, one.runs - 1.0}, {b.error, other.runs - 1.0}});
+  return std::abs(a.value - b.value) > confidence_half_width(doubt);
 }
 
 /// The points of a scheme, in the order of their steps.
@@ -92,7 +95,7 @@ CanonicalFindings::CanonicalFindings(BiasCriterion chosen,
       cheapest = k;
   if (!cheapest) return;
   for (const std::size_t k : known) {
-    const bool distinct = distinguishable(sample(k), sample(*cheapest));
+    const bool distinct = distinguishable(points[k], points[*cheapest]);
     const Accuracy accuracy = points[k].accuracy(criterion);
     if (k != *cheapest && accuracy == Accuracy::below && !distinct) as_cheap.push_back(k);
     if (accuracy == Accuracy::undecided && (!distinct || sample(k).value < sample(*cheapest).value))

@@ -8,11 +8,10 @@
 #include <limits>
 #include <set>
 
+#include "polhode/math/prediction.hpp"
+
 namespace polhode {
 namespace {
-
-/// The 95 % interval of a normal distribution: two standard errors on either side.
-constexpr double two_sided = 1.96;
 
 Estimate operator*(double factor, const Estimate& x) {
   return {factor * x.value, factor * x.error};
@@ -30,10 +29,12 @@ Verdict worst(Verdict a, Verdict b) {
                                                             : Verdict::reproduced;
 }
 
-/// Whether R, with its error, is above a limit: reproduced if it is, not reproduced if it is below.
-Verdict above(const Estimate& R, double limit) {
-  if (R.value - two_sided * R.error > limit) return Verdict::reproduced;
-  return R.value + two_sided * R.error < limit ? Verdict::not_reproduced : Verdict::undecided;
+/// Whether the R of a point is above a limit: reproduced if it is, not reproduced if it is below.
+Verdict above(const EfficiencyPoint& point, double limit) {
+  const double R = point.ratio.value,
+               off = confidence_half_width({point.ratio.error, point.runs - 1.0});
+  if (R - off > limit) return Verdict::reproduced;
+  return R + off < limit ? Verdict::not_reproduced : Verdict::undecided;
 }
 
 Verdict opposite(Verdict v) {
@@ -41,17 +42,17 @@ Verdict opposite(Verdict v) {
   return v == Verdict::reproduced ? Verdict::not_reproduced : Verdict::reproduced;
 }
 
-/// The R of the longest step whose energy drift is known not to matter; 0 if there is none.
-Estimate last_conserving(const Curve& c) {
+/// The longest step whose energy drift is known not to matter; null if there is none.
+const EfficiencyPoint* last_conserving(const Curve& c) {
   for (std::size_t i = c.usable; i > 0; --i)
-    if (c.points[i - 1].conserves()) return c.points[i - 1].ratio;
-  return {};
+    if (c.points[i - 1].conserves()) return &c.points[i - 1];
+  return nullptr;
 }
 
 /// Up to where an energy drift that matters is excluded: "up to R = 0.54 %", or "at no step".
 std::string excluded(const Curve& c) {
-  const double last = last_conserving(c).value;
-  return last == 0 ? "at no step" : fmt::format("up to R = {:.2g} %", 100 * last);
+  const EfficiencyPoint* const last = last_conserving(c);
+  return last ? fmt::format("up to R = {:.2g} %", 100 * last->ratio.value) : "at no step";
 }
 
 /// R of the last step of a curve [%].
@@ -62,10 +63,11 @@ std::string reached(const Curve& c) {
 /// Whether a curve has steps above R = `limit` whose energy drift is known not to matter. It has
 /// none if it ends below; between the last such step and the end nothing is known.
 Verdict runs_above(const Curve& c, double limit) {
-  if (above(last_conserving(c), limit) == Verdict::reproduced) return Verdict::reproduced;
+  const EfficiencyPoint* const last = last_conserving(c);
+  if (last && above(*last, limit) == Verdict::reproduced) return Verdict::reproduced;
   if (c.usable == c.points.size() || !c.points[c.usable].stable) return Verdict::undecided;
-  return above(c.points[c.usable].ratio, limit) == Verdict::not_reproduced ? Verdict::not_reproduced
-                                                                           : Verdict::undecided;
+  return above(c.points[c.usable], limit) == Verdict::not_reproduced ? Verdict::not_reproduced
+                                                                     : Verdict::undecided;
 }
 
 /// More runs detect a smaller energy drift, so curves are compared only if the points around their
@@ -80,10 +82,11 @@ bool equal_runs(const std::vector<const Curve*>& curves) {
 
 }  // namespace
 
-Verdict rounds_to(const Estimate& x, double number, double half_digit) {
-  const double off = std::abs(x.value - number), doubt = two_sided * x.error;
-  if (off + doubt <= half_digit) return Verdict::reproduced;
-  return off - doubt > half_digit ? Verdict::not_reproduced : Verdict::undecided;
+Verdict rounds_to(const Estimate& x, double degrees_of_freedom, double number, double half_digit) {
+  const double off = std::abs(x.value - number),
+               half = confidence_half_width({x.error, degrees_of_freedom});
+  if (off + half <= half_digit) return Verdict::reproduced;
+  return off - half > half_digit ? Verdict::not_reproduced : Verdict::undecided;
 }
 
 const char* in_words(Verdict verdict) {
@@ -112,17 +115,19 @@ std::vector<Claim> paper_claims(const std::vector<Curve>& curves) {
         std::nullopt, Verdict::undecided};
     if (v && h && !v->at_max_step && !h->at_max_step) {
       const double ratio = v->cost / h->cost;
-      claim.value = {ratio, ratio * std::hypot(v->error / v->cost, h->error / h->cost)};
-      claim.verdict = rounds_to(*claim.value, 1.5, 0.05);
+      const ErrorPart error = summed({{v->error / v->cost, v->degrees_of_freedom},
+                                      {h->error / h->cost, h->degrees_of_freedom}});
+      claim.value = {ratio, ratio * error.error};
+      claim.verdict = rounds_to(*claim.value, error.degrees_of_freedom, 1.5, 0.05);
     }
     claims.push_back(claim);
   }
 
   Claim crossing{"GIER4 is the cheapest below R = 0.4 % (here: the R of the crossing, in %)",
-                 crossover(*gier4, *hoa2), Verdict::undecided};
-  if (crossing.value) {
-    crossing.value = 100 * *crossing.value;
-    crossing.verdict = rounds_to(*crossing.value, 0.4, 0.05);
+                 std::nullopt, Verdict::undecided};
+  if (const auto found = crossover(*gier4, *hoa2)) {
+    crossing.value = 100 * found->ratio;
+    crossing.verdict = rounds_to(*crossing.value, found->degrees_of_freedom, 0.4, 0.05);
   }
   claims.push_back(crossing);
 

@@ -4,10 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polhode/math/prediction.hpp"
+
 namespace polhode {
 namespace {
 
-double relative_error(const EfficiencyPoint& p) { return p.ratio.error / p.ratio.value; }
+/// A share of the relative error of R.
+ErrorPart share(double factor, const EfficiencyPoint& p) {
+  return {factor * p.ratio.error / p.ratio.value, p.runs - 1.0};
+}
+
+ErrorPart relative_error(const CostAtRatio& at) {
+  return {at.error / at.cost, at.degrees_of_freedom};
+}
 
 }  // namespace
 
@@ -39,14 +48,14 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   const auto& points = curve.points;
   CostAtRatio at;
   at.evaluations = points[0].cost * points[0].step;
-  double log_error = 0;  // of the step, relative
+  ErrorPart log_error;  // of the step, relative
   if (ratio < points[0].ratio.value) {
     const int order = points[0].order;
     if (order == 0 || points[0].at_rounding()) return std::nullopt;
     at.exponent = order;
     at.step = points[0].step * std::pow(ratio / points[0].ratio.value, 1.0 / order);
     at.extrapolated = true;
-    log_error = relative_error(points[0]) / order;
+    log_error = share(1.0 / order, points[0]);
   }
   for (std::size_t i = 0; i + 1 < curve.usable && at.step == 0; ++i) {
     const double low = points[i].ratio.value, high = points[i + 1].ratio.value;
@@ -54,8 +63,8 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
     const double x = std::log(ratio / low) / std::log(high / low);
     at.step = points[i].step * std::pow(points[i + 1].step / points[i].step, x);
     at.exponent = std::log(high / low) / std::log(points[i + 1].step / points[i].step);
-    log_error = std::hypot((1 - x) * relative_error(points[i]), x * relative_error(points[i + 1])) /
-                at.exponent;
+    log_error =
+        summed({share((1 - x) / at.exponent, points[i]), share(x / at.exponent, points[i + 1])});
   }
   const EfficiencyPoint& last = points[curve.usable - 1];
   if (ratio > last.ratio.value) {
@@ -64,7 +73,8 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio) {
   }
   if (at.step == 0) return std::nullopt;
   at.cost = at.evaluations / at.step;
-  at.error = at.cost * log_error;
+  at.error = at.cost * log_error.error;
+  at.degrees_of_freedom = log_error.degrees_of_freedom;
   return at;
 }
 
@@ -84,7 +94,7 @@ std::vector<Guideline> guidelines(const std::vector<Curve>& all,
   return table;
 }
 
-std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser) {
+std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser) {
   // log(cost ratio) on a fine grid of R; the crossover is the largest R at which it changes sign.
   const auto advantage = [&](double R) -> std::optional<double> {
     const auto a = cost_at(finer, R), b = cost_at(coarser, R);
@@ -100,8 +110,8 @@ std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser) {
       const auto a = cost_at(finer, R), b = cost_at(coarser, R);
       // log cost decreases as −log R/exponent, so its error shifts the crossing by this amount.
       const double slopes = std::abs(1 / b->exponent - 1 / a->exponent);
-      const double error = std::hypot(a->error / a->cost, b->error / b->cost);
-      return Estimate{R, slopes > 0 ? R * error / slopes : 0.0};
+      const ErrorPart error = summed({relative_error(*a), relative_error(*b)});
+      return Crossing{{R, slopes > 0 ? R * error.error / slopes : 0.0}, error.degrees_of_freedom};
     }
     above = here;
   }

@@ -23,10 +23,11 @@ struct Claim {
 };
 
 /// Whether an estimate agrees with a number as it is printed, which stands for all that round to
-/// it. Reproduced: its whole 95 % interval agrees; not reproduced: no part of it does; otherwise
-/// the data do not decide.
+/// it. Reproduced: its whole 95 % interval agrees, by Student's t; not reproduced: no part of it
+/// does; otherwise the data do not decide.
+/// @param degrees_of_freedom  of the error of x
 /// @param half_digit  half a unit of the last digit printed
-Verdict rounds_to(const Estimate& x, double number, double half_digit);
+Verdict rounds_to(const Estimate& x, double degrees_of_freedom, double number, double half_digit);
 
 /// The claims, where velocity-verlet, hoa2 and gier4-fd are among the curves; else none.
 ///

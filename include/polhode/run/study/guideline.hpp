@@ -13,13 +13,14 @@ namespace polhode {
 
 /// The smallest cost at which one scheme keeps R at or below a given value.
 struct CostAtRatio {
-  double cost = 0;            ///< force evaluations per ps
-  double error = 0;           ///< of the cost, from the errors of R at the neighbouring points
-  double step = 0;            ///< [ps]
-  double evaluations = 0;     ///< force evaluations per step
-  double exponent = 0;        ///< local d log R / d log h
-  bool extrapolated = false;  ///< below the smallest R measured, using the scheme's order
-  bool at_max_step = false;   ///< the largest step of the curve, whose R is below the given one
+  double cost = 0;                ///< force evaluations per ps
+  double error = 0;               ///< of the cost, from the errors of R at the neighbouring points
+  double degrees_of_freedom = 0;  ///< of this error
+  double step = 0;                ///< [ps]
+  double evaluations = 0;         ///< force evaluations per step
+  double exponent = 0;            ///< local d log R / d log h
+  bool extrapolated = false;      ///< below the smallest R measured, using the scheme's order
+  bool at_max_step = false;       ///< the largest step of the curve, whose R is below the given one
 };
 
 struct Guideline {
@@ -52,8 +53,14 @@ std::optional<CostAtRatio> cost_at(const Curve& curve, double ratio);
 std::vector<Guideline> guidelines(const std::vector<Curve>& curves,
                                   const std::vector<double>& ratios);
 
-/// The R below which `finer` is cheaper than `coarser`, with its standard error, if the two curves
-/// cross within the measured range of both.
-std::optional<Estimate> crossover(const Curve& finer, const Curve& coarser);
+/// The R below which one scheme is cheaper than another.
+struct Crossing {
+  Estimate ratio;
+  double degrees_of_freedom = 0;  ///< of its error
+};
+
+/// The R below which `finer` is cheaper than `coarser`, if the two curves cross within the measured
+/// range of both.
+std::optional<Crossing> crossover(const Curve& finer, const Curve& coarser);
 
 }  // namespace polhode
