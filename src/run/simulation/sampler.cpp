@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "sampler.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/integrate/flows.hpp"
+
+namespace polhode {
+namespace {
+
+/// The share of the potential energy by which rounding in mixed precision may change the total
+/// energy of a run that begins almost at rest.
+constexpr double rounding_share = 1e-5;
+
+}  // namespace
+
+Sampler::Sampler(const System& system, const TrajectorySettings& settings,
+                 TimedIntegrator& integrator, const BlowUpReport& report, Workers& workers)
+    : system_(system),
+      settings_(settings),
+      integrator_(integrator),
+      report_(report),
+      workers_(workers),
+      terms_(error_terms(settings.scheme)),
+      fixed_(settings.fixed_means()),
+      ideal_(static_cast<double>(system.state.size()) * units::boltzmann *
+             settings.ensemble.temperature) {}
+
+void Sampler::resume_from(const TrajectoryStatistics& statistics) {
+  statistics_ = statistics;
+  conserved_.reset();
+  potential_.reset();
+}
+
+void Sampler::sample(std::size_t step, double exchanged, Clocks& clocks, const Watch& watch) {
+  clocks.add_motion();
+  Energies now = energies_now(step, exchanged, clocks);
+  sample_shadow(now, watch);
+  if (watch.sample) watch.sample(step, system_.state, now);
+  const std::optional<StepError> error = error_of(now);
+  if (error) statistics_.step_bias.add(*error, now);
+  sample_configurational(step, error);
+  statistics_.energies.add(now);
+  sample_at_bath();
+  if (settings_.stretch > 0)
+    statistics_.stretches.add(now, statistics_.energies.first,
+                              settings_.samples_per(settings_.stretch));
+  check_energy(step, now);
+  clocks.skip();
+}
+
+Energies Sampler::energies_now(std::size_t step, double exchanged, Clocks& clocks) try {
+  const double before = clocks.in_forces();
+  Energies now = energies_of(system_, system_.state, integrator_.load(system_.state), workers_);
+  now.exchanged = exchanged;
+  clocks.forces_of_sample(clocks.in_forces() - before);
+  if (!std::isfinite(now.total()))
+    report_.not_finite(step, "the total energy is no longer a finite number");
+  return now;
+} catch (const BlowUp&) {
+  throw;
+} catch (const RunError& e) {
+  report_.not_finite(step, e.what());
+}
+
+/// Whether this sample is one of those that are taken every `every` [ps]; 0: never.
+bool Sampler::due(double every) const {
+  return every > 0 && statistics_.energies.samples % settings_.samples_per(every) == 0;
+}
+
+void Sampler::sample_shadow(Energies& now, const Watch& watch) {
+  if (!due(settings_.shadow_sample)) return;
+  const BracketSample both{now, error_brackets(system_.state, system_.bodies,
+                                               integrator_.last_load(), integrator_.whole.forces)};
+  const double shadow = shadow_energy(both, terms_, settings_.step);
+  now.step_error = shadow - now.total();
+  if (fixed_ != FixedMeans::energy) return;
+  statistics_.shadow.add(now.time, shadow);
+  if (watch.brackets) watch.brackets(both);
+}
+
+/// Nothing where it is not known.
+std::optional<StepError> Sampler::error_of(const Energies& now) const {
+  if (!fixed_) return std::nullopt;
+  const StepError error = step_error(now, *fixed_, ideal_);
+  return std::isnan(error.error) ? std::nullopt : std::optional(error);
+}
+
+void Sampler::sample_configurational(std::size_t step, const std::optional<StepError>& error) {
+  if (!due(settings_.configurational_sample)) return;
+  constexpr std::uint64_t streams = std::uint64_t{1}
+                                    << 32;  // initial configurations use those below it
+  statistics_.configurational.add(
+      configurational_sample(system_.state, system_.bodies, integrator_.all_forces(system_.state),
+                             integrator_.whole.forces, Random(settings_.seed, streams + step)),
+      error);
+}
+
+/// The kinetic energies of the momenta on which a bath within the steps acts: those of full steps
+/// lack a kick.
+void Sampler::sample_at_bath() {
+  const double kick_after = settings_.scheme.kick_after_bath();
+  if (kick_after == 0 || settings_.inner) return;
+  State half = system_.state;
+  kick(half, system_.bodies, integrator_.last_load(), -kick_after * settings_.step, workers_);
+  statistics_.at_bath.add(energies_of(system_, half, integrator_.last_load(), workers_));
+}
+
+/// At constant energy since the start; a bath takes up a drift, so with one since the last sample.
+/// Errors count against the initial kinetic energy; almost at rest, against what the potential
+/// energy has set free. Hybrid Monte Carlo rejects such trajectories.
+void Sampler::check_energy(std::size_t step, const Energies& now) {
+  const Energies& first = statistics_.energies.first;
+  const bool constant_energy = settings_.ensemble.constant_energy();
+  const double from = constant_energy ? first.conserved() : conserved_.value_or(now.conserved());
+  const double before = constant_energy ? first.potential() : potential_.value_or(now.potential());
+  conserved_ = now.conserved();
+  potential_ = now.potential();
+  const double freed = std::abs(now.potential() - before);
+  const double bound =
+      std::max({first.kinetic(), freed, rounding_share * std::abs(first.potential())});
+  if (settings_.ensemble.hybrid_monte_carlo || first.kinetic() == 0 ||
+      !(std::abs(now.conserved() - from) > bound))
+    return;
+  report_.blow_up(
+      step, fmt::format("the {} energy went from {:.6g} to {:.6g} kJ/mol{}, more than the initial "
+                        "kinetic energy",
+                        constant_energy ? "total" : "conserved", from, now.conserved(),
+                        constant_energy ? "" : " between two samples"));
+}
+
+}  // namespace polhode
