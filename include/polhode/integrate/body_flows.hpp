@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Flows for step() in an engine of your own: rigid bodies one by one, with nothing to write but the
-// forces. Header-only.
+// The reference integrator: what drifts, kicks and gradient kicks do to rigid bodies, one by one,
+// as the paper has it. With step() it is a whole integrator, for an engine of your own, too, with
+// nothing to write but the forces. Header-only.
 #pragma once
 
 #include <span>
