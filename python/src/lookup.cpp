@@ -14,10 +14,10 @@
 #include "polhode/io/molecule_file.hpp"
 #include "polhode/io/nested_scheme_text.hpp"
 #include "polhode/io/quantity.hpp"
+#include "polhode/measure/correlated_series.hpp"
 #include "polhode/run/listing/molecules.hpp"
 #include "polhode/run/listing/schemes.hpp"
 #include "polhode/run/listing/verification.hpp"
-#include "polhode/run/simulation/run_report.hpp"
 
 namespace polhode::python {
 namespace {

@@ -91,6 +91,22 @@ Noise noise(Modes modes) {
 
 }  // namespace
 
+std::string reason(Known known) {
+  switch (known) {
+    case Known::yes:
+      return "";
+    case Known::too_few_samples:
+      return "too few samples";
+    case Known::too_short:
+      return "run too short";
+    case Known::not_defined:
+      return "not defined";
+    case Known::grows:
+      return "grows with the length of the run";
+  }
+  return "";
+}
+
 double three_sigma(const SeriesEstimate& estimate) {
   return three_sigma_quantile(estimate.modes) * estimate.error;
 }

@@ -26,7 +26,7 @@ class Configurational(Sandbox):
         self.assertNotIn("configurational", plain.out)
         energies = self.rows("out-energies.csv")
         short = self.done("run", ASKED, "--force").out
-        self.assertRegex(short, r"configurational +translation [-\d.]+, rotation -, -, - K, errors not known: run too short")
+        self.assertRegex(short, r"configurational +translation [-\d.]+, rotation -, -, - K, error not known: run too short")
         self.assertEqual(self.rows("out-energies.csv"), energies)  # requesting them does not change the run
         long = self.done("run", ASKED, "--force", "--length", "20 ps").out
         self.assertRegex(long, r"configurational +translation [-\d.]+ ± \S+, rotation -, -, - K")

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "polhode/measure/block_means.hpp"
@@ -19,6 +20,9 @@ enum class Known {
   not_defined,      ///< the run has no such quantity
   grows             ///< the statistic has no limit: a random walk makes it grow with the run
 };
+
+/// Why an error is not known: "too few samples", "run too short" or "not defined"; empty if it is.
+std::string reason(Known known);
 
 /// A statistic of a run with its standard error.
 struct SeriesEstimate {

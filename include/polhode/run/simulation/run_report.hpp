@@ -32,8 +32,11 @@ struct RunReport {
 /// "significant", "not significant", or why this is not known.
 std::string verdict(const Drift& drift);
 
-/// Why an error is not known: "too few samples", "run too short" or "not defined"; empty if it is.
-std::string reason(Known known);
+/// "R = 0.31 ± 0.02 % over 15 ps; the accuracy guarantee is 0.4 %", or the bias.
+std::string guarantee_text(const GuaranteeCheck& check);
+
+/// The results as lines of text, without files and warnings.
+std::string run_text(const RunReport& report);
 
 /// The report as JSON. Names contain units, as in "length_ps"; unknown values are null.
 std::string run_json(const RunReport& report);
