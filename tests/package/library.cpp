@@ -2,12 +2,10 @@
 // What another program takes: the system of the default run.
 #include <cstdio>
 
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/polhode.hpp"
 
 int main() {
-  const polhode::System system = polhode::build_system(polhode::default_config());
-  std::printf("%zu molecules, %s\n", system.state.size(),
-              polhode::name(polhode::current_instruction_set()));
-  return system.state.size() == 512 ? 0 : 1;
+  const polhode::Simulation simulation(polhode::default_config());
+  std::printf("%zu molecules\n", simulation.state().size());
+  return simulation.state().size() == 512 ? 0 : 1;
 }
