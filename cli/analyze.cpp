@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "analyze_options.hpp"
-#include "analyze_report.hpp"
 #include "console.hpp"
 #include "option_values.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/threads.hpp"
+#include "streams.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {
@@ -20,10 +20,8 @@ int analyze(const AnalyzeOptions& o) {
   Workers workers(requested_threads(o.threads, "--threads"));
   const AnalysisReport report =
       run_analysis(input, {existing_files(false, o.force), analyze_command(o)}, console(), workers);
-  if (o.json)
-    fmt::print("{}\n", analysis_json(report));
-  else
-    print_analysis(report);
+  fmt::print("{}", o.json ? analysis_json(report) + "\n" : analysis_text(report));
+  if (!o.json) print_files(report.files);
   return report.analysis.stopped ? 130 : 0;
 }
 

@@ -92,6 +92,8 @@ std::string rows(const Quantities& list, const std::string& indent) {
     if (const auto* group = std::get_if<Quantities>(&q.value)) {
       if (!q.label.empty()) text += indent + q.label + "\n";
       text += rows(*group, q.label.empty() ? indent : indent + "  ");
+    } else if (const auto* list_of_groups = std::get_if<std::vector<Quantities>>(&q.value)) {
+      for (const Quantities& one : *list_of_groups) text += rows(one, indent);
     } else if (!q.label.empty()) {
       text += fmt::format("{:<22}{}\n", indent + q.label, value_text(q));
     }

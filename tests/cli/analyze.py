@@ -81,7 +81,7 @@ class Analyze(Sandbox):
         self.assertGreater(report["density_g_per_cm3"]["value"], 0)
         self.assertAlmostEqual(report["density_kg_per_m3"]["value"] / report["density_g_per_cm3"]["value"], 1000, places=6)
         process = self.analyze(*options, "--pairs", "OW-OW", "--cutoff", "0.1 nm")
-        self.assertRegex(process.out, r"density +\d+\.\d+ ± \? kg/m3")
+        self.assertRegex(process.out, r"density +[\d.]+ kg/m3, error not known: too few samples")
         self.assertIn("g OW-OW               no peak", process.out)
         self.assertNotIn("nan", process.out)
         process = self.analyze(*options, "--pairs", "OW-OW", "--cutoff", "0.1 nm", "--json")

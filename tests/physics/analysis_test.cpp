@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../analysis_curves.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/molecule_file.hpp"
@@ -75,11 +76,15 @@ TEST_CASE("analysis of free molecules in memory") {
   CHECK(a.topology.size() == 27);
   CHECK(a.interval == doctest::Approx(0.01).epsilon(1e-9));
   CHECK(a.deviation < 1e-9);
-  const double v2 = 3 * a.velocity->linear(0).mean()[0];
+  const SummarySettings numbers{.fit = FitWindow{0.02, 0.1}, .surroundings_permittivity = tin_foil};
+  const AnalysisSummary one = summary(a, numbers);
+  const std::vector<double> msd = column(one, "msd", "msd"),
+                            v = column(one, "velocity", "v product");
+  const double v2 = 3 * v[0];
   for (std::size_t lag = 0; lag <= 10; ++lag) {
     const double t = 0.01 * static_cast<double>(lag);
-    CHECK(a.displacement->mean_square(0).mean()[lag] == doctest::Approx(v2 * t * t).epsilon(1e-7));
-    CHECK(a.velocity->linear(0).mean()[lag] == doctest::Approx(v2 / 3).epsilon(1e-9));
+    CHECK(msd[lag] == doctest::Approx(v2 * t * t).epsilon(1e-7));
+    CHECK(v[lag] == doctest::Approx(v2 / 3).epsilon(1e-9));
   }
   CHECK(a.conditions->temperature().value == doctest::Approx(300).epsilon(1e-6));
   CHECK(a.conditions->density().value == doctest::Approx(topology.mass() / 8).epsilon(1e-12));
@@ -87,15 +92,16 @@ TEST_CASE("analysis of free molecules in memory") {
   Workers workers(3);
   Frames again(free_flight(topology, 40, MasslessSites::keep));
   Analysis b = analyze(again, topology, settings, {}, workers);
-  for (const int rank : {1, 2})
-    CHECK(a.reorientation->legendre(0, 3, rank).mean() ==
-          b.reorientation->legendre(0, 3, rank, workers).mean());
-  CHECK(a.displacement->mean_square(0).mean() == b.displacement->mean_square(0, workers).mean());
-  CHECK(a.radial->coordination(2) == b.radial->coordination(2));
-  const SummarySettings numbers{.fit = FitWindow{0.02, 0.1}, .surroundings_permittivity = tin_foil};
-  CHECK(summary(a, numbers).dielectric->constant.value ==
-        summary(b, numbers, workers).dielectric->constant.value);
-  CHECK(summary(a, numbers).viscosity_source.find("gonzalez2010") != std::string::npos);
+  const AnalysisSummary three = summary(b, numbers, workers);
+  REQUIRE(one.files.size() == three.files.size());
+  CHECK(one.files.size() == 7);
+  for (const AnalysisFile& curve : one.files)
+    for (const std::string& name : columns(one, curve.name))
+      if (name.find("error") == name.npos)
+        CHECK(column(one, curve.name, name) == column(three, curve.name, name));
+  CHECK(json_text(one.quantities) == json_text(three.quantities));
+  const std::string source = numbers_of(one)["diffusion"]["viscosity_source"];
+  CHECK(source.find("gonzalez2010") != std::string::npos);
 }
 
 // Rounding to 0.001 nm displaces atoms by up to √3/2 of that, and the fit may add as much; centres
@@ -111,19 +117,21 @@ TEST_CASE("files without names, velocities or massless sites, and with few digit
   Analysis a = analyze(exact, topology, settings), b = analyze(file, topology, settings);
   CHECK(b.deviation > 1e-4);
   CHECK(b.deviation < 0.0018);
-  CHECK(!b.velocity);
   CHECK(b.notes.size() == 1);
-  for (std::size_t lag = 1; lag <= 10; ++lag) {
-    const double far = std::sqrt(a.displacement->mean_square(0).mean()[lag]);
-    CHECK(std::abs(std::sqrt(b.displacement->mean_square(0).mean()[lag]) - far) < 0.001);
-    CHECK(b.reorientation->legendre(0, 0, 1).mean()[lag] ==
-          doctest::Approx(a.reorientation->legendre(0, 0, 1).mean()[lag]).epsilon(1e-3));
-  }
   const AnalysisSummary s = summary(b, {.surroundings_permittivity = tin_foil});
-  CHECK(!s.dielectric);
-  CHECK(s.viscosity_source.find("give a temperature") != std::string::npos);
+  CHECK(columns(s, "velocity").empty());
+  const AnalysisSummary good = summary(a, {});
+  for (std::size_t lag = 1; lag <= 10; ++lag) {
+    const double far = std::sqrt(column(good, "msd", "msd")[lag]);
+    CHECK(std::abs(std::sqrt(column(s, "msd", "msd")[lag]) - far) < 0.001);
+    CHECK(column(s, "rotation", "P1 axis 1")[lag] ==
+          doctest::Approx(column(good, "rotation", "P1 axis 1")[lag]).epsilon(1e-3));
+  }
+  CHECK(!numbers_of(s).contains("dielectric"));
+  const std::string source = numbers_of(s)["diffusion"]["viscosity_source"];
+  CHECK(source.find("give a temperature") != std::string::npos);
 
-  settings.what = {Observable::velocity};
+  settings.what = {"velocity"};
   Frames refused(poor);
   CHECK_THROWS_WITH_AS(analyze(refused, topology, settings), doctest::Contains("no velocities"),
                        Error);
@@ -139,7 +147,7 @@ TEST_CASE("unevenly spaced frames are refused if correlations are requested") {
   Frames uneven(frames), structure(frames), told(frames);
   CHECK_THROWS_WITH_AS(analyze(uneven, waters(), settings),
                        doctest::Contains("frame 5 is at 5.045 ps instead of 5.04 ps"), Error);
-  settings.what = {Observable::rdf, Observable::density};
+  settings.what = {"rdf", "density"};
   CHECK(analyze(structure, waters(), settings).frames == 6);
   settings.what.clear();
   settings.interval = 0.02;
@@ -160,10 +168,11 @@ TEST_CASE(
       {.progress = [&](const Progress&) { ++batches; }, .stop = [&] { return batches == 3; }});
   CHECK(a.stopped);
   CHECK(a.frames == 6);
-  CHECK(!a.dipole);
   CHECK(a.notes.front().find("has a charge of 1 e") != std::string::npos);
-  CHECK(a.reorientation->axes(1).empty());
-  CHECK(a.displacement->mean_square(1).mean().size() == 4);
+  const AnalysisSummary s = summary(a, {.surroundings_permittivity = tin_foil});
+  CHECK(!numbers_of(s).contains("dielectric"));
+  for (const std::string& name : columns(s, "rotation")) CHECK(name.find("na-") == name.npos);
+  CHECK(column(s, "msd", "na-tip4p-ew msd").size() == 4);
 }
 
 // A gas of two sites that never approach each other.
@@ -179,8 +188,8 @@ TEST_CASE("g(r) = 0 has no peak, and few frames have no errors") {
   Frames file(frames);
   Analysis a = analyze(file, pair, {});
   const AnalysisSummary s = summary(a, {});
-  REQUIRE(s.peaks.size() == 1);
-  CHECK(!s.peaks.front());
+  REQUIRE(numbers_of(s)["rdf"].size() == 1);
+  CHECK(numbers_of(s)["rdf"][0]["peak_nm"].is_null());
   CHECK(a.conditions->density().known == Known::too_few_samples);
   frames.push_back(frames.back());
   frames.back().time = 11;
@@ -194,16 +203,15 @@ TEST_CASE("a single molecule has no displacements") {
   const Topology one{{{read_molecule("tip4p"), 1}}};
   Frames file(free_flight(one, 30, MasslessSites::keep));
   Analysis a = analyze(file, one, {});
-  CHECK(!a.displacement);
   CHECK(std::any_of(a.notes.begin(), a.notes.end(), [](const std::string& note) {
     return note.find("there is only one") != std::string::npos;
   }));
   const AnalysisSummary s = summary(a, {.surroundings_permittivity = tin_foil});
-  CHECK(!s.parts.front().diffusion);
-  CHECK(!s.parts.front().green_kubo);
-  CHECK(a.velocity->linear(0).mean().front() == 0);
+  CHECK(columns(s, "msd").empty());
+  CHECK(numbers_of(s)["parts"][0].size() == 3);  // molecule, count, relaxation
+  CHECK(column(s, "velocity", "v product").front() == 0);
   AnalysisSettings settings;
-  settings.what = {Observable::msd};
+  settings.what = {"msd"};
   Frames refused(free_flight(one, 30, MasslessSites::keep));
   CHECK_THROWS_WITH_AS(analyze(refused, one, settings), doctest::Contains("there is only one"),
                        Error);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
@@ -12,17 +13,12 @@
 #include "polhode/base/workers.hpp"
 #include "polhode/io/frame_file.hpp"
 #include "polhode/measure/conditions.hpp"
-#include "polhode/measure/dielectric.hpp"
-#include "polhode/measure/displacement.hpp"
 #include "polhode/measure/radial_distribution.hpp"
-#include "polhode/measure/reorientation.hpp"
-#include "polhode/measure/velocity_correlation.hpp"
+#include "polhode/run/analysis/observable.hpp"
 #include "polhode/run/analysis/step_errors.hpp"
 #include "polhode/run/callbacks.hpp"
 
 namespace polhode {
-
-enum class Observable { rdf, msd, rotation, velocity, dielectric, density };
 
 /// Default cutoff of g(r), unless half of the shortest edge is shorter [nm].
 inline constexpr double default_rdf_cutoff = 1;
@@ -30,7 +26,7 @@ inline constexpr double default_rdf_cutoff = 1;
 struct AnalysisSettings {
   /// Empty: all that the frames allow. If observables are requested explicitly, those that the
   /// frames do not allow are an error.
-  std::set<Observable> what;
+  std::set<std::string> what;
   double from = 0;                 ///< earlier frames are skipped [ps]
   std::optional<double> interval;  ///< between frames, overrides their times [ps]
   double window = 10;              ///< largest lag of correlation functions [ps]
@@ -42,7 +38,7 @@ struct AnalysisSettings {
       step_errors;  ///< for the bias of the step; nothing: not computed
 };
 
-/// The observables of the frames that were read; those not requested are empty.
+/// The frames that were read, and the observables that were requested.
 struct Analysis {
   Topology topology;
   std::size_t frames = 0;
@@ -56,13 +52,7 @@ struct Analysis {
   std::vector<std::string> notes;  ///< observables that were skipped, and warnings
 
   std::optional<Conditions> conditions;  ///< computed in every analysis
-  bool density = false;                  ///< whether to report them as a result
-  std::vector<SitePair> pairs;
-  std::optional<RadialDistribution> radial;
-  std::optional<Displacement> displacement;
-  std::optional<Reorientation> reorientation;
-  std::optional<VelocityCorrelation> velocity;
-  std::optional<TotalDipole> dipole;
+  std::vector<std::shared_ptr<Observable>> observables;
 
   /// Frames at which the error of the step is known, and relative to what.
   std::size_t frames_with_step_error = 0;
@@ -82,8 +72,8 @@ Analysis analyze(FrameReader& reader, Topology topology, const AnalysisSettings&
 /// The names of observables, as used in options.
 const std::vector<std::string>& observable_names();
 
-/// The observable with a given name.
+/// The name of an observable, as it is.
 /// @throws Error  if there is none
-Observable observable(const std::string& name);
+std::string observable(const std::string& name);
 
 }  // namespace polhode

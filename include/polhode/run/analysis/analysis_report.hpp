@@ -37,6 +37,12 @@ struct AnalysisReport {
 AnalysisReport run_analysis(const AnalysisInput& input, const OutputOptions& options = {},
                             const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
+/// The results as a list.
+Quantities analysis_quantities(const AnalysisReport& report);
+
+/// The results as lines of text, without files.
+std::string analysis_text(const AnalysisReport& report);
+
 /// The report as JSON. Names contain units, as in "interval_ps"; unknown values are null.
 std::string analysis_json(const AnalysisReport& report);
 

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What an analysis measures along a trajectory: each observable is one source file, and one word in
+// the list of src/run/analysis/observables.cpp.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/base/workers.hpp"
+#include "polhode/io/plot.hpp"
+#include "polhode/io/table_file.hpp"
+#include "polhode/measure/step_response.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/run/quantities.hpp"
+
+namespace polhode {
+
+struct Analysis;
+struct AnalysisSettings;
+struct SummarySettings;
+
+/// A table with its figure; no figure is drawn without panels.
+struct AnalysisFile {
+  std::string name;  ///< between the prefix and the extension: "rdf"
+  Table table;
+  CurvesFigure figure;
+};
+
+/// What is known once the first frames have been read.
+struct FirstFrames {
+  const Analysis& analysis;  ///< topology, box, and whether there are velocities
+  const AnalysisSettings& settings;
+  std::size_t lags = 0;  ///< of correlations in time, if the frames are evenly spaced
+};
+
+/// What is known after the last frame.
+struct AllFrames {
+  const Analysis& analysis;
+  const SummarySettings& settings;
+  std::optional<double> temperature;  ///< [K]
+  Workers& workers;
+  std::vector<std::string>& notes;  ///< to which what could not be computed is added
+};
+
+/// The results of an observable, each of which may be empty.
+struct ObservableResults {
+  Quantities quantities;          ///< of the trajectory
+  std::vector<Quantities> parts;  ///< of each kind of molecule
+  std::vector<AnalysisFile> files;
+};
+
+/// A quantity that is measured along a trajectory.
+class Observable {
+ public:
+  virtual ~Observable() = default;
+  /// Adds the next frame.
+  /// @param error  of the step, at this state; nothing where it is not known
+  virtual void add(const State& state, const std::optional<StepError>& error, Workers& workers) = 0;
+  virtual ObservableResults results(const AllFrames& frames) = 0;
+};
+
+/// An observable as it is chosen.
+struct ObservableKind {
+  std::string name;                ///< in `--what`
+  std::vector<std::string> files;  ///< names of the files that it may write
+  bool correlates_times = false;   ///< whether frames must be evenly spaced
+  /// Why the frames do not allow it; empty if they do.
+  std::function<std::string(const FirstFrames&)> why_not;
+  std::function<std::unique_ptr<Observable>(const FirstFrames&)> begin;
+};
+
+/// All observables, in the order of their results.
+const std::vector<ObservableKind>& observables();
+
+}  // namespace polhode

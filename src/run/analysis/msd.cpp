@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// Mean-square displacements of centres of mass, with diffusion coefficients.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "convergence_results.hpp"
+#include "curves.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/io/with_error.hpp"
+#include "polhode/measure/displacement.hpp"
+#include "polhode/run/analysis/analysis_summary.hpp"
+
+namespace polhode {
+namespace {
+
+struct PublishedViscosity {
+  std::string_view model;
+  std::string_view value;
+};
+
+// At 298 K and 1 bar, gonzalez2010.
+constexpr PublishedViscosity published[] = {
+    {"tip3p", "0.321 mPa s"}, {"tip4p", "0.494 mPa s"},      {"tip5p", "0.699 mPa s"},
+    {"spce", "0.729 mPa s"},  {"tip4p-2005", "0.855 mPa s"},
+};
+constexpr double published_temperature = 298;  // [K]
+constexpr double near = 5;                     // [K]: the viscosity of water changes by 2 % in 1 K
+
+/// The Yeh-Hummer finite-size correction, to be added to diffusion.
+struct Correction {
+  std::optional<double> value;  ///< [nm²/ps]
+  std::string source;           ///< of the viscosity, "as given"; else why there is none
+};
+
+/// The viscosity [u/(nm ps)] with its source, or why there is none.
+Correction viscosity(const AllFrames& all) {
+  if (all.settings.viscosity) return {all.settings.viscosity, "as given"};
+  const auto& parts = all.analysis.topology.parts;
+  const auto known = std::find_if(std::begin(published), std::end(published), [&](const auto& one) {
+    return parts.size() == 1 && parts.front().molecule.name == one.model;
+  });
+  if (known == std::end(published))
+    return {{},
+            "there is no published viscosity for these molecules; give it as 'viscosity', \"0.9 "
+            "mPa s\""};
+  if (!all.temperature || std::abs(*all.temperature - published_temperature) > near)
+    return {{},
+            fmt::format(
+                "the published viscosity of {}, {}, is for {:g} K and 1 bar, gonzalez2010; "
+                "give that at {} as 'viscosity'",
+                known->model, known->value, published_temperature,
+                all.temperature ? fmt::format("{:.4g} K", *all.temperature) : "the temperature")};
+  return {
+      quantity(known->value, Dimension::viscosity, "viscosity"),
+      fmt::format("of {} at {:g} K and 1 bar, gonzalez2010", known->model, published_temperature)};
+}
+
+bool cubic(const Box& box) {
+  const Vec3<double> e = box.edge;
+  return std::max({e.x, e.y, e.z}) <= box.shortest_edge() * (1 + 1e-4);
+}
+
+Correction correction(const AllFrames& all) {
+  if (!cubic(all.analysis.box)) return {{}, "the finite-size correction is for cubic boxes only"};
+  if (!all.temperature)
+    return {{}, "no temperature: the frames have no velocities; give a temperature"};
+  Correction c = viscosity(all);
+  if (c.value)
+    c.value = yeh_hummer_correction(*all.temperature, *c.value,
+                                    std::cbrt(all.analysis.conditions->volume().value));
+  return c;
+}
+
+std::string why_not(const FirstFrames& f) {
+  return f.analysis.topology.size() > 1 ? ""
+                                        : "displacements are relative to the centre of mass of all "
+                                          "molecules, and there is only one molecule";
+}
+
+/// The diffusion coefficient of one kind of molecule, and its line through the displacements.
+struct Diffusion {
+  SeriesEstimate value;  ///< in this box [1e-9 m²/s]
+  Convergence convergence;
+  CurvesFigure::Line line;
+
+  Diffusion(const SeriesEstimate& D, const BlockMeans& squared, double interval,
+            const FitWindow& fit)
+      : value(scaled(D, in_1e9_m2_per_s)),
+        convergence(diffusion_convergence(squared, interval, fit)) {
+    const auto at = [&](double lag) { return fitted_displacement(squared, interval, fit, lag); };
+    line = {"fit: " + (convergence.converged()
+                           ? "D = " + with_error(value.value, known_error(value)) + " × 10⁻⁹ m²/s"
+                           : std::string("D not converged")),
+            {fit.from, fit.to},
+            {at(fit.from), at(fit.to)}};
+  }
+
+  Quantities quantities(const std::string& molecule, const FitWindow& fit,
+                        const Correction& correction) const;
+};
+
+Quantities Diffusion::quantities(const std::string& molecule, const FitWindow& fit,
+                                 const Correction& c) const {
+  const std::string label = "D of " + molecule;
+  SeriesEstimate corrected = value;
+  corrected.value += in_1e9_m2_per_s * c.value.value_or(0);
+  Quantities list = {{"D", "1e-9 m2/s", converging(value, convergence, max_lag)}};
+  if (c.value)
+    list.push_back({"D_without_images", "1e-9 m2/s", converging(corrected, convergence, max_lag)});
+  if (!convergence.converged()) {
+    list.push_back(row(label, not_converged(convergence, max_lag)));
+    return list;
+  }
+  list.push_back(row(label, fmt::format("{} 1e-9 m2/s in this box, lags {:g} to {:g} ps",
+                                        short_text(value), fit.from, fit.to)));
+  list.push_back(row("  in an infinite box",
+                     c.value ? fmt::format("{} 1e-9 m2/s, corrected for finite size (viscosity {})",
+                                           short_text(corrected), c.source)
+                             : "not corrected for finite size: " + c.source));
+  return list;
+}
+
+class Msd : public Observable {
+ public:
+  explicit Msd(const FirstFrames& f) : displacement_(f.analysis.topology, f.lags) {}
+  void add(const State& state, const std::optional<StepError>&, Workers& workers) override {
+    displacement_.add(state, workers);
+  }
+  ObservableResults results(const AllFrames& frames) override;
+
+ private:
+  void note_long_steps(const AllFrames& all) const;
+  Quantities add_part(AnalysisFile& file, std::size_t part, const FitWindow& fit,
+                      const Correction& correction, const AllFrames& all);
+
+  Displacement displacement_;
+};
+
+void Msd::note_long_steps(const AllFrames& all) const {
+  if (displacement_.max_step() > safe_step)
+    all.notes.push_back(
+        fmt::format("centres of mass moved by up to {:.2f} of an edge between frames; beyond {:g} "
+                    "their paths across periodic boundaries are uncertain and displacements may be "
+                    "too short: write frames more often",
+                    displacement_.max_step(), safe_step));
+}
+
+Quantities Msd::add_part(AnalysisFile& file, std::size_t part, const FitWindow& fit,
+                         const Correction& correction, const AllFrames& all) {
+  const Analysis& a = all.analysis;
+  const auto& [molecule, count] = a.topology.parts[part];
+  const BlockMeans means = displacement_.mean_square(part, all.workers);
+  const std::vector<SeriesEstimate> squared = series_estimates(means);
+  CurvesFigure::Panel panel{title_of_part(a, part), {}};
+  draw(panel, "MSD", polhode::add(file.table, of_part(a, part, "msd"), "nm2", squared), squared);
+  Quantities list;
+  const SeriesEstimate D = diffusion(means, a.interval, fit);
+  if (count > 0 && !std::isnan(D.value)) {
+    const Diffusion found(D, means, a.interval, fit);
+    panel.lines.push_back(found.line);
+    list = found.quantities(molecule.name, fit, correction);
+  } else if (count > 0 && part == 0) {
+    all.notes.push_back(
+        fmt::format("no diffusion coefficient: fewer than two lags between {:g} and {:g} ps; the "
+                    "maximum is {:g} ps",
+                    fit.from, fit.to, static_cast<double>(squared.size() - 1) * a.interval));
+  }
+  file.figure.panels.push_back(std::move(panel));
+  return list;
+}
+
+ObservableResults Msd::results(const AllFrames& all) {
+  const Analysis& a = all.analysis;
+  note_long_steps(all);
+  const std::size_t lags = displacement_.mean_square(0, all.workers).mean().size();
+  const double max_lag = static_cast<double>(lags - 1) * a.interval;
+  const FitWindow fit = all.settings.fit.value_or(FitWindow{max_lag / 5, max_lag});
+  const Correction c = correction(all);
+  AnalysisFile file =
+      file_of_lags("msd", lags, a.interval,
+                   {{}, "mean-square displacement of centres of mass", "lag  (ps)", "MSD  (nm²)"});
+  Quantities about = {{"fit", "ps", std::vector{fit.from, fit.to}},
+                      {"viscosity_source", "", c.source}};
+  if (c.value) about.push_back({"finite_size_correction", "1e-9 m2/s", in_1e9_m2_per_s * *c.value});
+  ObservableResults results{.quantities = {{"diffusion", "", std::move(about)}}};
+  for (std::size_t part = 0; part < a.topology.parts.size(); ++part)
+    results.parts.push_back(add_part(file, part, fit, c, all));
+  finish(file.figure, true);
+  results.files.push_back(std::move(file));
+  return results;
+}
+
+}  // namespace
+
+ObservableKind msd() {
+  return {
+      "msd", {"msd"}, true, why_not, [](const FirstFrames& f) { return std::make_unique<Msd>(f); }};
+}
+
+}  // namespace polhode
