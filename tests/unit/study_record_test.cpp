@@ -64,7 +64,7 @@ TEST_CASE("a record of a study is read completely, or refused with the line") {
   const std::string line = "hoa2;0.002;1;1;3e-05;-0.5;0.006;200;297\n";
   const auto read = [&](const std::string& lines) {
     std::istringstream in(head + lines);
-    return read_study_record(in, "runs.csv", provenance);
+    return StudyRecord::read(in, "runs.csv", &provenance);
   };
   REQUIRE(read(line).size() == 1);
   CHECK(read(line)[0].drift == -0.5);
@@ -92,9 +92,10 @@ TEST_CASE("a record of a study is read completely, or refused with the line") {
   refused("\n", "\n", "the same scheme, step and initial configuration as");
   check_error([&] { read("scheme;step\n"); }, {"runs.csv:4", "2 columns", "start over"});
   check_error([&] { read(line + "\x01\n"); }, {"runs.csv:5", "0x01"});
+  const Provenance empty;
   std::istringstream other("# study 0\n" + line), no_head("# study " + text_hash("") + "\n" + line);
-  check_error([&] { read_study_record(other, "runs.csv", provenance); },
+  check_error([&] { StudyRecord::read(other, "runs.csv", &provenance); },
               {"runs.csv:1", "another study", "start over"});
-  check_error([&] { read_study_record(no_head, "runs.csv", {}); },
+  check_error([&] { StudyRecord::read(no_head, "runs.csv", &empty); },
               {"runs.csv:2", "with the column names", "start over"});
 }

@@ -143,10 +143,6 @@ struct CanonicalStudy {
   static constexpr auto figure_of = figure;
   static constexpr auto plot = canonical_plot;
 
-  static std::vector<CanonicalRun> read(std::istream& in, const std::string& path) {
-    return read_canonical_record(in, path);
-  }
-
   const Config& config;
   std::vector<CanonicalMethod> methods = canonical_methods(config.study);
 

@@ -74,7 +74,7 @@ class StudyJob {
   Report from(const std::string& record) const {
     std::ifstream in(record, std::ios::binary);
     if (!in) throw Error(fmt::format("there is no record of a study '{}'; check its name", record));
-    const std::vector<Run> runs = Study::read(in, record);
+    const std::vector<Run> runs = Study::Record::read(in, record);
     check_outputs(files_.tables(), existing_);
     note_known(runs, record);
     Report report = report_of(runs);

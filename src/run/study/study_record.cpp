@@ -1,141 +1,91 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/study/study_record.hpp"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <set>
+#include <array>
 #include <string_view>
-#include <tuple>
 
-#include "polhode/base/output_error.hpp"
 #include "polhode/run/simulation/identity.hpp"
-#include "record_lines.hpp"
+#include "record_columns.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr const char* record_head =
-    "scheme;step [ps];start;stable;R;drift [kJ/mol/ps];rms total [kJ/mol];"
-    "rms potential [kJ/mol];temperature [K];R of rounding;"
-    "translation [K];rotation 1 [K];rotation 2 [K];rotation 3 [K];weight of near forces;"
-    "configurational translation [K];configurational rotation 1 [K];"
-    "configurational rotation 2 [K];configurational rotation 3 [K]";
+constexpr std::array motions = {"translation", "rotation 1", "rotation 2", "rotation 3"};
+
 /// Number of columns in records: without rounding, without temperatures by kind of motion, without
 /// the weight of near forces, without configurational temperatures, and complete.
-constexpr std::size_t first_fields = 9, second_fields = 10, third_fields = 14, fourth_fields = 15,
-                      fields = 19;
+constexpr std::array<std::ptrdiff_t, 5> counts = {9, 10, 14, 15, 19};
 
-std::string record_line(const StudyRun& run) {
-  std::string line =
-      fmt::format("{};{:.17g};{};{};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g};{:.17g}", run.scheme,
-                  run.step, run.start, run.stable ? 1 : 0, run.ratio, run.drift, run.total,
-                  run.potential, run.temperature, run.rounding);
-  if (run.parts) {
-    const auto& [x, y, z] = run.parts->rotation;
-    line += fmt::format(";{:.17g};{:.17g};{:.17g};{:.17g}", run.parts->translation, x, y, z);
-  } else {
-    line += ";;;;";
-  }
-  line += fmt::format(";{:.17g}", run.near_weight);
-  if (!run.configurational) return line + ";;;;";
-  for (const double T : *run.configurational) line += fmt::format(";{:.17g}", T);
-  return line;
-}
-
-/// The number of columns of a record, from its header.
-std::size_t columns(std::string_view head, const Lines& lines) {
-  const auto count = static_cast<std::size_t>(std::count(head.begin(), head.end(), ';')) + 1;
-  if (count == first_fields || count == second_fields || count == third_fields ||
-      count == fourth_fields || count == fields)
-    return count;
-  lines.refuse(
-      fmt::format("the record has {} columns, but records of runs have {}, {}, {}, {} or {}; it is "
-                  "of a later version, so give another output, or start over",
-                  count, first_fields, second_fields, third_fields, fourth_fields, fields));
-}
-
-StudyRun record_run(const RecordFields& line, std::size_t count) {
-  StudyRun run{
-      .scheme = std::string(line[0]),
-      .step = line.amount(1, "step"),
-      .start = line.index(2, "start"),
-      .stable = line.yes(3, "'stable'"),
-      .near_weight = count >= fourth_fields ? line.amount(14, "weight of near forces") : 0};
-  if (!run.stable) return run;
-  run.drift = line.number(5, "drift");
-  run.total = line.amount(6, "fluctuation of the total energy");
-  run.potential = line.amount(7, "fluctuation of the potential energy");
-  // Without forces R is 0/0 and is not read.
-  run.ratio = run.potential > 0 ? line.amount(4, "R") : std::nan("");
-  run.temperature = line.amount(8, "temperature");
-  if (count >= second_fields) run.rounding = line.amount(9, "R of rounding");
-  if (count >= third_fields && !line[10].empty()) {
-    const auto kelvin = [&](std::size_t k) { return line.amount(k, "temperature of a part"); };
-    run.parts = Temperatures{run.temperature, kelvin(10), {kelvin(11), kelvin(12), kelvin(13)}};
-  }
-  if (count == fields && !line[15].empty()) {
-    const auto kelvin = [&](std::size_t k) {
-      return line.number(k, "configurational temperature");
-    };
-    run.configurational = {kelvin(15), kelvin(16), kelvin(17), kelvin(18)};
-  }
-  return run;
-}
-
-/// All runs; the first line identifies the study.
-std::vector<StudyRun> read_runs(std::istream& in, const std::string& path,
-                                const CheckHead& check_head) {
-  std::vector<StudyRun> runs;
-  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and initial configuration
-  read_record(in, path, check_head, columns, [&](const RecordFields& fields, std::size_t count) {
-    StudyRun run = record_run(fields, count);
-    if (!met.emplace(run.scheme, run.step, run.start).second)
-      fields.refuse(
-          "the line has the same scheme, step and initial configuration as an earlier one");
-    runs.push_back(std::move(run));
-  });
-  return runs;
+/// A temperature of one of the motions, which a run may not have.
+template <class Group>
+RecordColumn<StudyRun> of_motion(std::string head, std::string name,
+                                 std::optional<Group> StudyRun::*group, auto at, bool has_sign) {
+  return {std::move(head),
+          std::move(name),
+          [=](const StudyRun& run) {
+            return run.*group ? std::optional<double>(at(*(run.*group))) : std::nullopt;
+          },
+          [=](StudyRun& run, double T) {
+            if (std::isnan(T)) return;
+            if (!(run.*group)) (run.*group).emplace();
+            at(*(run.*group)) = T;
+          },
+          has_sign,
+          false,
+          empty_field};
 }
 
 }  // namespace
+
+template <>
+const std::vector<RecordColumn<StudyRun>>& record_columns() {
+  static const std::vector<RecordColumn<StudyRun>> columns = [] {
+    const char* potential = "fluctuation of the potential energy";
+    std::vector<RecordColumn<StudyRun>> all = {
+        column_of("R", "R", &StudyRun::ratio),
+        column_of("drift [kJ/mol/ps]", "drift", &StudyRun::drift),
+        column_of("rms total [kJ/mol]", "fluctuation of the total energy", &StudyRun::total),
+        column_of("rms potential [kJ/mol]", potential, &StudyRun::potential),
+        column_of("temperature [K]", "temperature", &StudyRun::temperature),
+        column_of("R of rounding", "R of rounding", &StudyRun::rounding)};
+    all[0].absent = [potential](const RecordFields& line, std::size_t k) {
+      return line.number(k + 3, potential) == 0;  // without forces R is 0/0
+    };
+    all[1].has_sign = true;
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      all.push_back(of_motion(
+          fmt::format("{} [K]", motions[k]), "temperature of a part", &StudyRun::parts,
+          [k](auto& T) -> auto& { return k == 0 ? T.translation : T.rotation[k - 1]; }, false));
+    all.push_back(
+        column_of("weight of near forces", "weight of near forces", &StudyRun::near_weight));
+    all.back().always = true;
+    for (std::size_t k = 0; k < motions.size(); ++k)
+      all.push_back(of_motion(
+          fmt::format("configurational {} [K]", motions[k]), "configurational temperature",
+          &StudyRun::configurational, [k](auto& T) -> auto& { return T[k]; }, true));
+    return all;
+  }();
+  return columns;
+}
+
+template <>
+std::size_t field_count<StudyRun>(std::string_view head, const Lines& lines) {
+  const auto count = std::count(head.begin(), head.end(), ';') + 1;
+  if (std::find(counts.begin(), counts.end(), count) == counts.end())
+    lines.refuse(
+        fmt::format("the record has {} columns, but records of runs have {}, {}, {}, {} or {}; it "
+                    "is of a later version, so give another output, or start over",
+                    count, counts[0], counts[1], counts[2], counts[3], counts[4]));
+  return static_cast<std::size_t>(count);
+}
+
+template class RunRecord<StudyRun>;
 
 std::string study_identity(const Config& config, const System& system) {
   const double configurational = config.study.configurational_sample;
   return identity(config, system, {config.study.length, config.study.decorrelate}) +
          (configurational > 0 ? fmt::format(" configurational {}", configurational) : "");
-}
-
-std::vector<StudyRun> read_study_record(std::istream& in, const std::string& path,
-                                        const Provenance& provenance) {
-  return read_runs(in, path, of_this_study(path, provenance));
-}
-
-std::vector<StudyRun> read_any_study_record(std::istream& in, const std::string& path) {
-  return read_runs(in, path, of_any_study(path));
-}
-
-StudyRecord::StudyRecord(const std::string& path, const Provenance& provenance, bool force)
-    : path_(path) {
-  if (!force && std::filesystem::exists(path)) try {
-      std::ifstream in(path, std::ios::binary);
-      known_ = read_study_record(in, path, provenance);
-    } catch (const Error& e) {
-      throw OutputError(e);
-    }
-  write_file(path, [&](std::ostream& out) {
-    out << fmt::format("{}\n# polhode {}, instruction set {}\n{}\n", identity_line(provenance),
-                       provenance.version, provenance.instruction_set, record_head);
-    for (const StudyRun& run : known_) out << record_line(run) << '\n';
-  });
-  out_.open(path, std::ios::app);
-}
-
-void StudyRecord::add(const StudyRun& run) {
-  out_ << record_line(run) << std::endl;
-  if (!out_) throw RunError("'" + path_ + "' could not be written; is the disk full?");
 }
 
 }  // namespace polhode

@@ -130,7 +130,6 @@ struct EnergyStudy {
 
   static constexpr const char* title = "study";
   static constexpr auto identity = study_identity;
-  static constexpr auto read = read_any_study_record;
   static constexpr auto perform = perform_study_runs;
   static constexpr auto table_of = point_table;
   static constexpr auto figure_of = figure;

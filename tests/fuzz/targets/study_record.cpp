@@ -7,5 +7,6 @@
 
 void polhode::fuzz::read(std::string_view text) {
   std::istringstream in{std::string(text)};
-  read_study_record(in, "fuzz-runs.csv", {"1", "", "of the seeds", "scalar", 1});
+  const Provenance provenance{"1", "", "of the seeds", "scalar", 1};
+  StudyRecord::read(in, "fuzz-runs.csv", &provenance);
 }

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+// The columns of a record of runs, each stated once, and the record that writes and reads them.
+#pragma once
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "polhode/base/output_error.hpp"
+#include "polhode/run/study/run_record.hpp"
+#include "record_lines.hpp"
+
+namespace polhode {
+
+/// A number of a run, after its scheme, step, initial configuration, and whether it was stable.
+template <class Run>
+struct RecordColumn {
+  std::string head;                                        ///< with its unit
+  std::string name;                                        ///< in errors
+  std::function<std::optional<double>(const Run&)> value;  ///< nothing: an empty field
+  std::function<void(Run&, double)> set;                   ///< not a number where there is none
+  bool has_sign = false;                                   ///< whether it may be negative
+  bool always = false;                                     ///< also of a run that blew up
+  /// Whether there is no number in a line.
+  std::function<bool(const RecordFields&, std::size_t)> absent = {};
+};
+
+inline constexpr std::size_t first_column = 4;
+inline bool empty_field(const RecordFields& line, std::size_t k) { return line[k].empty(); }
+
+/// A column for a member.
+template <class Run>
+RecordColumn<Run> column_of(std::string head, std::string name, double Run::*member) {
+  return {std::move(head), std::move(name), [member](const Run& run) { return run.*member; },
+          [member](Run& run, double value) { run.*member = value; }};
+}
+
+/// The columns of runs of one kind.
+template <class Run>
+const std::vector<RecordColumn<Run>>& record_columns();
+
+/// The line with the names of the columns.
+template <class Run>
+std::string record_head() {
+  std::string head = "scheme;step [ps];start;stable";
+  for (const auto& column : record_columns<Run>()) head += ";" + column.head;
+  return head;
+}
+
+/// The number of fields of a line, from the line with the names of the columns.
+template <class Run>
+std::size_t field_count(std::string_view head, const Lines& lines);
+
+template <class Run>
+std::string record_line(const Run& run) {
+  std::string line =
+      fmt::format("{};{:.17g};{};{}", run.scheme, run.step, run.start, run.stable ? 1 : 0);
+  for (const auto& column : record_columns<Run>()) {
+    const std::optional<double> value = column.value(run);
+    line += value ? fmt::format(";{:.17g}", *value) : ";";
+  }
+  return line;
+}
+
+template <class Run>
+Run record_run(const RecordFields& line, std::size_t count) {
+  Run run{.scheme = std::string(line[0]),
+          .step = line.amount(1, "step"),
+          .start = line.index(2, "start"),
+          .stable = line.yes(3, "'stable'")};
+  std::size_t k = first_column;
+  for (const auto& column : record_columns<Run>()) {
+    if (k == count) break;
+    const char* name = column.name.c_str();
+    if (run.stable || column.always)
+      column.set(run, column.absent && column.absent(line, k) ? std::nan("")
+                      : column.has_sign                       ? line.number(k, name)
+                                                              : line.amount(k, name));
+    ++k;
+  }
+  return run;
+}
+
+template <class Run>
+std::vector<Run> RunRecord<Run>::read(std::istream& in, const std::string& path,
+                                      const Provenance* provenance) {
+  std::vector<Run> runs;
+  std::set<std::tuple<std::string, double, int>> met;  // scheme, step and initial configuration
+  read_record(in, path, provenance ? of_this_study(path, *provenance) : of_any_study(path),
+              field_count<Run>, [&](const RecordFields& line, std::size_t count) {
+                Run run = record_run<Run>(line, count);
+                if (!met.emplace(run.scheme, run.step, run.start).second)
+                  line.refuse(
+                      "the line has the same scheme, step and initial configuration as an earlier "
+                      "one");
+                runs.push_back(std::move(run));
+              });
+  return runs;
+}
+
+template <class Run>
+RunRecord<Run>::RunRecord(const std::string& path, const Provenance& provenance, bool force)
+    : path_(path) {
+  if (!force && std::filesystem::exists(path)) try {
+      std::ifstream in(path, std::ios::binary);
+      known_ = read(in, path, &provenance);
+    } catch (const Error& e) {
+      throw OutputError(e);
+    }
+  write_file(path, [&](std::ostream& out) {
+    out << fmt::format("{}\n# polhode {}, instruction set {}\n{}\n", identity_line(provenance),
+                       provenance.version, provenance.instruction_set, record_head<Run>());
+    for (const Run& run : known_) out << record_line(run) << '\n';
+  });
+  out_.open(path, std::ios::app);
+}
+
+template <class Run>
+void RunRecord<Run>::add(const Run& run) {
+  out_ << record_line(run) << std::endl;
+  if (!out_) throw RunError("'" + path_ + "' could not be written; is the disk full?");
+}
+
+}  // namespace polhode
