@@ -136,11 +136,13 @@ Quantities flattened(const Quantities& list) {
       note(e->known);
     } else if (const auto* axes = std::get_if<AxisEstimates>(&q.value)) {
       std::vector<double> values, errors;
+      Known worst = Known::yes;
       for (const SeriesEstimate& axis : *axes) {
         values.push_back(axis.value);
         errors.push_back(known_error(axis));
-        note(axis.known);
+        if (axis.known != Known::yes) worst = axis.known;
       }
+      note(worst);
       append(flat, {{q.key, q.unit, values}, {error_key, q.unit, errors}});
     } else {
       flat.push_back(q);

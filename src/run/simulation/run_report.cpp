@@ -12,7 +12,6 @@
 #include "polhode/io/output_units.hpp"
 #include "polhode/io/quantity.hpp"
 #include "polhode/io/with_error.hpp"
-#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 namespace {
@@ -253,21 +252,6 @@ Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
                      {name + "_error", "", k->value.error, "its standard error"}}};
 }
 
-Quantities quantities_of(const RunReport& r) {
-  const RunSummary& s = r.summary;
-  Quantities all = of_settings(r);
-  if (!s.ensemble.settings.constant_energy())
-    all.push_back(row("ensemble", description(s.ensemble.settings)));
-  append(all, conservation_rows(s));
-  append(all, of_conservation(s));
-  append(all, of_shadow(s));
-  append(all, of_averages(s));
-  append(all, of_costs(r));
-  all.push_back(of_guarantee(r.guarantee));
-  all.push_back({"warnings", "", list_of(r.warnings), "what is probably wrong"});
-  return all;
-}
-
 }  // namespace
 
 std::string verdict(const Drift& drift) {
@@ -298,8 +282,23 @@ std::string guarantee_text(const GuaranteeCheck& k) {
   return fmt::format("{}; the accuracy guarantee is {}", found(), text_of(k.guarantee.accuracy));
 }
 
+Quantities run_quantities(const RunReport& r) {
+  const RunSummary& s = r.summary;
+  Quantities all = of_settings(r);
+  if (!s.ensemble.settings.constant_energy())
+    all.push_back(row("ensemble", description(s.ensemble.settings)));
+  append(all, conservation_rows(s));
+  append(all, of_conservation(s));
+  append(all, of_shadow(s));
+  append(all, of_averages(s));
+  append(all, of_costs(r));
+  all.push_back(of_guarantee(r.guarantee));
+  all.push_back({"warnings", "", list_of(r.warnings), "what is probably wrong"});
+  return all;
+}
+
 std::string run_json(const RunReport& report) {
-  return json_text(flattened(quantities_of(report)));
+  return json_text(flattened(run_quantities(report)));
 }
 
 std::string run_text(const RunReport& r) {
@@ -309,7 +308,7 @@ std::string run_text(const RunReport& r) {
              s.molecules, s.steps, r.settings.step * units::fs_per_ps,
              name_of({r.settings.scheme, r.settings.inner}), s.length,
              s.sample * units::fs_per_ps) +
-         text_of(quantities_of(r));
+         text_of(run_quantities(r));
 }
 
 }  // namespace polhode

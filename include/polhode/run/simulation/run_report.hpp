@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polhode/run/adviser/guarantee.hpp"
+#include "polhode/run/quantities.hpp"
 #include "polhode/run/simulation/run_files.hpp"
 #include "polhode/run/simulation/warnings.hpp"
 
@@ -34,6 +35,9 @@ std::string verdict(const Drift& drift);
 
 /// "R = 0.31 ± 0.02 % over 15 ps; the accuracy guarantee is 0.4 %", or the bias.
 std::string guarantee_text(const GuaranteeCheck& check);
+
+/// The results as a list, from which text, JSON and the manual's table follow.
+Quantities run_quantities(const RunReport& report);
 
 /// The results as lines of text, without files and warnings.
 std::string run_text(const RunReport& report);
