@@ -1,47 +1,60 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
+#include <limits>
 
-#include "polhode/io/quantity.hpp"
-#include "polhode/io/with_error.hpp"
+#include "../simulation/averages.hpp"
 #include "polhode/run/prepare/minimisation.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 
 namespace polhode {
 namespace {
 
-using nlohmann::json;
-
-json error_of(const SeriesEstimate& e, double unit) {
-  return e.known == Known::yes ? json(e.error / unit) : json();
+std::string change_of(const Drift& drift) {
+  if (drift.known != Known::yes) return "too short to tell whether it still changes";
+  if (!drift.significant()) return "no longer changing";
+  return drift.rate.value < 0 ? "still falling" : "still rising";
 }
 
-json properties_json(const PreparedProperties& p) {
-  const double bar = unit("bar", Dimension::pressure), density = unit("g/cm3", Dimension::density);
-  const double kg_per_m3 = unit("kg/m3", Dimension::density);
-  const double per_bar = unit("1/bar", Dimension::compressibility);
-  const bool known = p.compressibility.known == Known::yes;
+SeriesEstimate in_kg_per_m3(const SeriesEstimate& density) {
+  return in_unit("kg/m3", Dimension::density, density);
+}
+
+Value value_of(bool known, const char* symbol, Dimension dimension, double value) {
+  return known ? Value(value / unit(symbol, dimension)) : Value();
+}
+
+Quantities of_properties(const PreparationReport& r) {
+  const PreparedProperties& p = *r.properties;
   const RunSummary& s = p.summary;
-  json warnings = json::array();
-  for (const Warning& w : p.warnings)
-    warnings.push_back({{"kind", w.kind}, {"text", w.text}, {"remedy", w.remedy}});
-  return {{"length_ps", s.length},
-          {"density_g_per_cm3", p.density.value / density},
-          {"density_error_g_per_cm3", error_of(p.density, density)},
-          {"density_kg_per_m3", p.density.value / kg_per_m3},
-          {"density_error_kg_per_m3", error_of(p.density, kg_per_m3)},
-          {"compressibility_per_bar", known ? json(p.compressibility.value / per_bar) : json()},
-          {"compressibility_error_per_bar", error_of(p.compressibility, per_bar)},
-          {"temperature_K", s.temperatures.all.value},
-          {"temperature_error_K", error_of(s.temperatures.all, 1)},
-          {"pressure_bar", s.pressure.value / bar},
-          {"pressure_error_bar", error_of(s.pressure, bar)},
-          {"pressure_of_barostat_bar", p.pressure ? json(*p.pressure / bar) : json()},
-          {"potential_kJ_per_mol", s.potential.value},
-          {"potential_error_kJ_per_mol", error_of(s.potential, 1)},
-          {"potential_drift_p_value", s.potential_drift.p_value},
-          {"warnings", warnings}};
+  SeriesEstimate compressibility = in_unit("1/bar", Dimension::compressibility, p.compressibility);
+  if (compressibility.known != Known::yes)
+    compressibility.value = std::numeric_limits<double>::quiet_NaN();
+  const SeriesEstimate density = in_kg_per_m3(p.density);
+  const std::string lattice =
+      r.estimated ? fmt::format(" (lattice: {:.0f})", in_kg_per_m3({r.lattice_density}).value) : "";
+  Quantities list = {
+      {"length", "ps", s.length},
+      {"density", "g/cm3", in_unit("g/cm3", Dimension::density, p.density)},
+      {"density", "kg/m3", density, "", p.pressure ? "density" : "", lattice},
+      {"temperature", "K", s.temperatures.all, "", "temperature"},
+      {"pressure", "bar", in_unit("bar", Dimension::pressure, s.pressure), "", "pressure",
+       p.pressure ? fmt::format(" (barostat: {:g})", *p.pressure / unit("bar", Dimension::pressure))
+                  : ""},
+      {"pressure_of_barostat", "bar",
+       value_of(p.pressure.has_value(), "bar", Dimension::pressure, p.pressure.value_or(0))},
+      {"potential", "kJ/mol", s.potential, "", "potential energy",
+       " per molecule, " + change_of(s.potential_drift)},
+      {"potential_drift_p_value", "", s.potential_drift.p_value},
+      {"compressibility", "1/bar", compressibility},
+      {"warnings", "", list_of(p.warnings)}};
+  if (p.pressure)
+    list.push_back(
+        row("compressibility", compressibility_text(p.compressibility, p.moves_compressibility)));
+  else
+    list.insert(list.begin(),
+                row("density", fmt::format("{:.4g} kg/m3, constant{}", density.value, lattice)));
+  return list;
 }
 
 }  // namespace
@@ -49,33 +62,37 @@ json properties_json(const PreparedProperties& p) {
 std::string compressibility_text(const SeriesEstimate& measured, double in_use) {
   const double scale = 1e-6 * unit("1/bar", Dimension::compressibility);
   if (measured.known == Known::yes)
-    return fmt::format("{} 1e-6/bar, from the fluctuations of the volume",
-                       with_error(measured.value / scale, measured.error / scale));
+    return text_of(scaled(measured, 1 / scale), "1e-6/bar") +
+           ", from the fluctuations of the volume";
   return fmt::format("not known yet; the moves of the barostat assume {:.3g} 1e-6/bar",
                      in_use / scale);
 }
 
+std::string preparation_text(const PreparationReport& r) {
+  return fmt::format("{} molecules, averages of the last {:g} ps\n\n", r.molecules,
+                     r.properties->summary.length) +
+         text_of(of_properties(r));
+}
+
 std::string preparation_json(const PreparationReport& r) {
   const bool lattice = r.lattice_density > 0;
-  return json{
-      {"molecules", r.molecules},
-      {"lattice_density_g_per_cm3",
-       lattice ? json(r.lattice_density / unit("g/cm3", Dimension::density)) : json()},
-      {"lattice_density_kg_per_m3",
-       lattice ? json(r.lattice_density / unit("kg/m3", Dimension::density)) : json()},
-      {"density_estimated", r.estimated},
-      {"minimisation",
-       {{"steps", r.minimisation.steps},
-        {"end", reason(r.minimisation.end)},
-        {"force_kJ_per_mol_nm", r.minimisation.after.force},
-        {"torque_kJ_per_mol", r.minimisation.after.torque}}},
-      {"compressibility_per_bar",
-       r.compressibility > 0 ? json(r.compressibility / unit("1/bar", Dimension::compressibility))
-                             : json()},
-      {"interrupted", !r.properties},
-      {"properties", r.properties ? properties_json(*r.properties) : json()},
-      {"files", r.files}}
-      .dump(2);
+  return json_text(
+      {{"molecules", "", r.molecules},
+       {"lattice_density", "g/cm3",
+        value_of(lattice, "g/cm3", Dimension::density, r.lattice_density)},
+       {"lattice_density", "kg/m3",
+        value_of(lattice, "kg/m3", Dimension::density, r.lattice_density)},
+       {"density_estimated", "", r.estimated},
+       {"minimisation", "",
+        Quantities{{"steps", "", r.minimisation.steps},
+                   {"end", "", reason(r.minimisation.end)},
+                   {"force", "kJ/mol/nm", r.minimisation.after.force},
+                   {"torque", "kJ/mol", r.minimisation.after.torque}}},
+       {"compressibility", "1/bar",
+        value_of(r.compressibility > 0, "1/bar", Dimension::compressibility, r.compressibility)},
+       {"interrupted", "", !r.properties},
+       {"properties", "", r.properties ? Value(flattened(of_properties(r))) : Value()},
+       {"files", "", r.files}});
 }
 
 }  // namespace polhode

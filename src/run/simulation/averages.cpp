@@ -12,11 +12,6 @@
 namespace polhode {
 namespace {
 
-/// An estimate in another unit.
-SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate) {
-  return scaled(estimate, 1 / unit(symbol, dimension));
-}
-
 SeriesEstimate in_bar(const SeriesEstimate& p) { return in_unit("bar", Dimension::pressure, p); }
 SeriesEstimate in_kg_per_m3(const SeriesEstimate& density) {
   return in_unit("kg/m3", Dimension::density, density);
@@ -196,6 +191,21 @@ Quantity of_step_bias(const RunSummary& s) {
 }
 
 }  // namespace
+
+SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate) {
+  return scaled(estimate, 1 / unit(symbol, dimension));
+}
+
+std::vector<Quantities> list_of(const std::vector<Warning>& warnings) {
+  std::vector<Quantities> list;
+  for (const Warning& w : warnings)
+    list.push_back({{"kind", "", w.kind},
+                    {"value", "", w.value},
+                    {"bound", "", w.bound},
+                    {"text", "", w.text},
+                    {"remedy", "", w.remedy}});
+  return list;
+}
 
 Quantities of_averages(const RunSummary& s) {
   const DegreesOfFreedom& n = s.degrees_of_freedom;

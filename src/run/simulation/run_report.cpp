@@ -225,17 +225,6 @@ Quantities of_costs(const RunReport& r) {
       {"instruction_set", "", r.execution.instruction_set, "instruction set of the kernels"}};
 }
 
-std::vector<Quantities> list_of(const std::vector<Warning>& warnings) {
-  std::vector<Quantities> list;
-  for (const Warning& w : warnings)
-    list.push_back({{"kind", "", w.kind},
-                    {"value", "", w.value},
-                    {"bound", "", w.bound},
-                    {"text", "", w.text},
-                    {"remedy", "", w.remedy}});
-  return list;
-}
-
 /// Null without a bound that was asked for.
 Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
   if (!k) return {"guarantee", "", {}};

@@ -69,6 +69,9 @@ PreparationReport prepare(const Config& config, const OutputOptions& options = {
 /// @param in_use  the compressibility that sets the size of the moves [nm³ mol/kJ]
 std::string compressibility_text(const SeriesEstimate& measured, double in_use);
 
+/// The properties as lines of text, without files and warnings.
+std::string preparation_text(const PreparationReport& report);
+
 /// The report as JSON. Names contain units, as in "density_g_per_cm3".
 std::string preparation_json(const PreparationReport& report);
 
