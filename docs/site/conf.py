@@ -21,7 +21,7 @@ release = version = re.search(r"project\(polhode VERSION ([0-9.]+)", (ROOT / "CM
 extensions = ["myst_parser", "sphinx.ext.autodoc", "sphinx.ext.napoleon", "sphinx.ext.mathjax", "sphinx_design",
               "sphinx_copybutton"]
 include_patterns = ["index.md", "docs/**", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md",
-                    "LICENSES.md", "bench/**.md", "tests/**.md", "data/**.md", "python/*.md"]
+                    "LICENSES.md", "bench/**.md", "studies/**.md", "tests/**.md", "data/**.md", "python/*.md"]
 exclude_patterns = ["docs/site"]
 nitpicky = True
 nitpick_ignore_regex = [("py:class", r"(?!polhode\.[^_]).*")]  # types of other packages

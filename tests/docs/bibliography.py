@@ -21,7 +21,7 @@ NOT_PROSE = re.compile(r"^```.*?^```|`[^`\n]*`|\]\([^)\s]*\)", re.S | re.M)
 ENTRY = re.compile(r"@\w+\s*\{\s*([^,\s]+)\s*,(.*?)\n\}", re.S)
 FIELD = re.compile(r"^\s*(\w+)\s*=\s*\{(.*)\},?$", re.M)
 ACCENTS = {"`": "\u0300", "'": "\u0301", "^": "\u0302", "~": "\u0303", '"': "\u0308", "c": "\u0327"}
-NOT_CHECKED = ("bench/results", "third_party", "build", "docs/bibliography.md", "CHANGELOG.md")
+NOT_CHECKED = ("bench/results", "studies/records", "third_party", "build", "docs/bibliography.md", "CHANGELOG.md")
 TITLE = """# Bibliography
 
 Made from [references.bib](references.bib) by `tests/docs/bibliography.py --write`.

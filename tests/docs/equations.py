@@ -11,7 +11,7 @@ import sys
 from pathlib import Path
 
 PAGES = {"docs/theory.md": "", "docs/theory-rotor.md": "R"}  # with the letter before their numbers
-CITING = ("docs", "README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "include", "src", "cli", "tests", "bench", "examples")
+CITING = ("docs", "README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "include", "src", "cli", "tests", "bench", "studies", "examples")
 BLOCK = re.compile(r"^```math\n(.*?)\n```", re.S | re.M)
 TAG = re.compile(r"\s*\\tag\{(\w+)\}")
 NUMBER = r"\((R?\d+)\)"

@@ -12,13 +12,13 @@ import sys
 from collections import defaultdict
 from pathlib import Path
 
-NOT_CHECKED = ("bench/results", "build", "third_party", "CHANGELOG.md", "docs/glossary.md", "docs/bibliography.md")
+NOT_CHECKED = ("bench/results", "studies/records", "build", "third_party", "CHANGELOG.md", "docs/glossary.md", "docs/bibliography.md")
 BLOCK = re.compile(r"^```(\w*).*?\n(.*?)^```", re.S | re.M)
 WORDS = {w: str(n) for n, w in enumerate("zero one two three four five six seven eight nine ten eleven twelve".split())}
 WORDS |= {"a": "1", "an": "1", "fifteen": "15", "twenty": "20", "thirty": "30", "half a": "0.5", "half an": "0.5", "a quarter of an": "0.25"}
 NUMBER = r"\d+(?:\.\d+)?|" + "|".join(sorted(WORDS, key=len, reverse=True))
 DURATION = re.compile(rf"(?:\b(a few|(?:{NUMBER})(?: to (?:{NUMBER}))?) )?\b(second|minute|hour)s?\b", re.I)
-COMMAND = re.compile(r"(?:\bpolhode ((?:study|bench|advise|verify|analyze)\b)|\./(demo|test)\b|\b(bench/\w+/\w+\.py))([^#`;]*)")
+COMMAND = re.compile(r"(?:\bpolhode ((?:study|bench|advise|verify|analyze)\b)|\./(demo|test)\b|\b((?:bench/\w+|studies)/\w+\.py))([^#`;]*)")
 FACTS = {  # what is stated: how; the group is the value
     "kelvins by which velocity Verlet at 2 fs cools the rotation of water":
         r"velocity Verlet at 2 fs[^|]{0,60}?rotation(?: of water)? is(?: then)? (\d+) K colder",
@@ -64,7 +64,7 @@ def times_of_line(line):
     options = " --quick" if "--quick" in named[4] else ""
     others = named[4].replace("--quick", "").strip()
     plain = others in ("", "--output figure1")
-    if named[3] and not plain:  # a script of bench takes a time of its own with each choice of options
+    if named[3] and not plain:  # a script of bench or studies takes a time of its own with each choice of options
         name = f"{name} {others}"
     for clause in re.split(r"; ", comment):
         quick = " --quick" if re.match(r"\s*--quick", clause) else "" if "without --quick" in clause else options

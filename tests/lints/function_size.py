@@ -7,7 +7,7 @@ from tree import Finding, files, line_of, main, without_comments
 
 MAX_LINES = 60
 MAX_LAMBDAS = 2  # one within the other
-FOLDERS = ("include", "src", "cli", "python", "lammps", "tests", "bench", "examples")
+FOLDERS = ("include", "src", "cli", "python", "lammps", "tests", "bench", "studies", "examples")
 LITERAL = re.compile(r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'|__attribute__\(\(\w+\)\)'
                      r"|\[\[.*?\]\]|^[ \t]*#(?:\\\n|[^\n])*", re.S | re.M)
 SCOPE = re.compile(r"\b(namespace|struct|class|union|enum|extern|concept)\b")

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 TOP_LEVEL = (".ci", "bench", "cli", "cmake", "data", "docs", "examples", "include", "lammps",
-             "python", "scripts", "src", "tests")
+             "python", "scripts", "src", "studies", "tests")
 CODE = (".hpp", ".cpp", ".py", ".cmake", ".sh")
 
 

@@ -1,0 +1,341 @@
+# SPDX-License-Identifier: MIT
+"""Tables of the time-step bias: means over the runs of a point with standard errors from their scatter, and the cost at which the bias of
+a scheme is as small as required."""
+
+from collections import defaultdict
+from math import exp, hypot, inf, log
+from typing import NamedTuple
+
+import numpy as np
+from lib.runs import number
+from lib.statistics import mean
+from lib.statistics import text as cell
+from lib.study import table
+from numpy.polynomial import Polynomial
+
+KEPT = ("potential_kJ_per_mol", "temperature_K", "temperature_translation_K", "temperature_rotation_K", "pressure_bar", "R",
+        "temperature_configurational_K", "step_bias", "half_steps", "force_evaluations", "degrees_of_freedom_rotation")  # of a report
+# Of one step, in force evaluations: what points are compared by.
+EVALUATIONS = {"velocity-verlet": 1, "hoa2": 2, "bcss3": 3, "gier4-fd": 3, "4mn5fv": 5, "baoab": 1, "obabo": 1}
+KAPPA = 4.6e-5  # 1/bar, of SPC/E water at 298 K
+# What is required: bias [unit], name in the record.
+REQUIRED = {"difference": (0.1, "K"), "potential": (0.01, "kJ/mol"), "pressure": (4, "bar")}
+BIASES = {"difference": "rotation_minus_translation_K", "potential": "potential_kJ_per_mol", "pressure": "pressure_bar"}
+
+
+def cost(point):
+    """Force evaluations per ps."""
+    return 1000 * EVALUATIONS[point.scheme] / point.step
+
+
+def by_point(lines, groups):
+    """The runs of each point of these groups, in the order of points."""
+    found = defaultdict(list)
+    for (point, _), line in lines.items():
+        if point.group in groups:
+            found[point].append(line)
+    return dict(sorted(found.items(), key=lambda item: (item[0].group, item[0].temperature, item[0].ensemble, item[0].scheme, item[0].step)))
+
+
+def of_runs(runs, value):
+    """Mean and standard error of a quantity; None if a run lacks it."""
+    values = [value(run) for run in runs]
+    return None if any(v is None for v in values) else mean(values)
+
+
+def rotation(run):
+    return float(np.mean(run["temperature_rotation_K"]))  # of the three axes, with as many degrees of freedom each
+
+
+def difference(run):
+    """Of the kinetic temperatures of rotation and translation [K]."""
+    return rotation(run) - run["temperature_translation_K"]
+
+
+def configurational(run):
+    """The same of the configurational temperatures [K]."""
+    translation, *axes = [T["value"] for T in run["temperature_configurational_K"]]
+    return float(np.mean(axes)) - translation
+
+
+def predicted(name):
+    """The bias that a run predicts for itself; None where it is not known."""
+    return lambda run: run["step_bias"] and run["step_bias"][BIASES[name]]["value"]
+
+
+def constant_energy(points):
+    """Biases against the step."""
+    head = ["scheme", "step [fs]", "force evaluations per ps", "T_rot − T_trans, seen [K]", "predicted [K]", "configurational [K]",
+            "potential energy, predicted bias [kJ/mol]", "pressure, predicted bias [bar]"]
+    return table(head, [[p.scheme, f"{p.step:g}", f"{cost(p):.0f}", cell(of_runs(runs, difference), 3),
+                         cell(of_runs(runs, predicted("difference")), 3), cell(of_runs(runs, configurational), 2),
+                         cell(of_runs(runs, predicted("potential")), 4), cell(of_runs(runs, predicted("pressure")), 2)]
+                        for p, runs in points.items()])
+
+
+def controlled(points):
+    """Averages of runs with a thermostat."""
+    head = ["thermostat", "scheme", "step [fs]", "force evaluations per ps", "potential energy [kJ/mol]", "predicted bias", "pressure [bar]",
+            "predicted bias", "T_trans, T_rot, kinetic [K]", "configurational [K]"]
+    kelvin = lambda runs, *values: ", ".join(cell(of_runs(runs, value), 2) for value in values)
+    place = lambda k: lambda run: float(np.mean([T["value"] for T in run["temperature_configurational_K"]][slice(1, 4) if k else slice(0, 1)]))
+    return table(head, [[p.ensemble, p.scheme, f"{p.step:g}", f"{cost(p):.0f}",
+                         cell(of_runs(runs, lambda run: run["potential_kJ_per_mol"]), 4), cell(of_runs(runs, predicted("potential")), 4),
+                         cell(of_runs(runs, lambda run: run["pressure_bar"]), 1), cell(of_runs(runs, predicted("pressure")), 1),
+                         kelvin(runs, lambda run: run["temperature_translation_K"], rotation), kelvin(runs, place(0), place(1))]
+                        for p, runs in points.items()])
+
+
+def density(run):
+    return run["density_kg_per_m3"]["value"]
+
+
+def density_bias(run):
+    """[kg/m³]: of the volume, with the other sign; None for a scheme of fourth order, which has no prediction at constant pressure."""
+    if not run["step_bias"]:
+        return None
+    return -density(run) * run["step_bias"]["volume_nm3"]["value"] / run["volume_nm3"]["value"]
+
+
+def unbiased_density(run):
+    """What is left of the density without the predicted bias; None where that is not known."""
+    bias = density_bias(run)
+    return None if bias is None else density(run) - bias
+
+
+def densities(points):
+    head = ["T [K]", "scheme", "step [fs]", "density [kg/m³]", "predicted bias [kg/m³]", "without it [kg/m³]"]
+    return table(head, [[f"{p.temperature:g}", p.scheme, f"{p.step:g}", cell(of_runs(runs, density), 2), cell(of_runs(runs, density_bias), 2),
+                         cell(of_runs(runs, unbiased_density), 2)] for p, runs in points.items()])
+
+
+LIMIT = "limit of short steps"
+
+
+def name_of(p):
+    return f"{p.scheme}, {p.step:g} fs"
+
+
+def limit_densities(points):
+    """[(T, density, error)] without the bias of the step, from all runs that predict theirs."""
+    corrected = defaultdict(list)
+    for p, runs in points.items():
+        corrected[p.temperature] += [unbiased_density(run) for run in runs if run["step_bias"]]
+    return [(T, *mean(values)) for T, values in sorted(corrected.items()) if values]
+
+
+def density_biases(points):
+    """By scheme and step: [(T, predicted bias, error)]; of one run the error that it states."""
+    curves = defaultdict(list)
+    for p, runs in points.items():
+        if (bias := of_runs(runs, density_bias)) is None:
+            continue
+        value, error = bias
+        if error == inf:
+            error = density(runs[0]) * runs[0]["step_bias"]["volume_nm3"]["error"] / runs[0]["volume_nm3"]["value"]
+        curves[name_of(p)].append((p.temperature, value, error))
+    return dict(curves)
+
+
+def own_densities(points):
+    """By scheme and step: [(T, density, error)] of schemes without a prediction."""
+    curves = defaultdict(list)
+    for p, runs in points.items():
+        if of_runs(runs, density_bias) is None:
+            curves[name_of(p)].append((p.temperature, *of_runs(runs, density)))
+    return dict(curves)
+
+
+def density_fit(T, densities):
+    """A least-squares cubic: water is lost faster on the cold side of the maximum than on the warm one, and a parabola misses the
+    densities of this study by more than their errors (chi squared 21 with 4 degrees of freedom; cubic: 4 with 3)."""
+    return Polynomial.fit(T, densities, 3)
+
+
+def bias_fit(T, biases):
+    return Polynomial.fit(T, biases, 2)
+
+
+def maximum(curve):
+    """The temperature at which a fit is highest, within the temperatures of its points."""
+    low, high = curve.domain
+    flat = [root.real for root in curve.deriv().roots() if abs(root.imag) < 1e-9 and low < root.real < high]
+    return float(max([low, high, *flat], key=curve))
+
+
+def spread(drawn):
+    """Half of the interval that holds 68 % of the draws: a few of them have curves without a maximum."""
+    return float(np.diff(np.percentile(drawn, (16, 84)))[0] / 2)
+
+
+class Maximum(NamedTuple):
+    """Of a curve: (value, error) of its place, how far the step moves it [K], and what the step changes in the density, the mean over
+    temperatures [%]; `fit` is the curve."""
+    place: tuple
+    moved: tuple | None
+    change: tuple | None
+    fit: Polynomial
+
+
+def maxima_of(points, draws=2000):
+    """By curve, the limit first: its maximum, with errors from curves drawn within the errors of their points. The curve of a scheme
+    with a prediction is the fit of the limit plus the fit of its bias, and is drawn with the drawn limit; curves of their own do not
+    depend on it."""
+    random = np.random.default_rng(1)
+    drawn = lambda value, error: value + error * random.standard_normal((draws, len(value)))
+    T, limit, error = map(np.array, zip(*limit_densities(points)))
+    limits, fit = drawn(limit, error), density_fit(T, limit)
+    fits = [density_fit(T, one) for one in limits]
+    tops = np.array([maximum(one) for one in fits])
+    result = {LIMIT: Maximum((maximum(fit), spread(tops)), None, None, fit)}
+
+    def add(name, curve, many, change, changes):
+        place = np.array([maximum(one) for one in many])
+        result[name] = Maximum((maximum(curve), spread(place)), (maximum(curve) - maximum(fit), spread(place - tops)),
+                               (100 * float(change.mean()), spread(100 * changes.mean(axis=1))), curve)
+
+    for name, curve in own_densities(points).items():
+        if len(curve) == len(T):
+            _, value, error = map(np.array, zip(*curve))
+            own = drawn(value, error)
+            add(name, density_fit(T, value), [density_fit(T, one) for one in own], value / limit - 1, own / limits - 1)
+    for name, curve in density_biases(points).items():
+        if len(curve) == len(T):
+            _, value, error = map(np.array, zip(*curve))
+            biases = drawn(value, error)
+            add(name, fit + bias_fit(T, value), [f + bias_fit(T, one) for f, one in zip(fits, biases)], value / limit, biases / limits)
+    return result
+
+
+def maxima(points, draws=2000):
+    """Temperatures of the maxima, how far the step moves them, and what it changes in the density."""
+    row = lambda name, m: [name, cell(m.place, 1), cell(m.moved, 1), cell(m.change, 3)]
+    return table(["", "maximum of the density [K]", "moved by the step [K]", "density, mean over temperatures [%]"],
+                 [row(name, m) for name, m in maxima_of(points, draws).items()])
+
+
+def cost_at(curve, bound):
+    """Force evaluations per ps at which the bias is as large as the bound, from (cost, bias) by the power law between two points, or
+    of the two nearest points beyond them; None if it has no two points."""
+    curve = sorted((c, abs(b)) for c, b in curve)
+    if len(curve) < 2:
+        return None
+    pairs = list(zip(curve, curve[1:]))
+    (c1, b1), (c2, b2) = next((pair for pair in pairs if pair[0][1] >= bound >= pair[1][1]), pairs[0] if curve[0][1] < bound else pairs[-1])
+    return exp(log(c1) + log(bound / b1) * log(c2 / c1) / log(b2 / b1)) if b1 != b2 else None
+
+
+def costs(points):
+    """By scheme: the cost at which the predicted bias of each quantity is as large as required."""
+    curves = defaultdict(lambda: defaultdict(list))
+    for p, runs in points.items():
+        for name in REQUIRED:
+            curves[p.scheme][name].append((cost(p), of_runs(runs, predicted(name))[0]))
+    head = ["scheme", *(f"{name}: {bound:g} {unit}" for name, (bound, unit) in REQUIRED.items())]
+    number = lambda x: "" if x is None else f"{x:.0f}"
+    return table(head, [[scheme, *(number(cost_at(curve[name], REQUIRED[name][0])) for name in REQUIRED)] for scheme, curve in curves.items()])
+
+
+
+def biases(runs, value):
+    """The mean over runs of a predicted bias, with the error that the runs state: too few runs for that of their scatter."""
+    known = [value(run) for run in runs]
+    if any(k is None or k["error"] is None for k in known):
+        return None
+    return sum(k["value"] for k in known) / len(known), hypot(*(k["error"] for k in known)) / len(known)
+
+
+def peak(pair, name):
+    return lambda run: run["analysis"]["rdf"][pair].get("step_bias", {}).get(name)
+
+
+def dielectric(run):
+    return run["analysis"]["dielectric"].get("step_bias", {}).get("constant")
+
+
+def structure(points):
+    """What the step changes in averages over frames, as runs predict it."""
+    head = ["ensemble", "scheme", "step [fs]", "force evaluations per ps", "ε", "first peak of g(r), O–O", "first peak of g(r), O–H"]
+    return table(head, [[p.ensemble, p.scheme, f"{p.step:g}", f"{cost(p):.0f}", cell(biases(runs, dielectric), 2),
+                         cell(biases(runs, peak(0, "peak_height")), 4), cell(biases(runs, peak(1, "peak_height")), 4)] for p, runs in points.items()])
+
+
+def structure_seen(points):
+    """Averages over frames themselves."""
+    height = lambda pair: lambda run: run["analysis"]["rdf"][pair]["peak_height"]["value"]
+    dielectric = lambda run: number(run["analysis"]["dielectric"]["constant"])
+    head = ["ensemble", "scheme", "step [fs]", "force evaluations per ps", "ε", "first peak of g(r), O–O", "first peak of g(r), O–H"]
+    return table(head, [[p.ensemble, p.scheme, f"{p.step:g}", f"{cost(p):.0f}", cell(of_runs(runs, dielectric), 0),
+                         cell(of_runs(runs, height(0)), 3), cell(of_runs(runs, height(1)), 3)] for p, runs in points.items()])
+
+
+def slope(curve):
+    """(slope, error) of the weighted line through (x, y, error)."""
+    x, y, error = map(np.array, zip(*curve))
+    (value, _), covariance = np.polyfit(x, y, 1, w=1 / error, cov="unscaled")
+    return float(value), float(covariance[0, 0] ** 0.5)
+
+
+def compressibilities(points):
+    """From the bias of the pressure at three densities."""
+    curves = defaultdict(list)
+    for p, runs in points.items():
+        curves[p.scheme, p.step].append((p.density / 0.998, *biases(runs, lambda run: run["step_bias"]["pressure_bar"])))
+    rows = []
+    for (scheme, step), curve in curves.items():
+        change, error = slope(curve) if len(curve) > 1 else (0, inf)
+        rows.append([scheme, f"{step:g}", *(cell((b, e), 1) for _, b, e in sorted(curve)), cell((-100 * KAPPA * change, 100 * KAPPA * error), 2)])
+    return table(["scheme", "step [fs]", *(f"bias of the pressure at {x:g} g/cm³ [bar]" for x in (0.978, 0.998, 1.018)), "hence of κ [%]"], rows)
+
+
+def from_volumes(points):
+    """Compressibilities that runs at constant pressure have, relative to the mean of all schemes at the same temperature, averaged over
+    the temperatures, from whose scatter the errors are."""
+    kappa = {p: mean([run["compressibility_per_bar"]["value"] for run in runs])[0] for p, runs in points.items()}
+    at = {T: np.mean([value for p, value in kappa.items() if p.temperature == T]) for T in {p.temperature for p in kappa}}
+    ratios = defaultdict(list)
+    for p, value in kappa.items():
+        ratios[p.scheme, p.step].append(100 * (value / at[p.temperature] - 1))
+    return table(["scheme", "step [fs]", "κ against the mean of all [%]"],
+                 [[scheme, f"{step:g}", cell(mean(values), 1)] for (scheme, step), values in ratios.items()])
+
+
+def starts(points):
+    """Differences of temperatures without a bias of the step."""
+    head = ["start", "runs", "length [ps]", "T_rot − T_trans, seen [K]", "predicted [K]", "configurational [K]"]
+    return table(head, [[p.ensemble, str(len(runs)), f"{p.length:g}", cell(of_runs(runs, difference), 3), cell(of_runs(runs, predicted("difference")), 3),
+                         cell(of_runs(runs, configurational), 3)] for p, runs in points.items()])
+
+
+def friction(points):
+    """Langevin thermostats: averages against friction."""
+    half = lambda run: (run["half_steps"]["temperature_translation_K"], sum(run["half_steps"]["temperature_rotation_K"]) / 3) if run["half_steps"] else None
+    places = [lambda run, k=k: [T["value"] for T in run["temperature_configurational_K"]][k] if k == 0
+              else sum(T["value"] for T in run["temperature_configurational_K"][1:]) / 3 for k in (0, 1)]
+    pair = lambda runs, values: ", ".join(cell(of_runs(runs, value), 2) for value in values)
+    halves = lambda runs: pair(runs, [lambda run, k=k: half(run)[k] for k in (0, 1)]) if half(runs[0]) else ""
+    head = ["scheme", "step [fs]", "friction", "potential energy [kJ/mol]", "pressure [bar]", "T_trans, T_rot of full steps [K]", "of half steps [K]",
+            "configurational [K]"]
+    order = sorted(points, key=lambda p: (p.scheme, p.step, float(p.ensemble[10:].removesuffix("/ps") or 1)))
+    return table(head, [[p.scheme, f"{p.step:g}", (p.ensemble[10:] or "1/ps"), cell(of_runs(points[p], lambda run: run["potential_kJ_per_mol"]), 4),
+                         cell(of_runs(points[p], lambda run: run["pressure_bar"]), 1),
+                         pair(points[p], [lambda run: run["temperature_translation_K"], rotation]), halves(points[p]), pair(points[p], places)]
+                        for p in order])
+
+
+def report(points):
+    """The tables of the groups that have runs."""
+    of = lambda *groups: {p: runs for p, runs in points.items() if p.group in groups}
+    several = of("density") if len({p.temperature for p in of("density")}) > 3 else {}
+    parts = []
+    for title, make, chosen in (("Constant energy", constant_energy, of("energy", "quick")),
+                                ("Force evaluations per ps for a required bias", costs, of("energy", "quick")),
+                                ("Starts", starts, of("starts")), ("Constant temperature", controlled, of("canonical")),
+                                ("Friction", friction, of("friction")), ("Structure", structure, of("properties")),
+                                ("Structure with Langevin thermostats", structure_seen, of("structure")),
+                                ("Compressibility", compressibilities, of("compression")),
+                                ("Compressibility from volumes", from_volumes, of("density")),
+                                ("Density", densities, of("density")), ("Temperature of maximum density", maxima, several)):
+        if chosen:
+            parts += [f"### {title}\n", make(chosen)]
+    return "\n".join(parts)

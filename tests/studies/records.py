@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: MIT
+"""The stored figures are those that the studies draw from the stored records, and the documents agree with the records."""
+
+import json
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import built_program
+
+import all_schemes
+from lib import figures
+
+ROOT = built_program.ROOT
+RECORDS = ROOT / "studies/records"
+FIGURES = {  # study: record, option of --figure, images in docs/
+    "half_femtosecond": ("2026-11-23-half-femtosecond.jsonl", ".", ("half-femtosecond/bias.svg", "half-femtosecond/density.svg")),
+    "all_schemes": ("2026-11-21-all-schemes.json", "all-schemes.svg", ("all-schemes/all-schemes.svg",)),
+    "multiple_time_steps": ("2026-11-21-nested.json", "nested.svg", ("nested/nested.svg",)),
+    "accuracy": ("2026-11-21-accuracy.json", "accuracy.svg", ("accuracy/accuracy.svg",)),
+    "precision": ("2026-11-21-precision.json", "precision.svg", ("precision/precision.svg",)),
+    "liquids": ("2026-11-21-liquids.json", "radial.svg", ("liquids/radial.svg",)),
+}
+NUMBER = re.compile(r"-?\d+\.\d+")
+
+
+class Figures(unittest.TestCase):
+    def test_redrawn(self):
+        for study, (record, option, images) in FIGURES.items():
+            with self.subTest(study), tempfile.TemporaryDirectory() as folder:
+                done = subprocess.run([sys.executable, "-B", ROOT / f"studies/{study}.py", "--report", "--record", RECORDS / record, "--figure", option],
+                                      cwd=folder, text=True, capture_output=True, check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                for image in images:
+                    new, stored = (path.read_text(encoding="utf-8") for path in (Path(folder, Path(image).name), ROOT / "docs" / image))
+                    self.assertTrue(NUMBER.sub("", new) == NUMBER.sub("", stored), f"docs/{image} is another figure")
+                    for a, b in zip(NUMBER.findall(new), NUMBER.findall(stored)):
+                        self.assertAlmostEqual(float(a), float(b), delta=0.01, msg=image)  # points of 1/72 inch
+
+    def test_a_scheme_has_its_colour_in_all_figures(self):
+        for _, _, images in FIGURES.values():
+            for image in images:
+                text = (ROOT / "docs" / image).read_text(encoding="utf-8")
+                named = [name.split(",")[0] for name in re.findall(r"<text[^>]*>([a-z0-9-]+(?:, [^<]*)?)</text>", text)]
+                schemes = [name for name in named if name in ("velocity-verlet", "hoa2", "gier4", "gier4-fd", "bcss3", "4mn5fv")]
+                for scheme, style in figures.styles(schemes).items():
+                    self.assertIn(style.color.lower(), text, f"{image}: {scheme}")
+                if "radial" not in image:
+                    self.assertGreater(len(schemes), 2, image)
+
+
+class AllSchemes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.stored = json.loads((RECORDS / FIGURES["all_schemes"][0]).read_text(encoding="utf-8"))
+        cls.page = (ROOT / "docs/all-schemes.md").read_text(encoding="utf-8")
+
+    def test_the_page_names_the_number_of_runs_that_the_points_have(self):
+        for system, of in self.stored["systems"].items():
+            runs, = re.findall(rf"--systems {system} --runs (\d+)", self.page)
+            self.assertEqual({p["runs"] for p in of["points"]}, {int(runs)}, system)
+
+    def test_the_ranking_and_the_page_are_what_the_points_say(self):
+        listed = subprocess.run([built_program.PROGRAM, "schemes", "--json"], text=True, capture_output=True, check=True).stdout
+        orders = {s["name"]: s["order"] for s in json.loads(listed)}
+        again = {system: {"ranking": all_schemes.ranking(of["points"], orders)} for system, of in self.stored["systems"].items()}
+        for row in all_schemes.report({"systems": again}).splitlines():
+            self.assertIn(row, self.page)
+
+
+if __name__ == "__main__":
+    built_program.main()
