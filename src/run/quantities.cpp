@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -114,6 +113,27 @@ std::string documented(const Quantities& list, const std::string& prefix) {
 }
 
 }  // namespace
+
+// Here, where the quantities of a group are complete.
+Value::Value() = default;
+Value::Value(bool yes) : AnyValue(yes) {}
+Value::Value(std::int64_t count) : AnyValue(count) {}
+Value::Value(double number) : AnyValue(number) {}
+Value::Value(const char* text) : AnyValue(std::string(text)) {}
+Value::Value(std::string text) : AnyValue(std::move(text)) {}
+Value::Value(std::vector<double> numbers) : AnyValue(std::move(numbers)) {}
+Value::Value(std::vector<std::string> texts) : AnyValue(std::move(texts)) {}
+Value::Value(const SeriesEstimate& estimate) : AnyValue(estimate) {}
+Value::Value(const AxisEstimates& estimates) : AnyValue(estimates) {}
+Value::Value(std::vector<std::optional<SeriesEstimate>> estimates)
+    : AnyValue(std::move(estimates)) {}
+Value::Value(Quantities group) : AnyValue(std::move(group)) {}
+Value::Value(std::vector<Quantities> list) : AnyValue(std::move(list)) {}
+Value::Value(const Value&) = default;
+Value::Value(Value&&) noexcept = default;
+Value& Value::operator=(const Value&) = default;
+Value& Value::operator=(Value&&) noexcept = default;
+Value::~Value() = default;
 
 Quantity row(std::string label, std::string text) {
   return {"", "", std::move(text), "", std::move(label)};

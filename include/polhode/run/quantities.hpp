@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -29,19 +28,25 @@ using AnyValue =
 
 /// What a quantity is: a number, a text, an estimate, a group of quantities, or a list of them.
 struct Value : AnyValue {
-  Value() = default;  ///< null
-  Value(bool yes) : AnyValue(yes) {}
-  Value(std::integral auto count) : AnyValue(static_cast<std::int64_t>(count)) {}
-  Value(double number) : AnyValue(number) {}
-  Value(const char* text) : AnyValue(std::string(text)) {}
-  Value(std::string text) : AnyValue(std::move(text)) {}
-  Value(std::vector<double> numbers) : AnyValue(std::move(numbers)) {}
-  Value(std::vector<std::string> texts) : AnyValue(std::move(texts)) {}
-  Value(const SeriesEstimate& estimate) : AnyValue(estimate) {}
-  Value(const AxisEstimates& estimates) : AnyValue(estimates) {}
-  Value(std::vector<std::optional<SeriesEstimate>> estimates) : AnyValue(std::move(estimates)) {}
-  Value(Quantities group) : AnyValue(std::move(group)) {}
-  Value(std::vector<Quantities> list) : AnyValue(std::move(list)) {}
+  Value();  ///< null
+  Value(bool yes);
+  Value(std::int64_t count);
+  Value(std::integral auto count) : Value(static_cast<std::int64_t>(count)) {}
+  Value(double number);
+  Value(const char* text);
+  Value(std::string text);
+  Value(std::vector<double> numbers);
+  Value(std::vector<std::string> texts);
+  Value(const SeriesEstimate& estimate);
+  Value(const AxisEstimates& estimates);
+  Value(std::vector<std::optional<SeriesEstimate>> estimates);
+  Value(Quantities group);
+  Value(std::vector<Quantities> list);
+  Value(const Value&);
+  Value(Value&&) noexcept;
+  Value& operator=(const Value&);
+  Value& operator=(Value&&) noexcept;
+  ~Value();
 };
 
 /// One result with all that is needed to show it.

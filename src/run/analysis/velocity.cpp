@@ -2,7 +2,6 @@
 // Autocorrelation of velocities and angular velocities, with spectra and diffusion coefficients.
 #include <fmt/core.h>
 
-#include <array>
 #include <cstring>
 
 #include "convergence_results.hpp"
