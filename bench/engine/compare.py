@@ -17,12 +17,9 @@ import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
-import step_figure
-
 ROOT = Path(__file__).resolve().parents[2]
-sys.path.append(str(ROOT / "bench"))
-import machine  # noqa: E402
-import records  # noqa: E402
+sys.path += [str(ROOT / "bench"), str(ROOT / "studies")]
+from lib import study  # noqa: E402
 
 FORCES = {"reaction-field": 'electrostatics = "reaction-field"\ntruncation = "molecule-switch"',
           "site-switch": 'electrostatics = "reaction-field"\ntruncation = "site-switch"',
@@ -90,7 +87,7 @@ def arguments():
     if o.figures and len(o.precisions) * len(o.sets) > 1:
         p.error("--figures: give one precision and one instruction set")
     o.json, o.figures = o.json and o.json.resolve(), o.figures and o.figures.resolve()
-    o.polhode, o.base_program = machine.program(o.polhode), base_program(o.base)
+    o.polhode, o.base_program = study.program(o.polhode), base_program(o.base)
     return o
 
 
@@ -102,7 +99,7 @@ def copies(size):
 def base_program(base):
     """The program at that path, or that of a commit, built in build/base-COMMIT."""
     if Path(base).is_file():
-        return machine.program(base)
+        return study.program(base)
     git = lambda *words: subprocess.run(["git", "-C", ROOT, *words], check=True, text=True, stdout=subprocess.PIPE).stdout.strip()
     commit = git("rev-parse", "--short", "--verify", base + "^{commit}")
     folder = ROOT / "build" / f"base-{commit}"
@@ -199,7 +196,7 @@ def cases(o):
 
 def main():
     o = arguments()
-    result = {"date": datetime.date.today().isoformat(), "processor": machine.processor(), "base": Path(o.base).name,
+    result = {"date": datetime.date.today().isoformat(), "processor": study.processor(), "base": Path(o.base).name,
               "time": "user" if o.cpu_time else "wall-clock", "rounds": o.rounds, "cases": []}
     print(f"{'forces':>14} {'precision':>9} {'waters':>7} {'set':>7} {'threads':>7} | ms a step: base, now | times faster (range of {o.rounds})")
     with tempfile.TemporaryDirectory() as folder:
@@ -213,9 +210,10 @@ def main():
                   f"{r['base_ms']:.4g}, {r['now_ms']:.4g} | {r['faster']:.3f} ({r['range'][0]:.3f} to {r['range'][1]:.3f})", flush=True)
         os.chdir(ROOT)
     if o.json:
-        records.write(o.json, result)
+        study.write(o.json, result)
     if o.figures:
-        step_figure.draw(result, o.figures)
+        import figures  # only here: measurements need no matplotlib
+        figures.steps(result, o.figures)
 
 
 def liquid(o):

@@ -13,7 +13,7 @@ import tempfile
 import time
 from pathlib import Path
 
-import figure
+sys.path.append(str(Path(__file__).resolve().parents[1]))
 
 # The same water as that of `polhode bench`, on a lattice; a few short steps, to measure the memory of a run.
 RUN = """[system]
@@ -53,7 +53,6 @@ def arguments():
     p.add_argument("--quick", action="store_true", help="small systems, short repeats")
     p.add_argument("--json", type=Path, metavar="FILE", help="write all results to this file")
     p.add_argument("--figures", type=Path, metavar="PREFIX", help="draw PREFIX-sizes.svg and PREFIX-threads.svg")
-    p.add_argument("--format", choices=("svg", "png"), default="svg", help="format of the figures (svg)")
     p.add_argument("--polhode", default="polhode", help="path of polhode")
     o = p.parse_args()
     o.sizes = o.sizes or ([512, 1000] if o.quick else [512, 4096, 32768, 110592, 884736])
@@ -144,7 +143,8 @@ def main():
     if o.json:
         o.json.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
     if o.figures:
-        figure.draw(result, o.figures, o.format)
+        import figures  # only here: measurements need no matplotlib
+        figures.engine(result, o.figures)
 
 
 if __name__ == "__main__":

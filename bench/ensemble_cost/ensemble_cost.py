@@ -13,8 +13,8 @@ import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
-import machine  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[2] / "studies"))
+from lib import study  # noqa: E402
 
 RUN = """[system]
 molecules = [{{ model = "tip4p", count = 512 }}]
@@ -86,7 +86,7 @@ def main():
     p.add_argument("--rounds", type=int, default=7, help="runs of each (7)")
     o = p.parse_args()
     short = max(o.steps // 400, 1) * 100  # the errors of meshes, which the first boxes need, are computed in it, and kept
-    program = machine.program(o.program)
+    program = study.program(o.program)
     print("| electrostatics | ensemble | scheme, step | constant energy [ms per step] | ratio: median | smallest and largest |\n"
           "| --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as folder:

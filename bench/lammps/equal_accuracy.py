@@ -5,7 +5,8 @@ one particle a molecule, against fix rigid/nve/small with the same law as a tabl
 that is the default of polhode, and which pair styles of LAMMPS do not have.
 
     bench/lammps/equal_accuracy.py --polhode ./polhode --environment FOLDER --plugin polhodeplugin.so --output RESULT.json
-    bench/lammps/equal_accuracy.py --draw RESULT.json FIGURE.svg
+    bench/lammps/equal_accuracy.py --stored RESULT.json
+    bench/figures.py lammps RESULT.json FIGURE.svg
 
 R is measured with 512 waters, the same number of runs from different velocities at each step, and does not depend on the number of
 molecules; the time of a step is measured with 4,096 waters, on one and on two processes, the shortest of several rounds. FOLDER is
@@ -25,11 +26,10 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "tests/lammps"), str(ROOT / "bench/engine"), str(ROOT / "bench")]
+sys.path[:0] = [str(ROOT / "tests/lammps"), str(ROOT / "bench/engine"), str(ROOT / "bench"), str(ROOT / "studies")]
 import compare  # noqa: E402
-import drawing  # noqa: E402
 import engine  # noqa: E402
-import machine  # noqa: E402
+from lib import study  # noqa: E402
 
 RUN = """[system]
 molecules = [{{ model = "tip4p", count = {waters} }}]
@@ -79,7 +79,7 @@ FORMS = {
 class Bench:
     def __init__(self, options, folder):
         self.options, self.folder = options, folder
-        self.program = machine.program(options.polhode)
+        self.program = study.program(options.polhode)
         self.lmp = next(options.environment.resolve().glob("lib/python3*/site-packages/lammps/lmp"))
         self.mpiexec = options.environment.resolve() / "bin/mpiexec"
         self.environment = {**os.environ, "OMP_NUM_THREADS": "1",
@@ -173,7 +173,7 @@ def measure(options):
                     times[f"{form}, {ranks}"].append(bench.milliseconds(form, ranks, 2, steps))
         for name, values in times.items():
             print(f"{name}: {min(values):.3f} ms", flush=True)
-        return {"date": str(datetime.date.today()), "processor": machine.processor(), "R_percent": curves, "ms_per_step": times}
+        return {"date": str(datetime.date.today()), "processor": study.processor(), "R_percent": curves, "ms_per_step": times}
 
 
 def seconds_per_ns(result, scheme, form, ranks, step):
@@ -208,25 +208,6 @@ def report(result):
         print(f"| {ranks} | {wanted:g} % | {scheme} | {form} | {step:.2f} fs | {seconds:.0f} | {faster} |")
 
 
-def draw(result, image):
-    """R against seconds per nanosecond on one process."""
-    shown = [(OTHER, f"{OTHER}, table", drawing.PALETTE[6], 5, OTHER)]
-    looks = drawing.styles([s for s in SCHEMES if s != OTHER])
-    for scheme, look in looks.items():
-        shown.append((scheme, "particles, mixed, site-switch", look.colour, look.open, f"{scheme}, same law"))
-        shown.append((scheme, "particles, mixed, molecule-switch", look.colour, look.filled, f"{scheme}, by molecules"))
-    data, plots = [], []
-    for k, (scheme, form, colour, mark, title) in enumerate(shown):
-        points = [(seconds_per_ns(result, scheme, form, 1, h), r) for h, r in curve_of(result, scheme, form)]
-        data.append(f"$curve{k} << EOD\n" + "\n".join(f"{x:.6g} {y:.6g}" for x, y in points) + "\nEOD")
-        plots.append(f'$curve{k} using 1:2 with linespoints linewidth 1.6 linecolor "{colour}" pointtype {mark} title "{title}"')
-    script = "\n".join([
-        drawing.begin(image, 760, 480), "set logscale xy", 'set xlabel "seconds per nanosecond of 4,096 TIP4P waters, one process"',
-        'set ylabel "R [%]"', "set xrange [500:200000]", "set yrange [0.006:10]", "set key at graph 0.98, graph 0.03 right bottom Left reverse samplen 2 font small", *data,
-        "plot " + ", \\\n  ".join(plots), ""])
-    drawing.draw(script, image)
-
-
 def main():
     p = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     p.add_argument("--polhode", default="polhode", help="the program")
@@ -236,12 +217,10 @@ def main():
     p.add_argument("--rounds", type=int, default=3, help="of timings (3)")
     p.add_argument("--curves", type=Path, help="measure times alone, with R of this result")
     p.add_argument("--output", type=Path)
-    p.add_argument("--draw", nargs=2, type=Path, metavar=("RESULT", "IMAGE"), help="only draw stored results")
+    p.add_argument("--stored", type=Path, metavar="RESULT", help="only print the table of stored results; bench/figures.py draws them")
     options = p.parse_args()
-    if options.draw:
-        result = json.loads(options.draw[0].read_text(encoding="utf-8"))
-        report(result)
-        draw(result, options.draw[1])
+    if options.stored:
+        report(json.loads(options.stored.read_text(encoding="utf-8")))
         return
     result = measure(options)
     if options.output:

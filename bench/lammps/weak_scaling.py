@@ -22,9 +22,9 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "bench/lammps"), str(ROOT / "bench")]
+sys.path[:0] = [str(ROOT / "bench/lammps"), str(ROOT / "bench"), str(ROOT / "studies")]
 import cost  # noqa: E402
-import machine  # noqa: E402
+from lib import study  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 FORMS = {
@@ -114,7 +114,7 @@ def main():
                    help="of the domains on 8 processes: copies of 512 waters along each edge (1,2,3)")
     p.add_argument("--output", type=Path)
     options = p.parse_args()
-    result = {"date": str(datetime.date.today()), "processor": machine.processor(), "steps": options.steps, "rows": []}
+    result = {"date": str(datetime.date.today()), "processor": study.processor(), "steps": options.steps, "rows": []}
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(options, Path(folder))
         cases = [(ranks, 1) for ranks in RANKS] + [(8, size) for size in options.sizes if size > 1]

@@ -14,8 +14,8 @@ from pathlib import Path
 from statistics import median, quantiles
 from subprocess import DEVNULL, PIPE, run
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
-import machine  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[2] / "studies"))
+from lib import study  # noqa: E402
 
 RUN_FILE = """[system]
 molecules = [{{ model = "tip4p", count = {waters} }}]
@@ -111,12 +111,12 @@ def main():
     parser.add_argument("--folder", type=Path, default=Path(tempfile.gettempdir()), help="a folder on the disk to be tested")
     parser.add_argument("--output", type=Path, default=Path(f"{date.today()}-writing"))
     o = parser.parse_args()
-    o.program = machine.program(o.program)
-    result = {"machine": machine.processor(), "date": str(date.today()), "length_ps": o.length, "rounds": o.rounds,
+    o.program = study.program(o.program)
+    result = {"machine": study.processor(), "date": str(date.today()), "length_ps": o.length, "rounds": o.rounds,
               "trajectories": trajectories(o), "checkpoints": checkpoints(o)}
     o.output.with_suffix(".json").write_text(json.dumps(result, indent=1) + "\n")
     o.output.with_suffix(".md").write_text(
-        f"# {date.today()}, {machine.processor()}: what writing costs\n\n`bench/output_cost/output_cost.py --length {o.length:g} "
+        f"# {date.today()}, {study.processor()}: what writing costs\n\n`bench/output_cost/output_cost.py --length {o.length:g} "
         f"--rounds {o.rounds} --waters {o.waters} --steps {o.steps}`\n\n{tables(result)}")
     print(tables(result))
 

@@ -16,12 +16,12 @@ from pathlib import Path
 
 import curves
 import engines
-import figure  # to find the modules shared by the benchmarks
 import gro
-import machine
-import records
 
 ROOT = Path(__file__).resolve().parents[2]
+sys.path += [str(ROOT / "bench"), str(ROOT / "studies")]
+from lib import study  # noqa: E402
+
 TARGETS = (1.5, 0.4, 0.1)  # R [%]
 SCANNED = 512  # molecules in the runs for R, which does not depend on their number
 INTERVAL = 4.0  # [fs], largest interval between energies unless the step is longer
@@ -44,7 +44,7 @@ def arguments():
     p.add_argument("--cutoff", type=float, default=0.9, help="nm (0.9)")
     p.add_argument("--switch", type=float, default=0.765, help="nm, where switches begin (0.765)")
     p.add_argument("--json", type=Path, metavar="FILE", help="write all results to this file")
-    p.add_argument("--figure", type=Path, metavar="FILE", help="draw FILE.svg, or .png, with gnuplot")
+    p.add_argument("--figure", type=Path, metavar="FILE", help="draw FILE.svg, or .png")
     p.add_argument("--polhode", default="polhode", help="path of polhode")
     p.add_argument("--truncation", default="molecule-switch", help="truncation of polhode, as in run files (molecule-switch)")
     p.add_argument("--precision", default="", help="precision of polhode, double or mixed; default: that of run files")
@@ -193,7 +193,7 @@ def main():
         print(f"warning: the load average is {load:.1f}; other work makes these times too long, unevenly")
     versions = {e.name: e.version() for e in programs}
     result = {"date": str(datetime.date.today()), "command": shlex.join(["peers.py", *sys.argv[1:]]),
-              "processor": machine.processor(), "cores": os.cpu_count(), "load_average": load, "versions": versions,
+              "processor": study.processor(), "cores": os.cpu_count(), "load_average": load, "versions": versions,
               "options": {k: v for k, v in vars(options).items() if isinstance(v, (int, float, str, list))},
               "R": {}, "times": [], "costs": []}
     with tempfile.TemporaryDirectory() as scratch:
@@ -216,9 +216,10 @@ def main():
                 result["times"] += report_times(programs, n, threads, measured)
                 result["costs"] += costs(programs, reached, measured, n, threads)
     if options.json:
-        records.write(options.json, result)
+        study.write(options.json, result)
     if options.figure:
-        figure.draw(result, options.figure)
+        import figures  # only here: measurements need no matplotlib
+        figures.peers(result, options.figure)
 
 
 if __name__ == "__main__":

@@ -24,8 +24,8 @@ from pathlib import Path
 import numpy as np
 import polhode
 
-sys.path.append(str(Path(__file__).resolve().parents[1]))
-import machine  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[2] / "studies"))
+from lib import study  # noqa: E402
 
 SHORT = 20  # steps of the shorter run of the program
 STEP = 2  # [fs]
@@ -71,7 +71,7 @@ WAYS = {".run(length)": whole_run, ".run, observer at each step": observed, "loo
 
 
 def steps_table(options, folder):
-    program = machine.program(options.polhode)
+    program = study.program(options.polhode)
     print("| precision | | µs per step | time of the program / this time |\n| --- | --- | --- | --- |")
     for precision in ("mixed", "double"):
         simulations = [polhode.Simulation(settings(precision, options.steps), threads=1) for _ in WAYS]
@@ -143,7 +143,7 @@ def main():
     p.add_argument("--steps", type=int, default=2000)
     p.add_argument("--simulations", type=int, default=10_000)
     options = p.parse_args()
-    print(f"{datetime.date.today()}, {machine.processor()}, {polhode.instruction_set()}, Python {platform.python_version()}, "
+    print(f"{datetime.date.today()}, {study.processor()}, {polhode.instruction_set()}, Python {platform.python_version()}, "
           f"NumPy {np.__version__}\n")
     with tempfile.TemporaryDirectory() as folder:
         steps_table(options, folder)

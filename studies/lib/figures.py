@@ -2,9 +2,11 @@
 """Figures by matplotlib, with the colours and markers of schemes of data/plots/schemes.toml."""
 
 import tomllib
+import warnings
 from typing import NamedTuple
 
-import matplotlib
+warnings.filterwarnings("ignore", message="Unable to import Axes3D")  # the system has another matplotlib
+import matplotlib  # noqa: E402
 
 matplotlib.use("svg")
 import matplotlib.pyplot as plt  # noqa: E402

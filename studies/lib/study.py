@@ -36,11 +36,16 @@ def options(doc, smoke, **own):
         p.set_defaults(**smoke)
     o = p.parse_args()
     o.command = shlex.join([f"studies/{Path(sys.argv[0]).name}", *sys.argv[1:]])
-    o.program = str(Path(o.program).resolve()) if Path(o.program).exists() else o.program
+    o.program = program(o.program)
     if o.folder:
         o.folder = o.folder.resolve()
         o.folder.mkdir(parents=True, exist_ok=True)
     return o
+
+
+def program(name):
+    """A program as typed: a path, made absolute, or a name that the shell finds."""
+    return str(Path(name).resolve()) if Path(name).exists() else name
 
 
 def processor():

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""bench/engine runs, stores its results and draws them."""
+"""bench/engine runs and stores its results."""
 
 import json
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -18,7 +17,7 @@ class Engine(unittest.TestCase):
     def test_quick(self):
         with tempfile.TemporaryDirectory() as folder:
             run = subprocess.run([sys.executable, "-B", ENGINE, "--quick", "--sizes", "512,600", "--threads", "1",
-                                  "--polhode", built_program.PROGRAM, "--json", "numbers.json", "--figures", "picture"],
+                                  "--polhode", built_program.PROGRAM, "--json", "numbers.json"],
                                  cwd=folder, text=True, capture_output=True, check=False)
             self.assertEqual(run.returncode, 0, run.stderr)
             result = json.loads((Path(folder) / "numbers.json").read_text(encoding="utf-8"))
@@ -28,8 +27,6 @@ class Engine(unittest.TestCase):
                 for key in ("force_ns_per_molecule", "step_ns_per_molecule", "bytes_per_molecule", "first_energies_s"):
                     self.assertGreater(s[key], 0, key)
             self.assertEqual(len(result["limits"]), 2)
-            self.assertTrue((Path(folder) / "picture-sizes.gp").exists())
-            self.assertEqual((Path(folder) / "picture-sizes.svg").exists(), bool(shutil.which("gnuplot")))
 
 
 if __name__ == "__main__":

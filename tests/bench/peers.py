@@ -15,7 +15,6 @@ sys.path.insert(0, str(ROOT / "bench/peers"))
 
 import curves
 import engines
-import figure
 import gro
 import logs
 
@@ -184,15 +183,6 @@ class Inputs(unittest.TestCase):
             self.assertTrue((case.folder / "topology").read_text().endswith("SOL 512\n"))
             self.assertRaises(RuntimeError, case.run, sys.executable, "-c", "raise SystemExit(3)")
             self.assertEqual(case.run(sys.executable, "-c", "print(input())", given="4 fs\n"), "4 fs\n")
-
-    def test_figure(self):
-        row = {"molecules": 512, "threads": 1, "R_percent": 1.5, "step_fs": 2.0, "mark": ""}
-        costs = [{**row, "engine": "polhode hoa2", "seconds_per_ns": 200.0},
-                 {**row, "engine": "gromacs", "seconds_per_ns": None}]
-        text = figure.script({"costs": costs}, Path("times.svg"))
-        self.assertIn("$panel0_0 << EOD\n1.5 200\nEOD", text)
-        self.assertEqual(text.count("gromacs does not reach 1.5 %"), 1)
-        self.assertNotIn("${", text)
 
 
 if __name__ == "__main__":

@@ -24,27 +24,35 @@ FIGURES = {  # study: record, option of --figure, images in docs/
     "precision": ("2026-11-21-precision.json", "precision.svg", ("precision/precision.svg",)),
     "liquids": ("2026-11-21-liquids.json", "radial.svg", ("liquids/radial.svg",)),
 }
+BENCH = {  # kind of bench/figures.py: record in bench/results, argument, images in docs/
+    "peers": ("2026-11-21-peers.json", "peers.svg", ("performance/peers.svg",)),
+    "steps": ("2026-11-23-engine-xeon.json", "figure", ("performance/sizes.svg", "performance/threads.svg")),
+    "lammps": ("2026-11-23-lammps-equal-accuracy.json", "equal-accuracy.svg", ("lammps/equal-accuracy.svg",)),
+}
 NUMBER = re.compile(r"-?\d+\.\d+")
 
 
 class Figures(unittest.TestCase):
     def test_redrawn(self):
-        for study, (record, option, images) in FIGURES.items():
-            with self.subTest(study), tempfile.TemporaryDirectory() as folder:
-                done = subprocess.run([sys.executable, "-B", ROOT / f"studies/{study}.py", "--report", "--record", RECORDS / record, "--figure", option],
-                                      cwd=folder, text=True, capture_output=True, check=False)
+        commands = [([f"studies/{study}.py", "--report", "--record", RECORDS / record, "--figure", option], images)
+                    for study, (record, option, images) in FIGURES.items()]
+        commands += [(["bench/figures.py", kind, ROOT / "bench/results" / record, image], images) for kind, (record, image, images) in BENCH.items()]
+        for (script, *words), images in commands:
+            with self.subTest(script, images=images), tempfile.TemporaryDirectory() as folder:
+                done = subprocess.run([sys.executable, "-B", ROOT / script, *words], cwd=folder, text=True, capture_output=True, check=False)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 for image in images:
-                    new, stored = (path.read_text(encoding="utf-8") for path in (Path(folder, Path(image).name), ROOT / "docs" / image))
+                    drawn = next(Path(folder).glob(f"*{Path(image).name}"))
+                    new, stored = (path.read_text(encoding="utf-8") for path in (drawn, ROOT / "docs" / image))
                     self.assertTrue(NUMBER.sub("", new) == NUMBER.sub("", stored), f"docs/{image} is another figure")
                     for a, b in zip(NUMBER.findall(new), NUMBER.findall(stored)):
                         self.assertAlmostEqual(float(a), float(b), delta=0.01, msg=image)  # points of 1/72 inch
 
     def test_a_scheme_has_its_colour_in_all_figures(self):
-        for _, _, images in FIGURES.values():
+        for _, _, images in (*FIGURES.values(), BENCH["peers"], BENCH["lammps"]):
             for image in images:
                 text = (ROOT / "docs" / image).read_text(encoding="utf-8")
-                named = [name.split(",")[0] for name in re.findall(r"<text[^>]*>([a-z0-9-]+(?:, [^<]*)?)</text>", text)]
+                named = [name.split(",")[0] for name in re.findall(r"<text[^>]*>(?:polhode )?([a-z0-9-]+(?:, [^<]*)?)</text>", text)]
                 schemes = [name for name in named if name in ("velocity-verlet", "hoa2", "gier4", "gier4-fd", "bcss3", "4mn5fv")]
                 for scheme, style in figures.styles(schemes).items():
                     self.assertIn(style.color.lower(), text, f"{image}: {scheme}")
