@@ -17,7 +17,6 @@ import half_femtosecond_figures
 import half_femtosecond_tables as tables
 import liquids
 import multiple_time_steps
-import npt_liquids
 import numpy as np
 import pandas
 import quick_study
@@ -238,13 +237,6 @@ class Liquids(unittest.TestCase):
         gro = lambda v: "\n".join(["polhode", "1", "    1spce    OW    1" + numbers((1, 2, 3), v), numbers((3, 3, 3), ()), ""])
         self.assertEqual(agreement.with_scaled_velocities(gro((0.5, -1, 2)), 1.5), gro((0.75, -1.5, 3)))
 
-    def test_mass_points_have_the_moment_of_inertia(self):
-        liquid = npt_liquids.LIQUIDS["co2"]
-        a, b = npt_liquids.mass_points(liquid.sites)
-        places = [(npt_liquids.number(s, "mass"), npt_liquids.position(s)[0]) for s in liquid.sites]
-        centre = sum(m * x for m, x in places) / liquid.mass
-        self.assertAlmostEqual((a + b) / 2, centre)
-        self.assertAlmostEqual(liquid.mass * (b - a) ** 2 / 4, sum(m * (x - centre) ** 2 for m, x in places))
 
 
 class Calibration(unittest.TestCase):
