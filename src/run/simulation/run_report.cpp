@@ -53,7 +53,7 @@ Quantities of_settings(const RunReport& r) {
 std::string drift_text(const Drift& drift, std::uint64_t samples) {
   if (samples < min_samples_reported) return not_known(Known::too_few_samples);
   const SeriesEstimate rate{drift.rate.value, drift.rate.error, drift.known};
-  const std::string text = text_of(rate, "kJ/mol/ps") + missing_error(drift.known);
+  std::string text = text_of(rate, "kJ/mol/ps") + missing_error(drift.known);
   if (drift.known != Known::yes) return text;
   return fmt::format("{}, {} (p-value {:.2g})", text, verdict(drift), drift.p_value);
 }
