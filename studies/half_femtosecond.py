@@ -128,7 +128,7 @@ def complete(o, lines):
     missing = [(p, seed) for seed in range(1, o.runs + 1) for p in points if (p, seed) not in lines]
     with o.record.open("a", encoding="utf-8") as record:
         def one(case):
-            lines[case] = line(o, *case)
+            lines[case] = {**study.head(o), **line(o, *case)}
             record.write(json.dumps(lines[case]) + "\n")
             record.flush()
         runs.parallel(o, one, missing)

@@ -35,8 +35,9 @@ def main():
         if record:
             if first != done(folder, script, "--smoke", "--report"):
                 sys.exit("the record gives another report")
-            begin = json.loads(record.read_text(encoding="utf-8").splitlines()[0]) if record.suffix == ".jsonl" else json.loads(record.read_text(encoding="utf-8"))
-            if record.suffix == ".json" and not {"date", "processor", "command"} <= set(begin):
+            text = record.read_text(encoding="utf-8")
+            begin = json.loads(text.splitlines()[0] if record.suffix == ".jsonl" else text)
+            if not {"date", "processor", "command"} <= set(begin):
                 sys.exit(f"the record does not say how it was made: {list(begin)}")
         if figure and not [path for path in folder.rglob("*.svg") if "<svg" in path.read_text(encoding="utf-8")]:
             sys.exit("no figure")
