@@ -51,8 +51,7 @@ void set_barostat(EnsembleSettings& ensemble, const std::string& kind,
   if (!ensemble.barostat && pressure.empty())
     throw Error(
         fmt::format("--barostat {} has no pressure to keep; add --pressure \"1 bar\"", kind));
-  if (!ensemble.barostat)
-    ensemble.barostat = BarostatSettings{.compressibility = default_compressibility()};
+  if (!ensemble.barostat) ensemble.barostat = default_barostat();
   if (!kind.empty()) ensemble.barostat->kind = named_option<BarostatKind>(kind, "--barostat");
   if (!pressure.empty())
     ensemble.barostat->pressure = quantity(pressure, Dimension::pressure, "--pressure", "1 bar");

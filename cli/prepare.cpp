@@ -27,7 +27,7 @@ Config make_config(const Options& o) {
   Config config = o.config();
   if (!o.pressure.empty()) {
     auto& barostat = config.ensemble.barostat;
-    if (!barostat) barostat = BarostatSettings{.compressibility = default_compressibility()};
+    if (!barostat) barostat = default_barostat();
     barostat->pressure = quantity(o.pressure, Dimension::pressure, "--pressure");
   }
   if (!o.nvt.empty()) config.prepare.nvt = time_option(o.nvt, "--nvt");

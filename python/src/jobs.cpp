@@ -60,7 +60,7 @@ std::string prepare_start(Config config, const Text& pressure, const Text& nvt, 
                           const JobOptions& options) {
   if (pressure) {
     auto& barostat = config.ensemble.barostat;
-    if (!barostat) barostat = BarostatSettings{.compressibility = default_compressibility()};
+    if (!barostat) barostat = default_barostat();
     barostat->pressure = quantity(*pressure, Dimension::pressure, "pressure");
   }
   set_stage(config.prepare.nvt, nvt, "nvt");

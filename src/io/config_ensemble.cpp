@@ -83,7 +83,7 @@ ThermostatSettings read_thermostat(TomlTable table) {
 }
 
 BarostatSettings read_barostat(TomlTable table) {
-  BarostatSettings settings;
+  BarostatSettings settings = default_barostat();
   settings.kind = one_of(table, "type", settings.kind);
   const auto pressure = table.quantity("pressure", Dimension::pressure, "1 bar");
   table.require(pressure.has_value(), "",
@@ -95,7 +95,6 @@ BarostatSettings read_barostat(TomlTable table) {
   take_time(table, "time_constant", settings.time_constant, "2 ps");
   table.require(settings.time_constant > 0 && std::isfinite(settings.time_constant),
                 "time_constant", "must be longer than 0 ps; 1 to 10 ps are usual");
-  settings.compressibility = default_compressibility();
   take(settings.compressibility, table.quantity("compressibility", Dimension::compressibility));
   table.require(settings.compressibility >= min_compressibility() &&
                     settings.compressibility <= max_compressibility(),
@@ -126,6 +125,9 @@ HybridMonteCarloSettings read_hybrid_monte_carlo(TomlTable table) {
 }
 
 double default_compressibility() { return 4.5e-5 * unit("1/bar", Dimension::compressibility); }
+BarostatSettings default_barostat(double pressure) {
+  return {.pressure = pressure, .compressibility = default_compressibility()};
+}
 double min_compressibility() { return 1e-7 * unit("1/bar", Dimension::compressibility); }
 double max_compressibility() { return 10 * unit("1/bar", Dimension::compressibility); }
 

@@ -30,4 +30,7 @@ double default_compressibility();
 double min_compressibility();
 double max_compressibility();
 
+/// A barostat at a pressure [kJ/mol/nm³], with the compressibility of liquid water.
+BarostatSettings default_barostat(double pressure = 0);
+
 }  // namespace polhode
