@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "polhode/base/always_inline.hpp"
 #include "polhode/base/pack.hpp"
 
 namespace polhode {
@@ -60,7 +61,7 @@ std::array<Vector, 4> transpose_within_blocks(Vector a, Vector b, Vector c, Vect
 /// Transposes a square of numbers: number k of row(i) goes to lane i of column[k]. `row(i)` is a
 /// Pack.
 template <class T, class Rows>
-[[gnu::always_inline]] inline void transpose(const Rows& row, Pack<T>* column) {
+POLHODE_INLINE inline void transpose(const Rows& row, Pack<T>* column) {
 #if HWY_TARGET == HWY_SCALAR
   column[0] = row(0);
 #else
@@ -115,8 +116,8 @@ inline constexpr std::size_t record_parts =
 /// Transposes columns into records: visit(lane, part, vector) receives the part-th vector of the
 /// record of each lane. Unused numbers of a record are zero.
 template <std::size_t columns, class T, class Visit>
-[[gnu::always_inline]] inline void visit_records(const std::array<Pack<T>, columns>& column,
-                                                 const Visit& visit) {
+POLHODE_INLINE inline void visit_records(const std::array<Pack<T>, columns>& column,
+                                         const Visit& visit) {
   static_assert(columns <= record_stride);
   constexpr std::size_t width = Pack<T>::width;
   const auto number = [&](std::size_t k) { return k < columns ? column[k] : Pack<T>(); };
@@ -155,8 +156,8 @@ void add_to_record(RecordPart<T> what, T* part) {
 /// Adds lane i of column k to number k of record i, one record after the other, because two lanes
 /// may refer to the same one. `record(i)` is a pointer to a record, aligned to the record stride.
 template <std::size_t columns, class T, class Records>
-[[gnu::always_inline]] inline void add_to_records(const std::array<Pack<T>, columns>& value,
-                                                  const Records& record) {
+POLHODE_INLINE inline void add_to_records(const std::array<Pack<T>, columns>& value,
+                                          const Records& record) {
   visit_records(value, [&](std::size_t lane, std::size_t part, RecordPart<T> row) {
     add_to_record<T>(row, record(lane) + part * record_part_width<T>);
   });
@@ -164,8 +165,8 @@ template <std::size_t columns, class T, class Records>
 
 /// Adds the sum over the lanes of column k to number k of one record.
 template <std::size_t columns, class T>
-[[gnu::always_inline]] inline void add_sums_to_record(const std::array<Pack<T>, columns>& value,
-                                                      T* record) {
+POLHODE_INLINE inline void add_sums_to_record(const std::array<Pack<T>, columns>& value,
+                                              T* record) {
   constexpr std::size_t parts = record_parts<columns, T>;
   RecordPart<T> sum[parts][2];  // even and odd lanes separately: a shorter dependency chain
   for (auto& part : sum) part[0] = part[1] = hn::Zero(RecordTag<T>());

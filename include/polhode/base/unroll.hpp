@@ -6,6 +6,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "polhode/base/always_inline.hpp"
+
 namespace polhode {
 
 /// A count that is part of its type.
@@ -14,8 +16,8 @@ using Count = std::integral_constant<std::size_t, n>;
 
 /// Calls body(k) for 0 ≤ k < n, unrolled.
 template <std::size_t n, class Body>
-[[gnu::always_inline]] constexpr void each(Count<n>, const Body& body) {
-  [&]<std::size_t... k>(std::index_sequence<k...>) __attribute__((always_inline)) {
+POLHODE_INLINE constexpr void each(Count<n>, const Body& body) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) POLHODE_INLINE_LAMBDA {
     (body(Count<k>{}), ...);
   }
   (std::make_index_sequence<n>{});
@@ -23,7 +25,7 @@ template <std::size_t n, class Body>
 
 /// Calls body(k) for 0 ≤ k < n, as a loop.
 template <class Body>
-[[gnu::always_inline]] constexpr void each(std::size_t n, const Body& body) {
+POLHODE_INLINE constexpr void each(std::size_t n, const Body& body) {
   for (std::size_t k = 0; k < n; ++k) body(k);
 }
 

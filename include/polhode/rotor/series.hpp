@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "polhode/base/always_inline.hpp"
 #include "polhode/base/quaternion.hpp"
 
 namespace polhode {
@@ -91,8 +92,8 @@ struct AngleEquation {
 
 /// e plus the products K1_j d_a d_b with a + b = n - 2 - j, except those with d_(n-2).
 template <std::size_t n, class Real, std::size_t terms>
-[[gnu::always_inline]] inline Real plus_products(Real e, const std::array<Real, 3>& K1,
-                                                 const std::array<Real, terms>& d) {
+POLHODE_INLINE inline Real plus_products(Real e, const std::array<Real, 3>& K1,
+                                         const std::array<Real, terms>& d) {
   unroll<3>([&](auto power) {
     constexpr std::size_t j = power, first = j == 0 ? 1 : 0;
     if constexpr (n >= 2 + j + 2 * first) {
@@ -114,7 +115,7 @@ template <std::size_t n, class Real, std::size_t terms>
 /// (2n+3) d_n = ((2n+1) c1 + K2_0) d_(n-1) + ... The newest terms enter last and the division by
 /// 2n+3 is absorbed into their coefficients: the dependency chain per term is two operations long.
 template <std::size_t terms, class Real>
-[[gnu::always_inline]] inline Real angle_sum(const AngleEquation<Real>& of) {
+POLHODE_INLINE inline Real angle_sum(const AngleEquation<Real>& of) {
   std::array<Real, terms> d;
   Real angle(0);
   unroll<terms>([&](auto count) {

@@ -7,6 +7,7 @@
 #include <array>
 #include <optional>
 
+#include "polhode/base/always_inline.hpp"
 #include "polhode/forces/laws/damped_shifted_force.hpp"
 #include "polhode/forces/laws/ewald_split.hpp"
 #include "polhode/forces/laws/gaussian_smooth_part.hpp"
@@ -60,7 +61,7 @@ class Switch {
   }
 
   template <class Real>
-  [[gnu::always_inline]] Value<Real> operator()(const Real& r) const {
+  POLHODE_INLINE Value<Real> operator()(const Real& r) const {
     using C = Constant<Real>;
     const C half(T(0.5));
     const Real y = max(min((r - C(middle_)) * C(inverse_width_), half), -half);

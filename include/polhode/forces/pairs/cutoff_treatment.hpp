@@ -2,6 +2,7 @@
 // How the pairs of two molecules are truncated at the cutoff.
 #pragma once
 
+#include "polhode/base/always_inline.hpp"
 #include "polhode/forces/laws/laws.hpp"
 
 namespace polhode {
@@ -45,15 +46,15 @@ constexpr CutoffTreatment cutoff_treatment(const ForceSettings& settings) {
 template <CutoffTreatment treatment, class Real, class T>
 class SiteTruncation {
  public:
-  [[gnu::always_inline]] SiteTruncation(const PairLaws<T>& laws,
-                                        const InversePowers<Real>& inverse_r, const Real& r2)
+  POLHODE_INLINE SiteTruncation(const PairLaws<T>& laws, const InversePowers<Real>& inverse_r,
+                                const Real& r2)
       : laws_(laws), inverse_r_(inverse_r), r2_(r2) {
     if constexpr (switches_sites(treatment)) switch_ = laws.switching(r2 * inverse_r.first());
   }
 
   /// u and −u'/r of a law.
   template <class Law>
-  [[gnu::always_inline]] PairValue<Real> operator()(const Law& law) const {
+  POLHODE_INLINE PairValue<Real> operator()(const Law& law) const {
     const PairValue<Real> at_r = with_derivative(law(inverse_r_, r2_), r2_);
     if constexpr (switches_sites(treatment))
       return with_derivative(switched(at_r), r2_);
@@ -65,13 +66,12 @@ class SiteTruncation {
 
  private:
   // w u, and −(w u)'/r = w s − w' u/r.
-  [[gnu::always_inline]] PairValue<Real> switched(const PairValue<Real>& at_r) const {
+  POLHODE_INLINE PairValue<Real> switched(const PairValue<Real>& at_r) const {
     return {switch_.w * at_r.u, switch_.w * at_r.s - switch_.slope * inverse_r_.first() * at_r.u};
   }
   // u(r) − u(r_c) − (r − r_c) u'(r_c) for r < r_c, zero beyond [toxvaerd2011].
   template <class Law>
-  [[gnu::always_inline]] PairValue<Real> shifted(const PairValue<Real>& at_r,
-                                                 const Law& law) const {
+  POLHODE_INLINE PairValue<Real> shifted(const PairValue<Real>& at_r, const Law& law) const {
     using C = Constant<Real>;
     const C rc(laws_.cutoff), rc2(laws_.cutoff * laws_.cutoff);
     const PairValue<C> at_cutoff = law(InversePowers<C>(rc2), rc2);

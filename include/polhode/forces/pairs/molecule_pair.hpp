@@ -10,6 +10,7 @@
 
 #include <array>
 
+#include "polhode/base/always_inline.hpp"
 #include "polhode/forces/pairs/cutoff_treatment.hpp"
 #include "polhode/forces/pairs/site_counts.hpp"
 #include "polhode/math/polynomial.hpp"
@@ -34,12 +35,12 @@ struct PairLoad {
 template <class Real, class T>
 class MoleculeSwitch {
  public:
-  [[gnu::always_inline]] MoleculeSwitch(const Switch<T>& switching, const Vec3<Real>& R) : R_(R) {
+  POLHODE_INLINE MoleculeSwitch(const Switch<T>& switching, const Vec3<Real>& R) : R_(R) {
     const Real R2 = norm2(R);
     inverse_R_ = inverse_sqrt(R2);
     at_R_ = switching(R2 * inverse_R_);
   }
-  [[gnu::always_inline]] void apply_to(PairLoad<Real>& load) const {
+  POLHODE_INLINE void apply_to(PairLoad<Real>& load) const {
     load.f =
         at_R_.w * load.f - (at_R_.slope * (load.van_der_waals + load.coulomb) * inverse_R_) * R_;
     load.tau_b = at_R_.w * load.tau_b;
@@ -72,34 +73,30 @@ class SitePairs {
   template <class Number>
   struct PerPair {
     std::array<std::array<Number, a_at_once>, b_at_once> values;
-    [[gnu::always_inline]] Number& operator[](Pair pair) { return values[pair.k][pair.i]; }
-    [[gnu::always_inline]] const Number& operator[](Pair pair) const {
-      return values[pair.k][pair.i];
-    }
+    POLHODE_INLINE Number& operator[](Pair pair) { return values[pair.k][pair.i]; }
+    POLHODE_INLINE const Number& operator[](Pair pair) const { return values[pair.k][pair.i]; }
   };
 
-  [[gnu::always_inline]] SitePairs(const Shape& shape, std::size_t group_a, std::size_t group_b)
+  POLHODE_INLINE SitePairs(const Shape& shape, std::size_t group_a, std::size_t group_b)
       : shape_(shape), first_a_(group_a * a_at_once), first_b_(group_b * b_at_once) {}
 
   /// Calls body(pairs) for all groups.
   template <class Body>
-  [[gnu::always_inline]] static void each_group(const Shape& shape, const Body& body) {
-    polhode::each(
-        shape.template groups_b<Real>(), [&](auto group_b) __attribute__((always_inline)) {
-          polhode::each(
-              shape.groups_a(), [&](auto group_a) __attribute__((always_inline)) {
-                body(SitePairs(shape, group_a, group_b));
-              });
-        });
+  POLHODE_INLINE static void each_group(const Shape& shape, const Body& body) {
+    polhode::each(shape.template groups_b<Real>(), [&](auto group_b) POLHODE_INLINE_LAMBDA {
+      polhode::each(shape.groups_a(), [&](auto group_a) POLHODE_INLINE_LAMBDA {
+        body(SitePairs(shape, group_a, group_b));
+      });
+    });
   }
   template <class Body>
-  [[gnu::always_inline]] void each_b(const Body& body) const {  // body(k, b)
+  POLHODE_INLINE void each_b(const Body& body) const {  // body(k, b)
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < b_at_once; ++k)
       if (first_b_ + k < shape_.sites_b) body(k, first_b_ + k);
   }
   template <class Body>
-  [[gnu::always_inline]] void each(const Body& body) const {  // body(pair)
+  POLHODE_INLINE void each(const Body& body) const {  // body(pair)
 #pragma GCC unroll 8
     for (std::size_t k = 0; k < b_at_once; ++k)
 #pragma GCC unroll 8
@@ -110,16 +107,16 @@ class SitePairs {
           body(Pair{i, k, a, b});
   }
   template <class Body>
-  [[gnu::always_inline]] void each_charged(const Body& body) const {
-    each([&](Pair pair) __attribute__((always_inline)) {
+  POLHODE_INLINE void each_charged(const Body& body) const {
+    each([&](Pair pair) POLHODE_INLINE_LAMBDA {
       if (shape_.coulomb(pair.a, pair.b)) body(pair);
     });
   }
 
   template <class Value>
-  [[gnu::always_inline]] auto compute(const Value& value) const {  // value(pair) of each pair
+  POLHODE_INLINE auto compute(const Value& value) const {  // value(pair) of each pair
     PerPair<decltype(value(Pair{}))> values;
-    each([&](Pair pair) __attribute__((always_inline)) { values[pair] = value(pair); });
+    each([&](Pair pair) POLHODE_INLINE_LAMBDA { values[pair] = value(pair); });
     return values;
   }
 
@@ -131,7 +128,7 @@ class SitePairs {
 /// The polynomial P that is subtracted from 1/r between charges, and its −P'/r, for each pair: by
 /// Horner's rule in y = 1 − r²/a², all pairs one step at a time. Nothing if no polynomial is used.
 template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class T>
-[[gnu::always_inline]] inline auto smooth_parts(
+POLHODE_INLINE inline auto smooth_parts(
     const SitePairs<Shape, Real>& pairs,
     const typename SitePairs<Shape, Real>::template PerPair<Real>& r2, const SmoothPart<T>& law) {
   using C = Constant<Real>;
@@ -140,21 +137,19 @@ template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class
   if constexpr (is_smooth(treatment)) {
     typename Pairs::template PerPair<Real> y;
     typename Pairs::template PerPair<Polynomial<Real>> u, s;
-    pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
+    pairs.each_charged([&](auto pair) POLHODE_INLINE_LAMBDA {
       y[pair] = C(1) - r2[pair] * C(law.inverse_a2);
       u[pair] = Polynomial<Real>(C(law.u[law.degree + 1]));
       s[pair] = Polynomial<Real>(C(law.s[law.degree]));
     });
     for (std::size_t n = law.degree; n-- > 0;)
-      pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
-        s[pair].step(y[pair], C(law.s[n]));
-      });
+      pairs.each_charged([&](auto pair)
+                             POLHODE_INLINE_LAMBDA { s[pair].step(y[pair], C(law.s[n])); });
     if constexpr (need_u)
       for (std::size_t n = law.degree + 1; n-- > 0;)
-        pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
-          u[pair].step(y[pair], C(law.u[n]));
-        });
-    pairs.each_charged([&](auto pair) __attribute__((always_inline)) {
+        pairs.each_charged([&](auto pair)
+                               POLHODE_INLINE_LAMBDA { u[pair].step(y[pair], C(law.u[n])); });
+    pairs.each_charged([&](auto pair) POLHODE_INLINE_LAMBDA {
       parts[pair] = {u[pair].value(y[pair]), s[pair].value(y[pair])};
     });
   }
@@ -164,7 +159,7 @@ template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class
 /// Two charges, with charge = K q q: 1/r − P(r) up to the cutoff if a polynomial P is subtracted,
 /// otherwise 1/r + k r² − c, truncated.
 template <CutoffTreatment treatment, class Real, class T>
-[[gnu::always_inline]] inline PairValue<Real> coulomb_pair(
+POLHODE_INLINE inline PairValue<Real> coulomb_pair(
     Constant<Real> charge, const SiteTruncation<treatment, Real, T>& truncated,
     const PairLaws<T>& laws, const InversePowers<Real>& inverse_r, const Real& r2,
     const PairValue<Real>& smooth) {
@@ -184,11 +179,10 @@ template <CutoffTreatment treatment, class Real, class T>
 
 /// One pair: u and −u'/r of each of its laws. Returns the sum of −u'/r and adds up the energies.
 template <bool need_u, class Shape, class Real, class Coulomb, class ShortRange>
-[[gnu::always_inline]] inline Real sum_of_laws(const Shape& shape, std::size_t a, std::size_t b,
-                                               const Coulomb& coulomb,
-                                               const ShortRange& short_range,
-                                               PairLoad<Real>& load) {
-  const auto add = [](const PairValue<Real>& value, Real& energy) __attribute__((always_inline)) {
+POLHODE_INLINE inline Real sum_of_laws(const Shape& shape, std::size_t a, std::size_t b,
+                                       const Coulomb& coulomb, const ShortRange& short_range,
+                                       PairLoad<Real>& load) {
+  const auto add = [](const PairValue<Real>& value, Real& energy) POLHODE_INLINE_LAMBDA {
     if constexpr (need_u) energy += value.u;
     return value.s;
   };
@@ -201,38 +195,32 @@ template <bool need_u, class Shape, class Real, class Coulomb, class ShortRange>
 /// Adds the forces and energies of a group of pairs, as described at molecule_pair().
 template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class Law, class T,
           class SitesOfA, class SitesOfB>
-[[gnu::always_inline]] inline void add_pairs(const SitePairs<Shape, Real>& pairs,
-                                             const Shape& shape,
-                                             const PairStrengths<Law>& strengths,
-                                             const PairLaws<T>& laws, const Vec3<Real>& R,
-                                             const SitesOfA& site_a, const SitesOfB& site_b,
-                                             PairLoad<Real>& load) {
+POLHODE_INLINE inline void add_pairs(const SitePairs<Shape, Real>& pairs, const Shape& shape,
+                                     const PairStrengths<Law>& strengths, const PairLaws<T>& laws,
+                                     const Vec3<Real>& R, const SitesOfA& site_a,
+                                     const SitesOfB& site_b, PairLoad<Real>& load) {
   typename SitePairs<Shape, Real>::template PerSite<Vec3<Real>> arm, f_b;
   pairs.each_b([&](auto k, std::size_t b)
-                   __attribute__((always_inline)) { arm[k] = site_b(b), f_b[k] = {}; });
-  const auto r = pairs.compute([&](auto pair) __attribute__((always_inline)) {
-    return R + arm[pair.k] - site_a(pair.a);
-  });
-  const auto r2 =
-      pairs.compute([&](auto pair) __attribute__((always_inline)) { return norm2(r[pair]); });
-  const auto inverse_r = pairs.compute([&](auto pair) __attribute__((always_inline)) {
-    return InversePowers<Real>(r2[pair]);
-  });
+                   POLHODE_INLINE_LAMBDA { arm[k] = site_b(b), f_b[k] = {}; });
+  const auto r = pairs.compute(
+      [&](auto pair) POLHODE_INLINE_LAMBDA { return R + arm[pair.k] - site_a(pair.a); });
+  const auto r2 = pairs.compute([&](auto pair) POLHODE_INLINE_LAMBDA { return norm2(r[pair]); });
+  const auto inverse_r =
+      pairs.compute([&](auto pair) POLHODE_INLINE_LAMBDA { return InversePowers<Real>(r2[pair]); });
   const auto smooth = smooth_parts<treatment, need_u>(pairs, r2, laws.smooth);
-  const auto s = pairs.compute([&](auto pair) __attribute__((always_inline)) {
+  const auto s = pairs.compute([&](auto pair) POLHODE_INLINE_LAMBDA {
     const SiteTruncation<treatment, Real, T> truncated(laws, inverse_r[pair], r2[pair]);
     const std::size_t strength = pair.b * shape.sites_a + pair.a;
     return sum_of_laws<need_u>(
         shape, pair.a, pair.b,
-        [&]() __attribute__((always_inline)) {
+        [&]() POLHODE_INLINE_LAMBDA {
           return coulomb_pair(Constant<Real>(strengths.charge[strength]), truncated, laws,
                               inverse_r[pair], r2[pair], smooth[pair]);
         },
-        [&]() __attribute__((always_inline)) { return truncated(strengths.law[strength]); }, load);
+        [&]() POLHODE_INLINE_LAMBDA { return truncated(strengths.law[strength]); }, load);
   });
-  pairs.each([&](auto pair)
-                 __attribute__((always_inline)) { add_scaled(f_b[pair.k], s[pair], r[pair]); });
-  pairs.each_b([&](auto k, std::size_t) __attribute__((always_inline)) {
+  pairs.each([&](auto pair) POLHODE_INLINE_LAMBDA { add_scaled(f_b[pair.k], s[pair], r[pair]); });
+  pairs.each_b([&](auto k, std::size_t) POLHODE_INLINE_LAMBDA {
     load.f += f_b[k];
     add_cross(load.tau_b, arm[k], f_b[k]);
   });
@@ -256,12 +244,13 @@ template <CutoffTreatment treatment, bool need_u, class Shape, class Real, class
 /// @param site_b  the same for b, relative to b's centre
 template <CutoffTreatment treatment, bool energies, class Shape, class Real, class Law, class T,
           class SitesOfA, class SitesOfB>
-[[gnu::always_inline]] inline PairLoad<Real> molecule_pair(
-    const Shape& shape, const PairStrengths<Law>& strengths, const PairLaws<T>& laws,
-    const Vec3<Real>& R, const SitesOfA& site_a, const SitesOfB& site_b) {
+POLHODE_INLINE inline PairLoad<Real> molecule_pair(const Shape& shape,
+                                                   const PairStrengths<Law>& strengths,
+                                                   const PairLaws<T>& laws, const Vec3<Real>& R,
+                                                   const SitesOfA& site_a, const SitesOfB& site_b) {
   constexpr bool by_molecule = treatment == CutoffTreatment::molecule_switch;
   PairLoad<Real> load;
-  const auto add_group = [&](const SitePairs<Shape, Real>& pairs) __attribute__((always_inline)) {
+  const auto add_group = [&](const SitePairs<Shape, Real>& pairs) POLHODE_INLINE_LAMBDA {
     add_pairs<treatment, energies || by_molecule>(pairs, shape, strengths, laws, R, site_a, site_b,
                                                   load);
   };

@@ -2,6 +2,7 @@
 // The directional derivative of the forces from the grid along a displacement of the charges. It
 // needs one more derivative of the splines.
 #include "mesh_sums.hpp"
+#include "polhode/base/always_inline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
@@ -20,9 +21,11 @@ struct Gradient {
 //   w_x s_y (A' + v_z B) + (v_x s_x s_y + v_y w_x c_y) A
 //   w_x w_y (B' + v_z C) + (v_x s_x w_y + v_y w_x s_y) B
 template <class T, std::size_t order>
-[[gnu::always_inline]] inline Gradient<Pack<T>> sum_over_tiles(
-    const MeshGrid<T>& grid, const MeshGrid<T>& derivative, const GridIndex<T>& index,
-    std::size_t lane, const Vec3<T>& v, const ChargeWeights<T, order, 2>& weights) {
+POLHODE_INLINE inline Gradient<Pack<T>> sum_over_tiles(const MeshGrid<T>& grid,
+                                                       const MeshGrid<T>& derivative,
+                                                       const GridIndex<T>& index, std::size_t lane,
+                                                       const Vec3<T>& v,
+                                                       const ChargeWeights<T, order, 2>& weights) {
   using Real = Pack<T>;
   const TilesAround<T, order> tiles(grid, index, lane);
   const Vec3<Real> move{Real(v.x), Real(v.y), Real(v.z)};

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // Forces from the potential on the grid: the exact gradient with respect to the splines' weights.
 #include "mesh_sums.hpp"
+#include "polhode/base/always_inline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
 
 // Σ φ ∇ w_x w_y w_z over the tiles around a charge, element by element; w: a spline, s: its slope.
 template <class T, std::size_t order>
-[[gnu::always_inline]] inline Vec3<Pack<T>> sum_over_tiles(
-    const MeshGrid<T>& grid, const GridIndex<T>& index, std::size_t lane,
-    const ChargeWeights<T, order, 1>& weights) {
+POLHODE_INLINE inline Vec3<Pack<T>> sum_over_tiles(const MeshGrid<T>& grid,
+                                                   const GridIndex<T>& index, std::size_t lane,
+                                                   const ChargeWeights<T, order, 1>& weights) {
   using Real = Pack<T>;
   const TilesAround<T, order> tiles(grid, index, lane);
   Real wz[order], sz[order];
@@ -20,7 +21,7 @@ template <class T, std::size_t order>
   Vec3<Real> total;
   tiles.each_row([&](std::size_t j) {
     Vec3<Real> row;  // Σ over z and x of φ times s_x w_z, w_x w_z and w_x s_z
-    tiles.each_column([&](std::size_t i) __attribute__((always_inline)) {
+    tiles.each_column([&](std::size_t i) POLHODE_INLINE_LAMBDA {
       const T* const stack = grid.values.data() + tiles.stack(i, j);
       Real by_w, by_s;
       for (std::size_t k = 0; k < order; ++k) {

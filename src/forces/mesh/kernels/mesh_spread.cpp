@@ -2,6 +2,7 @@
 // Spreads charges onto the grid: the weights of a pack of charges at once, then one charge after
 // the other, one tile after the other.
 #include "mesh_tiles.hpp"
+#include "polhode/base/always_inline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
@@ -43,9 +44,8 @@ class ListedCharges {
 };
 
 template <class T, std::size_t order>
-[[gnu::always_inline]] inline void add_charge(MeshGrid<T>& grid, const GridIndex<T>& index,
-                                              std::size_t lane,
-                                              const ChargeWeights<T, order, 0>& weights) {
+POLHODE_INLINE inline void add_charge(MeshGrid<T>& grid, const GridIndex<T>& index,
+                                      std::size_t lane, const ChargeWeights<T, order, 0>& weights) {
   using Real = Pack<T>;
   const TilesAround<T, order> tiles(grid, index, lane);
   Real z[order];
@@ -54,7 +54,7 @@ template <class T, std::size_t order>
   tiles.each_column([&](std::size_t i) { x[i] = tiles.along_x(weights(0, 0, lane), i); });
   tiles.each_row([&](std::size_t j) {
     const Real y = tiles.along_y(weights(1, 0, lane), j);
-    tiles.each_column([&](std::size_t i) __attribute__((always_inline)) {
+    tiles.each_column([&](std::size_t i) POLHODE_INLINE_LAMBDA {
       T* const stack = grid.values.data() + tiles.stack(i, j);
       const Real xy = x[i] * y;
       for (std::size_t k = 0; k < order; ++k)
@@ -88,9 +88,9 @@ void spread(const SpreadJob<T>& job) {
 // Per unit of a displacement along v, in grid spacings, a charge q adds to a grid point at u
 // q (v·∇) w_x w_y w_z = q [(v_x s_x w_y + w_x v_y s_y) w_z + w_x w_y v_z s_z], s the slopes of w.
 template <class T, std::size_t order>
-[[gnu::always_inline]] inline void add_dipole(MeshGrid<T>& grid, const GridIndex<T>& index,
-                                              std::size_t lane, const Vec3<T>& v,
-                                              const ChargeWeights<T, order, 1>& weights) {
+POLHODE_INLINE inline void add_dipole(MeshGrid<T>& grid, const GridIndex<T>& index,
+                                      std::size_t lane, const Vec3<T>& v,
+                                      const ChargeWeights<T, order, 1>& weights) {
   using Real = Pack<T>;
   const TilesAround<T, order> tiles(grid, index, lane);
   Real z[order], dz[order];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh_tiles.hpp"
+#include "polhode/base/always_inline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {
@@ -37,9 +38,8 @@ class TileSums {
 
 // The force on a charge from the gradient of the potential, per grid spacing; 0 where no body is.
 template <class T>
-[[gnu::always_inline]] inline Vec3<Pack<T>> force_of(const Vec3<Pack<T>>& gradient,
-                                                     const GatherJob<T>& job, std::size_t site,
-                                                     const Mask<Pack<T>>& present) {
+POLHODE_INLINE inline Vec3<Pack<T>> force_of(const Vec3<Pack<T>>& gradient, const GatherJob<T>& job,
+                                             std::size_t site, const Mask<Pack<T>>& present) {
   using Real = Pack<T>;
   Vec3<Real> force;
   for (std::size_t d = 0; d < 3; ++d) {

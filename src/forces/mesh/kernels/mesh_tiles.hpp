@@ -3,6 +3,7 @@
 #pragma once
 
 #include "mesh_positions.hpp"
+#include "polhode/base/always_inline.hpp"
 #include "polhode/base/unroll.hpp"
 #include "polhode/math/b_spline.hpp"
 
@@ -103,25 +104,25 @@ struct TilesAround {
   }
   // The loops over tiles, unrolled where their number is constant.
   template <class Body>
-  [[gnu::always_inline]] void each_column(const Body& body) const {
+  POLHODE_INLINE void each_column(const Body& body) const {
     if constexpr (Columns::varies)
       for (std::size_t i = 0; i < columns; ++i) body(i);
     else
       each(Count<Columns::max>{}, body);
   }
   template <class Body>
-  [[gnu::always_inline]] void each_row(const Body& body) const {
+  POLHODE_INLINE void each_row(const Body& body) const {
     for (std::size_t j = 0; j < rows; ++j) body(j);
   }
 };
 
 // Prefetches the tiles around a charge that comes later.
 template <class T, std::size_t order, bool write>
-[[gnu::always_inline]] inline void prefetch_tiles(const MeshGrid<T>& grid,
-                                                  const GridIndex<T>& index, std::size_t lane) {
+POLHODE_INLINE inline void prefetch_tiles(const MeshGrid<T>& grid, const GridIndex<T>& index,
+                                          std::size_t lane) {
   const TilesAround<T, order> tiles(grid, index, lane);
   tiles.each_row([&](std::size_t j) {
-    tiles.each_column([&](std::size_t i) __attribute__((always_inline)) {
+    tiles.each_column([&](std::size_t i) POLHODE_INLINE_LAMBDA {
       const T* const stack = grid.values.data() + tiles.stack(i, j);
       for (std::size_t k = 0; k < order; ++k) __builtin_prefetch(stack + k * Pack<T>::width, write);
     });

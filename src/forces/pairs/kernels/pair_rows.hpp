@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "polhode/base/always_inline.hpp"
 #include "polhode/base/pack_functions.hpp"
 #include "polhode/base/pack_integers.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
@@ -87,8 +88,8 @@ class PairRows {
       const std::uint32_t* const after =  // after the last pack, any partners will do
           entries + (following < job_.chunk.end ? row(following).begin : here.begin);
       RowSums sums;
-      const auto each_pack = [&]<CutoffTreatment how>(std::uint32_t from, std::uint32_t to)
-          __attribute__((always_inline)) {
+      const auto each_pack = [&]<CutoffTreatment how>(std::uint32_t from,
+                                                      std::uint32_t to) POLHODE_INLINE_LAMBDA {
         for (const std::uint32_t* entry = entries + from; entry != entries + to; ++pack) {
           entry += Real::width;
           fetch(entry == end ? after : entry, pack + 1);
@@ -181,24 +182,23 @@ class PairRows {
   // Transposes the records of partners into packs, one for each of their numbers k, and
   // stores as(pack, k).
   template <class As>
-  [[gnu::always_inline]] void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
-                                   const As& as) const {
+  POLHODE_INLINE void turn(const SiteRecords<T>& records, const std::uint32_t* entry, T* to,
+                           const As& as) const {
     const T* record[Real::width];
     for (std::size_t lane = 0; lane < Real::width; ++lane)
       record[lane] = records.of(Neighbour(entry[lane]).slot());
     for (std::size_t k = 0; k < numbers_; k += Real::width) {
       Real column[Real::width];
-      transpose<T>(
-          [&](std::size_t lane)
-              __attribute__((always_inline)) { return Real::load(record[lane] + k); },
-          column);
+      transpose<T>([&](std::size_t lane)
+                       POLHODE_INLINE_LAMBDA { return Real::load(record[lane] + k); },
+                   column);
       for (std::size_t i = 0; i < Real::width; ++i)
         as(column[i], k + i).store(to + (k + i) * Real::width);
     }
   }
 
   template <CutoffTreatment treatment, bool energies>
-  [[gnu::always_inline]] void compute(std::uint32_t slot, std::size_t pack, RowSums& sums) {
+  POLHODE_INLINE void compute(std::uint32_t slot, std::size_t pack, RowSums& sums) {
     Stage& at = stage(pack);
     const T* const own_record = job_.records.of(slot);
     [[maybe_unused]] const T* const own_displacement =
@@ -256,7 +256,7 @@ class PairRows {
   }
 
   template <bool energies>
-  [[gnu::always_inline]] void add_row(std::uint32_t slot, const RowSums& row) {
+  POLHODE_INLINE void add_row(std::uint32_t slot, const RowSums& row) {
     add_sums_to_record(std::array{row.f.x, row.f.y, row.f.z, row.tau.x, row.tau.y, row.tau.z},
                        own_.of(slot));
     if constexpr (energies) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "polhode/base/always_inline.hpp"
 #include "polhode/base/column.hpp"
 #include "polhode/base/pack_compress.hpp"
 #include "polhode/forces/pairs/row_packing.hpp"
@@ -42,8 +43,8 @@ struct Table {
     std::swap(words[a], words[b]);
     for (auto& column : numbers) std::swap(column[a], column[b]);
   }
-  [[gnu::always_inline]] void add(const Selection& selected, PackIndex<float> word,
-                                  const std::array<Real, columns>& number) {
+  POLHODE_INLINE void add(const Selection& selected, PackIndex<float> word,
+                          const std::array<Real, columns>& number) {
     selected.store(word, words.data() + size);
     for (std::size_t k = 0; k < columns; ++k) selected.store(number[k], &numbers[k][size]);
     size += selected.count();
@@ -177,8 +178,8 @@ class Search {
     Vec3<Real> centre, half;  // [nm], relative to the centre of the leaf
     Mask<Real> is;
   };
-  [[gnu::always_inline]] InRange in_range(const BoxLevel& level, std::size_t k,
-                                          const Vec3<std::int32_t>& from) const {
+  POLHODE_INLINE InRange in_range(const BoxLevel& level, std::size_t k,
+                                  const Vec3<std::int32_t>& from) const {
     InRange boxes;
     Vec3<Real> halves;
     for (std::size_t d = 0; d < 3; ++d) {
@@ -192,8 +193,7 @@ class Search {
 
   // Calls visit(image, index of the first box, boxes) for packs of the boxes below a node.
   template <class Visit>
-  [[gnu::always_inline]] void below(const BoxLevel& level, Neighbour node,
-                                    const Visit& visit) const {
+  POLHODE_INLINE void below(const BoxLevel& level, Neighbour node, const Visit& visit) const {
     Vec3<std::int32_t> from;
     for (std::size_t d = 0; d < 3; ++d)
       from[d] = at_[d] - node.image()[d] * static_cast<std::int32_t>(fixed_point_edge);
@@ -223,7 +223,7 @@ class Search {
   }
 
   // Which of the leaves that begin with the k-th are ahead of the own leaf.
-  [[gnu::always_inline]] Mask<Real> ahead(std::size_t k) const {
+  POLHODE_INLINE Mask<Real> ahead(std::size_t k) const {
     const std::size_t all = partners_[0].size;
     const bool even_and_late = all % 2 == 0 && leaf_ >= all / 2;  // of two that are all/2 apart
     const auto number = [](std::size_t n) { return Real(static_cast<float>(n)); };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Peak performance of the processor: independent multiply-adds, and pairs of four-site water alone.
 #include "polhode/run/benchmark/peak_performance.hpp"
+#include "polhode/base/always_inline.hpp"
 
 #include <array>
 
@@ -18,18 +19,14 @@ void multiply_adds(std::size_t rounds, T* numbers) {
   using Real = Pack<T>;
   // All loops over the chains are unrolled, otherwise the chains would be kept in memory. They
   // start from values in memory, otherwise the compiler would see that all are equal.
-  const auto each_chain = [](const auto& body) __attribute__((always_inline)) {
-    each(Count<chains>{}, body);
-  };
+  const auto each_chain = [](const auto& body)
+                              POLHODE_INLINE_LAMBDA { each(Count<chains>{}, body); };
   std::array<Real, chains> sum;
-  each_chain([&](auto k) __attribute__((always_inline)) {
-    sum[k] = Real::load(numbers + k * Real::width);
-  });
+  each_chain([&](auto k) POLHODE_INLINE_LAMBDA { sum[k] = Real::load(numbers + k * Real::width); });
   const Real a(static_cast<T>(0.999)), b(static_cast<T>(1e-3));
   for (std::size_t n = 0; n < rounds; ++n)
-    each_chain([&](auto k) __attribute__((always_inline)) { sum[k] = fma(sum[k], a, b); });
-  each_chain([&](auto k)
-                 __attribute__((always_inline)) { sum[k].store(numbers + k * Real::width); });
+    each_chain([&](auto k) POLHODE_INLINE_LAMBDA { sum[k] = fma(sum[k], a, b); });
+  each_chain([&](auto k) POLHODE_INLINE_LAMBDA { sum[k].store(numbers + k * Real::width); });
 }
 
 template <class T>
