@@ -9,8 +9,8 @@ from argparse import Namespace
 from math import cos, hypot, radians, sqrt
 from pathlib import Path
 
+import study_path  # first: it says where the others are
 import built_program
-
 import npt
 import npt_liquids
 import numpy

@@ -5,8 +5,8 @@ import random
 import unittest
 from math import sqrt
 
+import study_path  # first: it says where the others are
 import built_program
-
 import adviser
 import agreement
 import all_schemes

@@ -9,12 +9,12 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import study_path  # first: it says where the others are
 import built_program
-
 import all_schemes
 from lib import figures
 
-ROOT = built_program.ROOT
+ROOT = study_path.ROOT
 RECORDS = ROOT / "studies/records"
 FIGURES = {  # study: record, option of --figure, images in docs/
     "half_femtosecond": ("2026-11-23-half-femtosecond.jsonl", ".", ("half-femtosecond/bias.svg", "half-femtosecond/density.svg")),

@@ -8,6 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import study_path  # first: it says where the others are
 import built_program
 
 
@@ -15,7 +16,7 @@ class Runs(unittest.TestCase):
     # A deviation of 4 standard errors, themselves known to 10 %, occurs by chance in 1 of 3,000 checks.
     def test_short_runs_sample_their_ensembles(self):
         with tempfile.TemporaryDirectory() as folder:
-            run = subprocess.run([sys.executable, "-B", built_program.ROOT / "studies/ensembles.py", "--program", built_program.PROGRAM, "--systems",
+            run = subprocess.run([sys.executable, "-B", study_path.ROOT / "studies/ensembles.py", "--program", built_program.PROGRAM, "--systems",
                                   "CO2", "--length", "400", "--equilibrate", "4", "--jobs", "2"], cwd=folder, text=True, capture_output=True, check=False)
             self.assertEqual(run.returncode, 0, run.stderr)
             result = json.loads((Path(folder) / "ensembles.json").read_text(encoding="utf-8"))
