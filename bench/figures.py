@@ -4,6 +4,7 @@
     figures.py engine|steps RESULT.json PREFIX      time per molecule against size, and speed-up by threads: PREFIX-sizes.svg, PREFIX-threads.svg
     figures.py peers|lammps RESULT.json IMAGE       cost at equal R"""
 
+import functools
 import json
 import sys
 from pathlib import Path
@@ -71,9 +72,14 @@ def peer_looks(names):
             for n in names}
 
 
+def program(name):
+    """An engine with the name of its program as it is written: "GROMACS"."""
+    return functools.reduce(lambda text, own: text.replace(own.lower(), own), ("GROMACS", "LAMMPS", "OpenMM"), name)
+
+
 def absent(costs):
     """The engines that do not reach an R, as a text."""
-    return "\n".join(f"{r['engine']} does not reach {r['R_percent']:g} %" for r in costs if not r["seconds_per_ns"])
+    return "\n".join(f"{program(r['engine'])} does not reach {r['R_percent']:g} %" for r in costs if not r["seconds_per_ns"])
 
 
 def peers(result, path):
@@ -87,14 +93,14 @@ def peers(result, path):
         own = [r for r in result["costs"] if (r["molecules"], r["threads"]) == (molecules, threads)]
         for name, look in looks.items():
             points = [(r["R_percent"], r["seconds_per_ns"]) for r in own if r["engine"] == name and r["seconds_per_ns"]]
-            ax.plot(*(zip(*points) if points else ((), ())), label=name, **look)
+            ax.plot(*(zip(*points) if points else ((), ())), label=program(name), **look)
         ax.text(0.02, 0.03, absent(own), transform=ax.transAxes, fontsize=9)
         ax.set(xscale="log", yscale="log", xlabel="required R  (%)", xlim=(1.6 * targets[-1], targets[0] / 1.6),
                title=f"{molecules} molecules, {threads} thread{'s' * (threads > 1)}")
         figures.plain_ticks(ax.xaxis, targets)
     rows[0][0].set_ylabel("seconds per nanosecond")
     # A build for another instruction set has another speed.
-    builds = "\n".join(f"{n} {v}" for n, v in result.get("versions", {}).items() if n in looks and not n.startswith("polhode"))
+    builds = "\n".join(f"{program(n)} {v}" for n, v in result.get("versions", {}).items() if n in looks and not n.startswith("polhode"))
     figure.supxlabel(f"Builds as distributed, others are faster or slower:\n{builds}" if builds else "", fontsize=9)
     figures.legend(figure, rows[0][0], 3)
     figures.save(figure, path)
