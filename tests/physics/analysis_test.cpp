@@ -11,6 +11,8 @@
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/io/molecule_file.hpp"
+#include "polhode/io/quantity.hpp"
+#include "polhode/measure/displacement.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/initial_state.hpp"
 
@@ -102,6 +104,19 @@ TEST_CASE("analysis of free molecules in memory") {
   CHECK(json_text(one.quantities) == json_text(three.quantities));
   const std::string source = numbers_of(one)["diffusion"]["viscosity_source"];
   CHECK(source.find("gonzalez2010") != std::string::npos);
+  // Images slow diffusion: the correction by the published viscosity is added, whether or not D has
+  // converged.
+  const auto part = numbers_of(one)["parts"][0];
+  const auto value = [&](const char* key) {
+    const auto number = part[key];
+    return number.value("converged", true) ? number["value"] : number["unconverged_estimate"];
+  };
+  const double added = value("D_without_images_1e-9_m2_per_s").get<double>() -
+                       value("D_1e-9_m2_per_s").get<double>();
+  const double expected =
+      1000 * yeh_hummer_correction(a.conditions->temperature().value,
+                                   quantity("0.494 mPa s", Dimension::viscosity, "viscosity"), 2);
+  CHECK(added == doctest::Approx(expected).epsilon(1e-6));
 }
 
 // Rounding to 0.001 nm displaces atoms by up to √3/2 of that, and the fit may add as much; centres

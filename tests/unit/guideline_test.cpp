@@ -45,6 +45,11 @@ TEST_CASE("costs are interpolated along the power law, and extrapolated by the o
   // 2 % of R between two points changes the step by at most 2 %/2 and at least that divided by √2.
   CHECK(inside->error < 400 * 0.01);
   CHECK(inside->error > 400 * 0.007);
+  // Ten runs have nine degrees of freedom; two points of equal weight have those of both.
+  CHECK(cost_at(all[0], all[0].points[1].ratio.value)->degrees_of_freedom ==
+        doctest::Approx(9).epsilon(1e-9));
+  const double halfway = std::sqrt(all[0].points[1].ratio.value * all[0].points[2].ratio.value);
+  CHECK(cost_at(all[0], halfway)->degrees_of_freedom == doctest::Approx(18).epsilon(1e-9));
   const auto below = cost_at(all[0], 2e-3 / 4);
   REQUIRE(below);
   CHECK(below->extrapolated);

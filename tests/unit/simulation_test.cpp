@@ -346,3 +346,22 @@ TEST_CASE("a summary counts the force evaluations of moves of the box and of the
   CHECK(all.minimisation_evaluations == half.minimisation_evaluations);
   CHECK(all.force_evaluations == 80);  // of the scheme alone
 }
+
+// Velocity Verlet cannot follow a collision of argon atoms in so long a step: the energy it makes
+// is finite, and beyond all that dynamics at constant energy, or a bath between two samples, can
+// give.
+TEST_CASE("a run whose energy explodes ends at the sample that shows it") {
+  std::string text = argon;
+  const auto change = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  change("hoa2", "velocity-verlet");
+  change("\"5 fs\"", "\"120 fs\"");
+  change("0.04 ps", "0 ps");
+  change("0.2 ps", "1000 ps");
+  change("sample = \"10 fs\"", "sample = \"120 fs\"");
+  Simulation alone(parse_config(text, "argon.toml"));
+  CHECK_THROWS_WITH_AS(alone.step(8000), doctest::Contains("the total energy went from"), RunError);
+  Simulation in_bath(parse_config(text + "[thermostat]\ntype = \"langevin\"\n", "argon.toml"));
+  CHECK_THROWS_WITH_AS(in_bath.step(8000), doctest::Contains("between two samples"), RunError);
+}
