@@ -180,7 +180,7 @@ std::string missing_error(Known known) {
 
 std::string text_of(const SeriesEstimate& e, std::string_view unit) {
   const std::string number =
-      e.known == Known::yes ? with_error(e.value, e.error) : fmt::format("{:.5g}", e.value);
+      e.known == Known::yes ? with_error(e.value, e.error) : fmt::format("{:.4g}", e.value);
   return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
 }
 

@@ -72,3 +72,27 @@ TEST_CASE("each quantity of a run is stated once, and is in its JSON") {
   CHECK(json["errors_not_known"]["potential_error_kJ_per_mol"] == "too few samples");
   CHECK(run_text(report).find("potential energy") != std::string::npos);
 }
+
+TEST_CASE("a temperature of one motion without an error has the reason") {
+  RunReport report = complete();
+  RunSummary& s = report.summary;
+  s.degrees_of_freedom.translation = 3;
+  s.degrees_of_freedom.rotation = {1, 1, 1};
+  s.temperatures.all = s.temperatures.translation = {300, 1, Known::yes};
+  s.temperatures.rotation.fill({300, 1, Known::yes});
+  const std::string words = "; an error that is not given is not known: ";
+  CHECK(run_text(report).find(words) == std::string::npos);
+  s.temperatures.rotation[1].known = Known::too_short;
+  CHECK(run_text(report).find(words + reason(Known::too_short)) != std::string::npos);
+}
+
+TEST_CASE(
+    "a row has its value with error and unit, a fraction in percent, and why there is no error") {
+  const SeriesEstimate known{0.0123, 0.0004, Known::yes}, unknown{0.0123, 0, Known::too_short};
+  CHECK(text_of(Quantities{{"a", "ps", known, "", "time"}}) ==
+        "time                  0.01230 ± 0.00040 ps\n");
+  CHECK(text_of(Quantities{{"a", "%", known, "", "share"}}) ==
+        "share                 1.230 ± 0.040 %\n");
+  CHECK(text_of(Quantities{{"a", "%", unknown, "", "share"}}) ==
+        "share                 1.23 %, error not known: " + reason(Known::too_short) + "\n");
+}

@@ -77,7 +77,7 @@ std::string not_known(Known known);
 /// ", error not known: run too short"; empty if it is known.
 std::string missing_error(Known known);
 
-/// A value with its error, "1.20 ± 0.03 ps"; with five digits if that is not known.
+/// A value with its error, "1.20 ± 0.03 ps"; with four digits if that is not known.
 std::string text_of(const SeriesEstimate& estimate, std::string_view unit = "");
 
 /// The rows with labels, each a line.

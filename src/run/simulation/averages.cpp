@@ -24,12 +24,21 @@ std::string text_or_dash(double degrees_of_freedom, const SeriesEstimate& T) {
   return degrees_of_freedom == 0 ? "-" : text_of(T);
 }
 
+/// Why some of the temperatures that are shown have no error, where their mean has one.
+std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom& n) {
+  if (T.all.known != Known::yes) return "";
+  Known worst = n.translation > 0 ? T.translation.known : Known::yes;
+  for (std::size_t k = 0; k < n.rotation.size(); ++k)
+    if (n.rotation[k] > 0 && T.rotation[k].known != Known::yes) worst = T.rotation[k].known;
+  return worst == Known::yes ? "" : "; an error that is not given is " + not_known(worst);
+}
+
 Quantities of_temperatures(const TemperatureEstimates& T, const DegreesOfFreedom& n,
                            const std::string& label) {
   const auto axis = [&](std::size_t k) { return text_or_dash(n.rotation[k], T.rotation[k]); };
-  const std::string note =
-      fmt::format(": translation {}, rotation {}, {}, {} K",
-                  text_or_dash(n.translation, T.translation), axis(0), axis(1), axis(2));
+  const std::string note = fmt::format(": translation {}, rotation {}, {}, {} K{}",
+                                       text_or_dash(n.translation, T.translation), axis(0), axis(1),
+                                       axis(2), missing_errors(T, n));
   return {{"temperature", "K", T.all, "mean kinetic temperature", label, note},
           {"temperature_translation", "K", T.translation, "mean temperature of translation"},
           {"temperature_rotation", "K", T.rotation, "of rotation about each principal axis"}};

@@ -76,11 +76,13 @@ Quantities of_drift(const Drift& drift, double walk, std::uint64_t samples) {
 std::string ratio_text(const RunSummary& s) {
   if (s.samples < min_samples_reported) return not_known(Known::too_few_samples);
   if (s.potential_fluctuation.value == 0) return "not defined: the potential energy is constant";
+  const bool grows = s.ratio.known == Known::grows;
   return fmt::format(
-      "{}   (rms of the {} energy, {:.4g}, divided by that of the potential energy, {:.4g} "
+      "{}{}   (rms of the {} energy, {:.4g}, divided by that of the potential energy, {:.4g} "
       "kJ/mol){}",
-      text_of(scaled(s.ratio, 100), "%"), energy_name(s), s.total_fluctuation.value,
-      s.potential_fluctuation.value, missing_error(s.ratio.known));
+      text_of(scaled(s.ratio, 100), "%"), grows ? ", which grows with the length of the run" : "",
+      energy_name(s), s.total_fluctuation.value, s.potential_fluctuation.value,
+      grows ? "" : missing_error(s.ratio.known));
 }
 
 /// "; in this run 0.4 % of the rms fluctuation of the potential energy, too little to matter".
