@@ -18,8 +18,8 @@
 #include "polhode/base/printable.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/version.hpp"
-#include "streams.hpp"
-#include "terminal.hpp"
+#include "terminal/streams.hpp"
+#include "terminal/terminal.hpp"
 #include "verbs.hpp"
 
 namespace polhode::cli {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "command.hpp"
+#include "options/command.hpp"
 
 namespace polhode::cli {
 

@@ -43,7 +43,7 @@ endforeach()
 # Compile time: files that read input, prepare and report runs are optimized less, and headers of the standard library are
 # compiled once, except for developers, who find out whether each file includes what it uses.
 set(cold_sources ${sources})
-list(FILTER cold_sources INCLUDE REGEX "/src/(io/[^/]*|io/gromacs/[^/]*|io/lammps/[^/]*|run/[^/]*|run/(adviser|analysis|canonical|conversion|listing|prepare|study|top)/[^/]*|run/simulation/(averages|checkpoint|energy_file|ensemble_[sw][a-z]*|identity|run_[a-z]*|simulation|summary|system[a-z_]*|warnings)\\.cpp|math/(fit|prediction)\\.cpp)$")
+list(FILTER cold_sources INCLUDE REGEX "/src/(io/(settings|figures|files|coordinates|topology|gromacs|lammps)/[^/]*|run/[^/]*|run/(adviser|analysis|canonical|conversion|listing|prepare|study|top)/[^/]*|run/simulation/(simulation|files/[^/]*|report/(averages|ensemble_[a-z]*|run_report|summary|warnings)|system/system[a-z_]*)\\.cpp|math/(fit|prediction)\\.cpp)$")
 set_source_files_properties(${cold_sources} PROPERTIES COMPILE_OPTIONS $<$<CONFIG:Release>:-O1>)
 function(polhode_precompile target)
   if(POLHODE_PRECOMPILE)

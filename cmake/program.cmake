@@ -2,7 +2,7 @@
 # The program, `polhode`.
 find_package(CLI11 REQUIRED)
 
-file(GLOB cli_sources CONFIGURE_DEPENDS cli/*.cpp)
+file(GLOB_RECURSE cli_sources CONFIGURE_DEPENDS cli/*.cpp)
 add_executable(polhode_cli ${cli_sources})
 set_target_properties(polhode_cli PROPERTIES OUTPUT_NAME polhode)
 target_compile_options(polhode_cli PRIVATE -O1)  # parsing and printing: compile time matters more

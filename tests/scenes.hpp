@@ -11,7 +11,7 @@
 
 #include "polhode/forces/force_field.hpp"
 #include "polhode/forces/pairs/reference.hpp"
-#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
 
 namespace polhode::scenes {
 

@@ -13,7 +13,7 @@
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/benchmark/benchmark.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode::bench {
 

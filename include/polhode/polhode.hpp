@@ -7,5 +7,5 @@
 #include "polhode/integrate/body_flows.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/run/simulation/simulation.hpp"

@@ -14,13 +14,13 @@
 
 #include "bind.hpp"
 #include "polhode/base/threads.hpp"
-#include "polhode/io/embedded.hpp"
-#include "polhode/io/ensemble_names.hpp"
-#include "polhode/io/gromacs_mdp.hpp"
-#include "polhode/io/quantity.hpp"
-#include "polhode/io/run_file_template.hpp"
-#include "polhode/io/setting_keys.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/io/files/embedded.hpp"
+#include "polhode/io/settings/ensemble_names.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/settings/run_file_template.hpp"
+#include "polhode/io/settings/setting_keys.hpp"
+#include "polhode/io/topology/gromacs_mdp.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode::python {
 

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 
 namespace polhode::python {
 

@@ -12,7 +12,7 @@
 #include "arrays.hpp"
 #include "bind.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/frame_file.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode::python {

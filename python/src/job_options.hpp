@@ -10,9 +10,9 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 #include "polhode/base/workers.hpp"
-#include "polhode/io/config.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/config.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode::python {

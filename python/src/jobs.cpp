@@ -12,8 +12,8 @@
 #include "bind.hpp"
 #include "job_options.hpp"
 #include "polhode/base/instruction_set.hpp"
-#include "polhode/io/ensemble_names.hpp"
-#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/settings/ensemble_names.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
 #include "polhode/run/analysis/analysis_report.hpp"
 #include "polhode/run/benchmark/benchmark_report.hpp"
@@ -23,7 +23,7 @@
 #include "polhode/run/prepare/minimisation.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/simulation.hpp"
-#include "polhode/run/simulation/single_point.hpp"
+#include "polhode/run/simulation/system/single_point.hpp"
 #include "polhode/run/study/tune.hpp"
 
 namespace polhode::python {

@@ -13,9 +13,9 @@
 #include "arrays.hpp"
 #include "bind.hpp"
 #include "job.hpp"
-#include "polhode/io/output_units.hpp"
+#include "polhode/io/settings/output_units.hpp"
 #include "polhode/run/listing/molecules.hpp"
-#include "polhode/run/simulation/energy_file.hpp"
+#include "polhode/run/simulation/files/energy_file.hpp"
 
 namespace polhode::python {
 namespace {

@@ -8,7 +8,7 @@
 #include "polhode/base/error.hpp"
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/version.hpp"
-#include "polhode/io/draft.hpp"
+#include "polhode/io/files/draft.hpp"
 
 namespace polhode {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "polhode/io/frame_file.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
 
 namespace polhode::fuzz {
 

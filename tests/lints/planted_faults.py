@@ -42,7 +42,7 @@ FAULTS = [
     ("floors", "include/polhode/io/a.hpp", SPDX + "#include <hdf5.h>\n", 2),
     ("floors", "cli/verbs.hpp", SPDX + "#include <CLI/CLI.hpp>\n", 2),
     ("floors", "src/run/report.hpp", SPDX + "#include <nlohmann/json.hpp>\n", 2),
-    ("floors", "cli/run.cpp", SPDX + '#include "polhode/engine/a.hpp"\n', 2),
+    ("floors", "cli/verbs/run.cpp", SPDX + '#include "polhode/engine/a.hpp"\n', 2),
     ("format", "src/io/file.cpp", "void  g( ) ;\n", 5),
     ("citations", "src/io/file.cpp", "/// @source nobody1999, Eq. 3\n", 5),
     ("citations", "docs/notes.md", "See [nobody1999].\n", 2),

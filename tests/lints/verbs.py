@@ -55,7 +55,7 @@ def verbs_of(path):
 def check(root):
     verbs = root / "cli/verbs.cpp"
     python = text_of(sorted((root / "python/src").glob("*.cpp")))
-    command_line = text_of(sorted((root / "cli").glob("*.cpp")))
+    command_line = text_of(sorted((root / "cli").rglob("*.cpp")))
     names = python_names(root)
     for verb, number in verbs_of(verbs):
         if verb not in CALLS:

@@ -9,7 +9,7 @@
 #include "polhode/base/threads.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/study/guideline.hpp"
 
 using namespace polhode;

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 using namespace polhode;
 

@@ -10,9 +10,9 @@
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/run/simulation/system/near_forces.hpp"
 #include "scenes.hpp"
 #include "unit/errors.hpp"
 

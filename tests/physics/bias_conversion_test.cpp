@@ -10,7 +10,7 @@
 
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/math/fit.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

@@ -10,7 +10,7 @@
 #include "physics/load_bits.hpp"
 #include "physics/mesh_scene.hpp"
 #include "polhode/base/workers.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "unit/errors.hpp"
 
 using namespace polhode;

@@ -10,9 +10,9 @@
 
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/quantity.hpp"
-#include "polhode/run/simulation/ensemble_summary.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/run/simulation/report/ensemble_summary.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

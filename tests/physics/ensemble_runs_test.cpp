@@ -6,7 +6,7 @@
 
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/simulation/propagator.hpp"
+#include "polhode/run/simulation/trajectory/propagator.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

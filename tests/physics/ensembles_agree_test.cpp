@@ -11,7 +11,7 @@
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

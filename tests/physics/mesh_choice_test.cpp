@@ -9,7 +9,7 @@
 
 #include "physics/mesh_scene.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "unit/errors.hpp"
 
 using namespace polhode;

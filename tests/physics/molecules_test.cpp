@@ -8,10 +8,10 @@
 #include "physics/force_laws.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/rotation.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 using namespace polhode;
 

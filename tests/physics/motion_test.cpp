@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "polhode/base/units.hpp"
-#include "polhode/io/molecule_file.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/measure/dielectric.hpp"
 #include "polhode/measure/displacement.hpp"

@@ -7,11 +7,11 @@
 
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/measure/order.hpp"
-#include "polhode/run/simulation/near_forces.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/system/near_forces.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

@@ -11,8 +11,8 @@
 
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/run/simulation/checkpoint.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/run/simulation/files/checkpoint.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

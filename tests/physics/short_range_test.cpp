@@ -12,7 +12,7 @@
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "unit/errors.hpp"
 
 using namespace polhode;

@@ -11,8 +11,8 @@
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/rodrigues.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/run/simulation/system/near_forces.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

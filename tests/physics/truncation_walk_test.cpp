@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The random walk of the energy by passages through the switching range, against its prediction.
-#include "polhode/run/simulation/truncation_walk.hpp"
+#include "polhode/run/simulation/report/truncation_walk.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "polhode/io/config.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/io/settings/config.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 using namespace polhode;
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 using namespace polhode;
 

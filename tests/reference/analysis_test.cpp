@@ -11,8 +11,8 @@
 
 #include "../analysis_curves.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/frame_file.hpp"
-#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/run/analysis/analysis_summary.hpp"
 
 using namespace polhode;

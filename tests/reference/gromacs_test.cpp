@@ -8,8 +8,8 @@
 #include <sstream>
 #include <string>
 
-#include "polhode/io/gromacs.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/io/topology/gromacs.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "skip.hpp"
 
 using namespace polhode;

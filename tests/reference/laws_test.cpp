@@ -10,7 +10,7 @@
 
 #include "instruction_sets.hpp"
 #include "polhode/forces/force_field.hpp"
-#include "polhode/io/molecule_file.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
 
 using namespace polhode;
 

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "polhode/io/file_lock.hpp"
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/files/file_lock.hpp"
+#include "polhode/io/files/table_file.hpp"
 #include "polhode/run/callbacks.hpp"
 
 namespace polhode {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/io/frame.hpp"
+#include "polhode/io/coordinates/frame.hpp"
 
 namespace polhode {
 

@@ -6,7 +6,7 @@
 
 #include "format.hpp"
 #include "lines.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "unnamed.hpp"
 
 namespace polhode {

@@ -10,7 +10,7 @@
 
 #include "format_limits.hpp"
 #include "frame_view.hpp"
-#include "polhode/io/frame_file.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
 
 namespace polhode {
 

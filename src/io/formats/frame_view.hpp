@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/io/frame_file.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
 
 namespace polhode {
 

@@ -15,7 +15,7 @@
 #include "h5md_moments.hpp"
 #include "hdf5.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "variable_text.hpp"
 
 namespace polhode {

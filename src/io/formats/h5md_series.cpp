@@ -5,8 +5,8 @@
 
 #include "format.hpp"
 #include "polhode/base/output_error.hpp"
-#include "polhode/io/checksum.hpp"
-#include "polhode/io/disk.hpp"
+#include "polhode/io/files/checksum.hpp"
+#include "polhode/io/files/disk.hpp"
 
 namespace polhode {
 namespace h5md {

@@ -15,8 +15,8 @@
 #include "own_process.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/version.hpp"
-#include "polhode/io/disk.hpp"
-#include "polhode/io/draft.hpp"
+#include "polhode/io/files/disk.hpp"
+#include "polhode/io/files/draft.hpp"
 
 namespace polhode {
 

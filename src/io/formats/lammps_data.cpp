@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // LAMMPS data files as files of one frame, in the order of ids.
-#include "polhode/io/lammps_data.hpp"
+#include "polhode/io/topology/lammps_data.hpp"
 
 #include <istream>
 
-#include "../text_file.hpp"
+#include "../files/text_file.hpp"
 #include "format.hpp"
 
 namespace polhode {

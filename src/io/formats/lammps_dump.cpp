@@ -9,7 +9,7 @@
 #include "atom_kinds.hpp"
 #include "format.hpp"
 #include "lines.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

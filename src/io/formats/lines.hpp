@@ -12,8 +12,8 @@
 #include <string_view>
 #include <utility>
 
-#include "../split_words.hpp"
-#include "../text_file.hpp"
+#include "../files/split_words.hpp"
+#include "../files/text_file.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/from_chars.hpp"
 

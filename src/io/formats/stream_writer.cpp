@@ -9,9 +9,9 @@
 
 #include "format.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/checksum.hpp"
-#include "polhode/io/disk.hpp"
-#include "polhode/io/file_lock.hpp"
+#include "polhode/io/files/checksum.hpp"
+#include "polhode/io/files/disk.hpp"
+#include "polhode/io/files/file_lock.hpp"
 
 namespace polhode {
 namespace {

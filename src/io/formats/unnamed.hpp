@@ -6,7 +6,7 @@
 #include <string>
 
 #include "binary.hpp"
-#include "polhode/io/frame.hpp"
+#include "polhode/io/coordinates/frame.hpp"
 
 namespace polhode {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/xyz.hpp"
+#include "polhode/io/coordinates/xyz.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include "atom_kinds.hpp"
 #include "format.hpp"
 #include "lines.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "text_buffer.hpp"
 
 namespace polhode {

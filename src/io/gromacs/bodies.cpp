@@ -7,8 +7,8 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
-#include "polhode/io/topology_file.hpp"
-#include "polhode/io/type_pairs.hpp"
+#include "polhode/io/settings/type_pairs.hpp"
+#include "polhode/io/topology/topology_file.hpp"
 
 namespace polhode {
 namespace {

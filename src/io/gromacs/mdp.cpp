@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "../split_words.hpp"
-#include "../text_file.hpp"
+#include "../files/split_words.hpp"
+#include "../files/text_file.hpp"
 #include "mdp_parameters.hpp"
 #include "polhode/base/printable.hpp"
-#include "polhode/io/output_units.hpp"
+#include "polhode/io/settings/output_units.hpp"
 
 namespace polhode {
 namespace {

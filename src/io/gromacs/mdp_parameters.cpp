@@ -9,9 +9,9 @@
 #include <memory>
 #include <utility>
 
-#include "../field_line.hpp"
-#include "../split_words.hpp"
-#include "../text_file.hpp"
+#include "../files/field_line.hpp"
+#include "../files/split_words.hpp"
+#include "../files/text_file.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
 

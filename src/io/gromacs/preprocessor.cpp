@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "../field_line.hpp"
-#include "../split_words.hpp"
+#include "../files/field_line.hpp"
+#include "../files/split_words.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode::gromacs {

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/io/gromacs.hpp"
+#include "polhode/io/topology/gromacs.hpp"
 
 namespace polhode::gromacs {
 

@@ -9,7 +9,7 @@
 #include "bonded_key.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/gromacs.hpp"
+#include "polhode/io/topology/gromacs.hpp"
 #include "polhode/model/elements.hpp"
 #include "polhode/model/molecule_in_frame.hpp"
 

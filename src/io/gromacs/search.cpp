@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "../text_file.hpp"
-#include "polhode/io/gromacs.hpp"
+#include "../files/text_file.hpp"
+#include "polhode/io/topology/gromacs.hpp"
 
 namespace polhode {
 namespace {

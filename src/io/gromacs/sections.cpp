@@ -9,8 +9,8 @@
 #include <initializer_list>
 #include <limits>
 
-#include "../field_line.hpp"
-#include "../split_words.hpp"
+#include "../files/field_line.hpp"
+#include "../files/split_words.hpp"
 #include "bonded_key.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"

@@ -9,16 +9,16 @@
 #include <limits>
 #include <optional>
 
-#include "../field_line.hpp"
-#include "../split_words.hpp"
-#include "../text_file.hpp"
+#include "../files/field_line.hpp"
+#include "../files/split_words.hpp"
+#include "../files/text_file.hpp"
 #include "kinds.hpp"
 #include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/suggest.hpp"
-#include "polhode/io/lammps_data.hpp"
-#include "polhode/io/lammps_export.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/topology/lammps_data.hpp"
+#include "polhode/io/topology/lammps_export.hpp"
 
 namespace polhode {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "../split_words.hpp"
+#include "../files/split_words.hpp"
 
 namespace polhode {
 

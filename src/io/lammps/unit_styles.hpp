@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 

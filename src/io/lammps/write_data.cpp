@@ -8,9 +8,9 @@
 #include <ostream>
 #include <variant>
 
-#include "polhode/io/frame.hpp"
-#include "polhode/io/lammps_export.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/coordinates/frame.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/topology/lammps_export.hpp"
 #include "polhode/model/wrap.hpp"
 
 namespace polhode {

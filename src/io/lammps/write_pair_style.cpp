@@ -11,8 +11,8 @@
 #include "polhode/base/units.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/forces/pairs/pair_table.hpp"
-#include "polhode/io/lammps_export.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/topology/lammps_export.hpp"
 
 namespace polhode {
 std::string lammps_pair_style(const ForceSettings& s) {

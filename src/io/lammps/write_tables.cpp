@@ -9,8 +9,8 @@
 #include "lone_site.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/forces/pairs/molecule_pair.hpp"
-#include "polhode/io/lammps_export.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/topology/lammps_export.hpp"
 
 namespace polhode {
 namespace {

@@ -9,11 +9,11 @@
 
 #include "../study/temperature_differences.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/output_units.hpp"
-#include "polhode/io/plot.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/figures/plot.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/adviser/advice_curves.hpp"
-#include "polhode/run/simulation/system_notes.hpp"
+#include "polhode/run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include "polhode/io/output_units.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
 
 namespace polhode {

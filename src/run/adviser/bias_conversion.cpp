@@ -9,11 +9,11 @@
 
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/ensemble_text.hpp"
-#include "polhode/io/quantity.hpp"
-#include "polhode/io/with_error.hpp"
+#include "polhode/io/files/with_error.hpp"
+#include "polhode/io/settings/ensemble_text.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "polhode/measure/block_means.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "polhode/base/stopwatch.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {
 namespace {

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/output_units.hpp"
+#include "polhode/io/settings/output_units.hpp"
 
 namespace polhode {
 

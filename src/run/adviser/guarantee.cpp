@@ -8,11 +8,11 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/output_error.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/files/table_file.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/adviser/advice_report.hpp"
 #include "polhode/run/adviser/adviser.hpp"
-#include "polhode/run/simulation/system_notes.hpp"
+#include "polhode/run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

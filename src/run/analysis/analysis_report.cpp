@@ -9,7 +9,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

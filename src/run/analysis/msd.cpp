@@ -8,8 +8,8 @@
 
 #include "convergence_results.hpp"
 #include "curves.hpp"
-#include "polhode/io/quantity.hpp"
-#include "polhode/io/with_error.hpp"
+#include "polhode/io/files/with_error.hpp"
+#include "polhode/io/settings/quantity.hpp"
 #include "polhode/measure/displacement.hpp"
 #include "polhode/run/analysis/analysis_summary.hpp"
 

@@ -7,7 +7,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "convergence_results.hpp"
 #include "curves.hpp"
-#include "polhode/io/output_units.hpp"
+#include "polhode/io/settings/output_units.hpp"
 #include "polhode/measure/velocity_correlation.hpp"
 #include "polhode/run/analysis/analysis_summary.hpp"
 

@@ -17,7 +17,7 @@
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/model/cell_list.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {
 namespace {

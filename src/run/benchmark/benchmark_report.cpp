@@ -9,7 +9,7 @@
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/version.hpp"
 #include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/io/output_units.hpp"
+#include "polhode/io/settings/output_units.hpp"
 
 namespace polhode {
 namespace {

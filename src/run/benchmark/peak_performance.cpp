@@ -5,7 +5,7 @@
 
 #include "polhode/base/column.hpp"
 #include "polhode/base/stopwatch.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
 namespace {

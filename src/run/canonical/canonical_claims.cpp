@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/output_units.hpp"
-#include "polhode/io/with_error.hpp"
+#include "polhode/io/files/with_error.hpp"
+#include "polhode/io/settings/output_units.hpp"
 #include "polhode/math/prediction.hpp"
 #include "polhode/run/canonical/canonical_report.hpp"
 

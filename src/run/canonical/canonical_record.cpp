@@ -2,7 +2,7 @@
 #include "polhode/run/canonical/canonical_record.hpp"
 
 #include "../study/record_columns.hpp"
-#include "polhode/run/simulation/identity.hpp"
+#include "polhode/run/simulation/files/identity.hpp"
 
 namespace polhode {
 namespace {

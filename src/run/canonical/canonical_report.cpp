@@ -9,9 +9,9 @@
 
 #include "../study/study_job.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/ensemble_text.hpp"
-#include "polhode/io/output_units.hpp"
-#include "polhode/io/plot.hpp"
+#include "polhode/io/figures/plot.hpp"
+#include "polhode/io/settings/ensemble_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
 #include "polhode/run/canonical/canonical_record.hpp"
 
 namespace polhode {

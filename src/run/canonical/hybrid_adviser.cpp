@@ -13,13 +13,13 @@
 #include <utility>
 
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/io/output_units.hpp"
-#include "polhode/io/with_error.hpp"
+#include "polhode/io/files/with_error.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/measure/autocorrelation_time.hpp"
-#include "polhode/run/simulation/einstein_frequency.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/system/einstein_frequency.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 
 namespace polhode {

@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/draft.hpp"
-#include "polhode/io/frame_file.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
+#include "polhode/io/files/draft.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
 namespace {

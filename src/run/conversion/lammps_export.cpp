@@ -11,12 +11,12 @@
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/force_program.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/lammps_export.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/io/quantity.hpp"
-#include "polhode/io/table_file.hpp"
-#include "polhode/run/simulation/system.hpp"
-#include "polhode/run/simulation/system_notes.hpp"
+#include "polhode/io/files/table_file.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/topology/lammps_export.hpp"
+#include "polhode/run/simulation/system/system.hpp"
+#include "polhode/run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

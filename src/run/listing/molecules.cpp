@@ -5,9 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "polhode/io/molecule_file.hpp"
-#include "polhode/io/quantity.hpp"
-#include "polhode/io/topology_file.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
+#include "polhode/io/topology/topology_file.hpp"
 #include "polhode/model/dipole.hpp"
 
 namespace polhode {

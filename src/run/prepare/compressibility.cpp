@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/ensemble_names.hpp"
-#include "polhode/run/simulation/ensemble_warnings.hpp"
+#include "polhode/io/settings/ensemble_names.hpp"
+#include "polhode/run/simulation/report/ensemble_warnings.hpp"
 
 namespace polhode {
 namespace {

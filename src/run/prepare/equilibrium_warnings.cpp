@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/quantity.hpp"
+#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 

@@ -6,7 +6,7 @@
 
 #include "polhode/measure/slope.hpp"
 #include "polhode/model/ensemble_settings.hpp"
-#include "polhode/run/simulation/warnings.hpp"
+#include "polhode/run/simulation/report/warnings.hpp"
 
 namespace polhode {
 

@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/gro.hpp"
-#include "polhode/run/simulation/relaxation.hpp"
-#include "polhode/run/simulation/system_notes.hpp"
+#include "polhode/io/coordinates/gro.hpp"
+#include "polhode/run/simulation/system/relaxation.hpp"
+#include "polhode/run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

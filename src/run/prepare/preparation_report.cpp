@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "../simulation/averages.hpp"
+#include "../simulation/report/averages.hpp"
 #include "polhode/run/prepare/minimisation.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "../../io/formats/lines.hpp"
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/files/table_file.hpp"
 
 namespace polhode {
 

@@ -9,7 +9,7 @@
 
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {

@@ -12,11 +12,11 @@
 #include <numeric>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/io/output_units.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
 #include "polhode/math/prediction.hpp"
-#include "polhode/run/simulation/near_forces.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/run/simulation/system/near_forces.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {
 namespace {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/draft.hpp"
+#include "polhode/io/files/draft.hpp"
 #include "polhode/run/outputs.hpp"
-#include "polhode/run/simulation/system_notes.hpp"
+#include "polhode/run/simulation/system/system_notes.hpp"
 #include "polhode/run/study/study_report.hpp"
 
 namespace polhode {

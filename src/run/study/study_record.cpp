@@ -5,7 +5,7 @@
 #include <array>
 #include <string_view>
 
-#include "polhode/run/simulation/identity.hpp"
+#include "polhode/run/simulation/files/identity.hpp"
 #include "record_columns.hpp"
 
 namespace polhode {

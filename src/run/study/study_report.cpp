@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/output_units.hpp"
-#include "polhode/io/plot.hpp"
-#include "polhode/run/simulation/near_forces.hpp"
+#include "polhode/io/figures/plot.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/run/simulation/system/near_forces.hpp"
 #include "polhode/run/study/study_record.hpp"
 #include "study_job.hpp"
 #include "temperature_differences.hpp"

@@ -7,7 +7,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/files/table_file.hpp"
 #include "polhode/run/study/equipartition.hpp"
 
 namespace polhode {

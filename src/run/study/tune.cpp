@@ -12,10 +12,10 @@
 #include "polhode/base/instruction_set.hpp"
 #include "polhode/base/version.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/nested_scheme_text.hpp"
-#include "polhode/io/output_units.hpp"
-#include "polhode/run/simulation/system_notes.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/run/simulation/system/system_notes.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {
 namespace {

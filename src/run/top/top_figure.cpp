@@ -10,8 +10,8 @@
 #include <ostream>
 
 #include "polhode/base/error.hpp"
-#include "polhode/io/plot.hpp"
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/figures/plot.hpp"
+#include "polhode/io/files/table_file.hpp"
 #include "polhode/rotor/free_rotor.hpp"
 #include "polhode/run/outputs.hpp"
 

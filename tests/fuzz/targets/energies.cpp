@@ -6,7 +6,7 @@
 
 #include "../fuzz.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/files/table_file.hpp"
 
 // A table that is extended: a file, here one in memory.
 void polhode::fuzz::read(std::string_view text) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../fuzz.hpp"
-#include "polhode/io/topology_file.hpp"
+#include "polhode/io/topology/topology_file.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/scheme.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/run/adviser/criterion.hpp"
 #include "polhode/run/adviser/step_model.hpp"
 #include "polhode/run/callbacks.hpp"

@@ -11,7 +11,7 @@
 #include "polhode/run/adviser/criterion.hpp"
 #include "polhode/run/adviser/resumable_run.hpp"
 #include "polhode/run/callbacks.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
 

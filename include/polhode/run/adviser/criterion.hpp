@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "polhode/base/enum_names.hpp"
-#include "polhode/io/requirement.hpp"
-#include "polhode/run/simulation/system.hpp"
-#include "polhode/run/simulation/trajectory.hpp"
+#include "polhode/io/settings/requirement.hpp"
+#include "polhode/run/simulation/system/system.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {
 

@@ -7,10 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/measure/energy_statistics.hpp"
 #include "polhode/run/callbacks.hpp"
-#include "polhode/run/simulation/summary.hpp"
+#include "polhode/run/simulation/report/summary.hpp"
 
 namespace polhode {
 

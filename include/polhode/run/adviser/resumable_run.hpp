@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "polhode/run/adviser/criterion.hpp"
-#include "polhode/run/simulation/rounding.hpp"
+#include "polhode/run/simulation/report/rounding.hpp"
 
 namespace polhode {
 

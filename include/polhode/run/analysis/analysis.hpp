@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/io/frame_file.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/measure/conditions.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/run/analysis/observable.hpp"

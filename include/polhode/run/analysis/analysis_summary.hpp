@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/measure/dielectric.hpp"
 #include "polhode/measure/displacement.hpp"
 #include "polhode/run/analysis/analysis.hpp"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/io/plot.hpp"
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/figures/plot.hpp"
+#include "polhode/io/files/table_file.hpp"
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/run/quantities.hpp"

@@ -5,11 +5,11 @@
 #include <optional>
 #include <string>
 
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/measure/step_response.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
-#include "polhode/run/simulation/energy_file.hpp"
+#include "polhode/run/simulation/files/energy_file.hpp"
 
 namespace polhode {
 

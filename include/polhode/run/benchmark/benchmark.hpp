@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/io/output_units.hpp"
+#include "polhode/io/settings/output_units.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/run/benchmark/peak_performance.hpp"
 #include "polhode/run/callbacks.hpp"

@@ -12,10 +12,10 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/scheme.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/math/fit.hpp"
 #include "polhode/run/callbacks.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/math/fit.hpp"
 #include "polhode/run/callbacks.hpp"
 

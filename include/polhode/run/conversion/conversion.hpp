@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/model/topology.hpp"
 #include "polhode/run/outputs.hpp"
 

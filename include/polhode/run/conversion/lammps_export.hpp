@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/base/enum_names.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
 

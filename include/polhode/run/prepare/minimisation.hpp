@@ -5,7 +5,7 @@
 #include <string>
 
 #include "polhode/ensemble/minimise.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
 

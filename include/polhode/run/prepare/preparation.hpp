@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "polhode/ensemble/minimise.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
-#include "polhode/run/simulation/warnings.hpp"
+#include "polhode/run/simulation/report/warnings.hpp"
 
 namespace polhode {
 

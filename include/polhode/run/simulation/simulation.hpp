@@ -7,14 +7,14 @@
 #include <string>
 
 #include "polhode/base/workers.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/run/adviser/guarantee.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
-#include "polhode/run/simulation/propagator.hpp"
-#include "polhode/run/simulation/rounding.hpp"
-#include "polhode/run/simulation/run_report.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/report/rounding.hpp"
+#include "polhode/run/simulation/report/run_report.hpp"
+#include "polhode/run/simulation/system/system.hpp"
+#include "polhode/run/simulation/trajectory/propagator.hpp"
 
 namespace polhode {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/io/table_file.hpp"
+#include "polhode/io/files/table_file.hpp"
 
 namespace polhode {
 

@@ -11,12 +11,12 @@
 
 #include "polhode/base/workers.hpp"
 #include "polhode/integrate/nested_scheme.hpp"
-#include "polhode/io/config.hpp"
+#include "polhode/io/settings/config.hpp"
 #include "polhode/measure/configurational_temperature.hpp"
 #include "polhode/measure/slope.hpp"
 #include "polhode/run/callbacks.hpp"
-#include "polhode/run/simulation/rounding.hpp"
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/report/rounding.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "polhode/run/simulation/system.hpp"
+#include "polhode/run/simulation/system/system.hpp"
 #include "polhode/run/study/run_record.hpp"
 #include "polhode/run/study/study.hpp"
 

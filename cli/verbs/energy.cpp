@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// polhode energy [FILE]: single-point energies, and forces and torques on all bodies as CSV.
+#include <fmt/core.h>
+
+#include <memory>
+#include <string>
+
+#include "../options/option_values.hpp"
+#include "../reports/energy_report.hpp"
+#include "../terminal/streams.hpp"
+#include "../verbs.hpp"
+#include "polhode/run/simulation/system/single_point.hpp"
+
+namespace polhode::cli {
+namespace {
+
+struct Options {
+  std::string file;
+  bool forces = false, gradient = false, json = false;
+};
+
+int energy(const Options& o) {
+  const Callbacks notes{.message = [](const std::string& text) { log("{}\n", text); }};
+  const SinglePoint point = single_point(read_config_option(o.file), o.gradient, notes);
+  const bool csv = o.forces || o.gradient;
+  const std::string text = o.json ? single_point_json(point) + "\n" : text_of(point);
+  std::fputs(text.c_str(), csv ? stderr : stdout);
+  if (csv) print_loads(point);
+  return 0;
+}
+
+}  // namespace
+
+Action energy_verb(Command& command) {
+  auto o = std::make_shared<Options>();
+  command.add_option("FILE", o->file, "run file (TOML); default: 512 TIP4P waters");
+  command.add_flag(
+      "--forces", o->forces,
+      "print force [kJ/mol/nm] and torque [kJ/mol] of every body as CSV; energies go to "
+      "standard error");
+  command.add_flag(
+      "--gradient", o->gradient,
+      "add the directional derivative of force and torque along the displacement (f/m, "
+      "J^-1 S tau) of the gradient kick; implies --forces");
+  command.add_flag("--json", o->json, "print the energies as JSON");
+  return [o] { return energy(*o); };
+}
+
+}  // namespace polhode::cli

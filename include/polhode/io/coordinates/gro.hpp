@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// GRO files, as GROMACS reads and writes them: positions [nm] and velocities [nm/ps] in columns
+// whose width is the distance between the decimal points.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <string_view>
+
+#include "polhode/io/coordinates/frame.hpp"
+
+namespace polhode {
+
+/// The first frame of a GRO file.
+/// @throws Error  with file and line: what was found, and what was expected
+Frame read_gro(const std::string& path);
+
+/// Parses the first frame of a text; `file` is its name in errors.
+Frame parse_gro(std::string_view text, const std::string& file);
+
+/// Writes a frame; positions have `decimals` decimals, velocities one more, as in GROMACS.
+void write_gro(std::ostream& out, const Frame& frame, int decimals = 10);
+
+/// Writes the frame of a state atom by atom.
+void write_gro(std::ostream& out, const State& state, const Topology& topology, int decimals = 10);
+
+}  // namespace polhode

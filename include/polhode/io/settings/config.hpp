@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: MIT
+// Run files: TOML, with units for all quantities. The full description of a run or a study, in
+// internal units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/base/enum_names.hpp"
+#include "polhode/base/vec3.hpp"
+#include "polhode/forces/laws/settings.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
+#include "polhode/io/settings/requirement.hpp"
+#include "polhode/io/topology/topology_file.hpp"
+#include "polhode/model/ensemble_settings.hpp"
+#include "polhode/model/molecule.hpp"
+
+namespace polhode {
+
+struct SystemSettings {
+  struct Component {
+    std::string model;              ///< name of a model, or path of a molecule file
+    std::optional<Molecule> own{};  ///< the molecule itself, if the run file defines it
+    std::size_t count = 0;          ///< 0: as many as the initial configuration contains
+  };
+  std::vector<Component> molecules;
+  TopologySettings topology;        ///< alternative to `molecules`
+  std::optional<double> density;    ///< [u/nm³], if there is no initial configuration
+  std::optional<Vec3<double>> box;  ///< [nm], if there is no initial configuration
+  double temperature = 297;         ///< [K]
+  bool temperature_given = false;   ///< in the run file
+  bool seed_given = false;          ///< likewise
+  /// Whether velocities are drawn, or must be those of the initial configuration; nothing: drawn
+  /// unless it has some.
+  std::optional<bool> new_velocities{};
+  std::uint64_t seed = 1;
+  /// Path of a coordinate file; "w512" is the built-in one; empty: lattice.
+  std::string initial_configuration;
+  /// Path of a checkpoint with the state of the initial configuration at full precision; empty:
+  /// none.
+  std::string checkpoint{};
+};
+
+/// The molecule of a component: its own, or that of its model.
+/// @throws Error  if there is no such model
+Molecule molecule_of(const SystemSettings::Component& component);
+
+struct IntegratorSettings {
+  std::string scheme = "hoa2";  ///< name, or stages as text
+  bool scheme_given = false;
+  /// If set, the adviser chooses the step, and the scheme unless one is given.
+  std::optional<Requirement> accuracy;
+  /// Schemes that the adviser chooses from, as names or texts.
+  std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
+  double step = 0.002;  ///< [ps]
+  /// For the finite-difference gradient [vanzon2008, Eq. 6]. Default: 1e-4 in double precision, 1
+  /// in mixed precision, because the rounding of the forces is amplified by 1/lambda, while the
+  /// order of a scheme does not depend on it.
+  double lambda = 1e-4;
+  bool lambda_given = false;
+  std::string lambda_place;  ///< "water.toml:12, integrator.lambda"
+};
+
+struct RunSettings {
+  bool minimise = false;   ///< the energy of the initial configuration, before all else
+  double equilibrate = 0;  ///< [ps], with velocity rescaling
+  double length = 15;      ///< [ps]
+  double sample = 0.004;   ///< interval between samples of the energies [ps]
+  /// The same for the shadow energy [ps]; 0: none; default: a hundred steps, for schemes that have
+  /// one.
+  std::optional<double> shadow_sample;
+  double configurational_sample = 0;  ///< the same for configurational temperatures [ps]; 0: none
+};
+
+/// Lengths of the parts of a preparation.
+struct PreparationSettings {
+  double nvt = 20;   ///< at constant volume [ps]
+  double npt = 100;  ///< then at constant pressure, if there is one to keep [ps]
+};
+
+struct OutputSettings {
+  std::string prefix = "polhode-run";  ///< of all output files
+  double trajectory_every = 0.1;       ///< [ps]; 0: no trajectory
+  std::vector<std::string> formats = {"xyz", "gro"};
+  bool massless_sites = true;     ///< in trajectories
+  bool velocities = true;         ///< in trajectories, if the format has them
+  std::string plot = "svg";       ///< "svg", "png" or "none"
+  double checkpoint_every = 300;  ///< interval in wall-clock time [s]
+
+  FrameChoice choice() const {
+    return {massless_sites ? MasslessSites::keep : MasslessSites::omit, velocities};
+  }
+};
+
+/// The ensemble whose averages a study measures.
+enum class StudyEnsemble : std::uint8_t {
+  nve,  ///< accuracy is R, of energy conservation
+  nvt   ///< accuracy is the bias of canonical averages
+};
+
+template <>
+inline constexpr std::array<std::string_view, 2> enum_names<StudyEnsemble> = {"nve", "nvt"};
+
+struct StudySettings {
+  std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
+  std::vector<double> steps;  ///< [ps]; empty: a default ladder per scheme
+  bool coarse = false;        ///< a ladder with fewer steps
+  StudyEnsemble ensemble = StudyEnsemble::nve;
+  int runs = 10;                      ///< independent initial configurations per point
+  double length = 15;                 ///< of each run [ps]
+  double decorrelate = 10;            ///< equilibration of each initial configuration after drawing
+                                      ///< new momenta [ps]
+  double configurational_sample = 0;  ///< interval of configurational temperatures [ps]; 0: none
+};
+
+/// Schemes with names given in the run file: name, and text such as "mine: B(1/2) A(1) B(1/2)".
+using OwnSchemes = std::map<std::string, std::string, std::less<>>;
+
+struct Config {
+  SystemSettings system;
+  ForceSettings forces;
+  IntegratorSettings integrator;
+  RunSettings run;
+  PreparationSettings prepare;
+  OutputSettings output;
+  StudySettings study;
+  OwnSchemes schemes;
+  EnsembleSettings ensemble;           ///< thermostat, barostat, hybrid Monte Carlo
+  std::string source;                  ///< path of the file, or "default"
+  std::string text;                    ///< as read; its hash identifies outputs
+  bool mixing_given = false;           ///< whether the file contains a mixing rule
+  bool compressibility_given = false;  ///< whether its [barostat] has a compressibility
+  std::string cutoff_place;  ///< "water.toml:9, forces.cutoff", for an error once the box is
+                             ///< known
+};
+
+/// A text with the names of such schemes, alone or on either side of a slash, replaced by their
+/// texts.
+std::string with_own_schemes(const std::string& text, const OwnSchemes& own);
+
+/// What is wrong with the temperature of a run; empty if nothing. 0 K has a meaning with a
+/// thermostat only.
+std::string wrong_temperature(const Config& config);
+
+/// In mixed precision: the default of lambda, and the smallest value accepted.
+inline constexpr double lambda_in_mixed = 1, min_lambda_in_mixed = 0.1;
+
+/// Sets the precision of a run, overriding that of the run file, and a suitable lambda if the run
+/// file has none.
+/// @throws Error  if the run file's lambda is too small for mixed precision
+void set_precision(Config& config, Precision precision);
+
+/// Reads and checks a run file. A relative path in it is relative to the file.
+/// @throws Error  with file, line and key; also if its name has control characters
+Config read_config(const std::string& path);
+
+/// Parses the text of a run file; `file` is its name in errors.
+Config parse_config(std::string_view text, const std::string& file);
+
+/// The default run: 512 TIP4P waters from the built-in configuration.
+Config default_config();
+
+}  // namespace polhode

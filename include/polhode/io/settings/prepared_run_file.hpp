@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The run file of a prepared system: that of its preparation, with the prepared coordinates.
+#pragma once
+
+#include <string>
+
+#include "polhode/io/settings/config.hpp"
+
+namespace polhode {
+
+/// The run file of a Config with another initial configuration in place of its density, box or
+/// initial configuration, without minimisation, equilibration and preparation. Its temperature,
+/// seed and pressure are those of the Config. Paths are made relative to the new file.
+/// A compressibility that the run file does not give is added, unless it is the default.
+/// @param coordinates, checkpoint, run_file  paths of the new initial configuration, of its state
+///                                           at full precision, and of the new run file
+std::string prepared_run_file(const Config& config, const std::string& coordinates,
+                              const std::string& checkpoint, const std::string& run_file);
+
+}  // namespace polhode

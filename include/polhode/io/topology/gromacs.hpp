@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// GROMACS topologies: .top and .itp files with their preprocessor, as far as rigid bodies need
+// them.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/forces/laws/mixing.hpp"
+#include "polhode/io/settings/text_place.hpp"
+#include "polhode/io/settings/type_pairs.hpp"
+#include "polhode/math/distances.hpp"
+#include "polhode/math/shape.hpp"
+#include "polhode/model/molecule.hpp"
+
+namespace polhode {
+
+/// A file as a loader gives it: with the name that errors call it by.
+struct LoadedText {
+  std::string file, text;
+};
+
+/// Finds what `#include` names.
+/// @param name      as written in the file
+/// @param includer  the including file, by the name that the loader gave it
+using IncludeLoader =
+    std::function<std::optional<LoadedText>(const std::string& name, const std::string& includer)>;
+
+/// One line of `[ atomtypes ]`.
+struct GromacsAtomType {
+  std::string name;
+  std::string bonded;     ///< its name in [ bondtypes ] and the like
+  int atomic_number = 0;  ///< 0: not given
+  double mass = 0;        ///< [u]
+  double charge = 0;      ///< [e]
+  double sigma = 0;       ///< [nm]
+  double epsilon = 0;     ///< [kJ/mol]
+  ShortRangeLaw law{};
+  bool one_sided = false;  ///< only one of C6 and C12 is 0: not expressible by sigma and epsilon
+  TextPlace place;
+
+  bool same_parameters(const GromacsAtomType& other) const {
+    return bonded == other.bonded && atomic_number == other.atomic_number && mass == other.mass &&
+           charge == other.charge && sigma == other.sigma && epsilon == other.epsilon &&
+           law == other.law && one_sided == other.one_sided;
+  }
+};
+
+struct GromacsAtom {
+  std::string type, name;
+  double charge = 0, mass = 0;
+  TextPlace place;
+};
+
+/// A line of a molecule type that relates several of its atoms, by their indices.
+struct GromacsRelation {
+  enum class Kind : std::uint8_t { settle, constraint, bond, angle, virtual2, virtual3 };
+  Kind kind;
+  std::uint8_t function = 1;
+  std::uint8_t given = 0;                ///< how many numbers
+  std::array<std::uint32_t, 4> atoms{};  ///< of a virtual site: itself first
+  std::array<double, 3> numbers{};       ///< lengths [nm], angles [degrees], weights
+  TextPlace place;
+};
+
+struct GromacsMolecule {
+  std::string name;
+  TextPlace place;
+  std::vector<GromacsAtom> atoms;
+  std::vector<GromacsRelation> relations;
+  std::string obstacle;  ///< the first section that no rigid body can have, and where
+  TextPlace obstacle_place;
+};
+
+/// Lengths [nm] and angles [degrees] of `[ bondtypes ]` and the like, by the bonded types of their
+/// atoms: "C O".
+struct GromacsEquilibrium {
+  std::map<std::string, double> bonds, constraints, angles;
+};
+
+struct GromacsTopology {
+  std::string title;
+  MixingRule rule = MixingRule::geometric;
+  std::map<std::string, GromacsAtomType> types;
+  std::vector<TypePair> pairs;  ///< of `[ nonbond_params ]`
+  GromacsEquilibrium equilibrium;
+  std::vector<GromacsMolecule> molecules;
+  struct Block {
+    std::size_t molecule;  ///< index into `molecules`
+    std::size_t count;
+  };
+  std::vector<Block> blocks;  ///< of `[ molecules ]`, in its order
+  std::string file;
+};
+
+/// Parses the text of a topology, with all files that it includes.
+/// @param file     its name in errors
+/// @param defines  macros that are defined before the first line, "FLEXIBLE" or "NAME=VALUE"
+/// @throws Error   with file and line: what was found, and what was expected
+GromacsTopology parse_gromacs(std::string_view text, const std::string& file,
+                              const IncludeLoader& loader,
+                              const std::vector<std::string>& defines = {});
+
+/// Finds includes as GROMACS does: next to the including file, then in `folders`, in those of
+/// the environment (GMXLIB, GMXDATA) and where GROMACS's data is installed.
+IncludeLoader file_loader(std::vector<std::string> folders);
+
+/// The distances between the real atoms of a molecule that its settles and constraints fix or, with
+/// `Held::by_bonds`, those at the minima of its bonds and angles as well.
+enum class Rigidity { by_constraints, by_bonds };
+std::vector<Distance> constrained_distances(const GromacsTopology& topology,
+                                            const GromacsMolecule& molecule, Rigidity rigidity);
+
+/// The rigid molecule whose real atoms have that shape, with the virtual sites that are built on
+/// it.
+/// @param shape  positions of the real atoms in their order [nm]
+Molecule rigid_molecule(const GromacsTopology& topology, const GromacsMolecule& molecule,
+                        const Shape& shape);
+
+/// Indices of the atoms of a molecule that are not virtual sites.
+std::vector<std::size_t> real_atoms(const GromacsMolecule& molecule);
+
+/// The folder of GROMACS's force fields on this computer, if it is installed.
+std::optional<std::string> gromacs_data_folder();
+
+}  // namespace polhode

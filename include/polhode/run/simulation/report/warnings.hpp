@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What is probably wrong with a simulation, with what to do about it.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "polhode/run/simulation/report/summary.hpp"
+
+namespace polhode {
+
+/// One thing that is probably wrong. It does not end a run, nor change its exit code.
+struct Warning {
+  std::string kind;  ///< "temperature", "R", "drift", "walk", "truncation", "relaxation",
+                     ///< "pressure", "ions", "step", "volume", "barostat", "acceptance" or
+                     ///< "weights"; at the start also "velocities"
+  double value = 0;  ///< what was found, in the unit that `text` gives
+  double bound = 0;  ///< what it exceeds, likewise
+  std::string text;
+  std::string remedy;
+};
+
+/// "warning: text; remedy".
+std::string line_of(const Warning& warning);
+
+/// Ions without the interactions beyond the cutoff: molecules with a net charge, and electrostatics
+/// that is plain Coulomb, or a reaction field. The value is the largest net charge [e].
+std::optional<Warning> cutoff_of_ions(const System& system);
+
+/// A warning about a molecule with a site that is too far from all others for a bond, since its
+/// positions in ångström were probably given in nm.
+std::optional<Warning> distant_sites(const System& system);
+
+/// Velocities of the initial configuration that do not have the temperature that the run file
+/// gives, although no thermostat changes it: the deviation exceeds four standard deviations of a
+/// canonical kinetic temperature, T √(2/n) for n degrees of freedom.
+std::optional<Warning> velocities_of_file(const System& system, const Config& config);
+
+/// A step beyond max_stable_step() at the state of the system. The value is the step times the
+/// Einstein frequency of the fastest degrees of freedom.
+std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
+                                           Workers& workers = Workers::serial());
+
+/// A truncation that is not smooth enough for scheme and step: the total energy is predicted to
+/// walk by more than 0.1 % of the fluctuation of the potential energy in this run, for which the
+/// kinetic energy's canonical one stands, kT √(n/2) for n degrees of freedom. The value is the R of
+/// this walk.
+std::optional<Warning> rough_truncation(const System& system, const TrajectorySettings& settings);
+
+/// Warnings of ions, the step, and the results of a run (docs/manual/outputs.md, Warnings).
+std::vector<Warning> warnings(const RunSummary& summary, const System& system,
+                              const TrajectorySettings& settings, const Config& config,
+                              Workers& workers = Workers::serial());
+
+/// The temperature that a run file asks for.
+struct TargetTemperature {
+  double value = 0;      ///< [K]
+  bool ignored = false;  ///< the velocities of the initial configuration were kept
+  bool kept = false;     ///< by a thermostat or hybrid Monte Carlo
+};
+
+/// The warnings of the results alone.
+/// @param target  nothing if any temperature is right
+std::vector<Warning> warnings_of_results(const RunSummary& summary,
+                                         const std::optional<TargetTemperature>& target);
+
+/// Whether the energy drift alone would account for more than half of R and for more than 0.1 % of
+/// the fluctuation of the potential energy.
+bool drift_matters(const RunSummary& summary);
+
+/// The standard deviation of the mean temperature of runs at constant energy whose momenta were
+/// drawn, or rescaled, at a temperature T [K]: at most T/√(2n) for n degrees of freedom.
+///
+/// The kinetic energy then is that of T, the potential energy that of the configuration, with the
+/// canonical variance k_B T² C. The run shares the difference among all degrees of freedom, hence
+/// T² C k_B/(C + n k_B/2)², which is largest for C = n k_B/2, the value of harmonic oscillators.
+double temperature_scatter(double temperature, double degrees_of_freedom);
+
+}  // namespace polhode

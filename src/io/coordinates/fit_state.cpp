@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: MIT
+// From atoms to rigid bodies.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <span>
+#include <string_view>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/coordinates/frame.hpp"
+#include "polhode/math/eigen.hpp"
+#include "polhode/model/elements.hpp"
+
+namespace polhode {
+namespace {
+
+bool begins_with(std::string_view word, std::string_view start) {
+  if (start.empty() || word.size() < start.size()) return false;
+  const auto same = [](unsigned char a, unsigned char b) {
+    return std::toupper(a) == std::toupper(b);
+  };
+  return std::equal(start.begin(), start.end(), word.begin(), same);
+}
+
+// Names differ between programs ("OW", "O", "OH2"); they share the element at the beginning,
+// sometimes preceded by digits ("1HW").
+bool matches(std::string_view atom, const Site& site) {
+  if (atom == site.name) return true;
+  // "X" in XYZ files, which have only elements, and "X1" in LAMMPS data files, which have only
+  // masses
+  if (site.mass == 0 && atom.substr(0, 1) == "X" &&
+      atom.find_first_not_of("0123456789", 1) == atom.npos)
+    return true;
+  // "T1" there, for a mass of no element: that of a united atom
+  if (atom.substr(0, 1) == "T" && atom.size() > 1 && element_of_mass(site.mass).empty() &&
+      atom.find_first_not_of("0123456789", 1) == atom.npos)
+    return site.mass > 0;
+  while (!atom.empty() && std::isdigit(static_cast<unsigned char>(atom.front())))
+    atom.remove_prefix(1);
+  return begins_with(atom, site.mass > 0 ? std::string_view(site.element)
+                                         : std::string_view(site.name).substr(0, 1));
+}
+
+// The atom of each site of one molecule; null for missing sites without mass.
+using Match = std::vector<const Atom*>;
+
+// Removes the atoms of the next molecule from the front of `atoms`.
+Match take_molecule(std::span<const Atom>& atoms, const Molecule& molecule, const Frame& frame) {
+  Match match;
+  const Atom* first = atoms.empty() ? nullptr : &atoms.front();
+  const auto place = [&] {
+    return atoms.empty()
+               ? std::string("the end of the atoms")
+               : fmt::format("atom {} ({} {})", &atoms.front() - frame.atoms.data() + 1,
+                             atoms.front().residue, frame.kind(atoms.front()).residue_name);
+  };
+  for (const Site& site : molecule.sites) {
+    const bool here = !atoms.empty() && matches(frame.kind(atoms.front()).name, site);
+    const bool massless = site.mass == 0;
+    if (massless && !(here && atoms.front().residue == first->residue)) {
+      match.push_back(nullptr);
+      continue;
+    }
+    if (!here)
+      throw Error(
+          fmt::format(
+              "{} is {} where site '{}' of molecule '{}' must be; atoms must be in the order of "
+              "the model's sites, of which only massless ones may be missing",
+              place(),
+              atoms.empty() ? "reached" : fmt::format("'{}'", frame.kind(atoms.front()).name),
+              site.name, molecule.name),
+          frame.source);
+    match.push_back(&atoms.front());
+    atoms = atoms.subspan(1);
+  }
+  return match;
+}
+
+// Fits body i of `fitted` to the atoms of one molecule.
+void fit(FittedState& fitted, std::size_t i, const Molecule& molecule, const Match& match,
+         const Frame& frame) {
+  State& state = fitted.state;
+  const auto& sites = molecule.sites;
+  const auto anchor =
+      std::find_if(sites.begin(), sites.end(), [](const Site& s) { return s.mass > 0; });
+  const Vec3<double> base = match[static_cast<std::size_t>(anchor - sites.begin())]->r;
+  const auto whole = [&](const Atom& atom) {
+    return base + frame.box.minimum_image(atom.r - base);
+  };
+  Vec3<double> q{}, p{};
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    if (sites[k].mass == 0) continue;
+    q += sites[k].mass / molecule.mass * whole(*match[k]);
+    p += sites[k].mass * match[k]->v;
+  }
+  std::vector<Vec3<double>> body, lab;
+  std::vector<double> mass;
+  Vec3<double> ell{};
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    if (sites[k].mass == 0) continue;
+    body.push_back(sites[k].r);
+    lab.push_back(whole(*match[k]) - q);
+    mass.push_back(sites[k].mass);
+    ell += sites[k].mass * cross(lab.back(), match[k]->v);
+  }
+  const Quaternion<double> attitude =
+      molecule.top == Top::atom ? Quaternion<double>{} : best_rotation(body, lab, mass);
+  // No angular momentum about an axis without inertia.
+  Vec3<double> L = to_body(attitude, ell);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (molecule.J[k] == 0) L[k] = 0;
+  for (std::size_t k = 0; k < sites.size(); ++k) {
+    if (match[k] == nullptr) continue;
+    const double off = norm(whole(*match[k]) - q - to_lab(attitude, sites[k].r));
+    if (sites[k].mass == 0) {
+      fitted.massless_deviation = std::max(fitted.massless_deviation, off);
+      continue;
+    }
+    fitted.deviation = std::max(fitted.deviation, off);
+    if (!(off <= fit_tolerance))
+      throw Error(
+          fmt::format("atom '{}' of molecule {} ({} {}) is {:.4f} nm from its site in the rigid "
+                      "model '{}'; it must be within {} nm; check the model and the order of atoms",
+                      frame.kind(*match[k]).name, i + 1, match[k]->residue,
+                      frame.kind(*match[k]).residue_name, off, molecule.name, fit_tolerance),
+          frame.source);
+  }
+  state.q.set(i, q);
+  state.p.set(i, p);
+  state.attitude.set(i, attitude);
+  state.ell.set(i, to_lab(attitude, L));
+}
+
+// A molecule can be made whole by minimum images only if it is shorter than half of the box.
+void check_size(const Molecule& molecule, const Frame& frame) {
+  double max_length = 0;
+  for (const Site& a : molecule.sites)
+    for (const Site& b : molecule.sites) max_length = std::max(max_length, norm(a.r - b.r));
+  const double edge = frame.box.shortest_edge();
+  if (2 * max_length >= edge)
+    throw Error(
+        fmt::format("molecule '{}' is {:.3f} nm long; it must be shorter than half of the shortest "
+                    "box edge ({:.3f} nm), or it would interact with its own image",
+                    molecule.name, max_length, edge),
+        frame.source);
+}
+
+}  // namespace
+
+FittedState fit_state(const Frame& frame, const Topology& topology) {
+  if (topology.size() > frame.atoms.size())
+    throw Error(fmt::format("there are {} atoms, too few for {} molecules; give the count of "
+                            "molecules in the file",
+                            frame.atoms.size(), topology.size()),
+                frame.source);
+  FittedState fitted;
+  fitted.state = State(topology.size(), frame.box);
+  fitted.has_velocities = frame.has_velocities;
+  std::span<const Atom> atoms = frame.atoms;
+  std::size_t i = 0;
+  for (const auto& [molecule, count] : topology.parts) {
+    check_size(molecule, frame);
+    for (std::size_t copy = 0; copy < count; ++copy, ++i) {
+      if (atoms.empty())
+        throw Error(fmt::format("the {} atoms are only {} of {} molecules; give the count of "
+                                "molecules in the file",
+                                frame.atoms.size(), i, topology.size()),
+                    frame.source);
+      fit(fitted, i, molecule, take_molecule(atoms, molecule, frame), frame);
+    }
+  }
+  if (!atoms.empty())
+    throw Error(fmt::format("there are {} atoms, but the {} molecules have {}; give the count of "
+                            "molecules in the file",
+                            frame.atoms.size(), topology.size(), frame.atoms.size() - atoms.size()),
+                frame.source);
+  return fitted;
+}
+
+Topology complete_topology(Topology topology, const Frame& frame) {
+  if (topology.parts.size() != 1 || topology.parts.front().count != 0) return topology;
+  std::span<const Atom> atoms = frame.atoms;
+  for (Topology::Part& part = topology.parts.front(); !atoms.empty(); ++part.count)
+    take_molecule(atoms, part.molecule, frame);
+  return topology;
+}
+
+}  // namespace polhode

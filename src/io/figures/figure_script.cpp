@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "figure_script.hpp"
+
+#include <fmt/core.h>
+
+#include "polhode/io/figures/gnuplot_text.hpp"
+#include "polhode/io/figures/scheme_styles.hpp"
+#include "polhode/io/files/embedded.hpp"
+
+namespace polhode {
+namespace {
+
+std::string_view template_text(std::string_view name) {
+  return *embedded_text(fmt::format("plots/{}.gp", name));
+}
+
+}  // namespace
+
+FigureScript::FigureScript(const Image& image, int width, int height)
+    : text_(fmt::format("# Restyle this and run it again: gnuplot draws {}.\n",
+                        gnuplot_comment(image.name))) {
+  file("image", image.name).text("format", image.format);
+  count("width", static_cast<std::size_t>(width)).count("height", static_cast<std::size_t>(height));
+}
+
+FigureScript& FigureScript::number(std::string_view name, double value) {
+  text_ += fmt::format("{} = {:#.10g}\n", name, value);
+  return *this;
+}
+
+FigureScript& FigureScript::count(std::string_view name, std::size_t value) {
+  text_ += fmt::format("{} = {}\n", name, value);
+  return *this;
+}
+
+FigureScript& FigureScript::text(std::string_view name, std::string_view value) {
+  text_ += fmt::format("{} = {}\n", name, gnuplot_text(value));
+  return *this;
+}
+
+FigureScript& FigureScript::file(std::string_view name, std::string_view path) {
+  text_ += fmt::format("{} = {}\n", name, gnuplot_file(path));
+  return *this;
+}
+
+FigureScript& FigureScript::counts(std::string_view name, std::span<const std::size_t> values) {
+  text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    text_ += fmt::format("{}[{}] = {}\n", name, k + 1, values[k]);
+  return *this;
+}
+
+FigureScript& FigureScript::numbers(std::string_view name, std::span<const double> values) {
+  text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    text_ += fmt::format("{}[{}] = {:#.10g}\n", name, k + 1, values[k]);
+  return *this;
+}
+
+FigureScript& FigureScript::texts(std::string_view name, std::span<const std::string> values) {
+  text_ += fmt::format("array {}[{}]\n", name, std::max<std::size_t>(1, values.size()));
+  for (std::size_t k = 0; k < values.size(); ++k)
+    text_ += fmt::format("{}[{}] = {}\n", name, k + 1, gnuplot_text(values[k]));
+  return *this;
+}
+
+FigureScript& FigureScript::schemes(const std::vector<std::string>& names) {
+  std::vector<std::string> colours;
+  std::vector<std::size_t> filled, open;
+  for (const SchemeStyle& style : scheme_styles(names)) {
+    colours.push_back(style.colour);
+    filled.push_back(static_cast<std::size_t>(style.filled));
+    open.push_back(static_cast<std::size_t>(style.open));
+  }
+  count("curves", names.size());
+  return texts("name", names)
+      .texts("colour", colours)
+      .counts("filled", filled)
+      .counts("open", open);
+}
+
+FigureScript& FigureScript::block(std::string_view name) {
+  text_ += fmt::format("${} << EOD\n", name);
+  return *this;
+}
+
+FigureScript& FigureScript::rows(std::string_view comment,
+                                 std::span<const std::vector<double>> rows) {
+  text_ += fmt::format("# {}\n", gnuplot_comment(comment));
+  for (const std::vector<double>& row : rows) {
+    std::string line;
+    for (const double value : row) line += fmt::format("{}{:.8g}", line.empty() ? "" : " ", value);
+    text_ += line + "\n";
+  }
+  if (rows.empty()) text_ += "NaN NaN NaN NaN NaN\n";
+  text_ += "\n\n";
+  return *this;
+}
+
+FigureScript& FigureScript::end_block() {
+  text_ += "EOD\n";
+  return *this;
+}
+
+std::string FigureScript::with(std::string_view name) const {
+  return fmt::format("{}\n{}\n{}", text_, template_text("style"), template_text(name));
+}
+
+}  // namespace polhode

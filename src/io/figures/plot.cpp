@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/figures/plot.hpp"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <ostream>
+
+#include "plot_script.hpp"
+#include "polhode/io/files/disk.hpp"
+#include "polhode/io/files/table_file.hpp"
+
+namespace polhode {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The file of a program on the search path, empty if there is none. Folders that are not absolute
+// are left out, so that no program in the data folder is run.
+std::string found_program(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const auto end = rest.find(':');
+    const fs::path file = fs::path(rest.substr(0, end)) / program;
+    std::error_code unknown;
+    if (file.is_absolute() && ::access(file.c_str(), X_OK) == 0 &&
+        fs::is_regular_file(file, unknown))
+      return file.string();
+    rest = end == rest.npos ? std::string_view{} : rest.substr(end + 1);
+  }
+  return {};
+}
+
+// In the process that becomes gnuplot: only calls that are safe between fork and exec. The alarm
+// outlives exec and ends the process.
+[[noreturn]] void become(const char* program, const char* folder, const char* script,
+                         unsigned seconds) {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    ::dup2(::open("/dev/null", O_RDWR), stream);
+  sigset_t alarm;
+  ::sigemptyset(&alarm);
+  ::sigaddset(&alarm, SIGALRM);
+  ::sigprocmask(SIG_UNBLOCK, &alarm, nullptr);
+  for (const int signal_number : {SIGALRM, SIGPIPE, SIGXFSZ}) ::signal(signal_number, SIG_DFL);
+  ::alarm(seconds);
+  // -d: ignore the user's settings, which may contain commands.
+  if (::chdir(folder) == 0) ::execl(program, program, "-d", script, static_cast<char*>(nullptr));
+  ::_exit(127);
+}
+
+// Runs gnuplot silently in the script's folder; returns a message if that did not work.
+std::string gnuplot_trouble(const std::string& program, const fs::path& script,
+                            std::chrono::seconds limit) {
+  const std::string folder = script.has_parent_path() ? script.parent_path().string() : ".";
+  const std::string file = "./" + script.filename().string();
+  const pid_t child = ::fork();
+  if (child == 0)
+    become(program.c_str(), folder.c_str(), file.c_str(), static_cast<unsigned>(limit.count()));
+  int status = 0;
+  if (child < 0 || TEMP_FAILURE_RETRY(::waitpid(child, &status, 0)) != child)
+    return fmt::format("gnuplot could not be started ({})", std::strerror(errno));
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGALRM)
+    return fmt::format("gnuplot did not end within {} s and was stopped", limit.count());
+  if (WIFSIGNALED(status))
+    return fmt::format("gnuplot was terminated by signal {}", WTERMSIG(status));
+  if (WEXITSTATUS(status) == 0) return {};
+  return fmt::format("gnuplot exited with code {}", WEXITSTATUS(status));
+}
+
+/// @param image  that the script draws, in its folder; gnuplot would write through a link
+bool draw(const std::string& file, const std::string& image, const std::string& script,
+          std::ostream& warnings) {
+  write_file(file, [&](std::ostream& out) { out << script; });
+  remove_output((fs::path(file).parent_path() / image).string());
+  return run_gnuplot(file, warnings);
+}
+
+}  // namespace
+
+bool run_gnuplot(const std::string& script, std::ostream& warnings, std::chrono::seconds limit) {
+  const std::string program = found_program("gnuplot");
+  if (program.empty()) {
+    warnings << fmt::format(
+        "warning: gnuplot is not installed, so no figure was drawn; install it and run 'gnuplot "
+        "{}' in the folder of that file\n",
+        fs::path(script).filename().string());
+    return false;
+  }
+  const std::string trouble = gnuplot_trouble(program, script, limit);
+  if (trouble.empty()) return true;
+  warnings << fmt::format(
+      "warning: {}, so no figure was drawn; run 'gnuplot {}' in the folder of that file to see "
+      "why\n",
+      trouble, fs::path(script).filename().string());
+  return false;
+}
+
+bool energy_plot(const EnergyFigure& figure, const std::string& format, std::ostream& warnings) {
+  const fs::path data(figure.csv);
+  const std::string image = fs::path(data.filename()).replace_extension(format).string();
+  return draw(fs::path(data).replace_extension("gp").string(), image,
+              energy_script(figure, data.filename().string(), {image, format}), warnings);
+}
+
+bool curves_plot(const CurvesFigure& figure, const std::string& format, std::ostream& warnings) {
+  const fs::path data(figure.csv);
+  const std::string image = fs::path(data.filename()).replace_extension(format).string();
+  return draw(fs::path(data).replace_extension("gp").string(), image,
+              curves_script(figure, data.filename().string(), {image, format}), warnings);
+}
+
+bool efficiency_plot(const std::string& prefix, const EfficiencyFigure& figure,
+                     const std::string& format, std::ostream& warnings) {
+  const std::string image = fs::path(prefix + "." + format).filename().string();
+  return draw(prefix + ".gp", image, efficiency_script(figure, {image, format}), warnings);
+}
+
+bool advice_plot(const std::string& prefix, const AdviceFigure& figure, const std::string& format,
+                 std::ostream& warnings) {
+  const std::string image = fs::path(prefix + "." + format).filename().string();
+  return draw(prefix + ".gp", image, advice_script(figure, {image, format}), warnings);
+}
+
+bool canonical_plot(const std::string& prefix, const CanonicalFigure& figure,
+                    const std::string& format, std::ostream& warnings) {
+  const std::string image = fs::path(prefix + "." + format).filename().string();
+  return draw(prefix + ".gp", image, canonical_script(figure, {image, format}), warnings);
+}
+
+bool polhode_plot(const std::string& prefix, const PolhodeFigure& figure, std::ostream& warnings) {
+  for (const char* format : {"svg", "png"}) {
+    const std::string image = fs::path(prefix + "." + format).filename().string();
+    if (!draw(prefix + ".gp", image, polhode_script(figure, {image, format}), warnings))
+      return false;
+  }
+  return true;
+}
+
+}  // namespace polhode

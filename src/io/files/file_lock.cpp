@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/files/file_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <ctime>
+#include <utility>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/printable.hpp"
+#include "polhode/io/files/disk.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::string_view head = "polhode lock: ";
+
+/// "process 1234 on host node7 since 2026-11-22 06:31:03 UTC"
+std::string this_process() {
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  return fmt::format("process {} on host {} since {:%Y-%m-%d %H:%M:%S} UTC", ::getpid(),
+                     printable(host.data()), fmt::gmtime(std::time(nullptr)));
+}
+
+/// The first bytes of an open file, up to the length of a lock's text.
+std::string text_of(int file) {
+  std::array<char, 512> text{};
+  const ssize_t length = TEMP_FAILURE_RETRY(::pread(file, text.data(), text.size(), 0));
+  return {text.data(), length > 0 ? static_cast<std::size_t>(length) : 0};
+}
+
+/// Who wrote a lock's text, which may not be there yet.
+std::string holder(const std::string& text) {
+  const auto end = text.find('\n');
+  if (!text.starts_with(head) || end == text.npos) return "another process";
+  return printable(std::string_view(text).substr(head.size(), end - head.size()));
+}
+
+}  // namespace
+
+FileLock::FileLock(std::string path) : path_(std::move(path)) {
+  check_name("the output", path_);
+  check_folder(path_);
+  try {
+    do {
+      if (file_ >= 0) ::close(file_);
+      take();
+    } while (!is_at_its_path());  // its owner removed the file while it was opened here
+  } catch (...) {
+    if (file_ >= 0) ::close(file_);
+    throw;
+  }
+  const std::string text = std::string(head) + this_process() + "\n";
+  // On a full disk the lock works but lacks the owner's name.
+  [[maybe_unused]] const bool written =
+      ::ftruncate(file_, 0) == 0 && ::pwrite(file_, text.data(), text.size(), 0) > 0;
+}
+
+void FileLock::take() {
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0)
+    throw Error("the lock file " + cannot_write(path_, errno) + ", or give another output");
+  held_ = TEMP_FAILURE_RETRY(::flock(file_, LOCK_EX | LOCK_NB)) == 0;
+  const bool others = !held_ && errno == EWOULDBLOCK;
+  const std::string text = text_of(file_);
+  if (!text.empty() && !text.starts_with(head))
+    throw Error(
+        fmt::format("'{}' exists and is not a lock file of polhode, which needs this name; move "
+                    "it, or give another output",
+                    path_));
+  if (others)
+    throw Error(
+        fmt::format("'{}' is locked by {}: two processes would overwrite each other's files; wait "
+                    "until that one has ended, or give another output",
+                    path_, holder(text)));
+}
+
+bool FileLock::is_at_its_path() const {
+  struct stat opened {
+  }, named{};
+  return ::fstat(file_, &opened) == 0 && ::stat(path_.c_str(), &named) == 0 &&
+         opened.st_dev == named.st_dev && opened.st_ino == named.st_ino;
+}
+
+FileLock::~FileLock() {
+  ::unlink(path_.c_str());  // while locked, so that no other lock is removed
+  ::close(file_);
+}
+
+void HeldFile::hold(const std::string& path) {
+  file_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file_ < 0 || TEMP_FAILURE_RETRY(::flock(file_, LOCK_EX | LOCK_NB)) == 0 ||
+      errno != EWOULDBLOCK)
+    return;
+  throw Error(
+      fmt::format("'{}' is being written by another process, by this or another name: two "
+                  "processes would overwrite each other's data; wait until that one has ended, or "
+                  "put a copy in place of the link",
+                  path));
+}
+
+HeldFile::~HeldFile() {
+  if (file_ >= 0) ::close(file_);
+}
+
+}  // namespace polhode

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/io/settings/nested_scheme_text.hpp"
+
+#include <fmt/core.h>
+
+#include <charconv>
+#include <regex>
+#include <sstream>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/settings/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr int max_steps = 1000;
+constexpr std::size_t max_text = 8192;  // of two schemes: limits the work of a regular expression
+
+/// End of the outer scheme: the first slash that is not part of a fraction, which is in
+/// brackets or between '=' and ';'.
+std::size_t slash(std::string_view text) {
+  int open = 0;
+  bool definition = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    open += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+    if (open == 0 && (text[i] == '=' || text[i] == ';')) definition = text[i] == '=';
+    if (text[i] == '/' && open == 0 && !definition) return i;
+  }
+  return std::string_view::npos;
+}
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\n"), last = text.find_last_not_of(" \t\n");
+  return first == std::string_view::npos ? "" : std::string(text.substr(first, last - first + 1));
+}
+
+int steps_of(const std::string& text) {
+  int steps = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), steps);
+  if (error != std::errc() || end != text.data() + text.size() || steps < 1 || steps > max_steps)
+    throw Error(
+        fmt::format("{} steps of an inner scheme must be a whole number from 1 to {}, the inner "
+                    "steps per drift of the outer scheme",
+                    text, max_steps));
+  return steps;
+}
+
+InnerScheme inner_scheme_of(const std::string& text) {
+  static const std::regex form(
+      R"((.+?)\s+x\s+(\S+)\s+within\s+(?:(\S+)\s+to\s+)?([-+.\deE]+)\s*([^-+.\d\s]\S*))");
+  std::smatch part;
+  if (!std::regex_match(text, part, form))
+    throw Error(
+        fmt::format("inner scheme '{}' must give its steps and the range of the near forces; write "
+                    "for example \"hoa2 x 2 within 0.35 to 0.5 nm\"",
+                    text));
+  const auto length = [&](const std::string& number) {
+    return quantity(number + " " + part[5].str(), Dimension::length, "the range of the near forces",
+                    "0.5 nm");
+  };
+  InnerScheme inner{scheme_of(part[1].str()), steps_of(part[2].str())};
+  inner.cutoff = length(part[4].str());
+  inner.switch_from = part[3].matched ? length(part[3].str()) : default_near_switch * inner.cutoff;
+  if (!(inner.switch_from > 0) || !(inner.switch_from < inner.cutoff))
+    throw Error(fmt::format(
+        "near forces switched from {:g} to {:g} nm need a switching distance above 0 "
+        "nm and a longer cutoff, otherwise the slow forces have a kink; write for example "
+        "\"within 0.35 to 0.5 nm\"",
+        inner.switch_from, inner.cutoff));
+  return inner;
+}
+
+std::string one_line(std::string_view text) {
+  std::istringstream words{std::string(text)};
+  std::string line;
+  for (std::string word; words >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+/// The built-in or user-given name; otherwise the stages.
+std::string name_or_stages(const Scheme& s) {
+  return s.in_table() || s.has_own_name() ? std::string(s.name()) : text_of(s);
+}
+
+std::string joined(const std::string& outer, const std::string& inner, int steps,
+                   const std::string& from, const std::string& cutoff) {
+  return fmt::format("{} / {} x {} within {} to {} nm", outer, inner, steps, from, cutoff);
+}
+
+}  // namespace
+
+NestedScheme nested_scheme_of(std::string_view text) {
+  if (text.size() > max_text)
+    throw Error(fmt::format("the text of the scheme has {} characters; it must have {} at most",
+                            text.size(), max_text));
+  const std::size_t at = slash(text);
+  const NestedScheme scheme = at == std::string_view::npos
+                                  ? NestedScheme(scheme_of(text))
+                                  : NestedScheme(scheme_of(trimmed(text.substr(0, at))),
+                                                 inner_scheme_of(trimmed(text.substr(at + 1))));
+  if (scheme.inner && scheme.inner->scheme.has(Flow::bath))
+    throw Error(fmt::format(
+        "the inner scheme of '{}' has a bath; put the bath into the outer scheme, where it acts "
+        "once per step",
+        text));
+  return scheme;
+}
+
+Scheme single_scheme_of(std::string_view text) {
+  const NestedScheme scheme = nested_scheme_of(text);
+  if (scheme.inner)
+    throw Error(
+        fmt::format("scheme '{}' has an inner scheme, but error brackets and advice are available "
+                    "for single schemes only; give one of those, such as hoa2",
+                    text));
+  return scheme.outer;
+}
+
+std::string name_of(const NestedScheme& scheme) {
+  if (!scheme.inner) return name_or_stages(scheme.outer);
+  const InnerScheme& inner = *scheme.inner;
+  return joined(name_or_stages(scheme.outer), name_or_stages(inner.scheme), inner.steps,
+                fmt::format("{:g}", inner.switch_from), fmt::format("{:g}", inner.cutoff));
+}
+
+std::string label_of(std::string_view text) {
+  const bool plain = text.find_first_of(":;") == std::string_view::npos;
+  return plain ? one_line(text) : name_of(nested_scheme_of(text));
+}
+
+std::string named_text_of(const NestedScheme& scheme) {
+  const auto named = [](const Scheme& s) {
+    return s.has_own_name() ? fmt::format("{}: {}", s.name(), text_of(s)) : name_or_stages(s);
+  };
+  if (!scheme.inner) return named(scheme.outer);
+  const InnerScheme& inner = *scheme.inner;
+  return joined(named(scheme.outer), named(inner.scheme), inner.steps,
+                fmt::format("{}", inner.switch_from), fmt::format("{}", inner.cutoff));
+}
+
+std::string text_of(const NestedScheme& scheme) {
+  if (!scheme.inner) return text_of(scheme.outer);
+  const InnerScheme& inner = *scheme.inner;
+  return joined(text_of(scheme.outer), text_of(inner.scheme), inner.steps,
+                fmt::format("{}", inner.switch_from), fmt::format("{}", inner.cutoff));
+}
+
+}  // namespace polhode

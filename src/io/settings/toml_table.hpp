@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// A table of a TOML file that knows its position, so that every error names file, line and key. It
+// records which keys were read; all others are unknown.
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/io/settings/setting_keys.hpp"
+
+namespace polhode {
+
+/// @throws Error  with file and line if the text is not TOML
+toml::table parse_toml(std::string_view text, const std::string& file);
+
+class TomlTable {
+ public:
+  /// @param log  receives the keys that this table and those in it are asked for; null: none
+  TomlTable(const toml::table& table, std::string file, std::string path = {},
+            std::vector<SettingKey>* log = nullptr)
+      : table_(&table), file_(std::move(file)), path_(std::move(path)), log_(log) {}
+
+  /// The names of all keys.
+  std::vector<std::string> keys() const;
+  bool has(std::string_view key) { return find(key) != nullptr; }
+
+  // The value of a key, if it exists.
+  std::optional<std::string> text(std::string_view key);
+  std::optional<double> quantity(std::string_view key, Dimension dimension,
+                                 std::string_view example = {});
+  std::optional<Vec3<double>> vector(std::string_view key, Dimension dimension);
+  std::optional<double> number(std::string_view key);
+  std::optional<std::int64_t> integer(std::string_view key);
+  std::optional<bool> boolean(std::string_view key);
+  std::optional<std::vector<std::string>> texts(std::string_view key);
+  std::optional<TomlTable> table(std::string_view key);
+  std::optional<std::vector<TomlTable>> tables(std::string_view key);
+  bool holds_list(std::string_view key);
+  bool holds_text(std::string_view key);
+
+  /// "water.toml:9, forces.cutoff"; the table's own place if it has no such key.
+  std::string where(std::string_view key) const;
+
+  /// Throws `key = value complaint`, or without a key only the complaint.
+  [[noreturn]] void refuse(std::string_view key, const std::string& complaint) const;
+
+  /// Throws unless `good` is true: `step = "-2 fs" must be ...`.
+  void require(bool good, std::string_view key, const std::string& must) const {
+    if (!good) refuse(key, must);
+  }
+
+  /// Throws if the table has the old name of a key.
+  void renamed(std::string_view old, std::string_view now) const;
+
+  /// Throws if the table has a key that was never read.
+  void refuse_unknown() const;
+
+ private:
+  const toml::node* find(std::string_view key);
+  const toml::node* find(std::string_view key, SettingKind kind);
+  [[noreturn]] void refuse_kind(std::string_view key, std::string_view must) const;
+  std::string text_of(const toml::node& node, std::string_view key) const;
+  std::string full(std::string_view key) const;
+
+  const toml::table* table_;
+  std::string file_, path_;
+  std::vector<std::string> asked_;
+  std::vector<SettingKey>* log_;
+};
+
+}  // namespace polhode

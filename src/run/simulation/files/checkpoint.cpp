@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/files/checkpoint.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <type_traits>
+#include <utility>
+
+#include "polhode/base/output_error.hpp"
+#include "polhode/io/files/table_file.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/run/simulation/files/identity.hpp"
+
+namespace polhode {
+namespace {
+
+// The fields of a checkpoint in their order, for both writer and reader.
+
+template <class Archive, class Counter>
+void counter(Archive& archive, Counter& n) {
+  auto value = static_cast<std::uint64_t>(n);
+  archive(value);
+  if constexpr (!std::is_const_v<Counter>) n = static_cast<Counter>(value);
+}
+
+template <class Archive, class Optional, class Fields>
+void optional(Archive& archive, Optional& value, const Fields& fields) {
+  bool there = value.has_value();
+  archive(there);
+  if constexpr (!std::is_const_v<Optional>) {
+    value.reset();
+    if (there) value.emplace();
+  }
+  if (there) fields(*value);
+}
+
+template <class Archive, class List, class Fields>
+void list(Archive& archive, List& values, const Fields& fields) {
+  std::size_t count = values.size();
+  counter(archive, count);
+  for (std::size_t k = 0; k < count; ++k) {
+    if constexpr (!std::is_const_v<List>) values.resize(k + 1);  // no more than the file has
+    fields(values[k]);
+  }
+}
+
+template <class Archive, class Of>
+void state(Archive& archive, Of& s) {
+  archive(s.q);
+  archive(s.p);
+  archive(s.attitude);
+  archive(s.ell);
+  archive(s.box.edge);
+  archive(s.time);
+}
+
+template <class Archive, class Of>
+void memory(Archive& archive, Of& m) {
+  archive(m.load.f);
+  archive(m.load.tau);
+  archive(m.load.van_der_waals), archive(m.load.coulomb), archive(m.load.mesh);
+  archive(m.load.external);
+  for (std::size_t k = 0; k < 3; ++k) archive(m.load.virial[k]);
+  archive(m.current), archive(m.complete);
+  archive(m.steps), archive(m.evaluations), archive(m.derivatives), archive(m.measurements);
+}
+
+template <class Archive, class Of>
+void blocks(Archive& archive, Of& of) {
+  archive(of.samples_per_block);
+  list(archive, of.blocks, [&](auto& block) {
+    archive(block.weight);
+    list(archive, block.sum, [&](auto& x) { archive(x); });
+  });
+}
+
+template <class Archive, class Of>
+void energies(Archive& archive, Of& e) {
+  for (auto* x :
+       {&e.time, &e.van_der_waals, &e.coulomb, &e.translation, &e.rotation[0], &e.rotation[1],
+        &e.rotation[2], &e.pressure, &e.volume, &e.exchanged, &e.external})
+    archive(*x);
+}
+
+template <class Archive, class Of>
+void statistics(Archive& archive, Of& s) {
+  for (auto* sums : {&s.energies, &s.at_bath}) {
+    counter(archive, sums->samples);
+    energies(archive, sums->first);
+    blocks(archive, sums->blocks);
+  }
+  counter(archive, s.shadow.samples);
+  archive(s.shadow.first), archive(s.shadow.start);
+  blocks(archive, s.shadow.blocks);
+  blocks(archive, s.configurational.blocks);
+  for (auto* response : {&s.step_bias.response, &s.configurational.response}) {
+    list(archive, response->first, [&](auto& x) { archive(x); });
+    blocks(archive, response->blocks);
+  }
+  counter(archive, s.stretches.samples), counter(archive, s.stretches.stretches);
+  for (auto& x : s.stretches.sums) archive(x);
+  archive(s.stretches.mean), archive(s.stretches.squares);
+}
+
+template <class Archive, class Of>
+void ensemble(Archive& archive, Of& e) {
+  archive(e.heat);
+  archive(e.barostat.work), archive(e.barostat.edges), counter(archive, e.barostat.moves);
+  counter(archive, e.barostat.accepted), counter(archive, e.barostat.evaluations);
+  blocks(archive, e.barostat.decisions);
+  counter(archive, e.barostat.beyond_shape);
+  archive(e.hybrid.work), counter(archive, e.hybrid.trajectories);
+  counter(archive, e.hybrid.accepted);
+  blocks(archive, e.hybrid.weights);
+}
+
+template <class Archive, class Of>
+void run_state(Archive& archive, Of& at) {
+  state(archive, at.state);
+  optional(archive, at.equilibrated, [&](auto& time) { archive(time); });
+  counter(archive, at.steps);
+  archive(at.start);
+  memory(archive, at.integrator);
+  list(archive, at.integrator.inner, [&](auto& within) { memory(archive, within); });
+  for (auto* neighbours : {&at.list, &at.near_list}) {
+    archive(neighbours->built_at);
+    counter(archive, neighbours->rebuilds);
+  }
+  statistics(archive, at.statistics);
+  for (auto* part : {&at.timings.forces, &at.timings.list, &at.timings.motion,
+                     &at.timings.measurement, &at.timings.near})
+    archive(*part);
+  ensemble(archive, at.ensemble);
+  counter(archive, at.segment.number), counter(archive, at.segment.first_step);
+  archive(at.segment.earlier), archive(at.segment.changes);
+}
+
+template <class Archive, class Of>
+void mark(Archive& archive, Of& m) {
+  archive(m.frames), archive(m.bytes), archive(m.checksum);
+}
+
+template <class Archive, class Of>
+void output_marks(Archive& archive, Of& marks) {
+  mark(archive, marks.energies);
+  list(archive, marks.frames, [&](auto& file) { mark(archive, file); });
+  counter(archive, marks.next_frame);
+}
+
+template <class Archive, class Of>
+void steepness(Archive& archive, Of& s) {
+  archive(s.potential), archive(s.force), archive(s.torque);
+}
+
+template <class Archive, class Of>
+void preparation(Archive& archive, Of& p) {
+  counter(archive, p.stage);
+  archive(p.step), archive(p.compressibility);
+  steepness(archive, p.minimisation.before), steepness(archive, p.minimisation.after);
+  counter(archive, p.minimisation.steps), counter(archive, p.minimisation.end);
+}
+
+template <class Archive, class Of>
+void fields(Archive& archive, Of& c) {
+  archive(c.identity);
+  archive(c.command);
+  run_state(archive, c.at);
+  archive(c.noise.power), archive(c.noise.energy);
+  counter(archive, c.minimisation_evaluations);
+  optional(archive, c.outputs, [&](auto& marks) { output_marks(archive, marks); });
+  optional(archive, c.preparation, [&](auto& progress) { preparation(archive, progress); });
+}
+
+/// The contents of an initial configuration besides positions: attitudes, and velocities if there
+/// are any. Random velocities follow from the seed. Nine digits are more than any text format has,
+/// and few enough to be the same on all processors.
+std::string motion_of_start(const Config& config, const System& system) {
+  std::string text;
+  if (config.system.initial_configuration.empty()) return text;
+  const auto add = [&](const Vec3<double>& v) {
+    text += fmt::format(" {:.9e} {:.9e} {:.9e}", v.x, v.y, v.z);
+  };
+  const State& s = system.state;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const Quaternion<double> a = s.attitude[i];
+    text += fmt::format(" {:.9f}", a.w);
+    add({a.x, a.y, a.z});
+    if (!system.new_velocities) add(s.p[i]), add(s.ell[i]);
+  }
+  return text;
+}
+
+/// The contents of trajectories: files, sites and names, with or without velocities.
+std::string outputs_of(const OutputSettings& output, const Topology& topology) {
+  std::string text;
+  if (output.trajectory_every == 0) return text;
+  for (const std::string& format : output.formats) text += ' ' + format;
+  if (!output.massless_sites) text += " without massless sites";
+  if (!output.velocities) text += " without velocities";
+  for (const auto& part : topology.parts)
+    for (const Site& site : part.molecule.sites) text += ' ' + site.name + ' ' + site.element;
+  return text;
+}
+
+/// Whether all blocks have as many sums as those of a new one.
+bool fit(const TimeBlocks& blocks, const TimeBlocks& fresh) {
+  const std::size_t sums = fresh.blocks.front().sum.size();
+  return blocks.samples_per_block >= 1 &&
+         std::all_of(blocks.blocks.begin(), blocks.blocks.end(), [&](const auto& block) {
+           return block.weight > 0 && block.sum.size() == sums;
+         });
+}
+
+/// The same of a response with its first sample, or an empty one.
+bool fit(const StepResponse& read, const StepResponse& fresh) {
+  return read.first.size() == (read.blocks.blocks.empty() ? 0 : fresh.first.size()) &&
+         fit(read.blocks, fresh.blocks);
+}
+
+bool fit(const EnsembleMemory& read) {
+  EnsembleMemory fresh;
+  fresh.hybrid.add(0, true);
+  fresh.barostat.decisions.add(std::array{1.0});
+  return fit(read.hybrid.weights, fresh.hybrid.weights) &&
+         fit(read.barostat.decisions, fresh.barostat.decisions);
+}
+
+bool fit(const TrajectoryStatistics& read) {
+  TrajectoryStatistics fresh;
+  fresh.energies.add({});
+  fresh.shadow.add(0, 0);
+  fresh.step_bias.add({}, {});
+  fresh.configurational.add({}, StepError{});
+  return fit(read.energies.blocks, fresh.energies.blocks) &&
+         fit(read.at_bath.blocks, fresh.energies.blocks) &&
+         fit(read.shadow.blocks, fresh.shadow.blocks) &&
+         fit(read.configurational.blocks, fresh.configurational.blocks) &&
+         fit(read.step_bias.response, fresh.step_bias.response) &&
+         fit(read.configurational.response, fresh.configurational.response);
+}
+
+Checkpoint read_checkpoint_from(CheckpointReader in, const std::string& path) {
+  Checkpoint checkpoint;
+  fields(in, checkpoint);
+  in.end();
+  if (!fit(checkpoint.at.statistics) || !fit(checkpoint.at.ensemble))
+    throw DamagedCheckpoint(
+        fmt::format("the checkpoint '{}' has inconsistent sums over samples", path));
+  return checkpoint;
+}
+
+}  // namespace
+
+std::string run_identity(const Config& config, const System& system) {
+  std::string all =
+      identity(config, system,
+               {config.integrator.step, config.run.equilibrate, config.run.sample,
+                config.run.shadow_sample.value_or(-1), config.run.configurational_sample,
+                config.output.trajectory_every, config.forces.skin});
+  all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
+  all += motion_of_start(config, system) + outputs_of(config.output, system.topology);
+  return text_hash(all) + '\n' + settings_text(config);
+}
+
+void write_checkpoint(const CheckpointFiles& files, const Checkpoint& checkpoint,
+                      const ProgramVersion& program) {
+  write_file(
+      files.newest,
+      [&](std::ostream& out) {
+        CheckpointWriter writer(out, program);
+        fields(writer, checkpoint);
+        writer.end();
+      },
+      files.previous);
+}
+
+Checkpoint read_checkpoint(const std::string& path, const ProgramVersion& reader) {
+  return read_checkpoint_from(CheckpointReader(path, reader), path);
+}
+
+State state_of_checkpoint(const std::string& path, const std::string& version) {
+  return read_checkpoint(path, {version, any_instruction_set}).at.state;
+}
+
+Checkpoint parse_checkpoint(std::string bytes, const std::string& path,
+                            const ProgramVersion& reader) {
+  return read_checkpoint_from(CheckpointReader(std::move(bytes), path, reader), path);
+}
+
+Checkpoint read_checkpoint_of(const std::string& path, const std::string& identity,
+                              const ProgramVersion& reader) {
+  Checkpoint checkpoint = read_checkpoint(path, reader);
+  if (!same_run(checkpoint.identity, identity)) {
+    const std::string settings = differences(checkpoint.identity, identity);
+    throw OutputError(
+        fmt::format("the checkpoint '{}' belongs to another run, started with '{}': {}; give that "
+                    "run file with the same options, another output, or start over",
+                    path, checkpoint.command,
+                    settings.empty() ? "molecules, parameters of pairs, initial configuration or "
+                                       "velocities differ"
+                                     : settings));
+  }
+  return checkpoint;
+}
+
+std::optional<FoundCheckpoint> last_checkpoint(const CheckpointFiles& files,
+                                               const std::string& identity,
+                                               const ProgramVersion& reader) {
+  if (!std::filesystem::exists(files.newest) && !std::filesystem::exists(files.previous))
+    return std::nullopt;
+  std::string damage;
+  try {
+    return FoundCheckpoint{read_checkpoint_of(files.newest, identity, reader), {}};
+  } catch (const DamagedCheckpoint& e) {
+    damage = e.what();
+  }
+  try {
+    return FoundCheckpoint{read_checkpoint_of(files.previous, identity, reader),
+                           fmt::format("{}; the previous one, '{}', is intact and the run resumes "
+                                       "from it, with the same results",
+                                       damage, files.previous)};
+  } catch (const DamagedCheckpoint& e) {
+    throw OutputError(fmt::format("{}; {}; start over, or start another run from the last frame",
+                                  damage, e.what()));
+  }
+}
+
+}  // namespace polhode

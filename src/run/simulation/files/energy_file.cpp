@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/files/energy_file.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <span>
+
+#include "polhode/base/output_error.hpp"
+#include "polhode/io/settings/quantity.hpp"
+
+namespace polhode {
+
+std::vector<Table::Column> energy_columns(bool step_errors) {
+  std::vector<Table::Column> all = {{"time", "ps"},
+                                    {"total", "kJ/mol"},
+                                    {"potential", "kJ/mol"},
+                                    {"van_der_waals", "kJ/mol"},
+                                    {"coulomb", "kJ/mol"},
+                                    {"kinetic_translation", "kJ/mol"},
+                                    {"kinetic_rotation", "kJ/mol"},
+                                    {"temperature", "K"},
+                                    {"pressure", "bar"},
+                                    {"kinetic_rotation_1", "kJ/mol"},
+                                    {"kinetic_rotation_2", "kJ/mol"},
+                                    {"kinetic_rotation_3", "kJ/mol"},
+                                    {"conserved", "kJ/mol"},
+                                    {"volume", "nm3"},
+                                    {"step_error", "kJ/mol"}};
+  if (!step_errors) all.pop_back();
+  return all;
+}
+
+std::array<double, 15> energy_row(const Energies& e, const DegreesOfFreedom& degrees_of_freedom) {
+  const double bar = unit("bar", Dimension::pressure);
+  return {e.time,
+          e.total(),
+          e.potential(),
+          e.van_der_waals,
+          e.coulomb,
+          e.translation,
+          e.kinetic() - e.translation,
+          temperature(e.kinetic(), degrees_of_freedom.all()),
+          e.pressure / bar,
+          e.rotation[0],
+          e.rotation[1],
+          e.rotation[2],
+          e.conserved(),
+          e.volume,
+          e.step_error};
+}
+
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+                       const Provenance& provenance)
+    : degrees_of_freedom_(degrees_of_freedom(topology)),
+      step_errors_(step_errors),
+      table_(path, energy_columns(step_errors), provenance) {}
+
+EnergyFile::EnergyFile(const std::string& path, const Topology& topology, bool step_errors,
+                       const FileMark& mark)
+    : degrees_of_freedom_(degrees_of_freedom(topology)),
+      step_errors_(step_errors),
+      rows_(mark.frames),
+      table_(path, TableMark{mark.bytes, mark.checksum}) {}
+
+void EnergyFile::add(const Energies& energies) {
+  const auto row = energy_row(energies, degrees_of_freedom_);
+  table_.add(std::span(row).first(row.size() - (step_errors_ ? 0 : 1)));
+  ++rows_;
+}
+
+FileMark EnergyFile::mark() {
+  const auto [bytes, checksum] = table_.mark();
+  return {rows_, bytes, checksum};
+}
+
+EnergyReader::EnergyReader(const std::string& path) : table_(path, energy_columns(true)) {}
+
+std::optional<EnergyRow> EnergyReader::next() {
+  if (!table_.next(row_)) return std::nullopt;
+  const std::vector<double>& x = row_;
+  const double sum = x[3] + x[4];
+  Energies e{.time = x[0],
+             .van_der_waals = x[3],
+             .coulomb = x[4],
+             .translation = x[5],
+             .rotation = {x[9], x[10], x[11]},
+             .pressure = x[8] * unit("bar", Dimension::pressure),
+             .volume = x[13],
+             .step_error = x.size() > 14 ? x[14] : Energies{}.step_error,
+             .external = sum == x[2] ? 0 : x[2] - sum};
+  return EnergyRow{e, x[12]};
+}
+
+void check_energies(const std::string& path, bool step_errors, const FileMark& mark) {
+  std::uint64_t rows = 0;
+  each_row(path, mark.bytes, energy_columns(step_errors), [&](std::span<const double>) { ++rows; });
+  if (rows != mark.frames)
+    throw OutputError(fmt::format(
+        "'{}' had {} rows when the checkpoint was written, and has {} in the same number of bytes, "
+        "so it is another file; restore the original, or start over",
+        path, mark.frames, rows));
+}
+
+}  // namespace polhode

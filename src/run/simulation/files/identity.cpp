@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/files/identity.hpp"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <map>
+#include <span>
+#include <sstream>
+#include <tuple>
+
+#include "polhode/forces/laws/setting_names.hpp"
+#include "polhode/io/settings/ensemble_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
+
+namespace polhode {
+namespace {
+
+/// The contents of a table, whose file may have changed under the same name; nothing for other
+/// laws.
+std::string table_identity(const ShortRangeLaw& law) {
+  const auto* tabulated = std::get_if<TabulatedLaw>(&law);
+  if (!tabulated) return {};
+  const PotentialTable& table = *tabulated->table;
+  const auto* coefficients = table.coefficients<double>();
+  return fmt::format(" from {} nm by {} nm: {}", table.first(), table.spacing(),
+                     fmt::join(std::span(coefficients, coefficients + 4 * table.intervals()), " "));
+}
+
+// For Lennard-Jones: nothing besides σ and ε.
+std::string law_identity(const Site& site) {
+  if (std::holds_alternative<LennardJonesLaw>(site.law)) return {};
+  return fmt::format("{} {}{} ", name(site.law), parameters(site.sigma, site.epsilon, site.law),
+                     table_identity(site.law));
+}
+
+/// The first line, a hash of everything that a run depends on.
+std::string_view hash_of(std::string_view run_identity) {
+  return run_identity.substr(0, run_identity.find('\n'));
+}
+
+/// The other lines by their key; a checkpoint of an older program has none.
+std::map<std::string, std::string> settings_of(const std::string& run_identity) {
+  std::map<std::string, std::string> settings;
+  std::istringstream lines(run_identity);
+  for (std::string line; std::getline(lines, line);)
+    if (const auto end = line.find(" = "); end != line.npos)
+      settings[line.substr(0, end)] = line.substr(end + 3);
+  return settings;
+}
+
+}  // namespace
+
+std::string identity(const Config& config, const System& system,
+                     std::initializer_list<double> numbers) {
+  std::ostringstream id;
+  id.precision(17);
+  for (const auto& [molecule, count] : system.topology.parts) {
+    id << molecule.name << ' ' << count << ' ';
+    for (const Site& s : molecule.sites)
+      id << s.r.x << ' ' << s.r.y << ' ' << s.r.z << ' ' << s.mass << ' ' << s.charge << ' '
+         << s.sigma << ' ' << s.epsilon << ' ' << law_identity(s);
+  }
+  for (std::size_t i = 0; i < system.state.size(); ++i) {
+    const Vec3<double> q = system.state.q[i];
+    id << fmt::format("{:.9f} {:.9f} {:.9f} ", q.x, q.y, q.z);
+  }
+  const Vec3<double> edge = system.state.box.edge;
+  id << edge.x << ' ' << edge.y << ' ' << edge.z << ' ';
+  id << config.system.temperature << ' ' << config.system.seed << ' ';
+  const ForceSettings& f = config.forces;
+  id << static_cast<int>(f.truncation) << ' ' << static_cast<int>(f.electrostatics) << ' '
+     << static_cast<int>(f.precision) << ' ' << f.cutoff << ' ' << f.switch_from << ' '
+     << f.smoothness << ' ' << f.dielectric << ' ' << config.integrator.lambda;
+  for (const double x : numbers) id << ' ' << x;
+  if (config.run.minimise) id << " minimise";
+  if (f.electrostatics == Electrostatics::pme) id << " pme " << f.pme_accuracy;
+  if (f.coulomb_cutoff) id << " coulomb_cutoff " << *f.coulomb_cutoff;
+  if (f.electrostatics == Electrostatics::damped_shifted_force) id << " damping " << f.damping;
+  if (f.dispersion_correction) id << " dispersion";
+  if (f.external) id << " external " << f.external->name;
+  if (const std::string mixing = description(system.forces.mixing); !mixing.empty())
+    id << ' ' << mixing;
+  for (const PairOverride& pair : system.forces.mixing.pairs) id << table_identity(pair.law);
+  for (const auto& [key, value] : ensemble_texts(config.ensemble)) id << ' ' << key << ' ' << value;
+  return id.str();
+}
+
+std::string settings_text(const Config& config) {
+  const auto fs = [](double t) { return fmt::format("{:.12g} fs", t * units::fs_per_ps); };
+  const auto& [system, forces, integrator, run, output] =
+      std::tie(config.system, config.forces, config.integrator, config.run, config.output);
+  std::string text;
+  const auto add = [&](const char* key, const auto& value) {
+    text += fmt::format("{} = {}\n", key, value);
+  };
+  add("system.temperature", fmt::format("{:g} K", system.temperature));
+  add("system.seed", system.seed);
+  add("forces.truncation", name_of(forces.truncation));
+  add("forces.electrostatics", name_of(forces.electrostatics));
+  add("forces.precision", name_of(forces.precision));
+  add("forces.cutoff", fmt::format("{:.12g} nm", forces.cutoff));
+  add("forces.switch", fmt::format("{:.12g} nm", forces.switch_from));
+  add("forces.smoothness", forces.smoothness);
+  add("forces.dielectric", forces.dielectric);
+  add("forces.damping", fmt::format("{:.12g} 1/nm", forces.damping));
+  add("forces.pme_accuracy", forces.pme_accuracy);
+  add("forces.coulomb_cutoff",
+      forces.coulomb_cutoff ? fmt::format("{:.12g} nm", *forces.coulomb_cutoff) : "chosen");
+  add("forces.dispersion_correction", forces.dispersion_correction);
+  add("forces.skin", fmt::format("{:.12g} nm", forces.skin));
+  add("integrator.scheme", integrator.scheme);
+  add("integrator.step", fs(integrator.step));
+  add("integrator.lambda", integrator.lambda);
+  for (const auto& [key, value] : ensemble_texts(config.ensemble)) add(key.c_str(), value);
+  add("run.minimise", run.minimise);
+  add("run.equilibrate", fs(run.equilibrate));
+  add("run.sample", fs(run.sample));
+  add("run.shadow_sample", run.shadow_sample ? fs(*run.shadow_sample) : "default");
+  add("run.configurational_sample", fs(run.configurational_sample));
+  add("output.trajectory_every", fs(output.trajectory_every));
+  add("output.formats", fmt::format("{}", fmt::join(output.formats, ", ")));
+  add("output.massless_sites", output.massless_sites);
+  add("output.velocities", output.velocities);
+  return text;
+}
+
+bool same_run(std::string_view one, std::string_view other) {
+  return hash_of(one) == hash_of(other);
+}
+
+std::string differences(const std::string& then, const std::string& now) {
+  const auto before = settings_of(then), after = settings_of(now);
+  std::string text;
+  const auto add = [&](const std::string& key, const std::string& was, const std::string& is) {
+    if (was != is)
+      text += fmt::format("{}{} was {} and is now {}", text.empty() ? "" : ", ", key, was, is);
+  };
+  const std::string none = "none";
+  for (const auto& [key, value] : before)
+    add(key, value, after.contains(key) ? after.at(key) : none);
+  for (const auto& [key, value] : after)
+    if (!before.contains(key)) add(key, none, value);
+  return text;
+}
+
+}  // namespace polhode

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: MIT
+#include "averages.hpp"
+
+#include <fmt/core.h>
+
+#include <array>
+
+#include "polhode/io/settings/ensemble_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/io/settings/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+SeriesEstimate in_bar(const SeriesEstimate& p) { return in_unit("bar", Dimension::pressure, p); }
+SeriesEstimate in_kg_per_m3(const SeriesEstimate& density) {
+  return in_unit("kg/m3", Dimension::density, density);
+}
+SeriesEstimate in_per_bar(const SeriesEstimate& compressibility) {
+  return in_unit("1/bar", Dimension::compressibility, compressibility);
+}
+
+std::string text_or_dash(double degrees_of_freedom, const SeriesEstimate& T) {
+  return degrees_of_freedom == 0 ? "-" : text_of(T);
+}
+
+/// Why some of the temperatures that are shown have no error, where their mean has one.
+std::string missing_errors(const TemperatureEstimates& T, const DegreesOfFreedom& n) {
+  if (T.all.known != Known::yes) return "";
+  Known worst = n.translation > 0 ? T.translation.known : Known::yes;
+  for (std::size_t k = 0; k < n.rotation.size(); ++k)
+    if (n.rotation[k] > 0 && T.rotation[k].known != Known::yes) worst = T.rotation[k].known;
+  return worst == Known::yes ? "" : "; an error that is not given is " + not_known(worst);
+}
+
+Quantities of_temperatures(const TemperatureEstimates& T, const DegreesOfFreedom& n,
+                           const std::string& label) {
+  const auto axis = [&](std::size_t k) { return text_or_dash(n.rotation[k], T.rotation[k]); };
+  const std::string note = fmt::format(": translation {}, rotation {}, {}, {} K{}",
+                                       text_or_dash(n.translation, T.translation), axis(0), axis(1),
+                                       axis(2), missing_errors(T, n));
+  return {{"temperature", "K", T.all, "mean kinetic temperature", label, note},
+          {"temperature_translation", "K", T.translation, "mean temperature of translation"},
+          {"temperature_rotation", "K", T.rotation, "of rotation about each principal axis"}};
+}
+
+std::vector<std::optional<SeriesEstimate>> list_of(
+    const ByMotion<std::optional<SeriesEstimate>>& motions) {
+  return {motions.begin(), motions.end()};
+}
+
+Quantities of_configurational(const ByMotion<std::optional<SeriesEstimate>>& T) {
+  Quantities list;
+  Known worst = Known::yes;
+  std::array<std::string, 4> texts;
+  bool any = false;
+  for (std::size_t k = 0; k < texts.size(); ++k) {
+    texts[k] = T[k] ? text_of(*T[k]) : "-";
+    if (!T[k]) continue;
+    any = true;
+    if (T[k]->known != Known::yes) worst = T[k]->known;
+  }
+  if (T[0])
+    list.push_back({"temperature_configurational", "K", list_of(T),
+                    "configurational temperatures of translation, and of rotation about each "
+                    "principal axis"});
+  if (any)
+    list.push_back(
+        row("configurational", fmt::format("translation {}, rotation {}, {}, {} K{}", texts[0],
+                                           texts[1], texts[2], texts[3], missing_error(worst))));
+  return list;
+}
+
+/// "1200 of 2000 accepted, 60.0 ± 1.1 %".
+std::string accepted_text(std::uint64_t some, std::uint64_t all, const SeriesEstimate& share) {
+  if (all == 0) return "none yet";
+  return fmt::format("{} of {} accepted, {}{}", some, all, text_of(scaled(share, 100), "%"),
+                     missing_error(share.known));
+}
+
+Quantities of_barostat(const BarostatSummary& s) {
+  return {
+      {"density", "kg/m3", in_kg_per_m3(s.density), "mean of the mass over the volume", "density"},
+      {"volume", "nm3", s.volume, "mean volume", "volume"},
+      {"compressibility", "1/bar", in_per_bar(s.compressibility),
+       "isothermal compressibility, from the fluctuations of the volume", "compressibility",
+       ", isothermal, from the fluctuations of the volume"},
+      {"volume_drift", "nm3/ps", s.volume_drift.rate.value, "slope of the volume"},
+      row("moves of the box",
+          fmt::format("{}; one every {:g} fs", accepted_text(s.accepted, s.moves, s.accepted_share),
+                      s.interval * units::fs_per_ps)),
+      {"interval", "fs", s.interval * units::fs_per_ps, "time between two moves of the box"},
+      {"beyond_shape", "", s.beyond_shape, "moves that would have changed its shape too much"},
+      {"moves", "", s.moves, "moves of the box"},
+      {"accepted", "", s.accepted, "accepted moves"},
+      {"acceptance", "%", s.accepted_share, "accepted fraction"},
+      {"work", "kJ/mol", s.work, "work received from the barostat"}};
+}
+
+/// How many independent samples of the potential energy the run is worth.
+std::string effective_samples_text(const HybridMonteCarloSummary& s) {
+  const Known known = s.effective_samples.known;
+  if (known == Known::not_defined) return "not defined: the potential energy is constant";
+  if (known != Known::yes) return not_known(known);
+  return fmt::format("{} of the potential energy, whose autocorrelation time is {}",
+                     text_of(s.effective_samples), text_of(s.correlation_time, "ps"));
+}
+
+Quantities of_hybrid_monte_carlo(const HybridMonteCarloSummary& s) {
+  return {row("trajectories", accepted_text(s.accepted, s.trajectories, s.accepted_share)),
+          {"trajectories", "", s.trajectories, "trajectories"},
+          {"accepted", "", s.accepted, "accepted trajectories"},
+          {"acceptance", "%", s.accepted_share, "accepted fraction"},
+          {"mean_weight", "", s.weight, "mean of exp(-dH/kT), which must be 1",
+           s.trajectories > 0 ? "<exp(-dH/kT)>" : "", ", which must be 1"},
+          {"mean_bounded_weight", "", s.bounded_weight,
+           "mean of (exp(-dH/kT) - 1) exp(-\\|dH\\|/kT), which must be 0"},
+          row("effective samples", effective_samples_text(s)),
+          {"correlation_time", "ps", s.correlation_time,
+           "integrated autocorrelation time of the potential energy"},
+          {"effective_samples", "", s.effective_samples,
+           "number of independent samples of the potential energy with the same error"},
+          {"work", "kJ/mol", s.work, "work received from draws and rejections"}};
+}
+
+/// Null at constant energy.
+Quantities of_ensemble(const EnsembleSummary& s) {
+  if (s.settings.constant_energy()) return {{"ensemble", "", {}}};
+  Quantities settings;
+  for (const auto& [key, value] : ensemble_texts(s.settings)) settings.push_back({key, "", value});
+  Quantities list = {{"description", "", description(s.settings), "the ensemble in words"},
+                     {"settings", "", settings, "its settings, as in a run file"},
+                     {"heat", "kJ/mol", s.heat, "heat received from the thermostat"}};
+  Quantity barostat{"barostat", "", {}}, hybrid{"hybrid_monte_carlo", "", {}};
+  if (s.barostat) barostat.value = of_barostat(*s.barostat);
+  if (s.hybrid_monte_carlo) hybrid.value = of_hybrid_monte_carlo(*s.hybrid_monte_carlo);
+  append(list, {barostat, hybrid});
+  if (s.settings.thermostat)
+    list.push_back(row("heat received", fmt::format("{:.4g} kJ/mol", s.heat)));
+  const double work =
+      (s.barostat ? s.barostat->work : 0) + (s.hybrid_monte_carlo ? s.hybrid_monte_carlo->work : 0);
+  if (s.barostat || s.hybrid_monte_carlo)
+    list.push_back(row("work received", fmt::format("{:.4g} kJ/mol", work)));
+  return {{"ensemble", "", std::move(list)}};
+}
+
+/// A bias of the step, followed by the average without it.
+/// @param average  in the same unit
+Quantity bias_of(std::string key, std::string unit, const SeriesEstimate& bias, double average,
+                 std::string label, const std::string& of = "") {
+  std::string note = fmt::format("{}, without it {:.5g} {}{}", of, average - bias.value, unit, of);
+  return {std::move(key), std::move(unit), bias, "", std::move(label), std::move(note)};
+}
+
+/// Mean temperature of rotation about all axes.
+double rotation_temperature(const RunSummary& s) {
+  const DegreesOfFreedom& n = s.degrees_of_freedom;
+  double T = 0;
+  for (std::size_t k = 0; k < 3; ++k)
+    T += s.temperatures.rotation[k].value * n.rotation[k] / (n.all() - n.translation);
+  return T;
+}
+
+/// Null where it is not known.
+Quantity of_step_bias(const RunSummary& s) {
+  if (!s.step_bias) return {"step_bias", "", {}};
+  const StepBias& bias = *s.step_bias;
+  const double per_molecule = 1 / static_cast<double>(s.molecules);
+  const double translation = s.temperatures.translation.value;
+  const double rotation = rotation_temperature(s);
+  const bool turns = s.degrees_of_freedom.all() > s.degrees_of_freedom.translation;
+  const auto& barostat = s.ensemble.barostat;
+  const auto label = [](bool shown, const char* text) { return shown ? text : ""; };
+  Quantities list = {
+      bias_of("potential", "kJ/mol", scaled(bias.potential, per_molecule), s.potential.value,
+              "potential energy", " per molecule"),
+      bias_of("pressure", "bar", in_bar(bias.pressure), in_bar(s.pressure).value, "pressure"),
+      bias_of("density", "kg/m3", in_kg_per_m3(bias.density),
+              barostat ? in_kg_per_m3(barostat->density).value : 0,
+              label(barostat.has_value(), "density")),
+      bias_of("compressibility", "1/bar", in_per_bar(bias.compressibility),
+              barostat ? in_per_bar(barostat->compressibility).value : 0,
+              label(barostat.has_value(), "compressibility")),
+      {"volume", "nm3", bias.volume},
+      bias_of("temperature_translation", "K", bias.translation, translation, "T of translation"),
+      bias_of("temperature_rotation_all", "K", bias.rotation, rotation,
+              label(turns, "T of rotation")),
+      {"temperature_rotation", "K", bias.axes},
+      bias_of("rotation_minus_translation", "K", bias.difference, rotation - translation,
+              label(turns, "their difference")),
+      {"temperature_configurational", "K",
+       s.configurational_bias[0] ? Value(list_of(s.configurational_bias)) : Value()}};
+  constexpr std::array names{"T_conf, translation", "T_conf, axis 1", "T_conf, axis 2",
+                             "T_conf, axis 3"};
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (const auto& known = s.configurational_bias[k])
+      list.push_back(bias_of("", "K", *known, s.configurational[k]->value, names[k]));
+  return {"step_bias", "", std::move(list), "bias of each average by the step; null if unknown",
+          "bias of the step"};
+}
+
+}  // namespace
+
+SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate) {
+  return scaled(estimate, 1 / unit(symbol, dimension));
+}
+
+std::vector<Quantities> list_of(const std::vector<Warning>& warnings) {
+  std::vector<Quantities> list;
+  for (const Warning& w : warnings)
+    list.push_back({{"kind", "", w.kind},
+                    {"value", "", w.value},
+                    {"bound", "", w.bound},
+                    {"text", "", w.text},
+                    {"remedy", "", w.remedy}});
+  return list;
+}
+
+Quantities of_averages(const RunSummary& s) {
+  const DegreesOfFreedom& n = s.degrees_of_freedom;
+  Quantities list = {{"potential", "kJ/mol", s.potential, "mean potential energy per molecule",
+                      "potential energy", " per molecule"},
+                     {"total", "kJ/mol", s.total, "mean total energy per molecule", "total energy",
+                      " per molecule"}};
+  append(list, of_temperatures(s.temperatures, n, "temperature"));
+  if (s.temperatures_at_bath) {
+    Quantities half = of_temperatures(*s.temperatures_at_bath, n, "  of half steps");
+    list.push_back({"half_steps", "", flattened(half),
+                    "temperatures of the momenta on which a bath within the steps acts"});
+    half.front().key.clear();
+    list.push_back(half.front());
+  }
+  append(list, of_configurational(s.configurational));
+  const auto& barostat = s.ensemble.settings.barostat;
+  append(
+      list,
+      {row("degrees of freedom",
+           fmt::format("{:.0f}: translation {:.0f}, rotation {:.0f} {:.0f} {:.0f}", n.all(),
+                       n.translation, n.rotation[0], n.rotation[1], n.rotation[2])),
+       {"degrees_of_freedom_translation", "", n.translation, "degrees of freedom of translation"},
+       {"degrees_of_freedom_rotation", "", std::vector(n.rotation.begin(), n.rotation.end()),
+        "of rotation about each principal axis"},
+       {"pressure", "bar", in_bar(s.pressure), "mean molecular pressure", "pressure",
+        barostat ? fmt::format(", asked for: {:g} bar",
+                               barostat->pressure / unit("bar", Dimension::pressure))
+                 : ""}});
+  append(list, of_ensemble(s.ensemble));
+  list.push_back(of_step_bias(s));
+  list.push_back({"momentum", "", s.momentum, "sum of all momenta at the end [u nm/ps]",
+                  "total momentum", " u nm/ps"});
+  return list;
+}
+
+}  // namespace polhode

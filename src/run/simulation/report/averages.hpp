@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The averages of a run as quantities.
+#pragma once
+
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/run/quantities.hpp"
+#include "polhode/run/simulation/report/summary.hpp"
+#include "polhode/run/simulation/report/warnings.hpp"
+
+namespace polhode {
+
+/// An estimate in another unit.
+SeriesEstimate in_unit(const char* symbol, Dimension dimension, const SeriesEstimate& estimate);
+
+std::vector<Quantities> list_of(const std::vector<Warning>& warnings);
+
+/// Energies, temperatures, pressure, and what thermostat, barostat and hybrid Monte Carlo did.
+Quantities of_averages(const RunSummary& summary);
+
+}  // namespace polhode

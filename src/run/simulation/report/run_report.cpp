@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/report/run_report.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <limits>
+
+#include "averages.hpp"
+#include "polhode/io/files/with_error.hpp"
+#include "polhode/io/settings/ensemble_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/io/settings/quantity.hpp"
+
+namespace polhode {
+namespace {
+
+double percent(double x) { return 100 * x; }
+
+/// A number that is known only under a condition.
+double known_if(bool known, double value) {
+  return known ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string energy_name(const RunSummary& s) {
+  return s.ensemble.settings.constant_energy() ? "total" : "conserved";
+}
+
+Quantities of_settings(const RunReport& r) {
+  const RunSummary& s = r.summary;
+  const NestedScheme scheme{r.settings.scheme, r.settings.inner};
+  const Segment& segment = s.segment;
+  return {{"molecules", "", s.molecules, "number of molecules"},
+          {"scheme", "", name_of(scheme), "name of the scheme, or its stages"},
+          {"text", "", text_of(scheme), "its stages as text"},
+          {"step", "fs", r.settings.step * units::fs_per_ps, "time step"},
+          {"steps", "", s.steps, "number of steps"},
+          {"length", "ps", s.length, "simulated time"},
+          {"sample", "fs", s.sample * units::fs_per_ps, "interval between energies"},
+          {"interrupted", "", r.interrupted, "whether the run was suspended before its end"},
+          {"samples", "", s.samples, "number of samples of the energies"},
+          {"segment", "",
+           Quantities{{"number", "", segment.number, "number of the part that all results are of"},
+                      {"first_step", "", segment.first_step, "step at which it begins"},
+                      {"earlier", "ps", segment.earlier, "time simulated before it"},
+                      {"changes", "", segment.changes.empty() ? Value() : Value(segment.changes),
+                       "what was changed at its begin; null if nothing was"}}},
+          {"files", "", r.files.all(), "names of the files that were written"}};
+}
+
+/// "0.012 ± 0.004 kJ/mol/ps, not significant (p-value 0.2)".
+std::string drift_text(const Drift& drift, std::uint64_t samples) {
+  if (samples < min_samples_reported) return not_known(Known::too_few_samples);
+  const SeriesEstimate rate{drift.rate.value, drift.rate.error, drift.known};
+  std::string text = text_of(rate, "kJ/mol/ps") + missing_error(drift.known);
+  if (drift.known != Known::yes) return text;
+  return fmt::format("{}, {} (p-value {:.2g})", text, verdict(drift), drift.p_value);
+}
+
+Quantities of_drift(const Drift& drift, double walk, std::uint64_t samples) {
+  const bool known = drift.known == Known::yes;
+  return {{"drift", "kJ/mol/ps", known_if(samples >= min_samples_reported, drift.rate.value),
+           "slope of a least-squares line through the energy"},
+          {"drift_error", "", known_if(known, drift.rate.error), "its standard error [kJ/mol/ps]"},
+          {"drift_p_value", "", known_if(known, drift.p_value),
+           "probability of such a slope without an energy drift"},
+          {"drift_significant", "", known ? Value(drift.significant()) : Value(),
+           "whether the p-value is below 0.01"},
+          {"drift_verdict", "", verdict(drift),
+           "`significant`, `not significant`, or why this is not known"},
+          {"random_walk", "kJ/mol per sqrt(ps)", known_if(walk > 0, std::sqrt(walk)),
+           "rms change of the energy in 1 ps by a random walk; null without evidence for one"}};
+}
+
+std::string ratio_text(const RunSummary& s) {
+  if (s.samples < min_samples_reported) return not_known(Known::too_few_samples);
+  if (s.potential_fluctuation.value == 0) return "not defined: the potential energy is constant";
+  const bool grows = s.ratio.known == Known::grows;
+  return fmt::format(
+      "{}{}   (rms of the {} energy, {:.4g}, divided by that of the potential energy, {:.4g} "
+      "kJ/mol){}",
+      text_of(scaled(s.ratio, 100), "%"), grows ? ", which grows with the length of the run" : "",
+      energy_name(s), s.total_fluctuation.value, s.potential_fluctuation.value,
+      grows ? "" : missing_error(s.ratio.known));
+}
+
+/// "; in this run 0.4 % of the rms fluctuation of the potential energy, too little to matter".
+std::string size_text(const RunSummary& s) {
+  if (s.samples < min_samples_reported || s.potential_fluctuation.value == 0) return "";
+  return fmt::format("; in this run {:.2g} % of the rms fluctuation of the potential energy{}",
+                     percent(s.relative_drift()), drift_matters(s) ? "" : ", too little to matter");
+}
+
+/// How well the energy is conserved, as rows; none with hybrid Monte Carlo, which conserves none.
+Quantities conservation_rows(const RunSummary& s) {
+  if (s.ensemble.settings.hybrid_monte_carlo) return {};
+  Quantities rows = {row("R", ratio_text(s))};
+  if (s.rounding > 0 && s.samples >= min_samples_reported)
+    rows.push_back(row(
+        "R of rounding",
+        fmt::format(
+            "{:.2g} %, estimated{}", percent(s.rounding),
+            s.ratio.value < rounding_margin * s.rounding
+                ? "; R is dominated by rounding: precision = \"double\" shows the R of the scheme"
+                : "")));
+  rows.push_back(row(
+      "energy drift",
+      fmt::format(
+          "{}{}{}{}", s.ensemble.settings.constant_energy() ? "" : "of the conserved energy: ",
+          drift_text(s.drift, s.samples), size_text(s),
+          s.walk_known ? "" : "; part of it is the random walk of rounding in mixed precision")));
+  if (s.walk > 0)
+    rows.push_back(
+        row("random walk",
+            fmt::format("of the {} energy, {:.2g} kJ/mol per sqrt(ps): R of {:.2g} % in this run, "
+                        "growing as the square root of its length",
+                        energy_name(s), std::sqrt(s.walk), percent(s.ratio_of_walk()))));
+  return rows;
+}
+
+Quantities of_conservation(const RunSummary& s) {
+  const bool known = s.samples >= min_samples_reported && s.potential_fluctuation.value > 0;
+  const double n = s.degrees_of_freedom.all(), kT = units::boltzmann * s.temperatures.all.value;
+  Quantities list = of_drift(s.drift, s.walk, s.samples);
+  SeriesEstimate ratio = s.ratio;
+  ratio.value = known_if(s.samples >= min_samples_reported, ratio.value);
+  append(
+      list,
+      {{"R", "%", ratio, "rms fluctuation of the conserved energy over that of the potential"},
+       {"rms_total", "kJ/mol", s.total_fluctuation, "rms fluctuation of the conserved energy"},
+       {"rms_potential", "kJ/mol", s.potential_fluctuation,
+        "rms fluctuation of the potential energy"},
+       {"R_rounding", "%", s.rounding, "R of rounding alone, estimated; 0 in double precision"},
+       {"R_truncation", "%", s.truncation, "R of the random walk by the truncation, predicted"},
+       {"R_of_random_walk", "%", known_if(s.walk > 0, s.ratio_of_walk()),
+        "R of the random walk alone; null without evidence for one"},
+       {"walk_of_rounding_known", "", s.walk_known, "whether the random walk of rounding is known"},
+       {"drift_in_run_over_rms_potential", "", known_if(known, s.relative_drift()),
+        "change by the energy drift in this run over the rms fluctuation of the potential energy"},
+       {"drift_kT_per_ns_per_degree_of_freedom", "",
+        known_if(known && n > 0, s.drift.rate.value * units::ps_per_ns / (kT * n)),
+        "the energy drift per degree of freedom"}});
+  return list;
+}
+
+/// Of the shadow energy; nothing where it was not sampled.
+Quantities of_shadow(const RunSummary& s) {
+  if (!s.shadow) return {};
+  const ShadowSummary& shadow = *s.shadow;
+  const SeriesEstimate& rms = shadow.fluctuation;
+  const bool known = rms.known == Known::yes;
+  Quantities list = of_drift(shadow.drift, shadow.drift.walk, shadow.samples);
+  append(list, {{"samples", "", shadow.samples, "number of its samples"},
+                {"rms", "kJ/mol", rms.value, "its rms fluctuation"},
+                {"rms_error", "kJ/mol", known_if(known, rms.error), "standard error"},
+                {"time_gain", "", shadow.time_gain ? Value(*shadow.time_gain) : Value(),
+                 "how many times sooner its drift becomes significant"}});
+  if (!known) list.push_back({"error_not_known", "", reason(rms.known), "why rms has no error"});
+  Quantities all = {{"shadow", "", std::move(list)}};
+  if (!s.ensemble.settings.hybrid_monte_carlo)
+    all.push_back(
+        row("shadow energy drift",
+            fmt::format("{}{}; rms fluctuation {}{}", drift_text(shadow.drift, shadow.samples),
+                        shadow.time_gain
+                            ? fmt::format(", detected {:.2g} times sooner", *shadow.time_gain)
+                            : "",
+                        text_of(rms, "kJ/mol"), missing_error(rms.known))));
+  return all;
+}
+
+std::string evaluations_text(const RunSummary& s, bool nested) {
+  const auto per_ps = [&](std::uint64_t n) {
+    return fmt::format("{} ({:.4g} per ps)", n, static_cast<double>(n) / s.length);
+  };
+  std::string text = per_ps(s.force_evaluations);
+  if (s.derivatives > 0) text += fmt::format(", and {} of their derivative", s.derivatives);
+  if (nested) text += ", near forces " + per_ps(s.near_evaluations);
+  if (nested && s.near_derivatives > 0)
+    text += fmt::format(", and {} of their derivative", s.near_derivatives);
+  if (s.measurements > 1) text += fmt::format(", and {} for energies only", s.measurements);
+  if (s.ensemble.barostat)
+    text += fmt::format(", {} for moves of the box", s.ensemble.barostat->evaluations);
+  if (s.minimisation_evaluations > 0)
+    text += fmt::format(", {} for the minimisation", s.minimisation_evaluations);
+  return text;
+}
+
+std::string time_text(const Timings& t, bool nested) {
+  const double unit = t.all() / 100;
+  return fmt::format(
+      "{:.2f} s: forces {:.0f} %, {}list {:.0f} %, drifts and kicks {:.0f} %, energies and output "
+      "{:.0f} %",
+      t.all(), t.forces / unit, nested ? fmt::format("near forces {:.0f} %, ", t.near / unit) : "",
+      t.list / unit, t.motion / unit, t.measurement / unit);
+}
+
+Quantities of_costs(const RunReport& r) {
+  const RunSummary& s = r.summary;
+  const bool nested = r.settings.inner.has_value();
+  const Timings& t = s.timings;
+  const std::uint64_t moves = s.ensemble.barostat ? s.ensemble.barostat->evaluations : 0;
+  return {
+      row("force evaluations", evaluations_text(s, nested)),
+      {"force_evaluations", "", s.force_evaluations, "force evaluations of the scheme"},
+      {"derivative_evaluations", "", s.derivatives, "evaluations of their derivative"},
+      {"near_evaluations", "", s.near_evaluations, "evaluations of an inner scheme's near forces"},
+      {"near_derivative_evaluations", "", s.near_derivatives, "evaluations of their derivative"},
+      {"force_evaluations_for_energies", "", s.measurements, "made only for energies"},
+      {"force_evaluations_of_moves", "", moves, "made by moves of a barostat"},
+      {"force_evaluations_of_minimisation", "", s.minimisation_evaluations,
+       "made before the trajectory"},
+      {"list_rebuilds", "", s.list_rebuilds, "rebuilds of the neighbour list", "neighbour list",
+       " rebuilds"},
+      row("time", time_text(t, nested)),
+      {"seconds", "",
+       Quantities{{"all", "", t.all(), "wall-clock time [s]"},
+                  {"forces", "", t.forces, "of it for forces"},
+                  {"near", "", t.near, "for an inner scheme's near forces"},
+                  {"list", "", t.list, "for neighbour lists"},
+                  {"motion", "", t.motion, "for drifts and kicks"},
+                  {"energies_and_output", "", t.measurement, "for energies and output"}}},
+      {"ns_per_day", "", s.ns_per_day, "simulated time per day of wall-clock time", "speed",
+       fmt::format(" ns/day with {} {}, instruction set {}", r.execution.threads,
+                   r.execution.threads == 1 ? "thread" : "threads", r.execution.instruction_set)},
+      {"threads", "", r.execution.threads, "number of threads"},
+      {"instruction_set", "", r.execution.instruction_set, "instruction set of the kernels"}};
+}
+
+/// Null without a bound that was asked for.
+Quantity of_guarantee(const std::optional<GuaranteeCheck>& k) {
+  if (!k) return {"guarantee", "", {}};
+  const std::string name = k->guarantee.accuracy.of == RequiredOf::ratio ? "R" : "bias";
+  return {"guarantee", "",
+          Quantities{{"accuracy", "", k->guarantee.accuracy.bound, "bound that was asked for"},
+                     {"requested", "", text_of(k->guarantee.accuracy), "as text"},
+                     {"length", "ps", k->guarantee.length, "length of a run that it is for"},
+                     {"R_expected", "", k->guarantee.expected.value, "R of the runs before it"},
+                     {"met", "", k->met(), "whether this run is within the bound"},
+                     row("accuracy guarantee",
+                         fmt::format("{}: {}", k->met() ? "met" : "NOT MET", guarantee_text(*k))),
+                     {name, "", k->value.value, "of this run"},
+                     {name + "_error", "", k->value.error, "its standard error"}}};
+}
+
+}  // namespace
+
+std::string verdict(const Drift& drift) {
+  if (drift.known != Known::yes) return reason(drift.known);
+  return drift.significant() ? "significant" : "not significant";
+}
+
+std::string guarantee_text(const GuaranteeCheck& k) {
+  const auto text = [&](const char* name, double unit, const char* unit_text) {
+    return fmt::format("{} {} {}", name, with_error(k.value.value / unit, k.value.error / unit),
+                       unit_text);
+  };
+  const auto found = [&]() -> std::string {
+    switch (k.guarantee.accuracy.of) {
+      case RequiredOf::ratio:
+        return fmt::format("{} over {:.3g} ps", text("R =", 0.01, "%"), k.guarantee.length);
+      case RequiredOf::temperature_difference:
+        return text("bias of T_rot - T_trans", 1, "K");
+      case RequiredOf::energy:
+        return text("bias of the potential energy", 1, "kJ/mol per molecule");
+      case RequiredOf::pressure:
+        return text("bias of the pressure", unit("bar", Dimension::pressure), "bar");
+      case RequiredOf::density:
+        return text("bias of the density", 0.01, "%");
+    }
+    return "";
+  };
+  return fmt::format("{}; the accuracy guarantee is {}", found(), text_of(k.guarantee.accuracy));
+}
+
+Quantities run_quantities(const RunReport& r) {
+  const RunSummary& s = r.summary;
+  Quantities all = of_settings(r);
+  if (!s.ensemble.settings.constant_energy())
+    all.push_back(row("ensemble", description(s.ensemble.settings)));
+  append(all, conservation_rows(s));
+  append(all, of_conservation(s));
+  append(all, of_shadow(s));
+  append(all, of_averages(s));
+  append(all, of_costs(r));
+  all.push_back(of_guarantee(r.guarantee));
+  all.push_back({"warnings", "", list_of(r.warnings), "what is probably wrong"});
+  return all;
+}
+
+std::string run_json(const RunReport& report) {
+  return json_text(flattened(run_quantities(report)));
+}
+
+std::string run_text(const RunReport& r) {
+  const RunSummary& s = r.summary;
+  return fmt::format(
+             "{} molecules, {} steps of {:g} fs with {}, {:.4g} ps, energies every {:g} fs\n\n",
+             s.molecules, s.steps, r.settings.step * units::fs_per_ps,
+             name_of({r.settings.scheme, r.settings.inner}), s.length,
+             s.sample * units::fs_per_ps) +
+         text_of(run_quantities(r));
+}
+
+}  // namespace polhode

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/report/warnings.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "polhode/forces/pairs/cutoff_treatment.hpp"
+#include "polhode/integrate/stability.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/run/simulation/report/ensemble_warnings.hpp"
+#include "polhode/run/simulation/report/truncation_walk.hpp"
+#include "polhode/run/simulation/system/stable_step.hpp"
+
+namespace polhode {
+namespace {
+
+/// Standard deviations beyond which a difference is not due to chance, of a deviation that is
+/// known; an estimated one counts by three_sigma().
+constexpr double far = 3;
+/// The bounds below which nothing is wrong whatever the statistics, each relative to the quantity
+/// in its comment.
+constexpr double min_temperature_difference = 0.01;  // the requested temperature
+constexpr double min_ignored_difference = 0.02;      // likewise, if it had no effect on the run
+constexpr double max_ratio = 0.05;                   // R itself
+constexpr double min_drift_share = 0.5;              // R
+constexpr double min_drift_ratio = 0.001;            // the fluctuation of the potential energy
+constexpr double min_truncation_share = 1.0 / 3;     // R: a tenth of its square
+constexpr double min_truncation_ratio = 0.001;       // the fluctuation of the potential energy
+constexpr double min_walk_share = 0.5;               // R²
+constexpr double min_walk_ratio = 0.005;             // the fluctuation of the potential energy
+constexpr double min_fall = 0.02;                    // the kinetic energy
+constexpr double max_pressure_kbar = 5;
+/// p-value of slopes: a tenth of that of a verdict, since these tests are made on every run.
+constexpr double significance_level = 0.001;
+
+double in_bar(double pressure) { return pressure / unit("bar", Dimension::pressure); }
+
+std::string temperature_remedy(const TargetTemperature& target) {
+  if (target.kept)
+    return "equilibrate first, or longer, or use a stronger thermostat: a larger friction, or a "
+           "shorter time_constant; if that changes nothing, use a shorter step";
+  if (target.ignored)
+    return "the velocities of the initial configuration were used: write velocities = \"new\" in "
+           "[system], and equilibrate";
+  return "equilibrate first, or longer: equilibrate = \"20 ps\" in [run]";
+}
+
+std::optional<Warning> temperature_warning(const RunSummary& s, const TargetTemperature& target) {
+  const double n = s.degrees_of_freedom.all();
+  if (n == 0 || s.samples == 0) return std::nullopt;
+  // If the error is not known, the current temperature is used for the mean.
+  const double T = target.value;
+  const SeriesEstimate mean = s.temperatures_at_bath.value_or(s.temperatures).all;
+  const double error = mean.known == Known::yes ? three_sigma(mean) : far * T * std::sqrt(2 / n);
+  // Of velocities that were not drawn at T, or that a thermostat changes, only the error of the
+  // mean is due to chance.
+  const double scatter = target.ignored || target.kept ? 0 : temperature_scatter(T, n);
+  const double bound =
+      std::max((target.ignored ? min_ignored_difference : min_temperature_difference) * T,
+               std::hypot(far * scatter, error));
+  const double difference = mean.value - T;
+  if (!(std::abs(difference) > bound)) return std::nullopt;
+  return Warning{
+      "temperature", mean.value, bound,
+      fmt::format("the mean temperature {}is {:.4g} K instead of {:g} K: {:.3g} K {}, {} {:.2g} K",
+                  s.temperatures_at_bath ? "of half steps " : "", mean.value, T,
+                  std::abs(difference), difference > 0 ? "too hot" : "too cold",
+                  target.ignored || target.kept
+                      ? "above the bound of"
+                      : "and runs of a system of this size deviate by at most",
+                  bound),
+      temperature_remedy(target)};
+}
+
+std::string conserved_energy(const RunSummary& s) {
+  return s.ensemble.settings.constant_energy() ? "the total energy" : "the conserved energy";
+}
+
+/// Whether the conserved energy says nothing about averages: hybrid Monte Carlo rejects what the
+/// errors of its steps would bias, and with a bath within the steps positions are much more
+/// accurate than momenta [leimkuhler2013].
+bool is_corrected(const RunSummary& s) {
+  return s.ensemble.hybrid_monte_carlo || s.temperatures_at_bath;
+}
+
+/// R without the random walk, which grows with the run but not with the bias of averages where a
+/// thermostat takes it up.
+double stationary_ratio(const RunSummary& s) {
+  if (s.ensemble.settings.constant_energy()) return s.ratio.value;
+  return std::sqrt(std::max(0.0, std::pow(s.ratio.value, 2) - std::pow(s.ratio_of_walk(), 2)));
+}
+
+std::optional<Warning> ratio_warning(const RunSummary& s) {
+  const double R = stationary_ratio(s);
+  if (s.samples < min_samples_reported || is_corrected(s) || !(R > max_ratio)) return std::nullopt;
+  return Warning{
+      "R", R, max_ratio,
+      fmt::format("R is {:.3g} %, above {:g} %: {} is conserved so badly that averages are biased",
+                  100 * R, 100 * max_ratio, conserved_energy(s)),
+      "use a shorter step, or let accuracy = \"1 %\" in [integrator] choose it"};
+}
+
+/// The R that the energy drift alone would give: the rms deviation of a straight line from its mean
+/// is its rise divided by √12.
+double ratio_of_drift(const RunSummary& s) { return s.relative_drift() / std::sqrt(12.0); }
+
+double drift_bound(const RunSummary& s) {
+  return std::max(min_drift_share * s.ratio.value, min_drift_ratio);
+}
+
+std::optional<Warning> drift_warning(const RunSummary& s) {
+  if (s.drift.known != Known::yes || is_corrected(s) || s.drift.p_value > significance_level ||
+      !(s.potential_fluctuation.value > 0))
+    return std::nullopt;
+  const double drifted = ratio_of_drift(s), bound = drift_bound(s);
+  if (!(drifted > bound)) return std::nullopt;
+  return Warning{
+      "drift", drifted, bound,
+      fmt::format(
+          "{} drifts by {:.3g} ± {:.2g} kJ/mol/ps, which alone makes R {:.2g} % (bound: {:.2g} %)",
+          conserved_energy(s), s.drift.rate.value, s.drift.rate.error, 100 * drifted, 100 * bound),
+      "use a shorter step, a smoother cutoff (smoothness in [forces]), or double precision"};
+}
+
+bool is_shifted(const ForceSettings& forces) {
+  return cutoff_treatment(forces) == CutoffTreatment::site_shift;
+}
+
+std::string truncation_remedy(const ForceSettings& forces) {
+  const bool of_charges = !vanishes_at_cutoff(forces.electrostatics) &&
+                          forces.truncation != Truncation::molecule_switch;
+  return fmt::format("use {}{}a {} or a shorter step",
+                     of_charges ? "truncation = \"molecule-switch\" or electrostatics = \"pme\" in "
+                                  "[forces], "
+                                : "",
+                     !is_shifted(forces) && forces.smoothness < 3 ? "smoothness = 3, " : "",
+                     is_shifted(forces) ? "longer cutoff" : "longer switching range");
+}
+
+/// @param ratio  R of the walk
+/// @param bound  which it exceeds
+Warning truncation_warning(const ForceSettings& forces, const std::string& scheme, double ratio,
+                           double bound) {
+  const int n = is_shifted(forces) ? 1 : forces.smoothness;
+  return {"truncation", ratio, bound,
+          fmt::format("the truncation has {} continuous derivative{}, and {} turns each passage of "
+                      "a pair into a small change of the energy, which walks at random: R grows "
+                      "with the length of the run, here to about {:.2g} % (bound: {:.2g} %)",
+                      n, n == 1 ? "" : "s", scheme, 100 * ratio, 100 * bound),
+          truncation_remedy(forces)};
+}
+
+double truncation_bound(const RunSummary& s) {
+  return std::max(min_truncation_share * s.ratio.value, min_truncation_ratio);
+}
+
+/// At constant energy only, since a thermostat takes up the walk, and where the truncation does not
+/// explain it, which has a warning of its own.
+std::optional<Warning> walk_warning(const RunSummary& s) {
+  const double walked = s.ratio_of_walk();
+  const double bound = std::max(std::sqrt(min_walk_share) * s.ratio.value, min_walk_ratio);
+  if (!s.ensemble.settings.constant_energy() || s.samples < min_samples_reported ||
+      s.truncation > truncation_bound(s) || !(walked > bound))
+    return std::nullopt;
+  return Warning{
+      "walk", walked, bound,
+      fmt::format("the total energy performs a random walk of {:.2g} kJ/mol per sqrt(ps), which "
+                  "alone makes R {:.2g} % in this run (bound: {:.2g} %) and grows with its length",
+                  std::sqrt(s.walk), 100 * walked, 100 * bound),
+      "use a shorter step, electrostatics = \"pme\" or a larger smoothness in [forces], or a "
+      "thermostat"};
+}
+
+std::optional<Warning> relaxation_warning(const RunSummary& s) {
+  const Drift& slope = s.potential_drift;
+  const double fall = -slope.rate.value * s.length;
+  const double kinetic =
+      s.degrees_of_freedom.all() * units::boltzmann * s.temperatures.all.value / 2;
+  if (slope.known != Known::yes || slope.p_value > significance_level ||
+      !(fall > min_fall * kinetic))
+    return std::nullopt;
+  return Warning{
+      "relaxation", fall, min_fall * kinetic,
+      fmt::format(
+          "the potential energy is still falling: by {:.3g} kJ/mol in this run, {:.2g} % of the "
+          "kinetic energy (bound: {:g} %; p-value {:.2g}), so averages are not those of "
+          "equilibrium",
+          fall, 100 * fall / kinetic, 100 * min_fall, slope.p_value),
+      "equilibrate longer, or start a new run from the final state of this one"};
+}
+
+std::optional<Warning> pressure_warning(const RunSummary& s) {
+  const double pressure = in_bar(s.pressure.value) / 1000, bound = max_pressure_kbar;  // [kbar]
+  const double error = s.pressure.known == Known::yes ? in_bar(three_sigma(s.pressure)) / 1000 : 0;
+  if (s.samples < min_samples_reported || s.ensemble.barostat ||
+      !(std::abs(pressure) - error > bound))
+    return std::nullopt;
+  return Warning{
+      "pressure", pressure, bound,
+      fmt::format(
+          "the mean pressure is {:.3g} kbar, outside ± {:g} kbar: {}", pressure, bound,
+          pressure > 0
+              ? "at this pressure liquids at ordinary temperatures are compressed by a sixth"
+              : "liquids cavitate long before this pressure"),
+      pressure > 0 ? "use a lower density, or equilibrate if molecules still overlap"
+                   : "use a higher density"};
+}
+
+bool is_plain(Electrostatics electrostatics) {
+  return electrostatics == Electrostatics::coulomb ||
+         electrostatics == Electrostatics::reaction_field;
+}
+
+}  // namespace
+
+std::string line_of(const Warning& warning) {
+  return fmt::format("warning: {}; {}", warning.text, warning.remedy);
+}
+
+bool drift_matters(const RunSummary& s) { return ratio_of_drift(s) > drift_bound(s); }
+
+double temperature_scatter(double temperature, double degrees_of_freedom) {
+  return temperature / std::sqrt(2 * degrees_of_freedom);
+}
+
+std::optional<Warning> cutoff_of_ions(const System& system) {
+  if (!is_plain(system.forces.electrostatics)) return std::nullopt;
+  const Molecule* ion = nullptr;
+  // [e] Rounded charges of a neutral molecule add up to at most this for 200 sites with four
+  // decimals; two such charges 1 nm apart have 0.014 kJ/mol, 0.6 % of kT at 300 K.
+  constexpr double neutral = 0.01;
+  for (const auto& part : system.topology.parts)
+    if (part.count > 0 && std::abs(part.molecule.charge()) > neutral &&
+        (!ion || std::abs(part.molecule.charge()) > std::abs(ion->charge())))
+      ion = &part.molecule;
+  if (!ion || system.topology.size() < 2) return std::nullopt;
+  return Warning{
+      "ions", ion->charge(), neutral,
+      fmt::format("'{}' has a charge of {:+.3g} e, and {} between ions are truncated at {:g} nm, "
+                  "where they are still strong: ions gather at that distance",
+                  ion->name, ion->charge(),
+                  system.forces.electrostatics == Electrostatics::coulomb
+                      ? "Coulomb forces"
+                      : "the forces of a reaction field",
+                  system.forces.cutoff),
+      "write electrostatics = \"pme\" in [forces]"};
+}
+
+std::optional<Warning> rough_truncation(const System& system, const TrajectorySettings& settings) {
+  const double n = degrees_of_freedom(system.topology).all();
+  if (settings.ensemble.hybrid_monte_carlo || system.temperature == 0 || n == 0)
+    return std::nullopt;
+  const double walk =
+      walk_fluctuation(truncation_walk(system.topology, system.forces, system.state.box.volume(),
+                                       system.temperature, settings.scheme, settings.step),
+                       settings.length);
+  const double ratio = walk / (units::boltzmann * system.temperature * std::sqrt(n / 2));
+  if (!(ratio > min_truncation_ratio)) return std::nullopt;
+  return truncation_warning(system.forces, name_of({settings.scheme, settings.inner}), ratio,
+                            min_truncation_ratio);
+}
+
+std::optional<Warning> distant_sites(const System& system) {
+  // [nm] Between the longest bonds, 0.47 nm in coarse-grained chains, and the shortest one, that of
+  // H2, 0.74 Å, read as nm.
+  constexpr double max_bond = 0.6;
+  for (const auto& part : system.topology.parts) {
+    std::vector<Site> atoms;
+    for (const Site& site : part.molecule.sites)
+      if (site.mass > 0) atoms.push_back(site);
+    if (atoms.size() < 2) continue;
+    for (std::size_t k = 0; k < atoms.size(); ++k) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t other = 0; other < atoms.size(); ++other)
+        if (other != k) nearest = std::min(nearest, norm(atoms[other].r - atoms[k].r));
+      if (nearest > max_bond)
+        return Warning{
+            "bond", nearest, max_bond,
+            fmt::format("in '{}' the site '{}' is {:.3g} nm from the nearest other site with mass, "
+                        "and bonds have at most {:g} nm",
+                        part.molecule.name, atoms[k].name, nearest, max_bond),
+            "if its positions are in angstrom, write A instead of nm"};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Warning> velocities_of_file(const System& system, const Config& config) {
+  const double n = degrees_of_freedom(system.topology).all();
+  if (system.new_velocities || !config.system.temperature_given || config.run.equilibrate > 0 ||
+      !config.ensemble.constant_energy() || n == 0)
+    return std::nullopt;
+  constexpr double far_from_canonical = 4;
+  const double target = config.system.temperature;
+  const double bound = far_from_canonical * target * std::sqrt(2 / n);
+  if (!(std::abs(system.file_temperature - target) > bound)) return std::nullopt;
+  return Warning{
+      "velocities", system.file_temperature, bound,
+      fmt::format(
+          "the velocities of the initial configuration have {:.4g} K, and the run file asks "
+          "for {:g} K (chance accounts for at most {:.2g} K)",
+          system.file_temperature, target, bound),
+      "write velocities = \"new\" in [system], or equilibrate"};
+}
+
+std::optional<Warning> step_near_stability(const System& system, const TrajectorySettings& settings,
+                                           Workers& workers) {
+  if (system.temperature == 0) return std::nullopt;  // the Einstein frequency is that of a liquid
+  const double max_step = max_stable_step(system, system.state, settings, workers);
+  if (!(settings.step > max_step)) return std::nullopt;
+  const double bound = near_stability * stability_limit(settings.scheme);
+  const double reached = bound * settings.step / max_step;
+  return Warning{
+      "step", reached, bound,
+      fmt::format(
+          "the step of {:g} fs is near the stability limit of {}: multiplied by the frequency "
+          "of the fastest motions it is {:.2g}, above {:.2g}",
+          settings.step * units::fs_per_ps, name_of({settings.scheme, settings.inner}), reached,
+          bound),
+      "use at most " + rounded_fs(max_step)};
+}
+
+std::vector<Warning> warnings_of_results(const RunSummary& s,
+                                         const std::optional<TargetTemperature>& target) {
+  std::vector<Warning> all;
+  const auto add = [&](const std::optional<Warning>& warning) {
+    if (warning) all.push_back(*warning);
+  };
+  if (target) add(temperature_warning(s, *target));
+  add(ratio_warning(s));
+  add(drift_warning(s));
+  add(walk_warning(s));
+  add(relaxation_warning(s));
+  add(pressure_warning(s));
+  for (const Warning& warning : ensemble_warnings(s)) all.push_back(warning);
+  return all;
+}
+
+std::vector<Warning> warnings(const RunSummary& s, const System& system,
+                              const TrajectorySettings& settings, const Config& config,
+                              Workers& workers) {
+  // The velocities of a file may have any temperature, unless the run file gives one.
+  const bool of_file = !system.new_velocities && config.run.equilibrate == 0;
+  std::optional<TargetTemperature> target;
+  if (config.system.temperature == 0)
+    target.reset();  // a thermostat that cools
+  else if (!settings.ensemble.constant_energy())
+    target = {.value = config.system.temperature, .kept = true};
+  else if (!of_file || config.system.temperature_given)
+    target = {.value = config.system.temperature, .ignored = of_file};
+  std::vector<Warning> all = warnings_of_results(s, target);
+  const double bound = truncation_bound(s);
+  if (!is_corrected(s) && s.truncation > bound)
+    all.push_back(truncation_warning(system.forces, name_of({settings.scheme, settings.inner}),
+                                     s.truncation, bound));
+  for (const auto& warning : {step_near_stability(system, settings, workers),
+                              cutoff_of_ions(system), distant_sites(system)})
+    if (warning) all.push_back(*warning);
+  return all;
+}
+
+}  // namespace polhode

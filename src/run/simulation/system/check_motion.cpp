@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/system/check_motion.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double max_position = 1e6;  // [nm]: beyond, a double has fewer than ten digits of a nm
+
+bool finite(const Vec3<double>& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+[[noreturn]] void refuse(std::size_t body, const char* quantity, const Vec3<double>& v,
+                         const std::string& complaint) {
+  throw Error(fmt::format("the {} of molecule {} is ({:.6g}, {:.6g}, {:.6g}), {}", quantity,
+                          body + 1, v.x, v.y, v.z, complaint));
+}
+
+void check_finite(std::size_t body, const char* quantity, const Vec3<double>& v) {
+  if (!finite(v)) refuse(body, quantity, v, "and must be finite numbers");
+}
+
+/// The angular momentum along an axis without inertia, relative to its norm, is at most rounding.
+void check_axes(std::size_t body, const Vec3<double>& ell, const Quaternion<double>& attitude,
+                const Vec3<double>& J) {
+  constexpr double rounding = 1e-9;
+  const Vec3<double> L = to_body(attitude, ell);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (J[k] == 0 && std::abs(L[k]) > rounding * norm(L))
+      refuse(body, "angular momentum", ell,
+             fmt::format("with {:.3g} u nm2/ps along its principal axis {}, about which it has no "
+                         "moment of inertia; remove that component",
+                         L[k], k + 1));
+}
+
+/// As a unit quaternion; one that is normalized up to rounding keeps its bits.
+Quaternion<double> checked_attitude(std::size_t body, const Quaternion<double>& s) {
+  constexpr double rounding = 1e-14, smallest = 1e-100, largest = 1e100;
+  const double squared = norm2(s);
+  if (!(squared > smallest && squared < largest))
+    throw Error(
+        fmt::format("the attitude of molecule {} is ({:.6g}, {:.6g}, {:.6g}, {:.6g}), and "
+                    "must be a quaternion (w, x, y, z) that can be normalized",
+                    body + 1, s.w, s.x, s.y, s.z));
+  return std::abs(squared - 1) < rounding ? s : normalized(s);
+}
+
+}  // namespace
+
+void check_motion(State& state, const Bodies& bodies) {
+  for (std::size_t i = 0; i < state.size(); ++i) {
+    check_finite(i, "position [nm]", state.q[i]);
+    if (!(norm(state.q[i]) <= max_position))
+      refuse(i, "position [nm]", state.q[i],
+             fmt::format("and must be within {:g} nm of the origin", max_position));
+    check_finite(i, "momentum [u nm/ps]", state.p[i]);
+    check_finite(i, "angular momentum [u nm2/ps]", state.ell[i]);
+    const Quaternion<double> attitude = checked_attitude(i, state.attitude[i]);
+    check_axes(i, state.ell[i], attitude, bodies.J[i]);
+    state.attitude.set(i, attitude);
+  }
+}
+
+}  // namespace polhode

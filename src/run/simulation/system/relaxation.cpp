@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/system/relaxation.hpp"
+
+#include <fmt/core.h>
+
+#include "polhode/base/error.hpp"
+#include "polhode/io/settings/quantity.hpp"
+#include "polhode/run/simulation/system/contact.hpp"
+#include "polhode/run/simulation/system/fitting_density.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr std::size_t max_separation_steps = 2000;
+
+/// L of each body.
+Vec3Column angular_momenta_in_body_frame(const State& state) {
+  Vec3Column L(state.size());
+  for (std::size_t i = 0; i < state.size(); ++i) L.set(i, to_body(state.attitude[i], state.ell[i]));
+  return L;
+}
+
+}  // namespace
+
+bool molecules_overlap(const System& system, const State& state) try {
+  ForceField forces(system.topology, system.forces, state.box);
+  Load load(state.size());
+  forces(state, load);
+  const auto within = [](const Vec3Column& all, double bound) {
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (!(norm2(all[i]) <= bound * bound)) return false;
+    return true;
+  };
+  return !within(load.f, max_initial_force) || !within(load.tau, max_initial_torque);
+} catch (const RunError&) {  // a force is not finite
+  return true;
+}
+
+void check_lattice(const System& system, const Config& config) {
+  if (!config.system.initial_configuration.empty() || config.run.minimise ||
+      config.run.equilibrate > 0 || !molecules_overlap(system, system.state))
+    return;
+  const std::string contact = strongest_contact(system, system.state);
+  const std::string fits =
+      fitting_density(system.topology, system.state.box, config.system.seed,
+                      [&](const State& state) { return molecules_overlap(system, state); });
+  throw Error(
+      fmt::format(
+          "molecules overlap on the lattice of {:.3g} g/cm3{}, so that forces are beyond "
+          "those from which a run can begin; write minimise = true and equilibrate = \"20 "
+          "ps\" in [run], or use 'polhode prepare'{}",
+          system.topology.mass() / system.state.box.volume() / unit("g/cm3", Dimension::density),
+          contact.empty() ? "" : ": " + contact, fits),
+      config.source);
+}
+
+Minimisation minimise(System& system, const MinimisationSettings& settings,
+                      const MinimisationWatch& watch, Workers& workers) try {
+  ForceSettings force_settings = system.forces;
+  force_settings.precision = Precision::double_precision;
+  ForceField forces(system.topology, force_settings, system.state.box, workers);
+  State& state = system.state;
+  const Vec3Column p = state.p, L = angular_momenta_in_body_frame(state);
+  const Minimisation result = minimise(
+      state, system.topology, system.bodies, [&](const State& at, Load& load) { forces(at, load); },
+      settings, watch, workers);
+  state.p = p;
+  for (std::size_t i = 0; i < state.size(); ++i) state.ell.set(i, to_lab(state.attitude[i], L[i]));
+  return result;
+} catch (const RunError& e) {
+  const std::string contact = strongest_contact(system, system.state);
+  throw RunError(fmt::format("{}{}; use a lower density, or another initial configuration",
+                             e.what(), contact.empty() ? "" : ": " + contact));
+}
+
+MinimisationWatch watch_of(const Callbacks& callbacks) {
+  return [callbacks](std::size_t, const Steepness& now) {
+    callbacks.report({"minimising", {}, fmt::format("largest force {:.3g} kJ/mol/nm", now.force)});
+    return callbacks.stopped();
+  };
+}
+
+std::string description(const Minimisation& m) {
+  const char* const end = m.end == MinimisationEnd::converged ? "minimised in"
+                          : m.end == MinimisationEnd::max_steps
+                              ? "minimisation ended at its limit of"
+                              : "minimisation interrupted after";
+  return fmt::format("{} {} steps: largest force {:.4g} kJ/mol/nm, largest torque {:.4g} kJ/mol",
+                     end, m.steps, m.after.force, m.after.torque);
+}
+
+std::size_t separate_molecules(System& system, const std::function<bool()>& stop,
+                               Workers& workers) {
+  const Minimisation result = minimise(
+      system,
+      {.force = max_initial_force, .torque = max_initial_torque, .max_steps = max_separation_steps},
+      [&](std::size_t, const Steepness&) { return stop && stop(); }, workers);
+  if (result.end == MinimisationEnd::max_steps) check_separated(system, result);
+  return result.steps;
+}
+
+void check_separated(const System& system, const Minimisation& m) {
+  if (m.after.force <= max_initial_force && m.after.torque <= max_initial_torque) return;
+  throw RunError(
+      fmt::format("molecules still overlap after they were moved apart in {} steps: {}; use a "
+                  "lower density, or another initial configuration",
+                  m.steps, strongest_contact(system, system.state)));
+}
+
+}  // namespace polhode

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/system/system.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/base/memory.hpp"
+#include "polhode/forces/pairs/overlap.hpp"
+#include "polhode/forces/system_size.hpp"
+#include "polhode/io/coordinates/frame_file.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
+#include "polhode/measure/energy.hpp"
+#include "polhode/model/centre_of_mass.hpp"
+#include "polhode/model/initial_state.hpp"
+#include "polhode/run/simulation/report/warnings.hpp"
+#include "polhode/run/simulation/system/fitting_density.hpp"
+#include "polhode/run/simulation/system/precise_start.hpp"
+
+namespace polhode {
+namespace {
+
+// Reads molecules and mixing from a topology file; the pairs of the run file are appended to those
+// of the topology.
+void take_topology_file(const Config& config, const Frame& start, System& system) {
+  RigidTopology read = read_topology(config.system.topology, &start);
+  system.topology = std::move(read.topology);
+  system.origins = std::move(read.origins);
+  system.shapes = std::move(read.shapes);
+  if (read.rule_matters && !config.mixing_given)
+    throw Error(
+        "the file does not give the mixing rule for unlike sites; write for example mixing = "
+        "\"geometric\" in [forces], the default of LAMMPS",
+        config.system.topology.file);
+  if (read.rule_is_open) read.mixing.rule = config.forces.mixing.rule;
+  std::vector<PairOverride>& pairs = read.mixing.pairs;
+  pairs.insert(pairs.end(), config.forces.mixing.pairs.begin(), config.forces.mixing.pairs.end());
+  system.forces.mixing = std::move(read.mixing);
+  try {
+    check(system.forces.mixing, system.topology);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+}
+
+// Call it before anything is allocated per molecule.
+void check_size(const Topology& topology) {
+  check_count(topology);
+  // Numbers stored by state, bodies, forces and list (without partners): per body, and per site.
+  constexpr double each_body = 500, each_site = 24;  // [bytes]
+  double bytes = 0, molecules = 0;
+  for (const auto& [molecule, count] : topology.parts) {
+    const auto n = static_cast<double>(count);
+    molecules += n;
+    bytes += n * (each_body + each_site * static_cast<double>(molecule.sites.size()));
+  }
+  require_memory(bytes, fmt::format("{:.0f} molecules", molecules), "use fewer of them");
+}
+
+State lattice_start(const Config& config, const Topology& topology) {
+  const SystemSettings& s = config.system;
+  Box box;
+  if (!s.density && !s.box)
+    throw Error(
+        "there is no density, box or initial configuration; write for example density = \"1 "
+        "g/cm3\"",
+        config.source + ", system");
+  try {
+    check_size(topology);
+    box = s.box ? Box{*s.box} : cubic_box(topology, s.density.value());
+    check_edges(box);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  return lattice(topology, box, s.seed);
+}
+
+double kinetic_temperature(const System& system) {
+  return temperature(energies(system.state, system.bodies, Load{}).kinetic(),
+                     degrees_of_freedom(system.topology).all());
+}
+
+// The centre of mass is brought to rest.
+void bring_to_rest(System& system) {
+  const Vec3<double> velocity = remove_total_momentum(system.state, system.bodies);
+  system.removed_velocity = norm(velocity);
+  system.removed_temperature = temperature(total_mass(system.bodies) * norm2(velocity) / 2,
+                                           degrees_of_freedom(system.topology).all());
+  system.file_temperature = kinetic_temperature(system);
+}
+
+// The momenta of a checkpoint are kept bit by bit: its centre of mass is at rest.
+void take_velocities(System& system, const SystemSettings& settings) {
+  if (system.new_velocities)
+    draw_momenta(system, settings.seed);
+  else if (settings.checkpoint.empty())
+    bring_to_rest(system);
+  else
+    system.file_temperature = kinetic_temperature(system);
+}
+
+/// At which density a lattice that overlaps would fit.
+std::string density_advice(const Config& config, const System& system) {
+  if (!config.system.initial_configuration.empty()) return {};
+  return fitting_density(system.topology, system.state.box, config.system.seed,
+                         [&](const State& state) {
+                           try {
+                             check_overlap(system.topology, state);
+                             return false;
+                           } catch (const Error&) {
+                             return true;
+                           }
+                         });
+}
+
+// Minimisation moves molecules apart, and equilibration those of a lattice.
+void check_apart(const Config& config, const System& system) try {
+  const bool is_lattice = config.system.initial_configuration.empty();
+  if (!config.run.minimise && !(is_lattice && config.run.equilibrate > 0))
+    check_overlap(system.topology, system.state);
+} catch (const Error& e) {
+  if (const auto warning = distant_sites(system))
+    throw Error(fmt::format("{}; {}; {}", e.what(), warning->text, warning->remedy), config.source);
+  throw Error(e.what() + density_advice(config, system), config.source);
+}
+
+void scale(Vec3Column& v, double factor) {
+  for (std::size_t i = 0; i < v.size(); ++i) v.set(i, factor * v[i]);
+}
+
+}  // namespace
+
+Topology build_topology(const SystemSettings& settings) {
+  if (!settings.topology.file.empty()) {
+    const Frame start = read_start(settings.initial_configuration);
+    return read_topology(settings.topology, &start).topology;
+  }
+  Topology topology;
+  for (const auto& component : settings.molecules)
+    topology.parts.push_back({molecule_of(component), component.count});
+  return topology;
+}
+
+System build_system(const Config& config) {
+  const bool from_file = !config.system.topology.file.empty();
+  System system{from_file ? Topology{} : build_topology(config.system),
+                Bodies({}),
+                {},
+                config.forces,
+                config.system.temperature};
+  if (config.system.initial_configuration.empty()) {
+    system.state = lattice_start(config, system.topology);
+  } else {
+    const Frame frame = read_start(config.system.initial_configuration);
+    if (from_file)
+      take_topology_file(config, frame, system);
+    else
+      system.topology = complete_topology(std::move(system.topology), frame);
+    FittedState fitted = fit_state(frame, system.topology);
+    system.state = std::move(fitted.state);
+    system.fit_deviation = fitted.deviation;
+    system.massless_deviation = fitted.massless_deviation;
+    const bool has_velocities = fitted.has_velocities || !config.system.checkpoint.empty();
+    if (!has_velocities && config.system.new_velocities == false)
+      throw Error(fmt::format("'{}' has no velocities, but velocities = \"from file\"; give a file "
+                              "that has some, or write \"new\"",
+                              config.system.initial_configuration),
+                  config.source + ", system.velocities");
+    system.new_velocities = config.system.new_velocities.value_or(!has_velocities);
+  }
+  system.bodies = Bodies(system.topology);
+  try {
+    if (!config.system.checkpoint.empty()) take_checkpoint(system, config.system.checkpoint);
+  } catch (const Error& e) {
+    throw e.at(config.source + ", system.checkpoint");
+  }
+  try {
+    check_edges(system.state.box);
+  } catch (const Error& e) {
+    throw e.at(config.source);
+  }
+  check_apart(config, system);
+  try {
+    system.forces = ForceField(system.topology, system.forces, system.state.box).settings();
+  } catch (const Error& e) {
+    throw e.at(config.cutoff_place);
+  }
+  take_velocities(system, config.system);
+  return system;
+}
+
+Energies energies_of(const System& system, const State& state, const Load& load, Workers& workers) {
+  Energies e = energies(state, system.bodies, load, workers);
+  if (system.forces.external)
+    e.translation += energy_of_centre(state, system.bodies, TotalMomentum::free);
+  return e;
+}
+
+void draw_momenta(System& system, std::uint64_t seed) {
+  draw_momenta(system.state, system.topology, system.temperature, seed);
+}
+
+void rescale(State& state, const Topology& topology, const Bodies& bodies, double target) {
+  remove_total_momentum(state, bodies);
+  const Energies e = energies(state, bodies, Load{});
+  const DegreesOfFreedom n = degrees_of_freedom(topology);
+  const double now = temperature(e.translation, n.translation);
+  const double turning = temperature(e.kinetic() - e.translation, n.all() - n.translation);
+  if (now > 0) scale(state.p, std::sqrt(target / now));
+  if (turning > 0) scale(state.ell, std::sqrt(target / turning));
+}
+
+}  // namespace polhode

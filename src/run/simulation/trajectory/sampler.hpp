@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// The samples of a trajectory: energies, and at their intervals configurational temperatures and
+// the shadow energy.
+#pragma once
+
+#include <optional>
+
+#include "blow_up.hpp"
+#include "clocks.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "timed_integrator.hpp"
+
+namespace polhode {
+
+/// Takes samples of a system between two steps, and keeps their statistics.
+class Sampler {
+ public:
+  /// All are kept by reference.
+  Sampler(const System& system, const TrajectorySettings& settings, TimedIntegrator& integrator,
+          const BlowUpReport& report, Workers& workers);
+
+  /// A sample of the current state, for the statistics and the watch.
+  /// @param exchanged  heat and work received so far [kJ/mol]
+  /// @throws BlowUp  if the energy is not finite, or has changed by more than dynamics can
+  void sample(std::size_t step, double exchanged, Clocks& clocks, const Watch& watch);
+
+  bool empty() const { return statistics_.energies.samples == 0; }
+  const TrajectoryStatistics& statistics() const { return statistics_; }
+  void resume_from(const TrajectoryStatistics& statistics);
+
+ private:
+  Energies energies_now(std::size_t step, double exchanged, Clocks& clocks);
+  bool due(double every) const;
+  void sample_shadow(Energies& now, const Watch& watch);
+  std::optional<StepError> error_of(const Energies& now) const;
+  void sample_configurational(std::size_t step, const std::optional<StepError>& error);
+  void sample_at_bath();
+  void check_energy(std::size_t step, const Energies& now);
+
+  const System& system_;
+  const TrajectorySettings& settings_;
+  TimedIntegrator& integrator_;
+  const BlowUpReport& report_;
+  Workers& workers_;
+  ErrorTerms terms_;
+  std::optional<FixedMeans> fixed_;
+  double ideal_;  // N kT [kJ/mol]
+  TrajectoryStatistics statistics_;
+  /// Energies of the last sample [kJ/mol]; nothing if it was before a resume.
+  std::optional<double> conserved_, potential_;
+};
+
+}  // namespace polhode

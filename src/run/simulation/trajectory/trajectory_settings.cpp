@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/run/simulation/trajectory/trajectory_settings.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "polhode/base/error.hpp"
+#include "polhode/integrate/error_terms.hpp"
+#include "polhode/integrate/with_bath.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/output_units.hpp"
+#include "polhode/run/simulation/trajectory/ensemble_moves.hpp"
+
+namespace polhode {
+namespace {
+
+constexpr double max_steps = 0x1p53;  // number of steps that a double can count
+
+/// "hoa2-ends", if there is room; none for stages without a name.
+std::string name_with_bath(const Scheme& scheme) {
+  if (!scheme.in_table() && !scheme.has_own_name()) return "";
+  if (scheme.name() == "velocity-verlet") return "obabo";
+  const std::string name = std::string(scheme.name()) + "-ends";
+  return name.size() <= Scheme::max_name ? name : "";
+}
+
+/// Cell rescaling follows the pressure.
+void check_external(const Config& config) {
+  const ExternalForces* const external = config.forces.external.get();
+  const auto& barostat = config.ensemble.barostat;
+  if (external && !external->has_virial && barostat &&
+      barostat->kind == BarostatKind::cell_rescaling)
+    throw Error(
+        fmt::format("the forces '{}' have no virial, so the pressure that cell-rescaling follows "
+                    "would lack them; give them a virial, or choose the barostat monte-carlo",
+                    external->name));
+}
+
+}  // namespace
+
+std::size_t TrajectorySettings::steps_in(double time) const {
+  if (!(time / step <= max_steps))
+    throw Error(
+        fmt::format("{:g} ps in steps of {:g} fs are {:.3g} steps; the maximum is {:.3g}, beyond "
+                    "which the times of steps could not be distinguished; use a shorter length",
+                    time, step * units::fs_per_ps, time / step, max_steps));
+  const auto all = static_cast<std::size_t>(std::llround(time / step));
+  const std::size_t whole = steps_per_trajectory();
+  return (all + whole - 1) / whole * whole;
+}
+
+std::size_t TrajectorySettings::steps_per_trajectory() const {
+  return ensemble.hybrid_monte_carlo ? ensemble.hybrid_monte_carlo->steps : 1;
+}
+
+// Within a trajectory of hybrid Monte Carlo a move would change the energy by which its end is
+// accepted, and a rejection would undo the move.
+std::size_t TrajectorySettings::steps_per_move() const {
+  const std::size_t whole = steps_per_trajectory();
+  const double trajectories =
+      std::min(ensemble.barostat.value().every / step, max_steps) / static_cast<double>(whole);
+  return whole * std::max<std::size_t>(1, static_cast<std::size_t>(std::llround(trajectories)));
+}
+
+double TrajectorySettings::move_interval() const {
+  return static_cast<double>(steps_per_move()) * step;
+}
+
+std::size_t TrajectorySettings::steps_per_sample() const {
+  const double every = std::min(sample / step * (1 + 1e-12), max_steps);
+  const std::size_t steps = std::max<std::size_t>(1, static_cast<std::size_t>(every));
+  const std::size_t whole = steps_per_trajectory();  // only its end is a sample
+  return (steps + whole - 1) / whole * whole;
+}
+
+std::size_t TrajectorySettings::samples_per(double interval) const {
+  const double samples = interval / (static_cast<double>(steps_per_sample()) * step) * (1 + 1e-12);
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::min(samples, max_steps)));
+}
+
+bool TrajectorySettings::has_shadow() const {
+  constexpr double rounding = 1e-12;  // of coefficients with 15 digits
+  const ErrorTerms terms = error_terms(scheme);
+  return !inner && polhode::fixed_means(ensemble, scheme) && scheme.palindromic() &&
+         std::hypot(terms.alpha, terms.beta) > rounding;
+}
+
+std::optional<FixedMeans> TrajectorySettings::fixed_means() const {
+  const auto fixed = polhode::fixed_means(ensemble, scheme);
+  return fixed == FixedMeans::energy || has_shadow() ? fixed : std::nullopt;
+}
+
+void TrajectorySettings::check_shadow() const {
+  if (shadow_sample == 0 || has_shadow()) return;
+  if (inner)
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but the shadow energy of {} has error brackets of near and slow "
+        "forces, which are not measured; leave it out, or use a single scheme, such as hoa2",
+        shadow_sample * units::fs_per_ps, name_of({scheme, inner})));
+  if (!polhode::fixed_means(ensemble, scheme))
+    throw Error(fmt::format(
+        "shadow_sample is {:g} fs, but a run that exchanges energy within its steps, with a "
+        "Langevin thermostat, two thermostats or hybrid Monte Carlo samples no shadow energy, and "
+        "the bias is not known with edges of the box that are scaled separately; leave it out, or "
+        "use type = \"rescaling\" in [thermostat] with the bath at the ends of the steps, and "
+        "edges = [\"xyz\"] in [barostat]",
+        shadow_sample * units::fs_per_ps));
+  const char* const reason =
+      scheme.palindromic()
+          ? "no error of order h², so its shadow energy is the energy itself to that order"
+          : "an error of order h, since its stages are not a palindrome";
+  throw Error(fmt::format(
+      "shadow_sample is {:g} fs, but {} has {}; leave it out, or use a palindrome of order 2, "
+      "such as hoa2",
+      shadow_sample * units::fs_per_ps, name_of(NestedScheme(scheme)), reason));
+}
+
+TrajectorySettings trajectory_settings(const Config& config, double stretch) try {
+  NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
+  if (config.ensemble.thermostat && !scheme.has(Flow::bath))
+    scheme.outer = with_bath(scheme.outer, BathPlace::ends, name_with_bath(scheme.outer));
+  TrajectorySettings settings{.scheme = scheme.outer,
+                              .step = config.integrator.step,
+                              .length = config.run.length,
+                              .sample = config.run.sample,
+                              .lambda = config.integrator.lambda,
+                              .inner = scheme.inner,
+                              .configurational_sample = config.run.configurational_sample,
+                              .seed = config.system.seed,
+                              .stretch = stretch,
+                              .ensemble = config.ensemble};
+  settings.ensemble.temperature = config.system.temperature;
+  check_ensemble(settings);
+  check_external(config);
+  if (settings.length < settings.step * (1 - 1e-9))
+    throw Error(fmt::format(
+        "the step of {:g} fs is longer than the length of {:g} fs; use a shorter step, or a longer "
+        "length",
+        settings.step * units::fs_per_ps, settings.length * units::fs_per_ps));
+  settings.steps();
+  constexpr double steps_per_shadow = 100;  // costs about 1 % of a run
+  settings.shadow_sample = config.run.shadow_sample.value_or(
+      settings.has_shadow() ? steps_per_shadow * settings.step : 0);
+  settings.check_shadow();
+  return settings;
+} catch (const Error& e) {
+  throw e.at(config.source);
+}
+
+}  // namespace polhode

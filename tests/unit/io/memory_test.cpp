@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "polhode/base/memory.hpp"
+
+#include <doctest/doctest.h>
+
+#include "../errors.hpp"
+#include "polhode/forces/system_size.hpp"
+#include "polhode/io/topology/molecule_file.hpp"
+#include "polhode/measure/radial_distribution.hpp"
+#include "polhode/model/cell_width.hpp"
+
+using namespace polhode;
+
+TEST_CASE("requests beyond the memory are refused with their amount and a remedy") {
+  const double limit = memory_limit();
+  CHECK(limit > 1e8);  // less than any computer on which this builds
+  CHECK(limit < 1e16);
+  CHECK_NOTHROW(require_memory(0.9 * limit, "things", "use fewer"));
+  check_error([&] { require_memory(1.1 * limit, "5 things", "use fewer of them"); },
+              {"5 things need at least", "GB of memory", "may use", "use fewer of them"});
+  check_error([] { require_memory(1e300, "things", "use fewer"); }, {"1e+291 GB"});
+}
+
+TEST_CASE("counts beyond what the list can index are refused, also if their sum overflows") {
+  const Molecule argon = read_molecule("argon");
+  CHECK_NOTHROW(check_count({{{argon, 60'000'000}}}));
+  for (const std::size_t count : {std::size_t{70'000'000}, std::size_t{1} << 40, ~std::size_t{0}})
+    check_error(
+        [&] {
+          check_count({{{argon, count}}});
+        },
+        {"molecules are more than the neighbour list can index (67108863)", "use fewer"});
+  check_error([&] { check_count({{{argon, ~std::size_t{0}}, {argon, 2}}}); }, {"use fewer"});
+}
+
+TEST_CASE("histograms beyond the memory are refused") {
+  const Topology argon{{{read_molecule("argon"), 8}}};
+  check_error(
+      [&] {
+        RadialDistribution(argon, {site_pairs(argon), 1.0, 1e-20});
+      },
+      {"histograms of 1e+20 bins", "use wider bins"});
+}
+
+// Cells have the required width if there are few, otherwise the width that limits their number,
+// within a quarter.
+TEST_CASE("cells of a large box are as wide as their number allows") {
+  const auto cells = [](const Box& box, double width) {
+    double n = 1;
+    for (std::size_t k = 0; k < 3; ++k) n *= std::max(1.0, std::floor(box.edge[k] / width));
+    return n;
+  };
+  for (const Vec3<double>& edge :
+       {Vec3<double>{3, 3, 3}, {400, 300, 500}, {8000, 8000, 8000}, {1, 1, 8000}, {0.3, 900, 900}})
+    for (const double max_cells : {1.0, 64.0, 1e5}) {
+      const Box box{edge};
+      const double width = cell_width(box, 0.5, max_cells);
+      CHECK(width >= 0.5);
+      CHECK(cells(box, width) <= max_cells);
+      if (width > 0.5) CHECK(cells(box, width / 1.25) > max_cells);
+    }
+}
