@@ -226,15 +226,18 @@ def cost_at(curve, bound):
 
 
 def costs(points):
-    """By scheme: the cost at which the predicted bias of each quantity is as large as required."""
+    """By scheme: the cost at which the predicted bias of each quantity is as large as required; no less than that of the longest step."""
     curves = defaultdict(lambda: defaultdict(list))
     for p, runs in points.items():
         for name in REQUIRED:
             curves[p.scheme][name].append((cost(p), of_runs(runs, predicted(name))[0]))
     head = ["scheme", *(f"{name}: {bound:g} {unit}" for name, (bound, unit) in REQUIRED.items())]
-    number = lambda x: "" if x is None else f"{x:.0f}"
-    return table(head, [[scheme, *(number(cost_at(curve[name], REQUIRED[name][0])) for name in REQUIRED)] for scheme, curve in curves.items()])
 
+    def text(curve, bound):
+        found, least = cost_at(curve, bound), min(c for c, _ in curve)
+        return "" if found is None else f"below {least:.0f}" if found < least else f"{found:.0f}"
+
+    return table(head, [[scheme, *(text(curve[name], REQUIRED[name][0]) for name in REQUIRED)] for scheme, curve in curves.items()])
 
 
 def biases(runs, value):

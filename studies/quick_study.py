@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`polhode study --quick` with many seeds and instruction sets: which curves lack points that the study of docs/efficiency.md has."""
+"""`polhode study --quick` with many seeds and instruction sets: which curves lack points that the study of docs/evidence/efficiency.md has."""
 
 import csv
 import re
@@ -28,7 +28,7 @@ def measured(o):
 
 
 def last_steps():
-    """The last step [fs] of each scheme's curve in the study of docs/efficiency.md."""
+    """The last step [fs] of each scheme's curve in the study of docs/evidence/efficiency.md."""
     last = {}
     for row in csv.DictReader(line for line in FIGURE.read_text(encoding="utf-8").splitlines() if not line.startswith("#")):
         if row["usable [1]"] == "1":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs every command of the README and the manual with the built program.
+"""Runs every command of the README, the guides and the manual with the built program.
 
 Per document, in order, in an empty folder where `polhode` is the built program:
 a block fenced as ```sh is run by bash and stops at the first command that fails; ```sh no-run is
@@ -79,7 +79,7 @@ def main():
     root, program = options.root.resolve(), options.program.resolve()
     if not os.access(program, os.X_OK):
         sys.exit(f"{program.name} is not built; build it first")
-    documents = [root / "README.md", *sorted((root / "docs/manual").rglob("*.md"))]
+    documents = [root / "README.md", *sorted((root / "docs").glob("*.md")), *sorted((root / "docs/manual").rglob("*.md"))]
     bad = 0
     for document in documents:
         shown = document.relative_to(root)

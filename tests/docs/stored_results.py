@@ -34,7 +34,7 @@ class PaperFigure(unittest.TestCase):
                 raise AssertionError(made.stderr)
             cls.report = json.loads(made.stdout)
             cls.points = rows(Path(folder) / "figure1.csv")
-        cls.page = (ROOT / "docs/efficiency.md").read_text(encoding="utf-8")
+        cls.page = (ROOT / "docs/evidence/efficiency.md").read_text(encoding="utf-8")
 
     def close(self, a, b, what):
         """Equal to the digits that do not depend on the order of summation."""

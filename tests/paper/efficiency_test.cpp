@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The paper's figure in small: the ordering of the schemes and their orders on liquid water
-// [vanzon2008, Fig. 1]. Costs and times of the full figure are in docs/efficiency.md.
+// [vanzon2008, Fig. 1]. Costs and times of the full figure are in docs/evidence/efficiency.md.
 #include <doctest/doctest.h>
 
 #include <cmath>

@@ -64,7 +64,7 @@ class AllSchemes(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.stored = json.loads((RECORDS / FIGURES["all_schemes"][0]).read_text(encoding="utf-8"))
-        cls.page = (ROOT / "docs/all-schemes.md").read_text(encoding="utf-8")
+        cls.page = (ROOT / "docs/evidence/all-schemes.md").read_text(encoding="utf-8")
 
     def test_the_page_names_the_number_of_runs_that_the_points_have(self):
         for system, of in self.stored["systems"].items():
