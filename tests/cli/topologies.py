@@ -21,7 +21,7 @@ def manual_file(page, name):
 class Topologies(Sandbox):
     def setUp(self):
         super().setUp()
-        for page, name in (("gromacs.md", "topol.top"), ("gromacs.md", "conf.gro"), ("lammps.md", "water.data")):
+        for page, name in (("gromacs.md", "topol.top"), ("gromacs.md", "conf.gro"), ("lammps-exchange.md", "water.data")):
             self.write(name, manual_file(page, name))
 
     def refused(self, text, *parts):
@@ -73,7 +73,7 @@ class Topologies(Sandbox):
         self.refused(GROMACS, "too few for 1000000001 molecules")
 
     def test_a_missing_mixing_rule(self):
-        data = edited(manual_file("lammps.md", "water.data"), ("2 0 0\n", "2 0.01 1\n"))
+        data = edited(manual_file("lammps-exchange.md", "water.data"), ("2 0 0\n", "2 0.01 1\n"))
         self.write("water.data", data)
         text = edited(GROMACS, ('topology = "topol.top"\n', ""), ("conf.gro", "water.data"))
         self.refused(text, "does not give the mixing rule for unlike sites", "water.data")
