@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "base/memory.hpp"
+#include "base/output_error.hpp"
+#include "base/printable.hpp"
+#include "base/suggest.hpp"
+#include "base/version.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/memory.hpp"
-#include "polhode/base/output_error.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/base/version.hpp"
 #include "terminal/streams.hpp"
 #include "terminal/terminal.hpp"
 #include "verbs.hpp"

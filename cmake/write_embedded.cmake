@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Writes a C++ source that contains each file as a raw string, by its path below data/.
 string(REPLACE "|" ";" files "${FILES}")
-set(text "#include \"polhode/io/files/embedded.hpp\"\n\nnamespace polhode {\n\n")
+set(text "#include \"io/files/embedded.hpp\"\n\nnamespace polhode {\n\n")
 string(APPEND text "std::span<const EmbeddedFile> embedded_files() {\n")
 string(APPEND text "  static constexpr EmbeddedFile files[] = {\n")
 foreach(file IN LISTS files)

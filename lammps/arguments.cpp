@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "base/suggest.hpp"
 #include "lammps.h"
 #include "pointers.h"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "utils.h"
 
 namespace polhode::lammps {

@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <string>
 
+#include "math/eigen.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/math/eigen.hpp"
 #include "polhode/math/shape.hpp"
 
 namespace polhode::lammps {

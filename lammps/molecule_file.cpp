@@ -9,9 +9,9 @@
 #include <sstream>
 #include <system_error>
 
+#include "base/from_chars.hpp"
+#include "forces/pairs/pair_table.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/from_chars.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode::lammps {
 namespace {

@@ -11,13 +11,13 @@
 #include "domain.h"
 #include "fix_polhode.hpp"
 #include "force.h"
+#include "forces/pairs/cutoff_treatment.hpp"
 #include "guarded.hpp"
 #include "kspace.h"
 #include "memory.h"
 #include "modify.h"
 #include "neighbor.h"
 #include "pair_settings.hpp"
-#include "polhode/forces/pairs/cutoff_treatment.hpp"
 #include "utils.h"
 
 namespace polhode::lammps {

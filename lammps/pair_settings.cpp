@@ -8,13 +8,13 @@
 #include <system_error>
 
 #include "arguments.hpp"
+#include "base/from_chars.hpp"
+#include "base/suggest.hpp"
+#include "forces/laws/check_settings.hpp"
+#include "forces/laws/setting_names.hpp"
+#include "forces/pairs/cutoff_treatment.hpp"
 #include "lammps.h"
 #include "polhode/base/error.hpp"
-#include "polhode/base/from_chars.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/forces/laws/check_settings.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/forces/pairs/cutoff_treatment.hpp"
 #include "update.h"
 
 namespace polhode::lammps {

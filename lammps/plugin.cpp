@@ -3,12 +3,12 @@
 #include <string>
 
 #include "abi.hpp"
+#include "base/version.hpp"
 #include "error.h"
 #include "fix_polhode.hpp"
 #include "lammps.h"
 #include "library.h"
 #include "pair_polhode.hpp"
-#include "polhode/base/version.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "run/analysis/analysis_summary.hpp"
 
 namespace polhode {
 

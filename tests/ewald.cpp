@@ -4,7 +4,7 @@
 #include <array>
 #include <complex>
 
-#include "polhode/forces/pairs/pair_table.hpp"
+#include "forces/pairs/pair_table.hpp"
 #include "polhode/math/rotation.hpp"
 
 namespace polhode {

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "polhode/forces/laws/ewald_split.hpp"
+#include "forces/laws/ewald_split.hpp"
 #include "polhode/model/box.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "polhode/base/instruction_set.hpp"
+#include "base/instruction_set.hpp"
 
 namespace polhode {
 

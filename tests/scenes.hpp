@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "forces/pairs/reference.hpp"
 #include "polhode/forces/force_field.hpp"
-#include "polhode/forces/pairs/reference.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 
 namespace polhode::scenes {

@@ -8,12 +8,13 @@
 #include <algorithm>
 #include <string>
 
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/stopwatch.hpp"
+#include "base/instruction_set.hpp"
+#include "base/stopwatch.hpp"
+#include "forces/pairs/neighbours.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/benchmark/benchmark.hpp"
 #include "polhode/run/simulation/system/system.hpp"
+#include "run/benchmark/benchmark.hpp"
 
 namespace {
 

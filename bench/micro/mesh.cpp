@@ -9,9 +9,9 @@
 #include <random>
 #include <string>
 
-#include "polhode/base/instruction_set.hpp"
+#include "base/instruction_set.hpp"
+#include "forces/mesh/particle_mesh.hpp"
 #include "polhode/forces/mesh/mesh_choice.hpp"
-#include "polhode/forces/mesh/particle_mesh.hpp"
 #include "waters.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/forces/pairs/neighbours.hpp"
+#include "base/instruction_set.hpp"
+#include "forces/pairs/neighbours.hpp"
 #include "waters.hpp"
 
 namespace {

@@ -13,8 +13,8 @@
 #include <algorithm>
 #include <random>
 
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/stopwatch.hpp"
+#include "base/instruction_set.hpp"
+#include "base/stopwatch.hpp"
 #include "polhode/rotor/free_rotation.hpp"
 
 namespace polhode {

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/suggest.hpp"
 #include "option_values.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/io/figures/plot.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/run/simulation/system/system.hpp"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "polhode/run/analysis/analysis_report.hpp"
+#include "run/analysis/analysis_report.hpp"
 
 namespace polhode::cli {
 

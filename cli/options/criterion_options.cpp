@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/settings/config.hpp"
-#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode::cli {
 namespace {

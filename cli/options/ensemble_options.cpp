@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "io/settings/ensemble_names.hpp"
 #include "option_values.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/threads.hpp"
 #include "option_values.hpp"
-#include "polhode/base/threads.hpp"
 
 namespace polhode::cli {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <system_error>
 
-#include "polhode/base/from_chars.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "base/from_chars.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 
 namespace polhode::cli {
 

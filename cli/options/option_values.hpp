@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/suggest.hpp"
+#include "forces/laws/setting_names.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/io/settings/config.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode::cli {

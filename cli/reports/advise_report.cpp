@@ -3,10 +3,10 @@
 
 #include <fmt/core.h>
 
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/run/adviser/advice_curves.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
+#include "run/adviser/advice_curves.hpp"
 #include "temperature_tables.hpp"
 
 namespace polhode::cli {

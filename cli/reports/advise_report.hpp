@@ -2,7 +2,7 @@
 // The adviser's answer as a page of text.
 #pragma once
 
-#include "polhode/run/adviser/advice_report.hpp"
+#include "run/adviser/advice_report.hpp"
 
 namespace polhode::cli {
 

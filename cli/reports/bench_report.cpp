@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
+#include "base/instruction_set.hpp"
+#include "base/suggest.hpp"
+#include "forces/laws/setting_names.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -2,7 +2,7 @@
 // What a benchmark prints.
 #pragma once
 
-#include "polhode/run/benchmark/benchmark_report.hpp"
+#include "run/benchmark/benchmark_report.hpp"
 
 namespace polhode::cli {
 

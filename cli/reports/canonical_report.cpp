@@ -5,8 +5,8 @@
 #include <cmath>
 #include <optional>
 
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
 #include "study_report.hpp"
 
 namespace polhode::cli {

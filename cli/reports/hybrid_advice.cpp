@@ -10,9 +10,9 @@
 #include "../options/option_values.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/output_units.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "../options/command.hpp"
-#include "polhode/run/canonical/hybrid_adviser.hpp"
+#include "run/canonical/hybrid_adviser.hpp"
 
 namespace polhode::cli {
 

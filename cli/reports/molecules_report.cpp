@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "polhode/base/printable.hpp"
-#include "polhode/run/listing/molecules.hpp"
+#include "base/printable.hpp"
+#include "run/listing/molecules.hpp"
 
 namespace polhode::cli {
 

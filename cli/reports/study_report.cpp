@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
 #include "temperature_tables.hpp"
 
 namespace polhode::cli {

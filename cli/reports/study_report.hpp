@@ -7,8 +7,8 @@
 #include <string>
 
 #include "../terminal/streams.hpp"
-#include "polhode/run/canonical/canonical_report.hpp"
-#include "polhode/run/study/study_report.hpp"
+#include "run/canonical/canonical_report.hpp"
+#include "run/study/study_report.hpp"
 
 namespace polhode::cli {
 

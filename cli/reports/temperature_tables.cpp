@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <array>
 
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "polhode/run/study/equipartition.hpp"
+#include "run/study/equipartition.hpp"
 
 namespace polhode::cli {
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
+#include "io/files/with_error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/files/with_error.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "polhode/base/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 #include "polhode/run/callbacks.hpp"
-#include "polhode/run/progress_pace.hpp"
+#include "run/progress_pace.hpp"
 
 namespace polhode::cli {
 

@@ -9,8 +9,8 @@
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/base/threads.hpp"
+#include "base/suggest.hpp"
+#include "base/threads.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -12,8 +12,8 @@
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/threads.hpp"
+#include "base/instruction_set.hpp"
+#include "base/threads.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
-#include "polhode/run/conversion/conversion.hpp"
+#include "run/conversion/conversion.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -10,7 +10,7 @@
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/run/conversion/lammps_export.hpp"
+#include "run/conversion/lammps_export.hpp"
 
 namespace polhode::cli {
 namespace {

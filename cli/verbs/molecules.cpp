@@ -8,7 +8,7 @@
 
 #include "../reports/molecules_report.hpp"
 #include "../verbs.hpp"
-#include "polhode/run/listing/molecules.hpp"
+#include "run/listing/molecules.hpp"
 
 namespace polhode::cli {
 

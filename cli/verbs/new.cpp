@@ -9,10 +9,10 @@
 
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
+#include "base/printable.hpp"
+#include "io/settings/run_file_template.hpp"
+#include "io/topology/gromacs_mdp.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/io/settings/run_file_template.hpp"
-#include "polhode/io/topology/gromacs_mdp.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode::cli {

@@ -12,7 +12,7 @@
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
+#include "io/settings/ensemble_names.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 
 namespace polhode::cli {

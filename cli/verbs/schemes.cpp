@@ -8,7 +8,7 @@
 #include "../reports/schemes_report.hpp"
 #include "../verbs.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/listing/schemes.hpp"
+#include "run/listing/schemes.hpp"
 
 namespace polhode::cli {
 

@@ -11,7 +11,7 @@
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
-#include "polhode/run/top/top_figure.hpp"
+#include "run/top/top_figure.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "../options/option_values.hpp"
 #include "../verbs.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/listing/verification.hpp"
+#include "run/listing/verification.hpp"
 
 namespace polhode::cli {
 namespace {

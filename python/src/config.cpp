@@ -12,14 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "base/threads.hpp"
 #include "bind.hpp"
-#include "polhode/base/threads.hpp"
-#include "polhode/io/files/embedded.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/settings/run_file_template.hpp"
-#include "polhode/io/settings/setting_keys.hpp"
-#include "polhode/io/topology/gromacs_mdp.hpp"
+#include "io/files/embedded.hpp"
+#include "io/settings/ensemble_names.hpp"
+#include "io/settings/quantity.hpp"
+#include "io/settings/run_file_template.hpp"
+#include "io/settings/setting_keys.hpp"
+#include "io/topology/gromacs_mdp.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode::python {

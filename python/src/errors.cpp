@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "base/output_error.hpp"
 #include "bind.hpp"
-#include "polhode/base/output_error.hpp"
 
 namespace polhode::python {
 namespace {

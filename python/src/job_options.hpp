@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "base/suggest.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/quantity.hpp"
 #include "job.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/io/settings/config.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode::python {

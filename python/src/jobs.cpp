@@ -9,22 +9,22 @@
 
 #include <limits>
 
+#include "base/instruction_set.hpp"
 #include "bind.hpp"
+#include "io/settings/ensemble_names.hpp"
 #include "job_options.hpp"
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
-#include "polhode/run/adviser/advice_report.hpp"
-#include "polhode/run/analysis/analysis_report.hpp"
-#include "polhode/run/benchmark/benchmark_report.hpp"
-#include "polhode/run/canonical/hybrid_adviser.hpp"
-#include "polhode/run/conversion/conversion.hpp"
-#include "polhode/run/conversion/lammps_export.hpp"
 #include "polhode/run/prepare/minimisation.hpp"
 #include "polhode/run/prepare/preparation.hpp"
 #include "polhode/run/simulation/simulation.hpp"
 #include "polhode/run/simulation/system/single_point.hpp"
 #include "polhode/run/study/tune.hpp"
+#include "run/adviser/advice_report.hpp"
+#include "run/analysis/analysis_report.hpp"
+#include "run/benchmark/benchmark_report.hpp"
+#include "run/canonical/hybrid_adviser.hpp"
+#include "run/conversion/conversion.hpp"
+#include "run/conversion/lammps_export.hpp"
 
 namespace polhode::python {
 namespace {

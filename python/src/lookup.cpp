@@ -7,17 +7,17 @@
 
 #include <array>
 
+#include "base/suggest.hpp"
 #include "bind.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/correlated_series.hpp"
-#include "polhode/run/listing/molecules.hpp"
-#include "polhode/run/listing/schemes.hpp"
-#include "polhode/run/listing/verification.hpp"
+#include "run/listing/molecules.hpp"
+#include "run/listing/schemes.hpp"
+#include "run/listing/verification.hpp"
 
 namespace polhode::python {
 namespace {

@@ -2,9 +2,9 @@
 // polhode._core: the library for the Python package. Work is done without the interpreter's lock.
 #include <nanobind/stl/string.h>
 
+#include "base/instruction_set.hpp"
+#include "base/version.hpp"
 #include "bind.hpp"
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/version.hpp"
 
 NB_MODULE(_core, m) {
   using namespace polhode;

@@ -12,10 +12,10 @@
 
 #include "arrays.hpp"
 #include "bind.hpp"
+#include "io/settings/output_units.hpp"
 #include "job.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/listing/molecules.hpp"
 #include "polhode/run/simulation/files/energy_file.hpp"
+#include "run/listing/molecules.hpp"
 
 namespace polhode::python {
 namespace {

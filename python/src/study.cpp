@@ -8,8 +8,8 @@
 
 #include "bind.hpp"
 #include "job_options.hpp"
-#include "polhode/run/canonical/canonical_report.hpp"
-#include "polhode/run/study/study_report.hpp"
+#include "run/canonical/canonical_report.hpp"
+#include "run/study/study_report.hpp"
 
 namespace polhode::python {
 namespace {

@@ -5,13 +5,13 @@
 #include <nanobind/stl/vector.h>
 
 #include "arrays.hpp"
+#include "base/suggest.hpp"
 #include "bind.hpp"
 #include "job.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/run/outputs.hpp"
 #include "polhode/run/top/top.hpp"
-#include "polhode/run/top/top_figure.hpp"
+#include "run/top/top_figure.hpp"
 
 namespace polhode::python {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/base/instruction_set.hpp"
+#include "base/instruction_set.hpp"
 
 #include <hwy/targets.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/base/memory.hpp"
+#include "base/memory.hpp"
 
 #include <fmt/core.h>
 #include <sys/resource.h>

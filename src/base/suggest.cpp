@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/base/suggest.hpp"
+#include "base/suggest.hpp"
 
 #include <algorithm>
 #include <cctype>

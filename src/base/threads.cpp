@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/base/threads.hpp"
+#include "base/threads.hpp"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/base/version.hpp"
+#include "base/version.hpp"
 
 namespace polhode {
 

@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include "polhode/base/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 
 #ifdef __linux__
 #include <linux/futex.h>

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <vector>
 
+#include "base/blocks.hpp"
+#include "base/instruction_set.hpp"
 #include "langevin_terms.hpp"
-#include "polhode/base/blocks.hpp"
-#include "polhode/base/instruction_set.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {

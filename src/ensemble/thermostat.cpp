@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/ensemble/thermostat.hpp"
+#include "ensemble/thermostat.hpp"
 
+#include "ensemble/velocity_rescaling.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/random_streams.hpp"
-#include "polhode/ensemble/velocity_rescaling.hpp"
 #include "polhode/measure/energy.hpp"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/ensemble/velocity_rescaling.hpp"
+#include "ensemble/velocity_rescaling.hpp"
 
 #include <cmath>
 

@@ -3,9 +3,10 @@
 
 #include <algorithm>
 
-#include "polhode/forces/laws/check_settings.hpp"
-#include "polhode/forces/laws/law_range.hpp"
-#include "polhode/forces/mesh/self_interaction.hpp"
+#include "forces/laws/check_settings.hpp"
+#include "forces/laws/law_range.hpp"
+#include "forces/mesh/self_interaction.hpp"
+#include "forces/pairs/pair_engine.hpp"
 
 namespace polhode {
 namespace {
@@ -60,6 +61,10 @@ DomainForces::DomainForces(const Topology& own, const Topology& ghosts,
   check_tables(topology_, settings_);
 }
 
+DomainForces::DomainForces(DomainForces&&) noexcept = default;
+DomainForces& DomainForces::operator=(DomainForces&&) noexcept = default;
+DomainForces::~DomainForces() = default;
+
 /// Sets a larger box if bodies could interact with images of others in the present one.
 void DomainForces::enclose() {
   Vec3<double> extent;
@@ -74,7 +79,7 @@ void DomainForces::enclose() {
   }
   if (fits) return;
   state_.box = box_around(extent, reach_, period_);
-  std::visit([&](auto& engine) { engine.set_box(topology_, settings_, state_.box); }, engine_);
+  engine_->call([&](auto& engine) { engine.set_box(topology_, settings_, state_.box); });
 }
 
 void DomainForces::operator()(Load& load, bool energies) {
@@ -83,7 +88,7 @@ void DomainForces::operator()(Load& load, bool energies) {
     return;
   }
   enclose();
-  std::visit([&](auto& engine) { engine(state_, load, energies); }, engine_);
+  engine_->call([&](auto& engine) { engine(state_, load, energies); });
   if (energies) load.coulomb += constant_;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/forces/force_field.hpp"
 
+#include "forces/laws/check_settings.hpp"
+#include "forces/laws/law_range.hpp"
+#include "forces/laws/tail.hpp"
+#include "forces/mesh/self_interaction.hpp"
+#include "forces/pairs/pair_engine.hpp"
+#include "forces/system_size.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/laws/check_settings.hpp"
-#include "polhode/forces/laws/law_range.hpp"
-#include "polhode/forces/laws/tail.hpp"
-#include "polhode/forces/mesh/self_interaction.hpp"
-#include "polhode/forces/system_size.hpp"
 #include "polhode/model/centre_of_mass.hpp"
 
 namespace polhode {
@@ -66,12 +67,23 @@ ForceField::ForceField(const Topology& topology, const ForceSettings& settings, 
       constant_(constant_terms_of(topology, settings_, box, tail_)),
       engine_(pair_engine(topology, settings_, box, workers)) {}
 
+ForceField::ForceField(ForceField&&) noexcept = default;
+ForceField::~ForceField() = default;
+
+const NeighbourList& ForceField::neighbours() const {
+  return engine_->call([](const auto& e) -> const NeighbourList& { return e.neighbours(); });
+}
+
+std::size_t ForceField::list_rebuilds() const {
+  return neighbours().rebuilds() + earlier_rebuilds_;
+}
+
 /// Recomputes what depends on the box if the box has changed.
 void ForceField::set_box(const Box& box) {
   if (box_ == box) return;
   box_.reset();
   settings_ = with_mesh(settings_, topology_, box, mesh_choice_);
-  std::visit([&](auto& engine) { engine.set_box(topology_, settings_, box); }, engine_);
+  engine_->call([&](auto& engine) { engine.set_box(topology_, settings_, box); });
   constant_ = constant_terms_of(topology_, settings_, box, tail_);
   box_ = box;
 }
@@ -79,7 +91,7 @@ void ForceField::set_box(const Box& box) {
 void ForceField::evaluate(const State& state, Load& load, bool energies) {
   set_box(state.box);
   ++evaluations_;
-  std::visit([&](auto& engine) { engine(state, load, energies); }, engine_);
+  engine_->call([&](auto& engine) { engine(state, load, energies); });
   if (settings_.mesh) remove_net_force(load, bodies_, workers_);
   load.external = 0;
   if (settings_.external) add_external(state, load, energies);
@@ -99,7 +111,7 @@ void ForceField::add_external(const State& state, Load& load, bool energies) {
 void ForceField::directional_derivative(const State& state, const Vec3Column& dq,
                                         const Vec3Column& dtheta, Load& slope) {
   set_box(state.box);
-  std::visit([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); }, engine_);
+  engine_->call([&](auto& engine) { engine.derivative(state, dq, dtheta, slope); });
   if (settings_.mesh) remove_net_force(slope, bodies_, workers_);
   if (settings_.external) add_derivative(*settings_.external, state, dq, dtheta, slope);
 }
@@ -120,7 +132,7 @@ void ForceField::resume_from(const ListMemory& memory, const Box& box) {
   if (memory.built_at.size() > 0) {
     State state(memory.built_at.size(), box);
     state.q = memory.built_at;
-    std::visit([&](auto& engine) { engine.build_list(state); }, engine_);
+    engine_->call([&](auto& engine) { engine.build_list(state); });
   }
   earlier_rebuilds_ = memory.rebuilds - neighbours().rebuilds();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/integrate/flows.hpp"
 
-#include "polhode/base/blocks.hpp"
-#include "polhode/base/instruction_set.hpp"
+#include "base/blocks.hpp"
+#include "base/instruction_set.hpp"
 
 namespace polhode {
 

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <cmath>
 
+#include "base/from_chars.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/from_chars.hpp"
 
 namespace polhode {
 namespace {

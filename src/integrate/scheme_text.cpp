@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "arithmetic.hpp"
+#include "base/suggest.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/schemes.hpp"
 #include "polhode/integrate/with_bath.hpp"

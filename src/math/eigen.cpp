@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/math/eigen.hpp"
+#include "math/eigen.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "math/fourier.hpp"
 #include "pocketfft.hpp"
-#include "polhode/math/fourier.hpp"
 #include "smooth_size.hpp"
 
 namespace polhode {

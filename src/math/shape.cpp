@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "polhode/math/eigen.hpp"
+#include "math/eigen.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/autocorrelation_time.hpp"
+#include "measure/autocorrelation_time.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/convergence.hpp"
+#include "measure/convergence.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/dielectric.hpp"
+#include "measure/dielectric.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
+#include "model/dipole.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/model/dipole.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/displacement.hpp"
+#include "measure/displacement.hpp"
 
 #include <algorithm>
 #include <cmath>

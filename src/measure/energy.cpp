@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "base/blocks.hpp"
+#include "base/instruction_set.hpp"
 #include "kinetic_sums.hpp"
-#include "polhode/base/blocks.hpp"
-#include "polhode/base/instruction_set.hpp"
 #include "polhode/base/units.hpp"
 
 namespace polhode {

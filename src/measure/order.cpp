@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/order.hpp"
+#include "measure/order.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "math/dual.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
-#include "polhode/math/dual.hpp"
 #include "polhode/measure/energy.hpp"
 
 namespace polhode {

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <utility>
 
+#include "base/memory.hpp"
+#include "base/suggest.hpp"
+#include "model/cell_list.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/memory.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/model/cell_list.hpp"
 
 namespace polhode {
 namespace {

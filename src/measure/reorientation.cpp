@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/reorientation.hpp"
+#include "measure/reorientation.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <span>
 
-#include "polhode/model/dipole.hpp"
+#include "model/dipole.hpp"
 
 namespace polhode {
 namespace {

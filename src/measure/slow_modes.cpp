@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "polhode/math/eigen.hpp"
+#include "math/eigen.hpp"
 
 namespace polhode {
 namespace {

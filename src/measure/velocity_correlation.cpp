@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/velocity_correlation.hpp"
+#include "measure/velocity_correlation.hpp"
 
 #include <cmath>
 #include <utility>

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "polhode/base/blocks.hpp"
+#include "base/blocks.hpp"
 
 namespace polhode {
 namespace {

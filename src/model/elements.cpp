@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/model/elements.hpp"
+#include "model/elements.hpp"
 
 #include <algorithm>
 #include <array>

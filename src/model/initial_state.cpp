@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/model/initial_state.hpp"
+#include "model/initial_state.hpp"
 
 #include <algorithm>
 #include <array>

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "base/printable.hpp"
+#include "math/eigen.hpp"
+#include "model/dipole.hpp"
+#include "model/molecule_in_frame.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/math/eigen.hpp"
-#include "polhode/model/dipole.hpp"
-#include "polhode/model/molecule_in_frame.hpp"
 
 namespace polhode {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <sstream>
 
+#include "base/instruction_set.hpp"
+#include "base/version.hpp"
+#include "io/files/draft.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/version.hpp"
-#include "polhode/io/files/draft.hpp"
 
 namespace polhode {
 

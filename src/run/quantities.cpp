@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "polhode/io/files/with_error.hpp"
+#include "io/files/with_error.hpp"
 
 namespace polhode {
 namespace {

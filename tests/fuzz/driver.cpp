@@ -19,8 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "base/stopwatch.hpp"
 #include "fuzz.hpp"
-#include "polhode/base/stopwatch.hpp"
 
 extern "C" void __sanitizer_set_death_callback(void (*callback)());
 

@@ -31,9 +31,11 @@ def check_include(own, target, is_public, is_header):
         return f"{target} in a public header; include it in the .cpp file"
     if is_header and LONG.match(target):
         return f"{target} in a header, for every file that includes it; include it in the .cpp file"
-    if not target.startswith("polhode/"):
+    if is_public and target.split("/")[0] in FLOOR:
+        return f"{target} is a header of the project alone, in a public one; move it to include/polhode"
+    if not target.startswith((*(f"{name}/" for name in FLOOR), "polhode/")):
         return None
-    folder = target.split("/")[1]
+    folder = target.removeprefix("polhode/").split("/")[0]
     if folder not in FLOOR:
         return f"{folder} is no floor; the floors are {', '.join(FLOOR)}"
     if folder != own and FLOOR[folder] >= FLOOR[own]:
@@ -51,7 +53,7 @@ def check(root):
             yield Finding(path, 1, f"lies on no floor; the floors are {', '.join(FLOOR)}")
             continue
         is_public = path.relative_to(root).parts[0] == "include"
-        is_pack = is_public and own == "base" and path.name.startswith("pack")
+        is_pack = own == "base" and path.name.startswith("pack")
         for number, text in lines(path):
             found = INCLUDE.match(text)
             if not found or (is_pack and found[2].startswith("hwy/")):

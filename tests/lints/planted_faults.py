@@ -28,7 +28,7 @@ SOUND = {
     "tests/reference/a.cpp": SPDX + 'int goes, on;\n',
     "tests/reference/a.py": SPDX.replace("//", "#") + "text = 'goes on'\n",
     "data/molecules/a.toml": 'source = "one1990"\n',
-    "include/polhode/base/pack.hpp": SPDX + "#include <hwy/highway.h>\n",
+    "src/base/pack.hpp": SPDX + "#include <hwy/highway.h>\n",
     "include/polhode/io/file.hpp": SPDX + '#include "polhode/forces/laws/settings.hpp"\n',
     "src/io/file.cpp": SPDX + "#include <fmt/core.h>\n\n"
                               'void f() { throw Error(message("x = {} is 0; write 1", x)); }\n',
@@ -42,6 +42,8 @@ FAULTS = [
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <fmt/core.h>\n", 2),
     ("floors", "include/polhode/forces/a.hpp", SPDX + "#include <pocketfft_hdronly.h>\n", 2),
     ("floors", "include/polhode/io/a.hpp", SPDX + "#include <hdf5.h>\n", 2),
+    ("floors", "include/polhode/run/a.hpp", SPDX + '#include "run/study/claims.hpp"\n', 2),
+    ("floors", "src/forces/a.cpp", SPDX + '#include "run/study/claims.hpp"\n', 2),
     ("floors", "cli/verbs.hpp", SPDX + "#include <CLI/CLI.hpp>\n", 2),
     ("floors", "src/run/report.hpp", SPDX + "#include <nlohmann/json.hpp>\n", 2),
     ("floors", "cli/verbs/run.cpp", SPDX + '#include "polhode/engine/a.hpp"\n', 2),

@@ -51,7 +51,7 @@ def words(text):
 def headers(root, path, found):
     """The project's headers that a file includes, and those that they include."""
     for name in INCLUDED.findall(path.read_text(encoding="utf-8")):
-        for header in (root / "include" / name, (path.parent / name).resolve()):
+        for header in (root / "include" / name, root / "src" / name, (path.parent / name).resolve()):
             if header.exists() and header not in found:
                 found.add(header)
                 headers(root, header, found)

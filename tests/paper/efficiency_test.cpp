@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 
-#include "polhode/base/threads.hpp"
+#include "base/threads.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/simulation/system/system.hpp"
-#include "polhode/run/study/guideline.hpp"
+#include "run/study/guideline.hpp"
 
 using namespace polhode;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Observables from frames of atoms, as in trajectory files.
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "run/analysis/analysis_summary.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,13 +8,13 @@
 #include <cmath>
 
 #include "../analysis_curves.hpp"
+#include "io/settings/quantity.hpp"
+#include "measure/displacement.hpp"
+#include "model/initial_state.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/flows.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
-#include "polhode/measure/displacement.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/model/initial_state.hpp"
 
 using namespace polhode;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The bias of a step at constant temperature: converted from runs at constant energy, predicted by
 // the runs themselves, and measured with a shorter step.
-#include "polhode/run/adviser/bias_conversion.hpp"
+#include "run/adviser/bias_conversion.hpp"
 
 #include <doctest/doctest.h>
 

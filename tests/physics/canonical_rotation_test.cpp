@@ -7,10 +7,10 @@
 #include <limits>
 #include <string>
 
+#include "ensemble/thermostat.hpp"
 #include "hybrid_sampling.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
-#include "polhode/ensemble/thermostat.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "scenes.hpp"

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/simulation/report/ensemble_summary.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "scenes.hpp"

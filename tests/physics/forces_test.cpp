@@ -5,12 +5,13 @@
 
 #include <cmath>
 
+#include "forces/pairs/neighbours.hpp"
+#include "forces/pairs/reference.hpp"
+#include "math/dual.hpp"
 #include "physics/force_laws.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/pairs/reference.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "polhode/math/dual.hpp"
 
 using namespace polhode;
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ewald.hpp"
+#include "forces/mesh/particle_mesh.hpp"
 #include "physics/force_laws.hpp"
-#include "polhode/forces/mesh/particle_mesh.hpp"
 
 namespace polhode {
 

@@ -5,15 +5,15 @@
 #include <array>
 #include <cmath>
 
+#include "io/settings/quantity.hpp"
+#include "measure/dielectric.hpp"
+#include "measure/displacement.hpp"
+#include "measure/reorientation.hpp"
+#include "measure/velocity_correlation.hpp"
+#include "model/dipole.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/measure/dielectric.hpp"
-#include "polhode/measure/displacement.hpp"
-#include "polhode/measure/reorientation.hpp"
-#include "polhode/measure/velocity_correlation.hpp"
-#include "polhode/model/dipole.hpp"
 
 using namespace polhode;
 

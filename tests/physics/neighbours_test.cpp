@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 
+#include "forces/pairs/neighbours.hpp"
 #include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
 #include "polhode/integrate/integrator.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The particle mesh compared with direct sums, and for consistency: energy, forces, torques and
 // virial agree with each other at any accuracy.
-#include "polhode/forces/mesh/particle_mesh.hpp"
+#include "forces/mesh/particle_mesh.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forces/laws/tail.hpp"
+#include "forces/pairs/neighbours.hpp"
 #include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
 #include "physics/mesh_scene.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/laws/tail.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/schemes.hpp"

@@ -9,10 +9,10 @@
 #include <random>
 #include <vector>
 
+#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/run/simulation/files/checkpoint.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 #include "scenes.hpp"
 
 using namespace polhode;

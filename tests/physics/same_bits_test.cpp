@@ -3,6 +3,7 @@
 // evaluations.
 #include <doctest/doctest.h>
 
+#include "forces/pairs/neighbours.hpp"
 #include "physics/force_laws.hpp"
 #include "physics/load_bits.hpp"
 #include "polhode/base/workers.hpp"

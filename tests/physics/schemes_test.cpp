@@ -7,10 +7,10 @@
 #include <cmath>
 #include <string>
 
+#include "measure/order.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/measure/order.hpp"
 #include "scenes.hpp"
 #include "unit/errors.hpp"
 

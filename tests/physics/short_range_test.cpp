@@ -5,10 +5,10 @@
 
 #include <cmath>
 
+#include "forces/laws/law_range.hpp"
+#include "forces/laws/tail.hpp"
 #include "instruction_sets.hpp"
 #include "physics/force_laws.hpp"
-#include "polhode/forces/laws/law_range.hpp"
-#include "polhode/forces/laws/tail.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/energy.hpp"

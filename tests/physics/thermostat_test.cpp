@@ -7,11 +7,11 @@
 #include <functional>
 #include <string>
 
-#include "polhode/base/instruction_set.hpp"
+#include "base/instruction_set.hpp"
+#include "ensemble/thermostat.hpp"
+#include "ensemble/velocity_rescaling.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/ensemble/random_streams.hpp"
-#include "polhode/ensemble/thermostat.hpp"
-#include "polhode/ensemble/velocity_rescaling.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/measure/energy.hpp"

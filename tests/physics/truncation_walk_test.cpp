@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The random walk of the energy by passages through the switching range, against its prediction.
-#include "polhode/run/simulation/report/truncation_walk.hpp"
+#include "run/simulation/report/truncation_walk.hpp"
 
 #include <doctest/doctest.h>
 

@@ -13,7 +13,7 @@
 #include "polhode/base/units.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "run/analysis/analysis_summary.hpp"
 
 using namespace polhode;
 

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "polhode/base/instruction_set.hpp"
+#include "base/instruction_set.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "reference/peers_scene.hpp"
 

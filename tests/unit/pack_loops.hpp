@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "polhode/base/instruction_set.hpp"
+#include "base/instruction_set.hpp"
 
 namespace polhode {
 

@@ -3,8 +3,8 @@
 // attitude and lab-frame angular momentum to the new attitude of length one.
 #include "../rotor.hpp"
 
-#include "polhode/base/pack.hpp"
-#include "polhode/base/pack_column.hpp"
+#include "base/pack.hpp"
+#include "base/pack_column.hpp"
 #include "polhode/rotor/comparison/no_squish.hpp"
 #include "polhode/rotor/series.hpp"
 

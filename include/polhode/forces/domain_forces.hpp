@@ -3,9 +3,17 @@
 // processes and have the periodic images themselves.
 #pragma once
 
-#include "polhode/forces/pairs/pair_engine.hpp"
+#include <cstddef>
+#include <memory>
+
+#include "polhode/forces/laws/settings.hpp"
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
 
 namespace polhode {
+
+struct AnyPairEngine;
 
 /// Forces on the bodies of a domain, from each other and from ghosts: copies of bodies of other
 /// domains, or periodic images, at explicit positions. Space is periodic in the directions in which
@@ -27,6 +35,9 @@ class DomainForces {
   ///                     is_long_enough()
   DomainForces(const Topology& own, const Topology& ghosts, const ForceSettings& settings,
                const Vec3<double>& period = {});
+  DomainForces(DomainForces&&) noexcept;
+  DomainForces& operator=(DomainForces&&) noexcept;
+  ~DomainForces();
 
   /// Whether each body interacts with one image of another at most, and with none of itself, where
   /// an edge of the box is this long.
@@ -51,7 +62,7 @@ class DomainForces {
   Vec3<double> period_;  // [nm], 0 where space is not periodic
   double constant_ = 0;  // of the own bodies [kJ/mol]
   State state_;
-  AnyPairEngine engine_;
+  std::unique_ptr<AnyPairEngine> engine_;
 };
 
 }  // namespace polhode

@@ -3,15 +3,19 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
-#include <variant>
 
+#include "polhode/base/workers.hpp"
 #include "polhode/forces/mesh/mesh_choice.hpp"
-#include "polhode/forces/pairs/pair_engine.hpp"
 #include "polhode/model/load.hpp"
 #include "polhode/model/state.hpp"
+#include "polhode/model/topology.hpp"
 
 namespace polhode {
+
+struct AnyPairEngine;
+class NeighbourList;
 
 /// Energies that do not depend on the positions of the bodies [kJ/mol], and their virial.
 struct ConstantTerms {
@@ -49,6 +53,8 @@ class ForceField {
   /// @throws Error   if the cutoff does not fit into the box, or a setting is out of its domain
   ForceField(const Topology& topology, const ForceSettings& settings, const Box& box,
              Workers& workers = Workers::serial());
+  ForceField(ForceField&&) noexcept;
+  ~ForceField();
 
   /// Forces, torques, energies and virial of a state. Does not allocate, except when the list
   /// grows.
@@ -73,11 +79,8 @@ class ForceField {
 
   std::uint64_t evaluations() const { return evaluations_; }
   /// Rebuilds of the neighbour list, including those before it was restored.
-  std::size_t list_rebuilds() const { return neighbours().rebuilds() + earlier_rebuilds_; }
-  const NeighbourList& neighbours() const {
-    return std::visit([](const auto& e) -> const NeighbourList& { return e.neighbours(); },
-                      engine_);
-  }
+  std::size_t list_rebuilds() const;
+  const NeighbourList& neighbours() const;
   /// The settings in use; with PME, including the mesh that was chosen for the box.
   const ForceSettings& settings() const { return settings_; }
   /// Terms that do not depend on the positions of the bodies, in the box of the last state.
@@ -97,7 +100,7 @@ class ForceField {
   std::optional<Box> box_;  // of all that follows; none after an Error
   double tail_ = 0;         // of the dispersion, in any box [kJ/mol nm³]
   ConstantTerms constant_;
-  AnyPairEngine engine_;
+  std::unique_ptr<AnyPairEngine> engine_;
   std::uint64_t evaluations_ = 0;
   std::size_t earlier_rebuilds_ = 0;
 };

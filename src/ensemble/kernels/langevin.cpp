@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <array>
 
-#include "../langevin_terms.hpp"
-#include "polhode/base/pack.hpp"
-#include "polhode/base/pack_column.hpp"
-#include "polhode/base/pack_math.hpp"
-#include "polhode/base/word_pack.hpp"
+#include "base/pack.hpp"
+#include "base/pack_column.hpp"
+#include "base/pack_math.hpp"
+#include "base/word_pack.hpp"
+#include "ensemble/langevin_terms.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"

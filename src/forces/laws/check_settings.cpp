@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/laws/check_settings.hpp"
+#include "forces/laws/check_settings.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
+#include "forces/laws/damped_shifted_force.hpp"
+#include "forces/laws/setting_names.hpp"
+#include "forces/pairs/cutoff_treatment.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/laws/damped_shifted_force.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/forces/pairs/cutoff_treatment.hpp"
 
 namespace polhode {
 namespace {

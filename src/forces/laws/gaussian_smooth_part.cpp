@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/laws/gaussian_smooth_part.hpp"
+#include "forces/laws/gaussian_smooth_part.hpp"
 
 #include <fmt/core.h>
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/laws/law_range.hpp"
+#include "forces/laws/law_range.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
+#include "forces/laws/buckingham.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/laws/buckingham.hpp"
 
 namespace polhode {
 

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "base/suggest.hpp"
+#include "forces/laws/setting_names.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
 #include "polhode/model/topology.hpp"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/laws/short_range.hpp"
+#include "forces/laws/short_range.hpp"
 
 #include <fmt/core.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/laws/tail.hpp"
+#include "forces/laws/tail.hpp"
 
 #include <cmath>
 
+#include "forces/pairs/pair_table.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "forces/pairs/centre_ranges.hpp"
+#include "forces/pairs/pair_table.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/pairs/centre_ranges.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode {
 namespace {

@@ -5,10 +5,10 @@
 
 #include <cstddef>
 
-#include "../../math/pocketfft.hpp"
-#include "../pairs/cache_lines.hpp"
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/forces/mesh/mesh_grid.hpp"
+#include "base/instruction_set.hpp"
+#include "forces/mesh/mesh_grid.hpp"
+#include "forces/pairs/cache_lines.hpp"
+#include "math/pocketfft.hpp"
 
 namespace polhode {
 

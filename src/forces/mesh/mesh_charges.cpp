@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/mesh/mesh_charges.hpp"
+#include "forces/mesh/mesh_charges.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "polhode/base/blocks.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
+#include "base/blocks.hpp"
+#include "forces/pairs/pair_table.hpp"
 
 namespace polhode {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "force_times.hpp"
 
+#include "forces/laws/ewald_split.hpp"
+#include "forces/mesh/mesh_grid.hpp"
+#include "forces/pairs/pair_table.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/laws/ewald_split.hpp"
-#include "polhode/forces/mesh/mesh_grid.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/mesh/mesh_grid.hpp"
+#include "forces/mesh/mesh_grid.hpp"
 
-#include "../pairs/cache_lines.hpp"
+#include "forces/pairs/cache_lines.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
 
 namespace polhode {

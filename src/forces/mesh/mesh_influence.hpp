@@ -5,8 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "forces/laws/ewald_split.hpp"
 #include "polhode/base/workers.hpp"
-#include "polhode/forces/laws/ewald_split.hpp"
 #include "polhode/forces/mesh/mesh_settings.hpp"
 #include "polhode/model/box.hpp"
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/mesh/particle_mesh.hpp"
+#include "forces/mesh/particle_mesh.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 
+#include "base/blocks.hpp"
+#include "base/memory.hpp"
+#include "forces/mesh/self_interaction.hpp"
 #include "fourier_loops.hpp"
 #include "mesh_influence.hpp"
-#include "polhode/base/blocks.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/memory.hpp"
-#include "polhode/forces/mesh/self_interaction.hpp"
 
 namespace polhode {
 namespace {

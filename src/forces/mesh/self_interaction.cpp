@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/mesh/self_interaction.hpp"
+#include "forces/mesh/self_interaction.hpp"
 
+#include "forces/pairs/pair_table.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
 
 namespace polhode {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "polhode/base/blocks.hpp"
+#include "base/blocks.hpp"
 #include "polhode/base/column.hpp"
 
 namespace polhode {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/cells.hpp"
+#include "forces/pairs/cells.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/base/blocks.hpp"
-#include "polhode/base/counting_sort.hpp"
+#include "base/blocks.hpp"
+#include "base/counting_sort.hpp"
+#include "model/wrap.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/model/wrap.hpp"
 
 namespace polhode {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/centre_ranges.hpp"
+#include "forces/pairs/centre_ranges.hpp"
 
 #include <optional>
 
-#include "polhode/forces/pairs/cutoff_treatment.hpp"
+#include "forces/pairs/cutoff_treatment.hpp"
 
 namespace polhode {
 namespace {

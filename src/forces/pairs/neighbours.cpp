@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/neighbours.hpp"
+#include "forces/pairs/neighbours.hpp"
 
 #include <fmt/core.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/stopwatch.hpp"
+#include "forces/pairs/centre_ranges.hpp"
+#include "forces/system_size.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/stopwatch.hpp"
-#include "polhode/forces/pairs/centre_ranges.hpp"
-#include "polhode/forces/system_size.hpp"
 
 namespace polhode {
 namespace {

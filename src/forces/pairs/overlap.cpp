@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/overlap.hpp"
+#include "forces/pairs/overlap.hpp"
 
 #include <fmt/core.h>
 
@@ -12,9 +12,9 @@
 #include <optional>
 #include <vector>
 
-#include "polhode/base/counting_sort.hpp"
+#include "base/counting_sort.hpp"
+#include "model/wrap.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/model/wrap.hpp"
 
 namespace polhode {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/pair_engine.hpp"
+#include "forces/pairs/pair_engine.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <utility>
 
-#include "polhode/base/blocks.hpp"
+#include "base/blocks.hpp"
 
 namespace polhode {
 namespace {
@@ -235,10 +235,12 @@ void PairEngine<T>::collect(std::size_t c, Load& load) const {
 template class PairEngine<double>;
 template class PairEngine<float>;
 
-AnyPairEngine pair_engine(const Topology& topology, const ForceSettings& settings, const Box& box,
-                          Workers& workers, std::size_t ghost_parts) {
-  const auto in = [&]<class T>(std::in_place_type_t<PairEngine<T>> type) {
-    return AnyPairEngine(type, topology, settings, box, workers, ghost_parts);
+std::unique_ptr<AnyPairEngine> pair_engine(const Topology& topology, const ForceSettings& settings,
+                                           const Box& box, Workers& workers,
+                                           std::size_t ghost_parts) {
+  const auto in = [&]<class T>(std::in_place_type_t<PairEngine<T>>) {
+    return std::make_unique<AnyPairEngine>(
+        PairEngine<T>(topology, settings, box, workers, ghost_parts));
   };
   return settings.precision == Precision::mixed ? in(std::in_place_type<PairEngine<float>>)
                                                 : in(std::in_place_type<PairEngine<double>>);

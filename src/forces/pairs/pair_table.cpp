@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/pair_table.hpp"
+#include "forces/pairs/pair_table.hpp"
 
 #include <fmt/core.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/slot_tree.hpp"
+#include "forces/pairs/slot_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "polhode/base/blocks.hpp"
+#include "base/blocks.hpp"
 
 namespace polhode {
 namespace {

@@ -3,8 +3,8 @@
 // whole packs, except that it may end at the last body.
 #include "polhode/integrate/flows.hpp"
 
-#include "polhode/base/pack.hpp"
-#include "polhode/base/pack_column.hpp"
+#include "base/pack.hpp"
+#include "base/pack_column.hpp"
 #include "polhode/integrate/rodrigues.hpp"
 #include "polhode/rotor/free_rotor.hpp"
 #include "polhode/rotor/small_angle.hpp"

@@ -7,10 +7,10 @@
 #include <span>
 #include <string_view>
 
+#include "math/eigen.hpp"
+#include "model/elements.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame.hpp"
-#include "polhode/math/eigen.hpp"
-#include "polhode/model/elements.hpp"
 
 namespace polhode {
 namespace {

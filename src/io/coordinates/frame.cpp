@@ -8,7 +8,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "polhode/model/wrap.hpp"
+#include "model/wrap.hpp"
 
 namespace polhode {
 namespace {

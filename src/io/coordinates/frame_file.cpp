@@ -11,14 +11,14 @@
 #include <tuple>
 #include <utility>
 
-#include "../files/text_file.hpp"
-#include "../formats/format.hpp"
+#include "base/suggest.hpp"
+#include "io/coordinates/gro.hpp"
+#include "io/files/checksum.hpp"
+#include "io/files/embedded.hpp"
+#include "io/files/text_file.hpp"
+#include "io/formats/format.hpp"
+#include "io/topology/lammps_data.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/io/coordinates/gro.hpp"
-#include "polhode/io/files/checksum.hpp"
-#include "polhode/io/files/embedded.hpp"
-#include "polhode/io/topology/lammps_data.hpp"
 #include "polhode/io/topology/topology_file.hpp"
 
 namespace polhode {

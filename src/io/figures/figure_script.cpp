@@ -3,9 +3,9 @@
 
 #include <fmt/core.h>
 
-#include "polhode/io/figures/gnuplot_text.hpp"
-#include "polhode/io/figures/scheme_styles.hpp"
-#include "polhode/io/files/embedded.hpp"
+#include "io/figures/gnuplot_text.hpp"
+#include "io/figures/scheme_styles.hpp"
+#include "io/files/embedded.hpp"
 
 namespace polhode {
 namespace {

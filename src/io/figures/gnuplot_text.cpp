@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/figures/gnuplot_text.hpp"
+#include "io/figures/gnuplot_text.hpp"
 
 #include <filesystem>
 
-#include "polhode/base/printable.hpp"
+#include "base/printable.hpp"
 
 namespace polhode {
 

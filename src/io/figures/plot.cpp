@@ -13,8 +13,8 @@
 #include <filesystem>
 #include <ostream>
 
+#include "io/files/disk.hpp"
 #include "plot_script.hpp"
-#include "polhode/io/files/disk.hpp"
 #include "polhode/io/files/table_file.hpp"
 
 namespace polhode {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/figures/scheme_styles.hpp"
+#include "io/figures/scheme_styles.hpp"
 
 #include <toml++/toml.h>
 
-#include "polhode/io/files/embedded.hpp"
+#include "io/files/embedded.hpp"
 
 namespace polhode {
 namespace {

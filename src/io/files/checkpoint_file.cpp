@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/files/checkpoint_file.hpp"
-#include "polhode/base/output_error.hpp"
+#include "io/files/checkpoint_file.hpp"
+#include "base/output_error.hpp"
 
 #include <fmt/core.h>
 
@@ -12,7 +12,7 @@
 #include <sstream>
 #include <utility>
 
-#include "polhode/io/files/checksum.hpp"
+#include "io/files/checksum.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/files/checksum.hpp"
+#include "io/files/checksum.hpp"
 
 #include <fmt/core.h>
 
@@ -10,8 +10,8 @@
 #include <fstream>
 #include <vector>
 
-#include "polhode/base/output_error.hpp"
-#include "polhode/io/files/disk.hpp"
+#include "base/output_error.hpp"
+#include "io/files/disk.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/files/disk.hpp"
+#include "io/files/disk.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cstring>
 
-#include "polhode/base/output_error.hpp"
+#include "base/output_error.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/files/draft.hpp"
+#include "io/files/draft.hpp"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -14,8 +14,8 @@
 #include <string_view>
 #include <utility>
 
+#include "io/files/disk.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/disk.hpp"
 
 namespace polhode {
 namespace {

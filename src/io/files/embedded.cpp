@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/files/embedded.hpp"
+#include "io/files/embedded.hpp"
 
 namespace polhode {
 

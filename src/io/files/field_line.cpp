@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "base/from_chars.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/from_chars.hpp"
 #include "split_words.hpp"
 
 namespace polhode {

@@ -13,9 +13,9 @@
 #include <ctime>
 #include <utility>
 
+#include "base/printable.hpp"
+#include "io/files/disk.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/io/files/disk.hpp"
 
 namespace polhode {
 namespace {

@@ -9,12 +9,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "polhode/base/from_chars.hpp"
-#include "polhode/base/output_error.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/io/files/checksum.hpp"
-#include "polhode/io/files/disk.hpp"
-#include "polhode/io/files/draft.hpp"
+#include "base/from_chars.hpp"
+#include "base/output_error.hpp"
+#include "base/printable.hpp"
+#include "io/files/checksum.hpp"
+#include "io/files/disk.hpp"
+#include "io/files/draft.hpp"
 
 namespace polhode {
 namespace {

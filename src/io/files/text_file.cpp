@@ -8,8 +8,8 @@
 #include <cstring>
 #include <filesystem>
 
+#include "io/files/disk.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/disk.hpp"
 #include "split_words.hpp"
 
 namespace polhode {

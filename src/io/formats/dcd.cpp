@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "format.hpp"
+#include "io/settings/quantity.hpp"
 #include "lines.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "unnamed.hpp"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/coordinates/gro.hpp"
+#include "io/coordinates/gro.hpp"
 
 #include <fmt/core.h>
 

@@ -14,8 +14,8 @@
 #include "format.hpp"
 #include "h5md_moments.hpp"
 #include "hdf5.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "variable_text.hpp"
 
 namespace polhode {

@@ -3,10 +3,10 @@
 
 #include <array>
 
+#include "base/output_error.hpp"
 #include "format.hpp"
-#include "polhode/base/output_error.hpp"
-#include "polhode/io/files/checksum.hpp"
-#include "polhode/io/files/disk.hpp"
+#include "io/files/checksum.hpp"
+#include "io/files/disk.hpp"
 
 namespace polhode {
 namespace h5md {

@@ -9,14 +9,14 @@
 #include <span>
 #include <stdexcept>
 
+#include "base/version.hpp"
 #include "format.hpp"
 #include "h5md_series.hpp"
 #include "hdf5.hpp"
+#include "io/files/disk.hpp"
+#include "io/files/draft.hpp"
 #include "own_process.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/version.hpp"
-#include "polhode/io/files/disk.hpp"
-#include "polhode/io/files/draft.hpp"
 
 namespace polhode {
 

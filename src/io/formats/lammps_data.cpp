@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // LAMMPS data files as files of one frame, in the order of ids.
-#include "polhode/io/topology/lammps_data.hpp"
+#include "io/topology/lammps_data.hpp"
 
 #include <istream>
 
-#include "../files/text_file.hpp"
 #include "format.hpp"
+#include "io/files/text_file.hpp"
 
 namespace polhode {
 namespace {

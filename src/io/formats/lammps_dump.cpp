@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "../lammps/unit_styles.hpp"
 #include "atom_kinds.hpp"
 #include "format.hpp"
+#include "io/lammps/unit_styles.hpp"
+#include "io/settings/quantity.hpp"
 #include "lines.hpp"
-#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

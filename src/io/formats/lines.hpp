@@ -12,10 +12,10 @@
 #include <string_view>
 #include <utility>
 
-#include "../files/split_words.hpp"
-#include "../files/text_file.hpp"
+#include "base/from_chars.hpp"
+#include "io/files/split_words.hpp"
+#include "io/files/text_file.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/from_chars.hpp"
 
 namespace polhode {
 

@@ -7,8 +7,8 @@
 
 #include "atom_kinds.hpp"
 #include "format.hpp"
+#include "io/settings/quantity.hpp"
 #include "lines.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "text_buffer.hpp"
 
 namespace polhode {

@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "format.hpp"
+#include "io/files/checksum.hpp"
+#include "io/files/disk.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/checksum.hpp"
-#include "polhode/io/files/disk.hpp"
 #include "polhode/io/files/file_lock.hpp"
 
 namespace polhode {

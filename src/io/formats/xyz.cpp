@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/coordinates/xyz.hpp"
+#include "io/coordinates/xyz.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +9,8 @@
 
 #include "atom_kinds.hpp"
 #include "format.hpp"
+#include "io/settings/quantity.hpp"
 #include "lines.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "text_buffer.hpp"
 
 namespace polhode {

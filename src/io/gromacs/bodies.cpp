@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/suggest.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/io/settings/type_pairs.hpp"
 #include "polhode/io/topology/topology_file.hpp"
 

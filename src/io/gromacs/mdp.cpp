@@ -12,11 +12,11 @@
 #include <utility>
 #include <vector>
 
-#include "../files/split_words.hpp"
-#include "../files/text_file.hpp"
+#include "base/printable.hpp"
+#include "io/files/split_words.hpp"
+#include "io/files/text_file.hpp"
+#include "io/settings/output_units.hpp"
 #include "mdp_parameters.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/io/settings/output_units.hpp"
 
 namespace polhode {
 namespace {

@@ -9,11 +9,11 @@
 #include <memory>
 #include <utility>
 
-#include "../files/field_line.hpp"
-#include "../files/split_words.hpp"
-#include "../files/text_file.hpp"
+#include "base/suggest.hpp"
+#include "io/files/field_line.hpp"
+#include "io/files/split_words.hpp"
+#include "io/files/text_file.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 
 namespace polhode::gromacs {
 namespace {

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/topology/gromacs_mdp.hpp"
 #include "polhode/io/settings/text_place.hpp"
-#include "polhode/io/topology/gromacs_mdp.hpp"
 
 namespace polhode::gromacs {
 

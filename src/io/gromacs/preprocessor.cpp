@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "../files/field_line.hpp"
-#include "../files/split_words.hpp"
+#include "io/files/field_line.hpp"
+#include "io/files/split_words.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode::gromacs {

@@ -7,11 +7,11 @@
 #include <span>
 
 #include "bonded_key.hpp"
+#include "model/elements.hpp"
+#include "model/molecule_in_frame.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/io/topology/gromacs.hpp"
-#include "polhode/model/elements.hpp"
-#include "polhode/model/molecule_in_frame.hpp"
 
 namespace polhode {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "../files/text_file.hpp"
+#include "io/files/text_file.hpp"
 #include "polhode/io/topology/gromacs.hpp"
 
 namespace polhode {

@@ -9,11 +9,11 @@
 #include <initializer_list>
 #include <limits>
 
-#include "../files/field_line.hpp"
-#include "../files/split_words.hpp"
+#include "base/suggest.hpp"
 #include "bonded_key.hpp"
+#include "io/files/field_line.hpp"
+#include "io/files/split_words.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "preprocessor.hpp"
 
 namespace polhode {

@@ -9,16 +9,16 @@
 #include <limits>
 #include <optional>
 
-#include "../files/field_line.hpp"
-#include "../files/split_words.hpp"
-#include "../files/text_file.hpp"
+#include "base/suggest.hpp"
+#include "io/files/field_line.hpp"
+#include "io/files/split_words.hpp"
+#include "io/files/text_file.hpp"
+#include "io/settings/quantity.hpp"
+#include "io/topology/lammps_data.hpp"
+#include "io/topology/lammps_export.hpp"
 #include "kinds.hpp"
 #include "pair_styles.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/topology/lammps_data.hpp"
-#include "polhode/io/topology/lammps_export.hpp"
 
 namespace polhode {
 namespace {

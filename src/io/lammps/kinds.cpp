@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <span>
 
+#include "base/suggest.hpp"
+#include "model/elements.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/model/elements.hpp"
 
 namespace polhode {
 namespace {

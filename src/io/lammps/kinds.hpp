@@ -2,7 +2,7 @@
 // Which molecules of a LAMMPS data file are of one kind.
 #pragma once
 
-#include "polhode/io/topology/lammps_data.hpp"
+#include "io/topology/lammps_data.hpp"
 
 namespace polhode {
 

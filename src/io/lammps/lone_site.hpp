@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "polhode/io/topology/lammps_export.hpp"
+#include "io/topology/lammps_export.hpp"
 
 namespace polhode {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "../files/split_words.hpp"
+#include "io/files/split_words.hpp"
 
 namespace polhode {
 

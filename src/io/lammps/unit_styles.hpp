@@ -5,7 +5,7 @@
 #include <optional>
 #include <string_view>
 
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/quantity.hpp"
 
 namespace polhode {
 

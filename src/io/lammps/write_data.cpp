@@ -8,10 +8,10 @@
 #include <ostream>
 #include <variant>
 
+#include "io/settings/quantity.hpp"
+#include "io/topology/lammps_export.hpp"
+#include "model/wrap.hpp"
 #include "polhode/io/coordinates/frame.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/topology/lammps_export.hpp"
-#include "polhode/model/wrap.hpp"
 
 namespace polhode {
 namespace {

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <ostream>
 
+#include "forces/laws/setting_names.hpp"
+#include "forces/pairs/pair_table.hpp"
+#include "io/settings/quantity.hpp"
+#include "io/topology/lammps_export.hpp"
 #include "lone_site.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/topology/lammps_export.hpp"
 
 namespace polhode {
 std::string lammps_pair_style(const ForceSettings& s) {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <ostream>
 
+#include "forces/pairs/molecule_pair.hpp"
+#include "io/settings/quantity.hpp"
+#include "io/topology/lammps_export.hpp"
 #include "lone_site.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/pairs/molecule_pair.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/topology/lammps_export.hpp"
 
 namespace polhode {
 namespace {

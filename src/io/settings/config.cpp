@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "../files/text_file.hpp"
+#include "base/printable.hpp"
+#include "base/suggest.hpp"
 #include "config_tables.hpp"
+#include "io/files/embedded.hpp"
+#include "io/files/text_file.hpp"
+#include "io/settings/setting_keys.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/io/files/embedded.hpp"
-#include "polhode/io/settings/setting_keys.hpp"
 #include "toml_table.hpp"
 
 namespace polhode {

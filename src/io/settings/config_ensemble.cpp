@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "config_tables.hpp"
+#include "io/settings/ensemble_names.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
 
 namespace polhode {
 namespace {

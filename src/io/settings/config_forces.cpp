@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "config_tables.hpp"
+#include "forces/laws/check_settings.hpp"
+#include "forces/laws/setting_names.hpp"
+#include "forces/pairs/cutoff_treatment.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/laws/check_settings.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/forces/pairs/cutoff_treatment.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/model/topology.hpp"
 #include "short_range_keys.hpp"

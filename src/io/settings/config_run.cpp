@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-#include "../formats/format.hpp"
+#include "base/suggest.hpp"
 #include "config_tables.hpp"
+#include "io/formats/format.hpp"
+#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/io/figures/plot.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {

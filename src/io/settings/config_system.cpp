@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <system_error>
 
-#include "../formats/format.hpp"
 #include "config_tables.hpp"
+#include "io/files/embedded.hpp"
+#include "io/formats/format.hpp"
 #include "molecule_table.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/embedded.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 
 namespace polhode {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/ensemble_text.hpp"
+#include "io/settings/ensemble_text.hpp"
 
 #include <fmt/core.h>
 
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/ensemble_names.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "io/settings/nested_scheme_text.hpp"
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 #include <regex>
 #include <sstream>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

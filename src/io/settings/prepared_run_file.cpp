@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/prepared_run_file.hpp"
+#include "io/settings/prepared_run_file.hpp"
 
 #include <fmt/core.h>
 
 #include <filesystem>
 #include <sstream>
 
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/ensemble_names.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "toml_table.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/quantity.hpp"
 
 #include <fmt/core.h>
 
@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "../files/split_words.hpp"
+#include "base/from_chars.hpp"
+#include "base/suggest.hpp"
+#include "io/files/split_words.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/from_chars.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/base/units.hpp"
 
 namespace polhode {

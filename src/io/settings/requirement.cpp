@@ -5,8 +5,8 @@
 
 #include <array>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

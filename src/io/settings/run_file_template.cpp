@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/run_file_template.hpp"
+#include "io/settings/run_file_template.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <span>
 
+#include "base/suggest.hpp"
+#include "io/files/embedded.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/io/files/embedded.hpp"
 
 namespace polhode {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
+#include "base/suggest.hpp"
+#include "io/topology/potential_table.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/io/topology/potential_table.hpp"
 
 namespace polhode {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "base/suggest.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 
 namespace polhode {
 

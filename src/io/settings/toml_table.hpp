@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/settings/setting_keys.hpp"
+#include "io/settings/quantity.hpp"
+#include "io/settings/setting_keys.hpp"
 
 namespace polhode {
 

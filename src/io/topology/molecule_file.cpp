@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <variant>
 
-#include "../files/text_file.hpp"
-#include "../settings/molecule_table.hpp"
-#include "../settings/short_range_keys.hpp"
+#include "base/printable.hpp"
+#include "base/suggest.hpp"
+#include "io/files/embedded.hpp"
+#include "io/files/text_file.hpp"
+#include "io/settings/molecule_table.hpp"
+#include "io/settings/short_range_keys.hpp"
+#include "model/elements.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/printable.hpp"
-#include "polhode/base/suggest.hpp"
-#include "polhode/io/files/embedded.hpp"
-#include "polhode/model/elements.hpp"
 
 namespace polhode {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/topology/potential_table.hpp"
+#include "io/topology/potential_table.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <filesystem>
 
-#include "../files/field_line.hpp"
-#include "../files/text_file.hpp"
+#include "io/files/embedded.hpp"
+#include "io/files/field_line.hpp"
+#include "io/files/text_file.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/embedded.hpp"
 
 namespace polhode {
 namespace {

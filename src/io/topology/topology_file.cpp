@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/io/topology/topology_file.hpp"
 
-#include "../files/text_file.hpp"
-#include "polhode/io/topology/lammps_data.hpp"
+#include "io/files/text_file.hpp"
+#include "io/topology/lammps_data.hpp"
 
 namespace polhode {
 

@@ -2,9 +2,9 @@
 // The sums of kinetic energies over packs of bodies.
 #include <algorithm>
 
-#include "../kinetic_sums.hpp"
-#include "polhode/base/pack.hpp"
-#include "polhode/base/pack_column.hpp"
+#include "base/pack.hpp"
+#include "base/pack_column.hpp"
+#include "measure/kinetic_sums.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/model/topology.hpp"
 

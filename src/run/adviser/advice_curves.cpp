@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/adviser/advice_curves.hpp"
+#include "run/adviser/advice_curves.hpp"
 
 #include <algorithm>
 

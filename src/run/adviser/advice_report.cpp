@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/adviser/advice_report.hpp"
+#include "run/adviser/advice_report.hpp"
 
 #include <fmt/core.h>
 
@@ -7,13 +7,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "../study/temperature_differences.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/figures/plot.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/run/adviser/advice_curves.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
+#include "run/adviser/advice_curves.hpp"
+#include "run/simulation/system/system_notes.hpp"
+#include "run/study/temperature_differences.hpp"
 
 namespace polhode {
 namespace {

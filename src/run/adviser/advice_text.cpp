@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/core.h>
 
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/run/adviser/advice_report.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
+#include "run/adviser/advice_report.hpp"
 
 namespace polhode {
 namespace {

@@ -11,21 +11,21 @@
 #include <mutex>
 #include <utility>
 
+#include "base/stopwatch.hpp"
 #include "candidate_time.hpp"
 #include "first_step.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/stopwatch.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/adviser/bias_conversion.hpp"
-#include "polhode/run/adviser/effort.hpp"
-#include "polhode/run/adviser/resumable_run.hpp"
-#include "polhode/run/adviser/step_search.hpp"
-#include "polhode/run/progress_pace.hpp"
-#include "polhode/run/simulation/system/einstein_frequency.hpp"
-#include "polhode/run/simulation/system/relaxation.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
+#include "run/adviser/bias_conversion.hpp"
+#include "run/adviser/effort.hpp"
+#include "run/adviser/resumable_run.hpp"
+#include "run/adviser/step_search.hpp"
+#include "run/progress_pace.hpp"
+#include "run/simulation/system/einstein_frequency.hpp"
+#include "run/simulation/system/relaxation.hpp"
 
 namespace polhode {
 namespace {

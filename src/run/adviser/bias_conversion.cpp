@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/adviser/bias_conversion.hpp"
+#include "run/adviser/bias_conversion.hpp"
 
 #include <fmt/core.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "io/files/with_error.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/ensemble_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/measure/block_means.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "polhode/base/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "math/prediction.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/math/prediction.hpp"
 
 namespace polhode {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/output_units.hpp"
 
 namespace polhode {
 

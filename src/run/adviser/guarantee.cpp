@@ -6,13 +6,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/output_error.hpp"
+#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/output_error.hpp"
 #include "polhode/io/files/table_file.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/run/adviser/advice_report.hpp"
 #include "polhode/run/adviser/adviser.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
+#include "run/adviser/advice_report.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

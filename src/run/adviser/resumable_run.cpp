@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/adviser/resumable_run.hpp"
+#include "run/adviser/resumable_run.hpp"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "polhode/math/prediction.hpp"
+#include "math/prediction.hpp"
 
 namespace polhode {
 

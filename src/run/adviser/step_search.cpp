@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/adviser/step_search.hpp"
+#include "run/adviser/step_search.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/memory.hpp"
+#include "base/suggest.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/memory.hpp"
-#include "polhode/base/suggest.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/analysis/analysis_report.hpp"
+#include "run/analysis/analysis_report.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "run/analysis/analysis_summary.hpp"
 
 #include <fmt/core.h>
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "curves.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "io/settings/output_units.hpp"
 
 namespace polhode {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "polhode/measure/convergence.hpp"
+#include "measure/convergence.hpp"
 #include "polhode/run/quantities.hpp"
 
 namespace polhode {

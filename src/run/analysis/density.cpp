@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "curves.hpp"
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/quantity.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The dielectric constant from the fluctuations of the total dipole.
-#include "polhode/measure/dielectric.hpp"
+#include "measure/dielectric.hpp"
 
 #include <fmt/core.h>
 
@@ -9,9 +9,9 @@
 
 #include "convergence_results.hpp"
 #include "curves.hpp"
+#include "model/dipole.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "polhode/model/dipole.hpp"
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "run/analysis/analysis_summary.hpp"
 
 namespace polhode {
 namespace {

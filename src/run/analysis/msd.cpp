@@ -8,10 +8,10 @@
 
 #include "convergence_results.hpp"
 #include "curves.hpp"
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/measure/displacement.hpp"
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/quantity.hpp"
+#include "measure/displacement.hpp"
+#include "run/analysis/analysis_summary.hpp"
 
 namespace polhode {
 namespace {

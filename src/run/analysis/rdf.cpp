@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <set>
 
+#include "base/suggest.hpp"
 #include "curves.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/suggest.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "convergence_results.hpp"
 #include "curves.hpp"
-#include "polhode/measure/reorientation.hpp"
+#include "measure/reorientation.hpp"
 
 namespace polhode {
 namespace {

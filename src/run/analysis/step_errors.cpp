@@ -5,9 +5,9 @@
 
 #include <cmath>
 
+#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {

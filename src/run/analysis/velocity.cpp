@@ -6,9 +6,9 @@
 
 #include "convergence_results.hpp"
 #include "curves.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/measure/velocity_correlation.hpp"
-#include "polhode/run/analysis/analysis_summary.hpp"
+#include "io/settings/output_units.hpp"
+#include "measure/velocity_correlation.hpp"
+#include "run/analysis/analysis_summary.hpp"
 
 namespace polhode {
 namespace {

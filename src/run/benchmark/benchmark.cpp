@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/benchmark/benchmark.hpp"
+#include "run/benchmark/benchmark.hpp"
 
 #include <fmt/core.h>
 
@@ -10,13 +10,14 @@
 #include <memory>
 #include <numeric>
 
+#include "base/stopwatch.hpp"
+#include "forces/pairs/neighbours.hpp"
+#include "forces/system_size.hpp"
+#include "forces/timed_forces.hpp"
+#include "model/cell_list.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/stopwatch.hpp"
-#include "polhode/forces/system_size.hpp"
-#include "polhode/forces/timed_forces.hpp"
 #include "polhode/integrate/integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/model/cell_list.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {

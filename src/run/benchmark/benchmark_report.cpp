@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/benchmark/benchmark_report.hpp"
+#include "run/benchmark/benchmark_report.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/version.hpp"
-#include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "base/instruction_set.hpp"
+#include "base/version.hpp"
+#include "forces/laws/setting_names.hpp"
+#include "io/settings/output_units.hpp"
 
 namespace polhode {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/benchmark/peak_performance.hpp"
+#include "run/benchmark/peak_performance.hpp"
 
 #include <algorithm>
 
+#include "base/stopwatch.hpp"
 #include "polhode/base/column.hpp"
-#include "polhode/base/stopwatch.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/math/prediction.hpp"
-#include "polhode/run/canonical/canonical_report.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
+#include "math/prediction.hpp"
+#include "run/canonical/canonical_report.hpp"
 
 namespace polhode {
 namespace {

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
 
 namespace polhode {

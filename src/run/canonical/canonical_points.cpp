@@ -4,7 +4,7 @@
 #include <limits>
 #include <map>
 
-#include "polhode/math/prediction.hpp"
+#include "math/prediction.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
 
 namespace polhode {

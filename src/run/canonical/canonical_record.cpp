@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/canonical/canonical_record.hpp"
+#include "run/canonical/canonical_record.hpp"
 
-#include "../study/record_columns.hpp"
-#include "polhode/run/simulation/files/identity.hpp"
+#include "run/simulation/files/identity.hpp"
+#include "run/study/record_columns.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/canonical/canonical_report.hpp"
+#include "run/canonical/canonical_report.hpp"
 
 #include <fmt/core.h>
 
@@ -7,12 +7,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "../study/study_job.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/figures/plot.hpp"
-#include "polhode/io/settings/ensemble_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/canonical/canonical_record.hpp"
+#include "run/canonical/canonical_record.hpp"
+#include "run/study/study_job.hpp"
 
 namespace polhode {
 namespace {

@@ -9,12 +9,12 @@
 #include <set>
 #include <tuple>
 
+#include "measure/autocorrelation_time.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/measure/autocorrelation_time.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"

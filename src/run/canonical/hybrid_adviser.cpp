@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/canonical/hybrid_adviser.hpp"
+#include "run/canonical/hybrid_adviser.hpp"
 
 #include <fmt/core.h>
 
@@ -12,15 +12,15 @@
 #include <span>
 #include <utility>
 
+#include "io/files/with_error.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
+#include "measure/autocorrelation_time.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/measure/autocorrelation_time.hpp"
-#include "polhode/run/simulation/system/einstein_frequency.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
+#include "run/simulation/system/einstein_frequency.hpp"
 
 namespace polhode {
 namespace {

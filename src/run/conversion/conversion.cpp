@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/conversion/conversion.hpp"
+#include "run/conversion/conversion.hpp"
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <optional>
 
+#include "io/files/draft.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
-#include "polhode/io/files/draft.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/conversion/lammps_export.hpp"
+#include "run/conversion/lammps_export.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ostream.h>
@@ -8,15 +8,15 @@
 #include <cmath>
 #include <sstream>
 
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/quantity.hpp"
+#include "io/topology/lammps_export.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/force_program.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/files/table_file.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/topology/lammps_export.hpp"
 #include "polhode/run/simulation/system/system.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/listing/molecules.hpp"
+#include "run/listing/molecules.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/quantity.hpp"
+#include "model/dipole.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/io/topology/topology_file.hpp"
-#include "polhode/model/dipole.hpp"
 
 namespace polhode {
 namespace {

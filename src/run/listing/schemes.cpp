@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/listing/schemes.hpp"
+#include "run/listing/schemes.hpp"
 
 #include <nlohmann/json.hpp>
 

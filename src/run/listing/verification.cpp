@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/listing/verification.hpp"
+#include "run/listing/verification.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 

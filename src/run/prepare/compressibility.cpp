@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/prepare/compressibility.hpp"
+#include "run/prepare/compressibility.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/run/simulation/report/ensemble_warnings.hpp"
+#include "io/settings/ensemble_names.hpp"
+#include "run/simulation/report/ensemble_warnings.hpp"
 
 namespace polhode {
 namespace {

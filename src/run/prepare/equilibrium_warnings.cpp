@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/quantity.hpp"
 
 namespace polhode {
 

@@ -4,10 +4,10 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "io/coordinates/gro.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/coordinates/gro.hpp"
-#include "polhode/run/simulation/system/relaxation.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
+#include "run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <limits>
 
-#include "../simulation/report/averages.hpp"
 #include "polhode/run/prepare/minimisation.hpp"
 #include "polhode/run/prepare/preparation.hpp"
+#include "run/simulation/report/averages.hpp"
 
 namespace polhode {
 namespace {

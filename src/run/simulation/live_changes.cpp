@@ -5,10 +5,10 @@
 
 #include <utility>
 
-#include "polhode/run/simulation/files/identity.hpp"
 #include "polhode/run/simulation/simulation.hpp"
-#include "polhode/run/simulation/system/check_motion.hpp"
-#include "polhode/run/simulation/system/near_forces.hpp"
+#include "run/simulation/files/identity.hpp"
+#include "run/simulation/system/check_motion.hpp"
+#include "run/simulation/system/near_forces.hpp"
 
 namespace polhode {
 namespace {

@@ -8,18 +8,19 @@
 #include <filesystem>
 #include <utility>
 
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/output_error.hpp"
-#include "polhode/base/version.hpp"
-#include "polhode/io/coordinates/gro.hpp"
+#include "base/instruction_set.hpp"
+#include "base/output_error.hpp"
+#include "base/version.hpp"
+#include "io/coordinates/gro.hpp"
+#include "io/files/draft.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/io/figures/plot.hpp"
-#include "polhode/io/files/draft.hpp"
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/simulation/system/near_forces.hpp"
-#include "polhode/run/simulation/system/relaxation.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
+#include "run/simulation/files/run_files.hpp"
+#include "run/simulation/system/near_forces.hpp"
+#include "run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

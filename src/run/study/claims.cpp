@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study/claims.hpp"
+#include "run/study/claims.hpp"
 
 #include <fmt/core.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "polhode/math/prediction.hpp"
+#include "math/prediction.hpp"
 
 namespace polhode {
 namespace {

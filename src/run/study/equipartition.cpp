@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study/equipartition.hpp"
+#include "run/study/equipartition.hpp"
 
 #include <cmath>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study/guideline.hpp"
+#include "run/study/guideline.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/math/prediction.hpp"
+#include "math/prediction.hpp"
 
 namespace polhode {
 namespace {

@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
-#include "polhode/base/output_error.hpp"
-#include "polhode/run/study/run_record.hpp"
+#include "base/output_error.hpp"
 #include "record_lines.hpp"
+#include "run/study/run_record.hpp"
 
 namespace polhode {
 

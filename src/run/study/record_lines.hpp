@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "../../io/formats/lines.hpp"
+#include "io/formats/lines.hpp"
 #include "polhode/io/files/table_file.hpp"
 
 namespace polhode {

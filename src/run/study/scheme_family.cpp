@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/schemes.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {

@@ -11,12 +11,12 @@
 #include <mutex>
 #include <numeric>
 
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
+#include "math/prediction.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/math/prediction.hpp"
-#include "polhode/run/simulation/system/near_forces.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "run/simulation/system/near_forces.hpp"
 
 namespace polhode {
 namespace {

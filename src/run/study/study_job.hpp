@@ -9,11 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "io/files/draft.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/files/draft.hpp"
 #include "polhode/run/outputs.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
-#include "polhode/run/study/study_report.hpp"
+#include "run/simulation/system/system_notes.hpp"
+#include "run/study/study_report.hpp"
 
 namespace polhode {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study/study_record.hpp"
+#include "run/study/study_record.hpp"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-#include "polhode/run/simulation/files/identity.hpp"
 #include "record_columns.hpp"
+#include "run/simulation/files/identity.hpp"
 
 namespace polhode {
 namespace {

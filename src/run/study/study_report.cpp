@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study/study_report.hpp"
+#include "run/study/study_report.hpp"
 
 #include <fmt/core.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/figures/plot.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/simulation/system/near_forces.hpp"
-#include "polhode/run/study/study_record.hpp"
+#include "run/simulation/system/near_forces.hpp"
+#include "run/study/study_record.hpp"
 #include "study_job.hpp"
 #include "temperature_differences.hpp"
 

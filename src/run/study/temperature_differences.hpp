@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "polhode/io/files/table_file.hpp"
-#include "polhode/run/study/equipartition.hpp"
+#include "run/study/equipartition.hpp"
 
 namespace polhode {
 

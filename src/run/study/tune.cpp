@@ -8,14 +8,14 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "base/instruction_set.hpp"
+#include "base/version.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/base/version.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/top/top_figure.hpp"
+#include "run/top/top_figure.hpp"
 
 #include <fmt/ostream.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/files/checkpoint.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 
 #include <cstring>
 #include <sstream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/coordinates/gro.hpp"
+#include "io/coordinates/gro.hpp"
 #include "../fuzz.hpp"
 
 void polhode::fuzz::read(std::string_view text) { parse_gro(text, "fuzz.gro"); }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "../fuzz.hpp"
-#include "polhode/io/topology/lammps_data.hpp"
+#include "io/topology/lammps_data.hpp"
 
 void polhode::fuzz::read(std::string_view text) {
   const LammpsData data = parse_lammps_data(text, "fuzz.data");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The substitute for std::from_chars against the library's own.
-#include "polhode/base/from_chars.hpp"
+#include "base/from_chars.hpp"
 
 #include <doctest/doctest.h>
 

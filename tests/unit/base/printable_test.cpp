@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/base/printable.hpp"
+#include "base/printable.hpp"
 
 #include "../errors.hpp"
 

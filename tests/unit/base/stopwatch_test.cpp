@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Elapsed times: ordered and additive, whatever the machine does.
-#include "polhode/base/stopwatch.hpp"
+#include "base/stopwatch.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Number of available and requested threads.
-#include "polhode/base/threads.hpp"
+#include "base/threads.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/core.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Cells and the order of bodies by cells.
-#include "polhode/forces/pairs/cells.hpp"
+#include "forces/pairs/cells.hpp"
 
 #include <doctest/doctest.h>
 

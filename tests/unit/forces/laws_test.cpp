@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/laws/laws.hpp"
+#include "forces/laws/laws.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <initializer_list>
 
+#include "forces/laws/lennard_jones.hpp"
+#include "math/dual.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/laws/lennard_jones.hpp"
-#include "polhode/math/dual.hpp"
 
 using namespace polhode;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/forces/pairs/overlap.hpp"
+#include "forces/pairs/overlap.hpp"
 
 #include <fmt/core.h>
 

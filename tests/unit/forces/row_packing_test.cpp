@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rows become whole packs by handing pairs over to later rows.
-#include "polhode/forces/pairs/row_packing.hpp"
+#include "forces/pairs/row_packing.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The short-range laws as functions of one distance, and how those of unlike sites are mixed.
-#include "polhode/forces/laws/short_range.hpp"
+#include "forces/laws/short_range.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "../errors.hpp"
-#include "polhode/forces/laws/law_range.hpp"
-#include "polhode/math/dual.hpp"
+#include "forces/laws/law_range.hpp"
+#include "math/dual.hpp"
 
 using namespace polhode;
 

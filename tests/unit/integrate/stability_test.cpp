@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/integrate/stability.hpp"
+#include "integrate/stability.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,12 +7,12 @@
 #include <functional>
 #include <string>
 
+#include "measure/dielectric.hpp"
+#include "measure/displacement.hpp"
+#include "measure/reorientation.hpp"
+#include "measure/velocity_correlation.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/measure/dielectric.hpp"
-#include "polhode/measure/displacement.hpp"
-#include "polhode/measure/reorientation.hpp"
-#include "polhode/measure/velocity_correlation.hpp"
 
 using namespace polhode;
 

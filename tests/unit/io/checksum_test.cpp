@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/files/checksum.hpp"
+#include "io/files/checksum.hpp"
 
 #include <unistd.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The test for convergence on motion with a known relaxation time: how often it fires when it
 // should, and when it should not.
-#include "polhode/measure/convergence.hpp"
+#include "measure/convergence.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,10 +10,10 @@
 #include <functional>
 #include <vector>
 
+#include "measure/displacement.hpp"
+#include "measure/velocity_correlation.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/measure/displacement.hpp"
-#include "polhode/measure/velocity_correlation.hpp"
 
 using namespace polhode;
 

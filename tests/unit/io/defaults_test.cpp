@@ -10,8 +10,8 @@
 #include <tuple>
 #include <vector>
 
+#include "io/settings/ensemble_text.hpp"
 #include "polhode/io/settings/config.hpp"
-#include "polhode/io/settings/ensemble_text.hpp"
 
 namespace polhode {
 namespace {

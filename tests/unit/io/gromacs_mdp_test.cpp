@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Run parameters of GROMACS as a run file: what has the same meaning is translated, and everything
 // else is listed.
-#include "polhode/io/topology/gromacs_mdp.hpp"
+#include "io/topology/gromacs_mdp.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,8 +10,8 @@
 
 #include "../errors.hpp"
 #include "../folder.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/io/settings/config.hpp"
-#include "polhode/io/settings/quantity.hpp"
 
 using namespace polhode;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "../errors.hpp"
-#include "polhode/io/settings/setting_keys.hpp"
+#include "io/settings/setting_keys.hpp"
 
 using namespace polhode;
 

@@ -6,9 +6,9 @@
 #include <sstream>
 
 #include "../errors.hpp"
+#include "model/initial_state.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
-#include "polhode/model/initial_state.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;

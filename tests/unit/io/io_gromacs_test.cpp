@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "../errors.hpp"
-#include "polhode/io/coordinates/gro.hpp"
+#include "io/coordinates/gro.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/io/topology/topology_file.hpp"
 #include "polhode/math/rotation.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/topology/lammps_data.hpp"
+#include "io/topology/lammps_data.hpp"
 
 #include <cmath>
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "../errors.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/io/topology/potential_table.hpp"
+#include "io/settings/quantity.hpp"
+#include "io/topology/potential_table.hpp"
 
 using namespace polhode;
 

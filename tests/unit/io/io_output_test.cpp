@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "../errors.hpp"
-#include "polhode/io/coordinates/gro.hpp"
-#include "polhode/io/coordinates/xyz.hpp"
-#include "polhode/io/files/checksum.hpp"
+#include "io/coordinates/gro.hpp"
+#include "io/coordinates/xyz.hpp"
+#include "io/files/checksum.hpp"
+#include "model/initial_state.hpp"
 #include "polhode/io/files/table_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
-#include "polhode/model/initial_state.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "polhode/io/figures/gnuplot_text.hpp"
-#include "polhode/io/figures/scheme_styles.hpp"
+#include "io/figures/gnuplot_text.hpp"
+#include "io/figures/scheme_styles.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/quantity.hpp"
 
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "../errors.hpp"
-#include "polhode/base/suggest.hpp"
+#include "base/suggest.hpp"
 #include "polhode/base/units.hpp"
 
 using namespace polhode;

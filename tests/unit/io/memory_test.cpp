@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/base/memory.hpp"
+#include "base/memory.hpp"
 
 #include <doctest/doctest.h>
 
 #include "../errors.hpp"
-#include "polhode/forces/system_size.hpp"
+#include "forces/system_size.hpp"
+#include "model/cell_width.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/radial_distribution.hpp"
-#include "polhode/model/cell_width.hpp"
 
 using namespace polhode;
 

@@ -3,10 +3,10 @@
 
 #include <doctest/doctest.h>
 
+#include "model/molecule_in_frame.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/rotation.hpp"
-#include "polhode/model/molecule_in_frame.hpp"
 
 using namespace polhode;
 

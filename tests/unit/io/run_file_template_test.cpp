@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/run_file_template.hpp"
+#include "io/settings/run_file_template.hpp"
 
 #include <doctest/doctest.h>
 

@@ -8,10 +8,10 @@
 #include <array>
 #include <cmath>
 
+#include "measure/dielectric.hpp"
 #include "polhode/base/units.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/math/random.hpp"
-#include "polhode/measure/dielectric.hpp"
 #include "polhode/measure/radial_distribution.hpp"
 
 using namespace polhode;

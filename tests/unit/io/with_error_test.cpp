@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/files/with_error.hpp"
+#include "io/files/with_error.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "../pack_loops.hpp"
 
+#include "base/pack_compress.hpp"
+#include "base/pack_functions.hpp"
 #include "polhode/base/column.hpp"
-#include "polhode/base/pack_compress.hpp"
-#include "polhode/base/pack_functions.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/math/fourier.hpp"
+#include "math/fourier.hpp"
 
 #include <doctest/doctest.h>
 

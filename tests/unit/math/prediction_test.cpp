@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/math/prediction.hpp"
+#include "math/prediction.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Loops in blocks: the same bits for any number of threads, and the laws of each loop.
-#include "polhode/base/blocks.hpp"
+#include "base/blocks.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/base/instruction_set.hpp"
+#include "base/instruction_set.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/rodrigues.hpp"
 #include "polhode/measure/energy.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/measure/time_correlation.hpp"
+#include "measure/time_correlation.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Counting sort, and pairs from items sorted by cells.
-#include "polhode/model/cell_list.hpp"
+#include "model/cell_list.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Temperatures of the adviser's runs as a curve of a study, from runs whose limit is known.
-#include "polhode/run/adviser/advice_curves.hpp"
+#include "run/adviser/advice_curves.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/run/study/equipartition.hpp"
+#include "run/study/equipartition.hpp"
 
 using namespace polhode;
 

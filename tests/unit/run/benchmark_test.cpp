@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The operation counts with which force evaluations are compared; times are not tested.
-#include "polhode/run/benchmark/benchmark.hpp"
+#include "run/benchmark/benchmark.hpp"
 
 #include <doctest/doctest.h>
 

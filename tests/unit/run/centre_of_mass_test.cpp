@@ -6,11 +6,11 @@
 
 #include <cmath>
 
+#include "measure/displacement.hpp"
+#include "measure/velocity_correlation.hpp"
+#include "model/initial_state.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/measure/displacement.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/measure/velocity_correlation.hpp"
-#include "polhode/model/initial_state.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "scenes.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study/claims.hpp"
+#include "run/study/claims.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The compressibility from the fluctuations of the volume, and that of the moves that follow.
-#include "polhode/run/prepare/compressibility.hpp"
+#include "run/prepare/compressibility.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,8 @@
 #include <cmath>
 #include <random>
 
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/run/simulation/report/ensemble_warnings.hpp"
+#include "io/settings/ensemble_names.hpp"
+#include "run/simulation/report/ensemble_warnings.hpp"
 
 using namespace polhode;
 

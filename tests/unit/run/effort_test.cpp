@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/adviser/effort.hpp"
+#include "run/adviser/effort.hpp"
 
 #include <doctest/doctest.h>
 

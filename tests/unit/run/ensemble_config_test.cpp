@@ -11,14 +11,14 @@
 
 #include "../errors.hpp"
 #include "../folder.hpp"
+#include "io/settings/ensemble_names.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/settings/config.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/io/settings/ensemble_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/simulation/simulation.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
-#include "polhode/run/simulation/trajectory/ensemble_moves.hpp"
+#include "run/simulation/system/system_notes.hpp"
+#include "run/simulation/trajectory/ensemble_moves.hpp"
 
 using namespace polhode;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/report/ensemble_warnings.hpp"
+#include "run/simulation/report/ensemble_warnings.hpp"
 
 #include <doctest/doctest.h>
 

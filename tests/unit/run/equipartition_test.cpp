@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The extrapolation of temperatures to zero step, from points with a known limit.
-#include "polhode/run/study/equipartition.hpp"
+#include "run/study/equipartition.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/study/guideline.hpp"
+#include "run/study/guideline.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/canonical/hybrid_adviser.hpp"
+#include "run/canonical/hybrid_adviser.hpp"
 
 #include <doctest/doctest.h>
 

@@ -7,8 +7,8 @@
 #include <fstream>
 
 #include "../folder.hpp"
-#include "polhode/run/simulation/files/checkpoint.hpp"
-#include "polhode/run/simulation/files/identity.hpp"
+#include "run/simulation/files/checkpoint.hpp"
+#include "run/simulation/files/identity.hpp"
 
 using namespace polhode;
 

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "../errors.hpp"
-#include "polhode/io/files/checksum.hpp"
-#include "polhode/run/simulation/files/checkpoint.hpp"
+#include "io/files/checksum.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 
 using namespace polhode;
 namespace fs = std::filesystem;

@@ -10,7 +10,7 @@
 
 #include "polhode/base/units.hpp"
 #include "polhode/run/prepare/preparation.hpp"
-#include "polhode/run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/relaxation.hpp"
 
 using namespace polhode;
 

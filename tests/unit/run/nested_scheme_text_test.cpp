@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/settings/nested_scheme_text.hpp"
+#include "io/settings/nested_scheme_text.hpp"
 
 #include <doctest/doctest.h>
 
 #include "../errors.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/run/simulation/report/rounding.hpp"
-#include "polhode/run/simulation/system/near_forces.hpp"
+#include "run/simulation/system/near_forces.hpp"
 
 using namespace polhode;
 

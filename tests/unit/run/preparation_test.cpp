@@ -10,11 +10,11 @@
 
 #include "../errors.hpp"
 #include "../folder.hpp"
-#include "polhode/base/version.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/run/simulation/files/checkpoint.hpp"
+#include "base/version.hpp"
+#include "io/settings/ensemble_names.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/run/simulation/simulation.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 
 using namespace polhode;
 

@@ -11,13 +11,13 @@
 #include <string>
 
 #include "../folder.hpp"
+#include "base/version.hpp"
 #include "polhode/base/quaternion.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/base/version.hpp"
 #include "polhode/math/shape.hpp"
 #include "polhode/run/prepare/preparation.hpp"
-#include "polhode/run/simulation/files/checkpoint.hpp"
 #include "polhode/run/simulation/simulation.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 
 using namespace polhode;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/progress_pace.hpp"
+#include "run/progress_pace.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/relaxation.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "../errors.hpp"
+#include "forces/pairs/overlap.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/forces/pairs/overlap.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/simulation/simulation.hpp"
-#include "polhode/run/simulation/system/contact.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "run/simulation/system/contact.hpp"
 
 using namespace polhode;
 

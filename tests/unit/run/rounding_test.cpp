@@ -15,8 +15,8 @@
 #include "polhode/io/figures/plot.hpp"
 #include "polhode/math/random.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
-#include "polhode/run/study/guideline.hpp"
 #include "rms.hpp"
+#include "run/study/guideline.hpp"
 
 using namespace polhode;
 

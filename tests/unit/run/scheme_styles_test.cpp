@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/io/figures/scheme_styles.hpp"
+#include "io/figures/scheme_styles.hpp"
 
 #include <doctest/doctest.h>
 

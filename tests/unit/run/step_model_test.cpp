@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "polhode/math/prediction.hpp"
+#include "math/prediction.hpp"
 
 using namespace polhode;
 

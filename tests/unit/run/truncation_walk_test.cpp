@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/report/truncation_walk.hpp"
+#include "run/simulation/report/truncation_walk.hpp"
 
 #include <doctest/doctest.h>
 

@@ -8,10 +8,10 @@
 
 #include "../errors.hpp"
 #include "../folder.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/run/simulation/simulation.hpp"
-#include "polhode/run/simulation/system/stable_step.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 using namespace polhode;
 

@@ -18,6 +18,10 @@
 
 namespace polhode {
 
+struct Checkpoint;
+struct FoundCheckpoint;
+class RunFiles;
+
 /// How Simulation::run() ended. An interrupted equilibration or trajectory resumes from a
 /// checkpoint; an interrupted choice of the step has written no file and starts over.
 enum class RunEnd {

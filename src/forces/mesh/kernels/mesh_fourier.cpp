@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // pocketfft's algorithm on packs. It is a template on the number type, so with packs it transforms
 // one series per lane at once.
-#include "../fourier_loops.hpp"
+#include "base/pack_grid.hpp"
+#include "forces/mesh/fourier_loops.hpp"
 #include "pack_series.hpp"
-#include "polhode/base/pack_grid.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

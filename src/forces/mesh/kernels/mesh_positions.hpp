@@ -4,8 +4,8 @@
 
 #include <array>
 
-#include "polhode/base/pack_grid.hpp"
-#include "polhode/forces/mesh/mesh_loops.hpp"
+#include "base/pack_grid.hpp"
+#include "forces/mesh/mesh_loops.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

@@ -2,10 +2,10 @@
 // The tiles of the grid around a charge, and the weights of their points.
 #pragma once
 
+#include "base/unroll.hpp"
+#include "math/b_spline.hpp"
 #include "mesh_positions.hpp"
 #include "polhode/base/always_inline.hpp"
-#include "polhode/base/unroll.hpp"
-#include "polhode/math/b_spline.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

@@ -6,9 +6,9 @@
 #include <array>
 #include <cstddef>
 
-#include "../../../math/pocketfft.hpp"
+#include "base/pack.hpp"
+#include "math/pocketfft.hpp"
 #include "polhode/base/column.hpp"
-#include "polhode/base/pack.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

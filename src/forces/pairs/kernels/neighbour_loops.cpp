@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "forces/pairs/row_packing.hpp"
 #include "partner_search.hpp"
-#include "polhode/forces/pairs/row_packing.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

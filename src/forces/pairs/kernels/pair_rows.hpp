@@ -9,12 +9,12 @@
 #include <cstring>
 #include <utility>
 
+#include "base/pack_functions.hpp"
+#include "base/pack_integers.hpp"
+#include "forces/pairs/molecule_pair.hpp"
+#include "forces/pairs/pair_loops.hpp"
+#include "math/dual.hpp"
 #include "polhode/base/always_inline.hpp"
-#include "polhode/base/pack_functions.hpp"
-#include "polhode/base/pack_integers.hpp"
-#include "polhode/forces/pairs/molecule_pair.hpp"
-#include "polhode/forces/pairs/pair_loops.hpp"
-#include "polhode/math/dual.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <vector>
 
+#include "base/pack_compress.hpp"
+#include "forces/pairs/row_packing.hpp"
 #include "polhode/base/always_inline.hpp"
 #include "polhode/base/column.hpp"
-#include "polhode/base/pack_compress.hpp"
-#include "polhode/forces/pairs/row_packing.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "polhode/base/pack_integers.hpp"
-#include "polhode/forces/pairs/pair_loops.hpp"
+#include "base/pack_integers.hpp"
+#include "forces/pairs/pair_loops.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Peak performance of the processor: independent multiply-adds, and pairs of four-site water alone.
-#include "polhode/run/benchmark/peak_performance.hpp"
+#include "run/benchmark/peak_performance.hpp"
 #include "polhode/base/always_inline.hpp"
 
 #include <array>
 
-#include "polhode/base/pack.hpp"
-#include "polhode/forces/pairs/molecule_pair.hpp"
+#include "base/pack.hpp"
+#include "forces/pairs/molecule_pair.hpp"
 
 namespace polhode::POLHODE_LOOPS {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/files/checkpoint.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 
 #include <fmt/core.h>
 
@@ -9,10 +9,10 @@
 #include <type_traits>
 #include <utility>
 
-#include "polhode/base/output_error.hpp"
+#include "base/output_error.hpp"
+#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/io/files/table_file.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/run/simulation/files/identity.hpp"
+#include "run/simulation/files/identity.hpp"
 
 namespace polhode {
 namespace {

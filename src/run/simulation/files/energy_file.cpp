@@ -6,8 +6,8 @@
 #include <array>
 #include <span>
 
-#include "polhode/base/output_error.hpp"
-#include "polhode/io/settings/quantity.hpp"
+#include "base/output_error.hpp"
+#include "io/settings/quantity.hpp"
 
 namespace polhode {
 

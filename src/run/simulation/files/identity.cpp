@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/files/identity.hpp"
+#include "run/simulation/files/identity.hpp"
 
 #include <fmt/core.h>
 #include <fmt/ranges.h>
@@ -9,9 +9,9 @@
 #include <sstream>
 #include <tuple>
 
-#include "polhode/forces/laws/setting_names.hpp"
-#include "polhode/io/settings/ensemble_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "forces/laws/setting_names.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "io/settings/output_units.hpp"
 
 namespace polhode {
 namespace {

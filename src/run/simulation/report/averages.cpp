@@ -5,9 +5,9 @@
 
 #include <array>
 
-#include "polhode/io/settings/ensemble_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

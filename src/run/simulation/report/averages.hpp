@@ -2,7 +2,7 @@
 // The averages of a run as quantities.
 #pragma once
 
-#include "polhode/io/settings/quantity.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/run/quantities.hpp"
 #include "polhode/run/simulation/report/summary.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"

@@ -7,11 +7,11 @@
 #include <limits>
 
 #include "averages.hpp"
-#include "polhode/io/files/with_error.hpp"
-#include "polhode/io/settings/ensemble_text.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
+#include "io/files/with_error.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

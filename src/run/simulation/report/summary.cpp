@@ -6,8 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/simulation/report/truncation_walk.hpp"
+#include "io/settings/output_units.hpp"
+#include "run/simulation/report/truncation_walk.hpp"
 
 namespace polhode {
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/report/truncation_walk.hpp"
+#include "run/simulation/report/truncation_walk.hpp"
 
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "forces/pairs/cutoff_treatment.hpp"
+#include "forces/pairs/pair_table.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/forces/pairs/cutoff_treatment.hpp"
-#include "polhode/forces/pairs/pair_table.hpp"
 #include "polhode/math/random.hpp"
 
 namespace polhode {

@@ -7,14 +7,14 @@
 #include <cmath>
 #include <limits>
 
-#include "polhode/forces/pairs/cutoff_treatment.hpp"
-#include "polhode/integrate/stability.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/run/simulation/report/ensemble_warnings.hpp"
-#include "polhode/run/simulation/report/truncation_walk.hpp"
-#include "polhode/run/simulation/system/stable_step.hpp"
+#include "forces/pairs/cutoff_treatment.hpp"
+#include "integrate/stability.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
+#include "run/simulation/report/ensemble_warnings.hpp"
+#include "run/simulation/report/truncation_walk.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {

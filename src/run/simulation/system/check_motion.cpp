@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/check_motion.hpp"
+#include "run/simulation/system/check_motion.hpp"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/contact.hpp"
+#include "run/simulation/system/contact.hpp"
 
 #include <fmt/core.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/einstein_frequency.hpp"
+#include "run/simulation/system/einstein_frequency.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/fitting_density.hpp"
+#include "run/simulation/system/fitting_density.hpp"
 
 #include <fmt/core.h>
 
 #include <cmath>
 
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/model/initial_state.hpp"
+#include "io/settings/quantity.hpp"
+#include "model/initial_state.hpp"
 
 namespace polhode {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/near_forces.hpp"
+#include "run/simulation/system/near_forces.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "base/stopwatch.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/stopwatch.hpp"
 
 namespace polhode {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/precise_start.hpp"
+#include "run/simulation/system/precise_start.hpp"
 
 #include <fmt/core.h>
 
@@ -7,9 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/version.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/version.hpp"
-#include "polhode/run/simulation/files/checkpoint.hpp"
+#include "run/simulation/files/checkpoint.hpp"
 
 namespace polhode {
 namespace {

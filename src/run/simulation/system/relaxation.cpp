@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/relaxation.hpp"
 
 #include <fmt/core.h>
 
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/io/settings/quantity.hpp"
-#include "polhode/run/simulation/system/contact.hpp"
-#include "polhode/run/simulation/system/fitting_density.hpp"
+#include "run/simulation/system/contact.hpp"
+#include "run/simulation/system/fitting_density.hpp"
 
 namespace polhode {
 namespace {

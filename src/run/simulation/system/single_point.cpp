@@ -3,13 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/instruction_set.hpp"
+#include "forces/pairs/overlap.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/instruction_set.hpp"
-#include "polhode/forces/pairs/overlap.hpp"
 #include "polhode/integrate/flows.hpp"
-#include "polhode/io/settings/quantity.hpp"
 #include "polhode/measure/energy.hpp"
-#include "polhode/run/simulation/system/system_notes.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 namespace polhode {
 namespace {

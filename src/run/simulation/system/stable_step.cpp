@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/stable_step.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 #include <fmt/core.h>
 
 #include <limits>
 
-#include "polhode/integrate/stability.hpp"
-#include "polhode/io/settings/output_units.hpp"
+#include "integrate/stability.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
-#include "polhode/run/simulation/system/einstein_frequency.hpp"
-#include "polhode/run/simulation/system/relaxation.hpp"
+#include "run/simulation/system/einstein_frequency.hpp"
+#include "run/simulation/system/relaxation.hpp"
 
 namespace polhode {
 

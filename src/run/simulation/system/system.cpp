@@ -5,18 +5,18 @@
 
 #include <cmath>
 
+#include "base/memory.hpp"
+#include "forces/pairs/overlap.hpp"
+#include "forces/system_size.hpp"
+#include "model/initial_state.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/base/memory.hpp"
-#include "polhode/forces/pairs/overlap.hpp"
-#include "polhode/forces/system_size.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/model/centre_of_mass.hpp"
-#include "polhode/model/initial_state.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
-#include "polhode/run/simulation/system/fitting_density.hpp"
-#include "polhode/run/simulation/system/precise_start.hpp"
+#include "run/simulation/system/fitting_density.hpp"
+#include "run/simulation/system/precise_start.hpp"
 
 namespace polhode {
 namespace {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/system/system_notes.hpp"
+#include "run/simulation/system/system_notes.hpp"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "polhode/base/printable.hpp"
+#include "base/printable.hpp"
+#include "io/settings/ensemble_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/ensemble/barostat.hpp"
-#include "polhode/io/settings/ensemble_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
 #include "polhode/model/degrees_of_freedom.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
 

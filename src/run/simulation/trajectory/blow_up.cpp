@@ -5,11 +5,11 @@
 
 #include <optional>
 
-#include "polhode/forces/laws/law_range.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/simulation/system/contact.hpp"
-#include "polhode/run/simulation/system/stable_step.hpp"
+#include "forces/laws/law_range.hpp"
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
+#include "run/simulation/system/contact.hpp"
+#include "run/simulation/system/stable_step.hpp"
 
 namespace polhode {
 namespace {

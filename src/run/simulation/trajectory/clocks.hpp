@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "polhode/base/stopwatch.hpp"
-#include "polhode/forces/timed_forces.hpp"
+#include "base/stopwatch.hpp"
+#include "forces/timed_forces.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 
 namespace polhode {

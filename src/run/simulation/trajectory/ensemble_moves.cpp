@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "polhode/run/simulation/trajectory/ensemble_moves.hpp"
+#include "run/simulation/trajectory/ensemble_moves.hpp"
 
 #include <fmt/core.h>
 
+#include "io/settings/ensemble_names.hpp"
+#include "io/settings/output_units.hpp"
+#include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
-#include "polhode/io/settings/ensemble_names.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/io/settings/quantity.hpp"
 
 namespace polhode {
 namespace {

@@ -10,7 +10,7 @@
 #include "blow_up.hpp"
 #include "clocks.hpp"
 #include "polhode/base/error.hpp"
-#include "polhode/run/simulation/trajectory/ensemble_moves.hpp"
+#include "run/simulation/trajectory/ensemble_moves.hpp"
 #include "sampler.hpp"
 #include "timed_integrator.hpp"
 

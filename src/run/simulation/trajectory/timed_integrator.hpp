@@ -5,12 +5,12 @@
 
 #include <optional>
 
-#include "polhode/forces/timed_forces.hpp"
+#include "forces/timed_forces.hpp"
 #include "polhode/integrate/flows.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
-#include "polhode/run/simulation/system/near_forces.hpp"
-#include "polhode/run/simulation/trajectory/ensemble_moves.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "run/simulation/system/near_forces.hpp"
+#include "run/simulation/trajectory/ensemble_moves.hpp"
 
 namespace polhode {
 

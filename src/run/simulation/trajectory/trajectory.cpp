@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/simulation/system/relaxation.hpp"
 #include "polhode/run/simulation/trajectory/propagator.hpp"
+#include "run/simulation/system/relaxation.hpp"
 
 namespace polhode {
 

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/with_bath.hpp"
-#include "polhode/io/settings/nested_scheme_text.hpp"
-#include "polhode/io/settings/output_units.hpp"
-#include "polhode/run/simulation/trajectory/ensemble_moves.hpp"
+#include "run/simulation/trajectory/ensemble_moves.hpp"
 
 namespace polhode {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "polhode/run/adviser/guarantee.hpp"
 #include "polhode/run/quantities.hpp"
-#include "polhode/run/simulation/files/run_files.hpp"
+#include "polhode/run/simulation/files/run_file_names.hpp"
 #include "polhode/run/simulation/report/warnings.hpp"
 
 namespace polhode {

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The names of the files of a run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/io/settings/config.hpp"
+
+namespace polhode {
+
+/// The files of checkpoints: the newest and the one before it.
+struct CheckpointFiles {
+  std::string newest, previous;
+};
+
+/// Names of the files of a run, by their use.
+struct RunFileNames {
+  std::string energies, final_state;
+  std::string script, plot;  ///< empty if no figure is requested
+  std::vector<std::string> trajectories;
+  CheckpointFiles checkpoints;
+
+  explicit RunFileNames(const OutputSettings& output);
+  std::vector<std::string> all() const;
+};
+
+}  // namespace polhode

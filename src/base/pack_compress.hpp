@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// Storing the lanes of packs that a mask selects, one after the other.
+#pragma once
+
+#include <bit>
+
+#include "base/pack_integers.hpp"
+
+namespace polhode {
+inline namespace HWY_NAMESPACE {
+
+#if HWY_TARGET == HWY_AVX2  // has no compress instruction: a shuffle by a table
+
+/// For each of the masks of eight lanes, the lanes it selects, in order; the rest is 0.
+struct SelectedLanes {
+  std::uint8_t of[256][8] = {};
+  constexpr SelectedLanes() {
+    for (unsigned mask = 0; mask < 256; ++mask)
+      for (unsigned lane = 0, n = 0; lane < 8; ++lane)
+        if (mask >> lane & 1) of[mask][n++] = static_cast<std::uint8_t>(lane);
+  }
+};
+static constexpr SelectedLanes selected_lanes{};  // in each object: of one instruction set
+
+/// Moves the lanes of packs of 32-bit numbers that a mask selects to the front.
+class Compression {
+  using Tag = Pack<float>::Tag;
+  using WordTag = hn::RebindToUnsigned<Tag>;
+
+ public:
+  explicit Compression(PackMask<float> mask)
+      : bits_(static_cast<unsigned>(_mm256_movemask_ps(hn::VecFromMask(Tag(), mask.m).raw))),
+        lanes_(hn::PromoteTo(
+            WordTag(), hn::LoadU(hn::Rebind<std::uint8_t, WordTag>(), selected_lanes.of[bits_]))) {}
+  std::size_t count() const { return static_cast<std::size_t>(std::popcount(bits_)); }
+  template <class AnyTag>
+  hn::Vec<AnyTag> operator()(AnyTag tag, hn::Vec<AnyTag> from) const {
+    return hn::TableLookupLanes(from, hn::IndicesFromVec(tag, lanes_));
+  }
+
+ private:
+  unsigned bits_;
+  hn::Vec<WordTag> lanes_;
+};
+
+#else
+
+/// Moves the lanes of packs of 32-bit numbers that a mask selects to the front.
+class Compression {
+  using Tag = Pack<float>::Tag;
+
+ public:
+  explicit Compression(PackMask<float> mask) : mask_(mask.m) {}
+  std::size_t count() const { return hn::CountTrue(Tag(), mask_); }
+  template <class AnyTag>
+  hn::Vec<AnyTag> operator()(AnyTag tag, hn::Vec<AnyTag> from) const {
+    return hn::Compress(from, hn::RebindMask(tag, mask_));
+  }
+
+ private:
+  hn::Mask<Tag> mask_;
+};
+
+#endif
+
+/// The lanes of packs of floats that a mask selects.
+class Selection {
+ public:
+  explicit Selection(PackMask<float> mask) : compression_(mask) {}
+
+  /// Their number.
+  std::size_t count() const { return compression_.count(); }
+  /// Stores them consecutively. The rest of a pack after them is overwritten.
+  void store(Pack<float> from, float* to) const {
+    const Pack<float>::Tag tag;
+    hn::StoreU(compression_(tag, from.v), tag, to);
+  }
+  void store(PackIndex<float> from, std::uint32_t* to) const {
+    const hn::RebindToUnsigned<Pack<float>::Tag> words;
+    hn::StoreU(compression_(words, hn::BitCast(words, from.v)), words, to);
+  }
+
+ private:
+  Compression compression_;
+};
+
+/// 0, 1, 2, ... in the lanes of a pack.
+inline Pack<float> lane_numbers() { return Pack<float>(hn::Iota(Pack<float>::Tag(), 0)); }
+
+/// `first`, first + step, first + 2 step, ...
+inline PackIndex<float> consecutive(std::uint32_t first, std::uint32_t step = 1) {
+  const PackIndex<float>::Tag tag;
+  const auto set = [&](std::uint32_t n) { return hn::Set(tag, static_cast<std::int32_t>(n)); };
+  return {hn::Add(hn::Mul(hn::Iota(tag, 0), set(step)), set(first))};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace polhode

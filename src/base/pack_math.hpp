@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// Elementary functions of packs.
+#pragma once
+
+#include <hwy/contrib/math/math-inl.h>
+
+#include "base/pack.hpp"
+
+namespace polhode {
+inline namespace HWY_NAMESPACE {
+
+/// Natural logarithm of positive numbers; error at most 3 ULP.
+template <class T>
+Pack<T> log(Pack<T> a) {
+  return Pack<T>(hn::Log(typename Pack<T>::Tag(), a.v));
+}
+/// Sine and cosine of |a| < 39000; error at most 3 ULP.
+template <class T>
+Pack<T> sin(Pack<T> a) {
+  return Pack<T>(hn::Sin(typename Pack<T>::Tag(), a.v));
+}
+template <class T>
+Pack<T> cos(Pack<T> a) {
+  return Pack<T>(hn::Cos(typename Pack<T>::Tag(), a.v));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace polhode

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The damped shifted force: Coulomb's law damped by erfc and truncated at the cutoff a, pair by
+// pair [wolf1999; fennell2006]. Originally, the value and slope of erfc(α r)/r at a are subtracted
+// as a line in r; here its Taylor polynomial in y = 1 − r²/a² up to y^n is subtracted, so that the
+// energy goes to zero with n continuous derivatives and schemes keep their order.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "forces/laws/smooth_polynomial.hpp"
+#include "polhode/base/units.hpp"
+
+namespace polhode {
+
+/// The largest α a. The powers of y left out of erf(α r)/r are then below 3e-7/a, and below 1e-10/a
+/// for α a ≤ 2.4.
+inline constexpr double max_damping = 3;
+
+/// The polynomial subtracted from 1/r. With 1/r = erf(α r)/r + erfc(α r)/r, it is the full Taylor
+/// series of the first term in y plus that of the second up to y^n: the terms up to y^n are those
+/// of 1/r, the higher ones those of erf(α r)/r. Without damping it is the force shifted in r².
+/// @param cutoff      a [nm]
+/// @param damping     α [1/nm], 0 ≤ α a ≤ max_damping
+/// @param smoothness  n, at least 1: then the force, too, vanishes at a
+inline SmoothPolynomial damped_shifted_force(double cutoff, double damping, int smoothness) {
+  constexpr double negligible = 1e-12;
+  const double x = damping * cutoff;
+  std::vector<double> terms = inverse_distance_terms(smoothness);
+  // g = a erf(α r)/r satisfies (1 − y) g' = g/2 − x/√π e^(−x² (1 − y)), where x = α a.
+  double g = std::erf(x), gauss = x / std::sqrt(units::pi) * std::exp(-x * x);
+  constexpr auto max_degree = static_cast<int>(SmoothPolynomial::max_degree);
+  for (int k = 0; k < max_degree; ++k) {
+    g = ((k + 0.5) * g - gauss) / (k + 1);
+    gauss *= x * x / (k + 1);
+    if (k + 1 <= smoothness) continue;
+    if (k + 1 > x * x && std::abs(g) < negligible) break;
+    terms.push_back(g);
+  }
+  return {cutoff, terms};
+}
+
+}  // namespace polhode

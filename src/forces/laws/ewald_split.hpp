@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// Splits of 1/r into a short-range part, summed over pairs, and a smooth part, summed over wave
+// vectors: 1/r = u(r) + smooth(r). The smooth part is the potential of a unit charge spread over
+// the density that names the split; transform(k) is the density's Fourier transform, 1 at k = 0.
+#pragma once
+
+#include <cmath>
+#include <utility>
+
+#include "forces/laws/smooth_polynomial.hpp"
+#include "polhode/base/units.hpp"
+
+namespace polhode {
+
+/// A Fourier transform and its slope.
+struct TransformValue {
+  double value;  ///< 1 at k = 0
+  double slope;  ///< k d/dk of the transform
+};
+
+/// Ewald's split: a Gaussian density of width 1/(√2 α); u(r) = erfc(α r)/r is positive at all r.
+struct GaussianSplit {
+  double alpha;  ///< [1/nm]
+
+  RadialValue smooth(double r) const {
+    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
+    if (alpha * r < 1e-4) return {smooth_at_zero(), 2 * alpha * alpha / 3 * smooth_at_zero()};
+    const double u = std::erf(alpha * r) / r;
+    return {u, (u - gaussian) / (r * r)};
+  }
+  RadialValue pair(double r) const {
+    const double gaussian = 2 * alpha / std::sqrt(units::pi) * std::exp(-alpha * alpha * r * r);
+    const double u = std::erfc(alpha * r) / r;
+    return {u, (u + gaussian) / (r * r)};
+  }
+  double smooth_at_zero() const { return 2 * alpha / std::sqrt(units::pi); }
+  TransformValue transform(double k) const {
+    const double x = k * k / (4 * alpha * alpha), value = std::exp(-x);
+    return {value, -2 * x * value};
+  }
+  /// ∫ u dV over all space [nm²].
+  double integral() const { return units::pi / (alpha * alpha); }
+};
+
+/// A density C (1 − r²/a²)^m that is zero beyond a, and so is u(r): the smooth part is the Taylor
+/// polynomial of 1/r in y = 1 − r²/a² up to y^(m+1) [skeel2002; hardy2009]. u is of class C^(m+1)
+/// at a, and nothing is truncated.
+class CompactSplit {
+ public:
+  static constexpr int max_exponent =
+      static_cast<int>(SmoothPolynomial::max_degree) - 1;  ///< the largest m
+
+  /// @param cutoff    a [nm]
+  /// @param exponent  m, from 0 to `max_exponent`
+  CompactSplit(double cutoff, int exponent)
+      : polynomial_(cutoff, inverse_distance_terms(exponent + 1)) {}
+
+  int exponent() const { return degree() - 1; }
+  double cutoff() const { return polynomial_.cutoff(); }
+  const SmoothPolynomial& polynomial() const { return polynomial_; }
+  RadialValue smooth(double r) const { return polynomial_.smooth(r); }
+  RadialValue pair(double r) const { return polynomial_.pair(r); }
+  double smooth_at_zero() const { return polynomial_.smooth_at_zero(); }
+
+  /// (2n+1)!! j_n(x)/xⁿ with n = m + 1, x = k a, and j_n a spherical Bessel function; its
+  /// derivative is −(2n+1)!! j_(n+1)(x)/xⁿ.
+  TransformValue transform(double k) const {
+    const double x = k * cutoff();
+    const auto [now, next] = reduced_bessel(degree(), x);
+    return {now, -x * x / (2 * degree() + 3) * next};
+  }
+  /// ∫ u dV over all space [nm²].
+  double integral() const { return 2 * units::pi * cutoff() * cutoff() / (2 * degree() + 3); }
+
+ private:
+  int degree() const { return static_cast<int>(polynomial_.degree()); }
+
+  struct ReducedBessel {
+    double now, next;  // of degrees n and n + 1
+  };
+  // (2n+1)!! j_n(x)/xⁿ: by its power series where that loses no digits, otherwise by upward
+  // recurrence in n.
+  static ReducedBessel reduced_bessel(int n, double x) {
+    if (x < n + 1) return {bessel_series(n, x), bessel_series(n + 1, x)};
+    const double inverse = 1 / (x * x);
+    double now = std::sin(x) / x, next = 3 * (now - std::cos(x)) * inverse;
+    for (int k = 1; k <= n; ++k)
+      now = std::exchange(next, (2 * k + 3) * (2 * k + 1) * (next - now) * inverse);
+    return {now, next};
+  }
+  static double bessel_series(int n, double x) {
+    double term = 1, sum = 1;
+    for (int k = 1; std::abs(term) > 1e-17 * std::abs(sum); ++k)
+      sum += term *= -x * x / (2.0 * k * (2 * n + 2 * k + 1));
+    return sum;
+  }
+
+  SmoothPolynomial polynomial_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// The short-range law of a pair of sites: any of the list below, chosen pair by pair. Systems with
+// Lennard-Jones alone do not use it: their loops know the law at compile time.
+#pragma once
+
+#include <variant>
+
+#include "forces/laws/buckingham.hpp"
+#include "forces/laws/lennard_jones.hpp"
+#include "forces/laws/mie.hpp"
+#include "forces/laws/tabulated.hpp"
+#include "polhode/forces/laws/mixing.hpp"
+#include "polhode/model/molecule.hpp"
+
+namespace polhode {
+
+template <class T = double>
+class ShortRange {
+ public:
+  using Law = std::variant<LennardJones<T>, Mie<T>, Buckingham<T>, Tabulated<T>>;
+
+  ShortRange() = default;
+  template <class Chosen>
+  explicit ShortRange(Chosen law) : law_(std::move(law)) {}
+
+  bool is_lennard_jones() const { return std::holds_alternative<LennardJones<T>>(law_); }
+  bool is_zero() const { return is_lennard_jones() && lennard_jones().c12 == 0; }
+  ShortRange<float> rounded() const {
+    return std::visit([](const auto& law) { return ShortRange<float>(law.rounded()); }, law_);
+  }
+  /// The Lennard-Jones law; the law must be of this kind.
+  LennardJones<T> lennard_jones() const { return std::get<LennardJones<T>>(law_); }
+
+  template <class Real>
+  PairValue<Real> operator()(const InversePowers<Real>& inverse_r, Real r2) const {
+    return std::visit([&](const auto& law) { return law(inverse_r, r2); }, law_);
+  }
+  double integral_beyond(double a) const {
+    return std::visit([&](const auto& law) { return law.integral_beyond(a); }, law_);
+  }
+
+ private:
+  Law law_;
+};
+
+/// The law with the parameters of a site, or of a pair.
+ShortRange<double> short_range(double sigma, double epsilon, const ShortRangeLaw& law);
+
+/// The law of two sites by mixing their own, where one of them may be zero:
+/// σ and ε by the rule, the parameters of the law as its mixed() says.
+/// @throws Error  if the laws are of different kinds, or have different tables
+ShortRange<double> mix(const Site& a, const Site& b, MixingRule rule);
+
+}  // namespace polhode

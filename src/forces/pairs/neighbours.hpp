@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// The neighbour list: all pairs of bodies, each with its periodic image, whose centres are closer
+// than the range of their interaction plus a skin. The list is valid until a centre has moved by
+// half the skin since the last build: until then, no two centres have approached each other by more
+// than the skin. Rotation does not matter, since it leaves the centre where it is.
+//
+// The partners of a body form its row, which fills whole packs. Each pair is listed once, in the
+// row of the body from which the other is ahead in the cyclic order of slots. A row whose last pack
+// would be partly empty hands the surplus pairs to the rows of those partners, if they come later,
+// so that nearly all lanes are used. Partners that are certain to stay inside the switching
+// distance while the list is valid come first in a row: their pairs need no truncation.
+//
+// Bodies of the last parts of a topology may be ghosts, copies of bodies that another list belongs
+// to: they are partners of other bodies and have no rows.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/instruction_set.hpp"
+#include "forces/pairs/slot_tree.hpp"
+#include "polhode/base/workers.hpp"
+#include "polhode/forces/laws/settings.hpp"
+
+namespace polhode {
+
+/// A partner in the list: its slot and its periodic image, packed into one word. The image is a
+/// shift by −1, 0 or 1 box edges in each direction, two bits each.
+class Neighbour {
+ public:
+  using Image = Vec3<int>;
+  static constexpr std::uint32_t slot_bits = 26;
+  static constexpr std::uint32_t slot_mask = (1u << slot_bits) - 1;
+
+  Neighbour(std::uint32_t slot, const Image& image) : word_(slot | bits(image)) {}
+  explicit Neighbour(std::uint32_t word) : word_(word) {}
+  std::uint32_t word() const { return word_; }
+  std::uint32_t slot() const { return word_ & slot_mask; }
+  Image image() const { return {edges(0), edges(1), edges(2)}; }
+
+  /// The image given to padding lanes, too far away to interact. Along x, two bodies in the box are
+  /// less than one edge plus the skin apart; shifted by two edges they are more than one edge minus
+  /// the skin apart, which exceeds every range. This also holds in fixed point, which wraps around
+  /// after four edges.
+  static constexpr Image nowhere{-2, 0, 0};
+
+  /// The bits of an image; those of direction d are the two highest bits of word << 2 d.
+  static constexpr std::uint32_t bits(const Image& image) {
+    const auto two = [](int edges) { return static_cast<std::uint32_t>(edges) & 3u; };
+    return two(image.x) << 30 | two(image.y) << 28 | two(image.z) << 26;
+  }
+  static constexpr std::uint32_t top_bits = 3u << 30;
+
+ private:
+  int edges(std::size_t d) const { return static_cast<std::int32_t>(word_ << 2 * d) >> 30; }
+  std::uint32_t word_;
+};
+
+/// Consecutive slots of one molecule type, starting at `first` and wrapping around cyclically.
+struct SlotWindow {
+  std::uint32_t first = 0, count = 0;
+};
+
+/// Some slots of one molecule type with their rows: the unit of work.
+struct ListChunk {
+  struct Row {
+    std::uint32_t begin, truncated, end;  ///< indices of entries; from `ending` on, pairs may need
+                                          ///< truncation
+  };
+  std::uint32_t part = 0, first = 0, end = 0;  ///< slots first ≤ s < end
+  std::vector<Row> rows;                       ///< [slot − first, partner part − part]
+  std::vector<std::uint32_t> entries;          ///< words of Neighbour
+  std::uint32_t max_row = 0;                   ///< entries in the longest row
+  std::vector<SlotWindow> windows;             ///< per part: the slots that occur in this chunk;
+                                               ///< empty for ghosts
+  const Row& row(std::size_t slot, std::size_t partner_part, std::size_t parts) const {
+    return rows[(slot - first) * (parts - part) + (partner_part - part)];
+  }
+};
+
+/// Ranges of the squared distance between the centres of two molecule types [nm²].
+struct PairRange {
+  double listed2;  ///< pairs within it are listed
+  double inside2;  ///< pairs within it stay inside the switching distance while the list is valid
+};
+
+class NeighbourList {
+ public:
+  /// @param topology     its sites determine the extent of each molecule type about its centre
+  /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts
+  /// @throws Error       if the box is too small for the cutoff plus the extent of the molecules,
+  /// or
+  ///                     has more bodies than the list can address
+  NeighbourList(const Topology& topology, const ForceSettings& settings, const Box& box,
+                std::size_t ghost_parts = 0);
+
+  /// Sets another box, with the topology and settings of the constructor. The list has to be built
+  /// before it is used again.
+  /// @throws Error  if the box is too small; the list is then unchanged
+  void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
+
+  /// Rebuilds the list from the positions, with rows in packs of `width` pairs.
+  /// @throws RunError  if a position is not finite
+  void build(const State& state, std::size_t width, Workers& workers = Workers::serial());
+
+  const Box& box() const { return box_; }
+  const Slots& slots() const { return slots_; }
+  const std::vector<ListChunk>& chunks() const { return chunks_; }
+  /// Whether the bodies of a part are ghosts.
+  bool is_ghost(std::size_t part) const { return part >= own_parts_; }
+
+  /// Squared displacement since the last build up to which the list is valid [nm²].
+  double allowed2() const { return allowed2_; }
+  /// The pack width it was built for; 0 before the first build in the present box.
+  std::size_t width() const { return width_; }
+
+  std::size_t rebuilds() const { return rebuilds_; }
+  std::size_t lanes() const;                   ///< in all packs, padding included
+  double seconds() const { return seconds_; }  ///< wall-clock time spent in build()
+
+ private:
+  void reserve_rows();
+
+  Box box_{};
+  std::vector<PairRange> ranges_;  // [part a, part b]
+  double allowed2_ = 0;
+  std::size_t own_parts_;  // the others are ghosts
+  Slots slots_;
+  SlotTree tree_;
+  std::vector<ListChunk> chunks_;
+  std::size_t width_ = 0;
+  std::size_t rebuilds_ = 0;
+  double seconds_ = 0;
+};
+
+/// Input of the search for partners.
+struct ListJob {
+  const Box& box;
+  const Slots& slots;
+  const SlotTree& tree;                  ///< of these slots
+  const std::vector<PairRange>& ranges;  ///< [part a, part b]
+  std::size_t width;                     ///< pairs per pack
+  std::size_t own_parts;                 ///< the parts after these are ghosts
+};
+
+POLHODE_DECLARE_LOOPS(
+    /// Fills the rows of a chunk.
+    void find_partners(const ListJob& job, ListChunk& chunk);)
+
+}  // namespace polhode

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+// A force evaluation over the neighbour list in one precision: place the sites, sum the pairs chunk
+// by chunk, add the mesh contribution, and reduce the sums.
+#pragma once
+
+#include <memory>
+#include <variant>
+#include <vector>
+
+#include "forces/mesh/particle_mesh.hpp"
+#include "forces/pairs/neighbours.hpp"
+#include "forces/pairs/pair_loops.hpp"
+#include "forces/pairs/pair_table.hpp"
+#include "polhode/base/workers.hpp"
+#include "polhode/model/load.hpp"
+#include "polhode/model/state.hpp"
+
+namespace polhode {
+
+/// @tparam T  precision of the pairs: double or float
+template <class T>
+class PairEngine {
+ public:
+  /// @param ghost_parts  how many parts of the topology, the last ones, are ghosts: copies of
+  ///                     bodies that another engine computes. Ghosts do not interact with each
+  ///                     other, the forces on them are not computed, and of the energy and the
+  ///                     virial of a pair with a ghost half is counted.
+  PairEngine(const Topology& topology, const ForceSettings& settings, const Box& box,
+             Workers& workers, std::size_t ghost_parts = 0);
+
+  /// Sets another box, with the topology and settings of the constructor, of which only the mesh
+  /// may differ.
+  /// @throws Error  if the box is too small
+  void set_box(const Topology& topology, const ForceSettings& settings, const Box& box);
+
+  /// Forces and torques of a state, whose box must be the one that was set; energies and virial too
+  /// if `energies`, otherwise 0. With PME
+  /// the settings must contain a mesh; terms that do not depend on positions are not included.
+  void operator()(const State& state, Load& load, bool energies);
+
+  /// The derivative of forces and torques along a displacement of all bodies: centres move by dq
+  /// [nm], attitudes rotate by dtheta [rad], body frame. Energies and virial are set to 0. The list
+  /// is reused, and so is the mesh potential if this was the state of the last evaluation.
+  void derivative(const State& state, const Vec3Column& dq, const Vec3Column& dtheta, Load& slope);
+
+  const NeighbourList& neighbours() const { return list_; }
+  /// Builds the list from the positions of a state.
+  void build_list(const State& state);
+
+ private:
+  void update(const State& state);
+  double place(const State& state);
+  void displace(const State& state, const Vec3Column& dq, const Vec3Column& dtheta);
+  template <class Body>
+  void each_task_of_slots(const Body& body);
+  void prepare_sums();
+  void clear(const State& state, Load& load);
+  using PairLoop = void (*)(const PairJob<T>&);
+  void sum_pairs(PairLoop loop, bool energies, const SiteRecords<T>* displacements, Load& load);
+  void sum_chunk(std::size_t chunk, PairLoop loop, bool energies,
+                 const SiteRecords<T>* displacements);
+  void collect(std::size_t chunk, Load& load) const;
+
+  Workers& workers_;
+  CutoffTreatment treatment_;
+  PairTables tables_;
+  PairLaws<T> laws_;
+  NeighbourList list_;
+  std::vector<std::vector<Vec3<double>>> sites_;  // per part, in the order of InteractionSites
+  SiteRecords<T> records_;
+  SiteRecords<T> displacements_, records_before_;  // allocated when derivatives are first requested
+  std::unique_ptr<ParticleMesh<T>> mesh_;          // null without PME
+  Column<T> mesh_sums_;                            // of all slots, as in ChunkSums
+  std::vector<ChunkSums<T>> sums_;                 // of each chunk
+  std::vector<double> moved2_;                     // of each task of place()
+};
+
+/// An engine in the precision of the settings.
+struct AnyPairEngine {
+  std::variant<PairEngine<double>, PairEngine<float>> in_precision;
+
+  /// Calls a function of the engine.
+  template <class Function>
+  decltype(auto) call(Function&& function) {
+    return std::visit(function, in_precision);
+  }
+};
+
+/// Arguments as those of PairEngine.
+std::unique_ptr<AnyPairEngine> pair_engine(const Topology& topology, const ForceSettings& settings,
+                                           const Box& box, Workers& workers,
+                                           std::size_t ghost_parts = 0);
+
+}  // namespace polhode

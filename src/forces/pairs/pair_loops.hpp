@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// The loops of a force evaluation, compiled once per instruction set.
+#pragma once
+
+#include "base/instruction_set.hpp"
+#include "forces/pairs/molecule_pair.hpp"
+#include "forces/pairs/neighbours.hpp"
+#include "forces/pairs/pair_table.hpp"
+#include "polhode/base/column.hpp"
+#include "polhode/model/load.hpp"
+
+namespace polhode {
+
+/// Positions of bodies and their sites, one record per slot: three numbers for the centre in the
+/// box, then x, y, z of each site relative to the centre, lab frame [nm]. In double precision
+/// centres are in nm; in single precision they are in fixed point, 2³⁰ to a box edge, stored as the
+/// bits of a float, so that differences of centres are exact before they are rounded.
+template <class T>
+struct SiteRecords {
+  std::size_t stride = 0;  ///< numbers per record; records are aligned for packs
+  Column<T> values;
+
+  SiteRecords() = default;
+  SiteRecords(std::size_t slots, std::size_t max_sites_of_any)
+      : stride(Column<T>::padded(3 + 3 * max_sites_of_any)), values(slots * stride) {}
+  T* of(std::size_t slot) { return &values[slot * stride]; }
+  const T* of(std::size_t slot) const { return &values[slot * stride]; }
+};
+
+/// Sums of forces [kJ/mol/nm] and torques [kJ/mol] from one chunk of the list, for the slots in its
+/// windows, so not for ghosts. They have the precision of the pairs: each sum has a few hundred
+/// terms, whose own rounding outweighs that of the sum. Sums over chunks are in double.
+template <class T>
+struct ChunkSums {
+  static constexpr std::size_t stride = 8;  ///< force, torque, and two numbers that stay 0
+  Column<T> values;
+  std::vector<std::size_t> first;  ///< of each part: its first record
+  double van_der_waals = 0, coulomb = 0;
+  Mat3<double> virial{};
+};
+
+/// A chunk and the partners of one molecule type.
+template <class T>
+struct PairJob {
+  const PairTable& table;
+  const PairLaws<T>& laws;
+  CutoffTreatment treatment;
+  bool energies;  ///< whether energies and the virial are computed
+  const NeighbourList& list;
+  const ListChunk& chunk;
+  std::size_t partner_part;
+  const SiteRecords<T>& records;
+  ChunkSums<T>& sums;
+  /// For derivatives: displacements of centres and of sites relative to them, laid out as the
+  /// records.
+  const SiteRecords<T>* displacements = nullptr;
+};
+
+/// Bodies of one molecule type whose sites are to be placed.
+template <class T>
+struct PlaceJob {
+  const State& state;
+  const Slots& slots;
+  const std::vector<Vec3<double>>& sites;  ///< in the order of InteractionSites, body frame [nm]
+  std::size_t first, end;                  ///< slots, multiples of slot_block
+  SiteRecords<T>& records;
+};
+
+/// Their displacements.
+template <class T>
+struct DisplaceJob {
+  const State& state;
+  const Slots& slots;
+  const std::vector<Vec3<double>>& sites;  ///< as in PlaceJob
+  std::size_t first, end;
+  const Vec3Column &dq, &dtheta;  ///< of centres [nm], lab; of attitudes [rad], body frame
+  SiteRecords<T>& displacements;
+};
+
+POLHODE_DECLARE_LOOPS(
+    /// Fills the records of a job's slots; returns the square of the largest displacement since the
+    /// list was built [nm²].
+    double place_sites(const PlaceJob<double>& job); double place_sites(const PlaceJob<float>& job);
+    /// Fills the records of displacements of a job's slots.
+    void displace_sites(const DisplaceJob<double>& job);
+    void displace_sites(const DisplaceJob<float>& job);
+    /// Adds the forces, torques and, if requested, energies and virial of a job's pairs to its
+    /// sums.
+    void pair_forces(const PairJob<double>& job); void pair_forces(const PairJob<float>& job);
+    /// Adds the derivatives of forces and torques of a job's pairs along its displacements to its
+    /// sums.
+    void pair_derivative(const PairJob<double>& job);
+    void pair_derivative(const PairJob<float>& job);
+    /// The number of pairs in a pack.
+    std::size_t pair_lanes(const PairJob<double>*); std::size_t pair_lanes(const PairJob<float>*);)
+
+}  // namespace polhode

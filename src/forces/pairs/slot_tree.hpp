@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// A tree of bounding boxes over the slots of each molecule type, for the search for partners. Slots
+// are in the order of cells, so that consecutive slots are close in space: a leaf bounds a few of
+// them, and a node the leaves or nodes below it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "forces/pairs/cells.hpp"
+#include "polhode/base/column.hpp"
+
+namespace polhode {
+
+/// Fixed-point units per box edge, chosen so that images on both sides fit into 32 bits.
+inline constexpr std::int64_t fixed_point_edge = 1 << 30;
+
+/// Boxes of one level of a tree. Empty ones, which are in range of nothing, follow the last one up
+/// to a multiple of SlotTree::fanout.
+struct BoxLevel {
+  std::size_t size = 0;
+  std::array<std::vector<std::int32_t>, 3> centre;  ///< in fixed point
+  std::array<Column<float>, 3> half;                ///< half of the edges [nm], rounded up
+
+  explicit BoxLevel(std::size_t boxes);
+  void set(std::size_t k, const Vec3<double>& low, const Vec3<double>& high, const Box& box);
+};
+
+class SlotTree {
+ public:
+  static constexpr std::size_t leaf = 16;    ///< slots in a leaf
+  static constexpr std::size_t fanout = 16;  ///< boxes below a node
+
+  explicit SlotTree(const Slots& slots);
+
+  /// Bounds the slots where they are now.
+  void update(const Slots& slots, const Box& box, Workers& workers);
+
+  /// The levels of the tree of a molecule type, leaves first; the last one has at most `fanout`
+  /// boxes.
+  const std::vector<BoxLevel>& levels(std::size_t part) const { return trees_[part]; }
+  /// Positions relative to the centre of the slot's leaf [nm]; unused slots are far away.
+  const std::array<Column<float>, 3>& in_leaf() const { return in_leaf_; }
+
+ private:
+  void bound_leaf(std::size_t part, std::size_t k, const Slots& slots, const Box& box);
+
+  std::vector<std::vector<BoxLevel>> trees_;
+  std::array<Column<float>, 3> in_leaf_;
+};
+
+}  // namespace polhode

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Polynomials by Horner's rule, one coefficient at a time, so that a loop can advance several of
+// them in step.
+#pragma once
+
+#include "math/dual.hpp"
+
+namespace polhode {
+
+/// Σ cₙ yⁿ, with the coefficients supplied from the highest down.
+template <class Real>
+class Polynomial {
+ public:
+  Polynomial() = default;
+  explicit Polynomial(Real highest) : sum_(highest) {}
+  void step(Real y, Real c) { sum_ = sum_ * y + c; }
+  /// To be called after the last coefficient.
+  Real value(Real) const { return sum_; }
+
+ private:
+  Real sum_{};
+};
+
+/// The derivative is accumulated together with the sum by the same rule and multiplied by the slope
+/// of y at the end.
+template <class Real>
+class Polynomial<Dual<Real>> {
+ public:
+  Polynomial() = default;
+  explicit Polynomial(Real highest) : sum_(highest) {}
+  void step(const Dual<Real>& y, Real c) {
+    derivative_ = derivative_ * y.value + sum_;
+    sum_ = sum_ * y.value + c;
+  }
+  Dual<Real> value(const Dual<Real>& y) const { return {sum_, derivative_ * y.slope}; }
+
+ private:
+  Real sum_{}, derivative_{};
+};
+
+}  // namespace polhode

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Pairs of close items in a periodic box, for computations outside the time step. Two searches have
+// cells of their own: the neighbour list, whose rows of cells become packs (forces/pairs/cells),
+// and the check of overlaps, whose range is so short that nearly all cells would be empty.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/counting_sort.hpp"
+#include "model/cell_width.hpp"
+#include "model/wrap.hpp"
+
+namespace polhode {
+
+/// Items sorted by cells that are at least as wide as a range: those closer than the range are in
+/// the same cell or in neighbouring ones.
+///
+/// @tparam Item  has a position `r` [nm], which may be outside the box
+template <class Item>
+class CellList {
+ public:
+  /// At most as many cells as items, or 27.
+  CellList(const std::vector<Item>& items, const Box& box, double range) : items_(items.size()) {
+    const double width = cell_width(box, range, std::max(27.0, static_cast<double>(items.size())));
+    for (std::size_t d = 0; d < 3; ++d)
+      cells_[d] = std::max<std::size_t>(1, static_cast<std::size_t>(box.edge[d] / width));
+    ends_.resize(cells_[0] * cells_[1] * cells_[2]);
+    const auto each = [&](const auto& visit) {
+      for (const Item& item : items) visit(cell_of(item.r, box), item);
+    };
+    counting_sort(ends_, 0, each,
+                  [&](std::uint32_t place, const Item& item) { items_[place] = item; });
+    for (std::size_t cell = 0; cell < ends_.size(); ++cell)
+      later_.push_back(later_neighbours(cell));
+  }
+
+  /// Calls visit(a, b) once for each pair in the same or in neighbouring cells.
+  /// @param share, shares  visits only this one of several shares of the pairs
+  template <class Visit>
+  void each_pair(const Visit& visit, std::size_t share = 0, std::size_t shares = 1) const {
+    for (std::size_t cell = 0; cell < ends_.size(); ++cell)
+      for (const std::size_t other : later_[cell])
+        for (std::size_t a = begin_of(ends_, cell); a < ends_[cell]; ++a) {
+          if (a % shares != share) continue;
+          for (std::size_t b = other == cell ? a + 1 : begin_of(ends_, other); b < ends_[other];
+               ++b)
+            visit(items_[a], items_[b]);
+        }
+  }
+
+ private:
+  std::size_t cell_of(const Vec3<double>& r, const Box& box) const {
+    std::size_t cell = 0;
+    for (std::size_t d = 3; d-- > 0;) {
+      const double c = wrapped(r[d], box.edge[d]) / box.edge[d] * static_cast<double>(cells_[d]);
+      cell = cell * cells_[d] + std::min(static_cast<std::size_t>(c), cells_[d] - 1);
+    }
+    return cell;
+  }
+
+  // The cell itself and its neighbours with higher numbers, each once even if a small box has few.
+  std::vector<std::size_t> later_neighbours(std::size_t cell) const {
+    const std::array at = {cell % cells_[0], cell / cells_[0] % cells_[1],
+                           cell / (cells_[0] * cells_[1])};
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < 27; ++k) {
+      const auto along = [&](std::size_t d, std::size_t step) {
+        return (at[d] + cells_[d] + step - 1) % cells_[d];
+      };
+      const std::size_t other =
+          (along(2, k / 9) * cells_[1] + along(1, k / 3 % 3)) * cells_[0] + along(0, k % 3);
+      if (other >= cell) found.push_back(other);
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+  }
+
+  std::array<std::size_t, 3> cells_;
+  std::vector<Item> items_;
+  std::vector<std::uint32_t> ends_;              // one past the last item of each cell
+  std::vector<std::vector<std::size_t>> later_;  // neighbours of each cell
+};
+
+}  // namespace polhode

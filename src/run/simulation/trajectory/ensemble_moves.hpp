@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// What a run does besides steps of its scheme: the bath, moves of the box, and the draws and
+// decisions of hybrid Monte Carlo.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "ensemble/thermostat.hpp"
+#include "polhode/ensemble/barostat.hpp"
+#include "polhode/ensemble/hybrid_monte_carlo.hpp"
+#include "polhode/run/simulation/system/system.hpp"
+#include "polhode/run/simulation/trajectory/trajectory.hpp"
+#include "polhode/run/simulation/trajectory/trajectory_settings.hpp"
+
+namespace polhode {
+
+/// Thermostat, barostat and hybrid Monte Carlo of a run; at constant energy there is none of them.
+class EnsembleMoves {
+ public:
+  /// @param system, workers  kept by reference
+  /// @throws Error  if the scheme does not suit: see check_ensemble()
+  EnsembleMoves(const System& system, const TrajectorySettings& settings, Workers& workers);
+  EnsembleMoves(const EnsembleMoves&) = delete;
+  EnsembleMoves& operator=(const EnsembleMoves&) = delete;
+
+  /// The bath of the scheme: a reference for an Integrator.
+  struct Bath {
+    EnsembleMoves* moves;
+    void operator()(State& state, double t, StageNumber at) const;
+  };
+  Bath bath() { return {this}; }
+
+  /// Whether energies are required after step number `steps`, counted from 1.
+  bool due(std::size_t steps) const { return decides(steps) || moves_box(steps); }
+
+  /// Before a step: draws momenta if a trajectory of hybrid Monte Carlo begins.
+  /// @param load  returns that of the state, with energies
+  template <class LoadOf>
+  void before_step(State& state, std::size_t steps, const LoadOf& load) {
+    if (hybrid_ && steps % hybrid_->steps() == 0) hybrid_->begin(state, load(), steps);
+  }
+
+  /// After a step for which due() was true.
+  /// @param load  of the state, with energies; afterwards that of the new state
+  /// @return  whether positions or the box have changed
+  bool after_step(State& state, std::size_t steps, Load& load, const Barostat::Evaluate& evaluate);
+
+  EnsembleMemory memory() const;
+  void resume_from(const EnsembleMemory& memory);
+  double exchanged() const { return memory().exchanged(); }
+
+ private:
+  bool decides(std::size_t steps) const { return hybrid_ && steps % hybrid_->steps() == 0; }
+  bool moves_box(std::size_t steps) const { return barostat_ && steps % steps_per_move_ == 0; }
+
+  std::optional<Thermostat> thermostat_;
+  std::optional<Barostat> barostat_;
+  std::optional<HybridMonteCarlo> hybrid_;
+  std::size_t steps_per_move_ = 0;
+};
+
+/// @throws Error  unless thermostat, barostat and hybrid Monte Carlo suit each other and the scheme
+void check_ensemble(const TrajectorySettings& settings);
+
+}  // namespace polhode

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// A study with its outputs: the record of its runs, tables, JSON and a figure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "polhode/run/outputs.hpp"
+#include "run/study/claims.hpp"
+#include "run/study/equipartition.hpp"
+
+namespace polhode {
+
+struct StudyFiles {
+  std::string prefix, runs, points, json, script, svg, png;
+
+  explicit StudyFiles(const std::string& common)
+      : prefix(common),
+        runs(prefix + "-runs.csv"),
+        points(prefix + ".csv"),
+        json(prefix + ".json"),
+        script(prefix + ".gp"),
+        svg(prefix + ".svg"),
+        png(prefix + ".png") {}
+  /// All files except the record.
+  std::vector<std::string> tables() const { return {points, json, script, svg, png}; }
+  std::vector<std::string> all() const { return {points, runs, json, script, svg, png}; }
+};
+
+/// The results of the runs of a study.
+struct StudyReport {
+  Config config;
+  std::vector<EfficiencyPoint> points;
+  std::vector<Curve> curves;
+  std::vector<Guideline> guidelines;
+  std::vector<Claim> claims;
+  std::vector<EquipartitionFit> equipartition;
+  std::vector<std::string> files{};  ///< that were written
+  bool interrupted = false;          ///< before all runs were done
+
+  StudyReport(const Config& config, const std::vector<EfficiencyPoint>& points);
+};
+
+/// Performs a study and writes its record, tables and figure. The runs of a record that exists are
+/// not repeated, unless existing files are to be replaced: a study that was interrupted resumes.
+/// @param prefix  of the output files
+/// @throws Error  before anything is computed, if a setting does not fit, or outputs of another
+///                study exist
+StudyReport run_study(const Config& config, const std::string& prefix = "study",
+                      const OutputOptions& options = {}, const Callbacks& callbacks = {},
+                      Workers& workers = Workers::serial());
+
+/// Tables and figure of an existing record, made by any version, without new runs.
+/// @throws Error  as run_study(), or if there is no such record
+StudyReport report_study_record(const Config& config, const std::string& record,
+                                const std::string& prefix = "study",
+                                const OutputOptions& options = {}, const Callbacks& callbacks = {});
+
+/// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
+std::string study_json(const StudyReport& report);
+
+/// Cutoff, initial configuration, runs and energies of a study, in a sentence.
+std::string conditions(const Config& config);
+
+/// "for R = 0.5 % use SCHEME at H fs: N force evaluations per ps, X times fewer than velocity
+/// Verlet"
+std::string advice(const StudyReport& report, double ratio);
+
+}  // namespace polhode
