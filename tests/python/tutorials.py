@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The tutorials and the manual's page: the code of each page runs in order, in a folder of its own."""
+"""The tutorials and all other pages with Python: the code of each page runs in order, in a folder of its own."""
 
 import os
 import re
@@ -59,8 +59,11 @@ class Tutorials(unittest.TestCase):
                              page.name)
 
 
-for path in (*PAGES, DOCS / "manual" / "python.md"):
-    setattr(Tutorials, f"test_{path.stem.replace('-', '_')}", make_test(path))
+OTHERS = [p for p in (DOCS.parent / "README.md", *sorted(DOCS.rglob("*.md")))
+          if p not in PAGES and CELL.search(p.read_text(encoding="utf-8"))]
+
+for path in (*PAGES, *OTHERS):
+    setattr(Tutorials, f"test_{path.relative_to(DOCS.parent).with_suffix('').as_posix().replace('-', '_')}", make_test(path))
 
 if __name__ == "__main__":
     package.main()
