@@ -30,14 +30,31 @@ no-such-command
 """
 BIBLIOGRAPHY = "@book{one1990,\n  author = {A, B},\n  title = {C},\n  publisher = {D},\n  year = {1990}\n}\n"
 TREE = "# Start\n\n```{toctree}\n:hidden:\n\n%s\n```\n"
-PAGES = "docs/api/python\ndocs/bibliography\ndocs/theory\ndocs/theory-rotor"
+MANUAL = ("dictionary", "ensembles", "gromacs", "messages", "molecule-files", "run-files")
+PAGES = "\n".join(("docs/api/python", "docs/bibliography", *(f"docs/manual/{name}" for name in MANUAL), "docs/tasks/one", "docs/theory",
+                   "docs/theory-rotor"))
+WARNINGS = '''// "no kind
+Warning walk(double R) {
+  return {"walk", R};
+}
+std::optional<Warning> drift(double rate) {
+  return Warning{"drift", rate, format("the energy drifts "
+                                       "by {:.3g} K, too {}", rate, '"' ? "much" : "little")};
+}
+'''
 EQUATION = "```math\n1 = 1 \\tag{%s}\n```\n"
 FILES = {  # a sound project besides its README
+    **{f"docs/manual/{name}.md": "# Keys\n\n`step`\n" for name in MANUAL},
     "docs/references.bib": BIBLIOGRAPHY,
     "docs/bibliography.md": "# Bibliography\n\nMade from [references.bib](references.bib) by `tests/docs/bibliography.py --write`.\n\n"
                             "### one1990\n\nB. A, *C*, D (1990)\n",
     "docs/theory.md": EQUATION % 1 + EQUATION % 2,
     "docs/theory-rotor.md": EQUATION % "R1",
+    "docs/tasks/one.md": "# One\n\n```sh\npolhode 3 +- 1e-3 K, 7; polhode end\n```\n\n<!-- output -->\n```text\n4   +- 0.2 K...\nend\n```\n",
+    "docs/manual/messages.md": "# Messages\n\n### `drift`\n\n> the energy drifts by 3 K, too much\n\n### `walk`\n",
+    "src/warnings.cpp": WARNINGS,
+    "src/io/gromacs/mdp.cpp": 'mdp_.number("dt", 1)',
+    "docs/manual/dictionary.md": "# Dictionary\n\n| `.mdp` | polhode | |\n| --- | --- | --- |\n| `dt` | `step = \"2 fs\"` | |\n",
     "docs/site/index.md": TREE % PAGES,
     "docs/api/python.md": "# Python\n\n```{eval-rst}\n.. autofunction:: run\n```\n",
     "python/polhode/__init__.py": "__all__ = [\"run\"]\n",
@@ -45,6 +62,8 @@ FILES = {  # a sound project besides its README
 FAULTS = [  # test, text added to the document, what the output must name
     ("run_commands", "```sh\npolhode run\npolhode wrong\ntrue\n```\n", "README.md:22: exit code 1"),
     ("run_commands", "```sh\ncat missing.toml | cat\n```\n", "README.md:21: exit code 1"),
+    ("run_commands", "```sh\npolhode 3.5 K\n```\n<!-- output -->\n```text\n-4e-5 J\n```\n", "README.md:25: '-4e-5 J' is not in this output"),
+    ("run_commands", "```sh\npolhode 1 K; polhode 2 J\n```\n<!-- output -->\n```text\n2 J\n1 K\n```\n", "README.md:25: '1 K' is not in this output"),
     ("links", "[there](docs/nowhere.md)\n", "README.md:20: docs/nowhere.md"),
     ("links", "[there](#nowhere)\n", "README.md:20: no heading #nowhere"),
     ("links", "[two1990]: docs/bibliography.md#two1990\n", "README.md:20: no heading #two1990"),
@@ -71,6 +90,11 @@ FILE_FAULTS = [  # test, file, the whole of it, what the output must name
     ("site", "docs/site/index.md", TREE % (PAGES + "\ndocs/nowhere"), "there is no page docs/nowhere.md"),
     ("site", "docs/site/index.md", TREE % (PAGES + "\ndocs/theory"), "docs/theory is listed 2 times"),
     ("site", "python/polhode/__init__.py", "__all__ = [\"run\", \"stop\"]\n", "differ in stop"),
+    ("messages", "src/warnings.cpp", WARNINGS.replace('"drift"', '"R"'), "has no section ### `R`"),
+    ("messages", "src/warnings.cpp", WARNINGS.replace('"walk"', '"R"'), "explains `walk`, and the source has no such warning"),
+    ("messages", "src/warnings.cpp", WARNINGS.replace("too {}", "far too {}"), "docs/manual/messages.md:5: the source has no text like this"),
+    ("dictionary", "src/io/gromacs/mdp.cpp", 'time_of("nsteps", 1)', "dictionary.md lacks nsteps"),
+    ("dictionary", "docs/manual/dictionary.md", "| `dt` | `time_step` | |\n", "run files have no key time_step"),
     ("equations", "docs/theory.md", EQUATION % 1 + "```math\n1 = 1\n```\n", "docs/theory.md: equations are not numbered"),
 ]
 
