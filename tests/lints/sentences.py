@@ -22,7 +22,7 @@ PATTERNS = {  # what is counted: pattern, what to write
 BEGINNING = re.compile(r"(?:The same|Those|That|Likewise|Also|As above|Ditto)\b(?! (?:is|are|has|have|can|must)\b)")
 BUDGETS = {"long": 249, "that of": 184, "with N fs": 0, "N times fewer": 0, "no sentence": 32}
 
-CODE = re.compile(r"^```.*?^```|<!--.*?-->|\]\([^)\s]*\)|^\[\w+\]: .*$", re.S | re.M)
+CODE = re.compile(r"^```.*?^```|^> .*?$|<!--.*?-->|\]\([^)\s]*\)|^\[\w+\]: .*$", re.S | re.M)
 WORD = re.compile(r"`[^`\n]+`|\$[^$\n]+\$")  # one word each
 # What separates paragraphs: an empty line, and what begins an item, a heading, a row of a table or a tag of a doc comment.
 PARAGRAPH = re.compile(r"\n[ \t]*(?=\n|[-*#|] ?|\d+\. |@\w)")
