@@ -2,7 +2,7 @@
 """Sentences of documents, and of the doc comments of include/, are short and say what they mean.
 
 Long sentences and four patterns are counted. Each count has a budget, which is lowered when sentences become better and never raised.
-A guide, a page of docs/ with evidence of the same name, has none of them.
+A guide has none of them: a page of docs/ with evidence of the same name, a task, the quick start.
 """
 
 import re
@@ -65,7 +65,7 @@ def check(root):
     counted = defaultdict(list)
     for path in files(root, (".md", ".hpp"), ("docs", "include")):
         name, text = path.relative_to(root).as_posix(), path.read_text(encoding="utf-8")
-        is_guide = (root / "docs/evidence" / path.name).exists() and path.parent == root / "docs"
+        is_guide = name.startswith(("docs/tasks/", "docs/quick-start")) or (path.parent.name == "docs" and (root / "docs/evidence" / path.name).exists())
         for kind, place, better in findings_of(path.suffix, text) if name not in NOT_CHECKED else ():
             counted["guide" if is_guide else kind].append((path, line_of(text, place), better))
     for kind, found in counted.items():
