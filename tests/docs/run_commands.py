@@ -3,7 +3,8 @@
 
 Per document, in order, in an empty folder where `polhode` is the built program and POLHODE the folder of the project:
 a block fenced as ```sh is run by bash and stops at the first command that fails; ```sh no-run is
-skipped (set-up, long studies); any other block below `<!-- file: NAME -->` is written to NAME. Each line of a block below
+skipped (set-up, long studies); any other block below `<!-- file: NAME -->` is written to NAME, the first one of a name
+before all commands. Each line of a block below
 `<!-- output -->` must be in the output of the last commands, in this order, up to numbers and spaces; "..." is any text.
 """
 
@@ -81,9 +82,13 @@ def run_document(document, shown, program):
         (folder / "bin").mkdir()
         (folder / "here").mkdir()
         (folder / "bin/polhode").symlink_to(program)
+        all_blocks = list(blocks(document))
+        for block in reversed(all_blocks):
+            if block.file:
+                (folder / "here" / block.file).write_text(block.text, encoding="utf-8")
         count = wrong = 0
         output = ""
-        for block in blocks(document):
+        for block in all_blocks:
             if block.file:
                 (folder / "here" / block.file).write_text(block.text, encoding="utf-8")
             elif block.is_output:
