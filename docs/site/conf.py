@@ -53,9 +53,9 @@ class CodeCell(CodeBlock):
 
 
 def add_readme(app, name, source):
-    """The start page is README.md, with what docs/site/index.md has after its introduction."""
+    """The start page is README.md, with the doors of docs/site/index.md after what polhode is and why."""
     if name == "index":
-        introduction, heading, rest = (ROOT / "README.md").read_text(encoding="utf-8").partition("## Is it for you?")
+        introduction, heading, rest = (ROOT / "README.md").read_text(encoding="utf-8").partition("**For whom.**")
         source[0] = f"{introduction}{source[0]}\n{heading}{rest}"
 
 
