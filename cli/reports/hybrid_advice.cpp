@@ -3,43 +3,16 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
 #include <string>
 #include <vector>
 
 #include "../options/option_values.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
-#include "io/files/with_error.hpp"
-#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
+#include "reports.hpp"
 
 namespace polhode::cli {
-namespace {
-
-void print_choices(const char* title, const std::vector<HybridChoice>& choices) {
-  fmt::print("{}\n{:>8} {:>6} {:>13} {:>20} {:>20}\n", title, "step fs", "steps", "acceptance %",
-             "<exp(-dH/kT)>", "evaluations/sample");
-  for (const HybridChoice& c : choices) {
-    if (!std::isfinite(c.weight.value)) {
-      fmt::print("{:>8.3g} {:>6} {:>13}\n", c.step * units::fs_per_ps, c.steps, "a run blew up");
-      continue;
-    }
-    const auto& cost = c.evaluations_per_sample;
-    fmt::print("{:>8.3g} {:>6} {:>13.1f} {:>20} {:>20}\n", c.step * units::fs_per_ps, c.steps,
-               100 * c.acceptance.value, with_error(c.weight.value, c.weight.error),
-               cost ? with_error(cost->value, cost->error) : "-");
-  }
-}
-
-void print_advice(const HybridAdvice& advice) {
-  print_choices("pilot runs", advice.pilots);
-  print_choices("\nindependent, longer runs of the best", advice.finalists);
-  if (!advice.finalists.empty()) fmt::print("\n{}\n", answer(advice));
-}
-
-}  // namespace
-
 void HybridAdviceOptions::declare(Command& command) {
   command.add_option("--ensemble", ensemble,
                      "nvt: step and trajectory length of hybrid Monte Carlo; default: nve");
@@ -67,10 +40,7 @@ int advise_hybrid(const HybridAdviceOptions& options, const Config& config,
     log("interrupted before the search ended\n");
     return 130;
   }
-  if (json)
-    fmt::print("{}\n", hybrid_advice_json(advice));
-  else
-    print_advice(advice);
+  print_results(quantities(advice), json);
   if (advice.finalists.empty()) throw RunError(answer(advice));
   return 0;
 }

@@ -9,12 +9,13 @@
 #include "../options/criterion_options.hpp"
 #include "../options/job_options.hpp"
 #include "../options/option_values.hpp"
-#include "../reports/advise_report.hpp"
 #include "../reports/hybrid_advice.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "polhode/base/error.hpp"
+#include "run/adviser/advice_report.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -51,10 +52,7 @@ int advise(const Options& o) {
     log("interrupted before the search ended; no file was written\n");
     return 130;
   }
-  if (o.json)
-    fmt::print("{}\n", advice_json(report));
-  else
-    print_advice(report);
+  print_results(quantities(report), o.json);
   if (!report.advice.best) throw RunError(unreachable(report.advice, settings.criterion));
   return 0;
 }

@@ -8,12 +8,13 @@
 #include <vector>
 
 #include "../options/option_values.hpp"
-#include "../reports/bench_report.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "base/instruction_set.hpp"
 #include "base/threads.hpp"
+#include "run/benchmark/benchmark_report.hpp"
 
 namespace polhode::cli {
 namespace {
@@ -53,10 +54,7 @@ int bench(const Options& o) {
     log("interrupted before everything was measured\n");
     return 130;
   }
-  if (o.json)
-    fmt::print("{}\n", benchmark_json(result, computer));
-  else
-    print_benchmark(result, computer);
+  print_results(quantities(result, computer), o.json);
   return 0;
 }
 

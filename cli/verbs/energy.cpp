@@ -6,7 +6,6 @@
 #include <string>
 
 #include "../options/option_values.hpp"
-#include "../reports/energy_report.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
 #include "polhode/run/simulation/system/single_point.hpp"
@@ -19,11 +18,32 @@ struct Options {
   bool forces = false, gradient = false, json = false;
 };
 
+/// Forces and torques as CSV, all numbers with 17 digits.
+void print_loads(const SinglePoint& p) {
+  fmt::print("body,molecule,fx,fy,fz,taux,tauy,tauz{}\n",
+             p.derivative ? ",dfx,dfy,dfz,dtaux,dtauy,dtauz" : "");
+  const auto print = [](const Vec3<double>& v) {
+    fmt::print(",{:.17g},{:.17g},{:.17g}", v.x, v.y, v.z);
+  };
+  const System& system = p.system;
+  for (std::size_t i = 0; i < system.state.size(); ++i) {
+    fmt::print("{},{}", i + 1, system.topology.parts[system.bodies.part[i]].molecule.name);
+    print(p.load.f[i]);
+    print(p.load.tau[i]);
+    if (p.derivative) {
+      print(p.derivative->f[i]);
+      print(p.derivative->tau[i]);
+    }
+    fmt::print("\n");
+  }
+}
+
 int energy(const Options& o) {
   const Callbacks notes{.message = [](const std::string& text) { log("{}\n", text); }};
   const SinglePoint point = single_point(read_config_option(o.file), o.gradient, notes);
   const bool csv = o.forces || o.gradient;
-  const std::string text = o.json ? single_point_json(point) + "\n" : text_of(point);
+  const std::string text =
+      o.json ? json_text(quantities(point)) + "\n" : text_of(quantities(point));
   std::fputs(text.c_str(), csv ? stderr : stdout);
   if (csv) print_loads(point);
   return 0;

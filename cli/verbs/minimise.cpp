@@ -7,6 +7,7 @@
 
 #include "../options/job_options.hpp"
 #include "../options/option_values.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
@@ -39,22 +40,6 @@ MinimisationSettings make_settings(const Options& o) {
   return settings;
 }
 
-void print_text(const MinimisationReport& r) {
-  const Minimisation& m = r.minimisation;
-  const auto n = static_cast<double>(r.molecules);
-  fmt::print("{} molecules, {} steps, ended: {}\n\n", r.molecules, m.steps, reason(m.end));
-  fmt::print("                      before           after\n");
-  const auto row = [](const char* name, double before, double after, const std::string& unit) {
-    fmt::print("{:<20}  {:<15.7g}  {:.7g} {}\n", name, before, after, unit);
-  };
-  row("potential energy", m.before.potential / n, m.after.potential / n, "kJ/mol per molecule");
-  row("largest force", m.before.force, m.after.force,
-      fmt::format("kJ/mol/nm (bound {:g})", r.settings.force));
-  row("largest torque", m.before.torque, m.after.torque,
-      fmt::format("kJ/mol (bound {:g})", r.settings.torque));
-  print_files({r.file});
-}
-
 int minimise(const Options& o) {
   const MinimisationSettings settings = make_settings(o);
   Config config = o.config();
@@ -62,10 +47,8 @@ int minimise(const Options& o) {
   Workers workers = o.workers();
   const MinimisationReport report = minimise_configuration(
       config, settings, {existing_files(false, o.force)}, console(), workers);
-  if (o.json)
-    fmt::print("{}\n", minimisation_json(report));
-  else
-    print_text(report);
+  print_results(quantities(report), o.json);
+  if (!o.json) print_files({report.file});
   return report.minimisation.end == MinimisationEnd::stopped ? 130 : 0;
 }
 

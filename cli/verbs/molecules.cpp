@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // polhode molecules [NAME]: lists the built-in models, or describes one model.
-#include <fmt/core.h>
-
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "../reports/molecules_report.hpp"
+#include "../reports/reports.hpp"
 #include "../verbs.hpp"
 #include "run/listing/molecules.hpp"
 
@@ -25,12 +23,10 @@ Action molecules_verb(Command& command) {
   command.add_flag("--json", o->json, "print JSON");
   return [o] {
     const std::vector<Molecule> molecules = find_molecules(o->name);
-    if (o->json)
-      fmt::print("{}\n", molecules_json(molecules, !o->name.empty() && molecules.size() == 1));
-    else if (o->name.empty())
-      print_molecules(molecules);
+    if (o->name.empty() || (o->json && molecules.size() > 1))
+      print_results("molecules", records(molecules), o->json);
     else
-      for (const Molecule& molecule : molecules) print_molecule(molecule);
+      for (const Molecule& molecule : molecules) print_results(quantities(molecule), o->json);
     return 0;
   };
 }

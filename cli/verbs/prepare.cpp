@@ -8,7 +8,7 @@
 
 #include "../options/job_options.hpp"
 #include "../options/option_values.hpp"
-#include "../reports/prepare_report.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"

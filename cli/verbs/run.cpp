@@ -6,7 +6,7 @@
 #include "../options/ensemble_options.hpp"
 #include "../options/job_options.hpp"
 #include "../options/option_values.hpp"
-#include "../reports/run_report.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // polhode schemes [NAME]: the table of splitting schemes.
-#include <fmt/core.h>
-
 #include <memory>
 #include <string>
 
-#include "../reports/schemes_report.hpp"
+#include "../reports/reports.hpp"
 #include "../verbs.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "run/listing/schemes.hpp"
@@ -21,14 +19,10 @@ Action schemes_verb(Command& command) {
   command.add_option("NAME", o->name, "name of a scheme, or its stages as text; default: all");
   command.add_flag("--json", o->json, "print JSON");
   return [o] {
-    if (!o->name.empty() && o->json)
-      fmt::print("{}\n", scheme_json(scheme_of(o->name)));
-    else if (!o->name.empty())
-      print_scheme(scheme_of(o->name));
-    else if (o->json)
-      fmt::print("{}\n", schemes_json());
+    if (o->name.empty())
+      print_results("schemes", all_schemes(), o->json);
     else
-      print_schemes();
+      print_results(quantities(scheme_of(o->name)), o->json);
     return 0;
   };
 }

@@ -5,9 +5,10 @@
 
 #include "../options/job_options.hpp"
 #include "../options/option_values.hpp"
-#include "../reports/study_report.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../verbs.hpp"
+#include "run/canonical/canonical_report.hpp"
 
 namespace polhode::cli {
 namespace {

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "../options/option_values.hpp"
-#include "../reports/top_report.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
+#include "polhode/run/top/top.hpp"
 #include "run/top/top_figure.hpp"
 
 namespace polhode::cli {
@@ -35,7 +36,7 @@ int print_trajectory(const Options& o) {
   if (!o.output.empty()) check_outputs(figure.files(), existing_files(false, o.force));
   const Callbacks callbacks = console();
   const TopTrajectory trajectory = integrate_top(J, L, o.step, o.length, callbacks.stop);
-  print_top(trajectory);
+  print_results(quantities(trajectory), false);
   if (trajectory.interrupted) {
     log("interrupted; the table ends at the last sample before\n");
     return 130;

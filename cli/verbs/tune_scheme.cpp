@@ -8,7 +8,7 @@
 
 #include "../options/job_options.hpp"
 #include "../options/option_values.hpp"
-#include "../reports/tune_report.hpp"
+#include "../reports/reports.hpp"
 #include "../terminal/console.hpp"
 #include "../terminal/streams.hpp"
 #include "../verbs.hpp"
@@ -41,10 +41,7 @@ int tune_scheme(const Options& o) {
     log("interrupted before a result was found\n");
     return 130;
   }
-  if (o.json)
-    fmt::print("{}\n", tune_json(result));
-  else
-    print_tuning(result);
+  print_results(quantities(result), o.json);
   return 0;
 }
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
 // polhode verify NAME|TEXT: the order of a scheme from the slope of its energy error.
-#include <fmt/core.h>
-
-#include <cmath>
 #include <memory>
 #include <string>
 
 #include "../options/option_values.hpp"
+#include "../reports/reports.hpp"
 #include "../verbs.hpp"
 #include "io/settings/nested_scheme_text.hpp"
-#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "run/listing/verification.hpp"
 
@@ -20,20 +17,6 @@ void check_lambda_option(const std::string& scheme) try {
   check_lambda(nested_scheme_of(scheme));
 } catch (const Error& e) {
   throw e.at("--lambda");
-}
-
-void print_text(const Verification& v) {
-  const auto& points = v.measured.points;
-  fmt::print("{:>12}  {:>16}  {:>6}\n", "step [fs]", "energy error", "order");
-  for (std::size_t i = 0; i < points.size(); ++i)
-    fmt::print(
-        "{:>12.6g}  {:>16.3e}  {:>6}\n", points[i].step * units::fs_per_ps, points[i].error,
-        i == 0 ? "" : fmt::format("{:.2f}", std::log2(points[i - 1].error / points[i].error)));
-  fmt::print("measured order {:.2f}", v.measured.order);
-  if (v.declared == 0)
-    fmt::print("; no order is declared, so there is nothing to compare with (--order N)\n");
-  else
-    fmt::print(", declared {}: {}\n", v.declared, v.holds() ? "confirmed" : "NOT confirmed");
 }
 
 }  // namespace
@@ -55,10 +38,7 @@ Action verify_verb(Command& command) {
   return [o, command] {
     if (command.given("--lambda")) check_lambda_option(o->scheme);
     const Verification v = verify(o->scheme, o->order, o->lambda);
-    if (o->json)
-      fmt::print("{}\n", verification_json(v));
-    else
-      print_text(v);
+    print_results(quantities(v), o->json);
     return v.declared == 0 || v.holds() ? 0 : 1;
   };
 }

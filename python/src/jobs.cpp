@@ -45,7 +45,7 @@ nb::tuple run(const Config& config, const JobOptions& options) {
 
 std::string energy(const Config& config, bool derivative, nb::object message) {
   return Job({nb::none(), std::move(message)}).run([&](const Callbacks& callbacks) {
-    return single_point_json(single_point(config, derivative, callbacks));
+    return json_text(quantities(single_point(config, derivative, callbacks)));
   });
 }
 
@@ -77,8 +77,8 @@ std::string minimise_start(const Config& config, const Text& force, const Text& 
   set_positive(settings.torque, torque, Dimension::energy, "max_torque");
   settings.max_steps = max_steps;
   return options.run([&](const Callbacks& callbacks, Workers& workers) {
-    return minimisation_json(
-        minimise_configuration(config, settings, options.output, callbacks, workers));
+    return json_text(
+        quantities(minimise_configuration(config, settings, options.output, callbacks, workers)));
   });
 }
 
@@ -229,7 +229,7 @@ nb::tuple advise(Config config, const Text& accuracy, const Text& drift,
   });
   if (!report.advice.stopped && !report.advice.best)
     throw RunError(unreachable(report.advice, settings.criterion));
-  return nb::make_tuple(advice_json(report), report.files.all(),
+  return nb::make_tuple(json_text(quantities(report)), report.files.all(),
                         report.advice.stopped ? "" : answer(report.advice));
 }
 
@@ -242,7 +242,7 @@ nb::tuple advise_nvt(const Config& config, const Text& scheme, std::size_t evalu
     return advise_hybrid(config, settings, callbacks, workers);
   });
   if (!advice.stopped && advice.finalists.empty()) throw RunError(answer(advice));
-  return nb::make_tuple(hybrid_advice_json(advice), answer(advice));
+  return nb::make_tuple(json_text(quantities(advice)), answer(advice));
 }
 
 std::string tune_scheme(const Config& config, const Text& scheme, const Text& step, int runs,
@@ -255,9 +255,9 @@ std::string tune_scheme(const Config& config, const Text& scheme, const Text& st
   set_positive(settings.decorrelate, decorrelate, Dimension::time, "decorrelate");
   set_positive(settings.sample, sample, Dimension::time, "sample");
   settings.runs = runs;
-  return tune_json(options.run([&](const Callbacks& callbacks, Workers& workers) {
+  return json_text(quantities(options.run([&](const Callbacks& callbacks, Workers& workers) {
     return tune(config, settings, callbacks, workers);
-  }));
+  })));
 }
 
 std::string bench(bool is_quick, const std::optional<std::vector<std::size_t>>& sizes,
@@ -270,7 +270,8 @@ std::string bench(bool is_quick, const std::optional<std::vector<std::size_t>>& 
   if (options.threads > 1) settings.threads.push_back(options.threads);
   const Benchmark result = options.run(
       [&](const Callbacks& callbacks, Workers&) { return run_benchmark(settings, callbacks); });
-  return benchmark_json(result, {processor, name(current_instruction_set()), settings.threads});
+  return json_text(
+      quantities(result, {processor, name(current_instruction_set()), settings.threads}));
 }
 
 }  // namespace

@@ -67,16 +67,17 @@ nb::tuple series_mean(const std::vector<double>& samples) {
 }  // namespace
 
 void bind_lookup(nb::module_& m) {
-  m.def("schemes_json", &schemes_json);
+  m.def("schemes_json", [] { return json_text(all_schemes()); });
   m.def("series_mean", &series_mean);
-  m.def("scheme_json", [](const std::string& text) { return scheme_json(scheme_of(text)); });
+  m.def("scheme_json",
+        [](const std::string& text) { return json_text(quantities(scheme_of(text))); });
   m.def("verify", [](const std::string& scheme, int order, std::optional<double> lambda) {
-    return verification_json(measured(scheme, order, lambda));
+    return json_text(quantities(measured(scheme, order, lambda)));
   });
   m.def("molecules_json",
-        [](const std::string& name) { return molecules_json(find_molecules(name), false); });
+        [](const std::string& name) { return json_text(records(find_molecules(name))); });
   m.def("molecule_json", [](const std::string& text, const std::string& file) {
-    return molecules_json({parse_molecule(text, file)}, true);
+    return json_text(quantities(parse_molecule(text, file)));
   });
   m.def("quantity",
         [](const std::string& text, const std::string& dimension, const std::string& name) {

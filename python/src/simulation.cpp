@@ -165,7 +165,7 @@ nb::tuple sites(const OwnedSimulation& s, bool massless) {
 std::string kinds_json(const OwnedSimulation& s) {
   std::vector<Molecule> molecules;
   for (const auto& part : s.simulation.system().topology.parts) molecules.push_back(part.molecule);
-  return molecules_json(molecules, false);
+  return json_text(records(molecules));
 }
 
 /// (molecule, count) of each part of the topology.

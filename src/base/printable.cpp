@@ -43,6 +43,12 @@ std::string printable(std::string_view text) {
   return result;
 }
 
+std::size_t character_count(std::string_view text) {
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  }));
+}
+
 void check_name(std::string_view what, std::string_view name) {
   for (std::string_view rest = name; !rest.empty();) {
     const std::size_t length = printable_length(rest);

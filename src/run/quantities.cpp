@@ -3,12 +3,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
+#include "base/printable.hpp"
 #include "io/files/with_error.hpp"
 
 namespace polhode {
@@ -18,7 +21,7 @@ using nlohmann::json;
 
 /// "_kJ_per_mol_ps" of "kJ/mol/ps", and "_per_bar" of "1/bar".
 std::string suffix(const std::string& unit) {
-  if (unit.empty() || unit == "%") return "";
+  if (unit.empty() || unit == "%" || unit.starts_with('[')) return "";
   std::string text = "_";
   for (const char c : unit.starts_with("1/") ? unit.substr(1) : unit)
     if (c == '/' && text.find("per_") == text.npos)
@@ -30,15 +33,30 @@ std::string suffix(const std::string& unit) {
 
 std::string full_key(const Quantity& q) { return q.key + suffix(q.unit); }
 
-/// Not a number where it is not known.
-double known_error(const SeriesEstimate& e) {
-  return e.known == Known::yes ? e.error : std::numeric_limits<double>::quiet_NaN();
+/// As the text shows it.
+std::string shown_unit(const Quantity& q) {
+  return q.unit.starts_with('[') ? q.unit.substr(1, q.unit.size() - 2) : q.unit;
 }
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr SeriesEstimate not_finite{nan, nan, Known::not_defined};
+
+/// Not a number if it is none.
+double number_of(const Value& value) {
+  if (const auto* x = std::get_if<double>(&value)) return *x;
+  if (const auto* count = std::get_if<std::int64_t>(&value)) return static_cast<double>(*count);
+  const auto* yes = std::get_if<bool>(&value);
+  return yes ? static_cast<double>(*yes) : nan;
+}
+
+/// Not a number where it is not known.
+double known_error(const SeriesEstimate& e) { return e.known == Known::yes ? e.error : nan; }
 
 /// Numbers that are not finite are null in the text of JSON.
 struct AsJson {
   json operator()(std::monostate) const { return {}; }
   json operator()(const auto& value) const { return value; }
+  json operator()(const Estimate& e) const { return e.value; }
   json operator()(const SeriesEstimate& e) const {
     json one{{"value", e.value}, {"error", known_error(e)}};
     if (e.known != Known::yes) one["error_not_known"] = reason(e.known);
@@ -52,9 +70,11 @@ struct AsJson {
   json operator()(const std::vector<Quantities>& list) const { return list_of(list); }
   json operator()(const Quantities& group) const {
     json one = json::object();
-    for (const Quantity& q : group)
-      if (!q.key.empty())
-        one[full_key(q)] = std::visit(*this, static_cast<const AnyValue&>(q.value));
+    for (const Quantity& q : group) {
+      if (q.key.empty()) continue;
+      one[full_key(q)] = std::visit(*this, static_cast<const AnyValue&>(q.value));
+      if (const auto* e = std::get_if<Estimate>(&q.value)) one[q.key + "_error"] = e->error;
+    }
     return one;
   }
 
@@ -66,37 +86,150 @@ struct AsJson {
   }
 };
 
-/// A text as it is, a number with four digits.
+/// A text as it is, a number with some digits; empty if it is not known.
 struct AsText {
   double scale;
+  int digits;
   std::string operator()(const auto&) const { return ""; }
   std::string operator()(bool yes) const { return yes ? "yes" : "no"; }
   std::string operator()(std::int64_t count) const { return fmt::format("{}", count); }
-  std::string operator()(double x) const { return fmt::format("{:.4g}", scale * x); }
+  std::string operator()(double x) const {
+    return std::isfinite(x) ? fmt::format("{:.{}g}", scale * x, digits) : "";
+  }
   std::string operator()(const std::string& text) const { return text; }
-  std::string operator()(const SeriesEstimate& e) const { return text_of(scaled(e, scale)); }
+  std::string operator()(const std::vector<double>& numbers) const {
+    std::string text;
+    for (const double x : numbers) text += (text.empty() ? "" : "  ") + (*this)(x);
+    return text;
+  }
+  std::string operator()(const Estimate& e) const { return (*this)(nested(e)); }
+  std::string operator()(const SeriesEstimate& e) const {
+    return std::isfinite(e.value) ? text_of(scaled(e, scale)) : "";
+  }
 };
+
+std::string number_text(const Quantity& q) {
+  return std::visit(AsText{q.unit == "%" ? 100.0 : 1.0, q.digits},
+                    static_cast<const AnyValue&>(q.value));
+}
 
 /// The value, its unit, the note, and why there is no error.
 std::string value_text(const Quantity& q) {
   const auto* e = std::get_if<SeriesEstimate>(&q.value);
   if (e && !std::isfinite(e->value)) return not_known(e->known) + q.note;
-  return std::visit(AsText{q.unit == "%" ? 100.0 : 1.0}, static_cast<const AnyValue&>(q.value)) +
-         (q.unit.empty() ? "" : " ") + q.unit + q.note + (e ? missing_error(e->known) : "");
+  const std::string number = number_text(q);
+  if (number.empty() && !std::holds_alternative<std::string>(q.value)) return "-" + q.note;
+  return number + (q.unit.empty() ? "" : " ") + shown_unit(q) + q.note +
+         (e ? missing_error(e->known) : "");
 }
 
-std::string rows(const Quantities& list, const std::string& indent) {
-  std::string text;
+/// Calls visit(quantity) for those of all groups.
+void each(const Quantities& list, const auto& visit) {
   for (const Quantity& q : list)
+    if (const auto* group = std::get_if<Quantities>(&q.value))
+      each(*group, visit);
+    else
+      visit(q);
+}
+
+/// A table of the quantities with labels, which every record has.
+TextRow table_row(const Quantity& of, const std::vector<Quantities>& records, std::size_t level) {
+  TextRow row{of.label, "", of.doc, level};
+  for (const Quantities& record : records) {
+    std::vector<std::string> head, cells;
+    std::vector<bool> left;
+    each(record, [&](const Quantity& q) {
+      if (q.label.empty()) return;
+      const std::string text = number_text(q);
+      head.push_back(q.unit.empty() ? q.label : fmt::format("{} [{}]", q.label, shown_unit(q)));
+      left.push_back(std::holds_alternative<std::string>(q.value));
+      cells.push_back(text.empty() && !left.back() ? "-" : text + q.note);
+    });
+    if (row.table.empty()) row.table.push_back(head), row.left = left;
+    row.table.push_back(cells);
+  }
+  return row;
+}
+
+/// Whether it is a line of the text without a label.
+bool is_line(const Quantity& q) {
+  return q.key.empty() && q.column.empty() && std::holds_alternative<std::string>(q.value);
+}
+
+void add_rows(std::vector<TextRow>& rows, const Quantities& list, std::size_t level) {
+  for (const Quantity& q : list) {
+    const std::size_t below = level + (q.label.empty() ? 0 : 1);
     if (const auto* group = std::get_if<Quantities>(&q.value)) {
-      if (!q.label.empty()) text += indent + q.label + "\n";
-      text += rows(*group, q.label.empty() ? indent : indent + "  ");
-    } else if (const auto* list_of_groups = std::get_if<std::vector<Quantities>>(&q.value)) {
-      for (const Quantities& one : *list_of_groups) text += rows(one, indent);
-    } else if (!q.label.empty()) {
-      text += fmt::format("{:<22}{}\n", indent + q.label, value_text(q));
+      if (!q.label.empty()) rows.push_back({q.label, "", q.doc, level});
+      add_rows(rows, *group, below);
+    } else if (const auto* records = std::get_if<std::vector<Quantities>>(&q.value)) {
+      if (!q.label.empty() && !records->empty()) rows.push_back(table_row(q, *records, level));
+      if (q.label.empty())
+        for (const Quantities& one : *records) add_rows(rows, one, level);
+    } else if (const auto* texts = std::get_if<std::vector<std::string>>(&q.value)) {
+      if (q.label.empty()) continue;
+      rows.push_back({q.label, "", q.doc, level});
+      for (const std::string& text : *texts) rows.push_back({"", text, "", below});
+    } else if (!q.label.empty() || is_line(q)) {
+      rows.push_back({q.label, value_text(q), q.doc, level});
     }
+  }
+}
+
+std::string lines_of(const TextRow& row) {
+  std::vector<std::size_t> widths(row.left.size());
+  for (const auto& cells : row.table)
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      widths[k] = std::max(widths[k], character_count(cells[k]));
+  std::string text = row.label + "\n";
+  for (const auto& cells : row.table) {
+    std::string line;
+    for (std::size_t k = 0; k < cells.size(); ++k)
+      line += row.left[k] ? fmt::format("{:<{}}  ", cells[k], widths[k])
+                          : fmt::format("{:>{}}  ", cells[k], widths[k]);
+    text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
   return text;
+}
+
+/// The columns and cells of a record in a CSV file.
+void add_cells(Table& table, const Quantities& record) {
+  const bool first = table.rows.empty();
+  table.rows.emplace_back();
+  const auto add = [&](const std::string& name, const std::string& unit, Cell cell) {
+    if (first) table.columns.push_back({name, unit});
+    table.rows.back().push_back(std::move(cell));
+  };
+  const auto add_estimate = [&](const std::string& name, const std::string& unit, double value,
+                                double error) {
+    add(name, unit, value);
+    add(name + "_error", unit, error);
+  };
+  const auto add_quantity = [&](const Quantity& q, const std::string& name) {
+    if (const auto* text = std::get_if<std::string>(&q.value)) return add(name, "", *text);
+    const std::string unit = q.unit.empty() || q.unit == "%" ? "1" : shown_unit(q);
+    if (const auto* estimate = std::get_if<Estimate>(&q.value))
+      return add_estimate(name, unit, estimate->value, estimate->error);
+    if (const auto* series = std::get_if<SeriesEstimate>(&q.value))
+      return add_estimate(name, unit, series->value, series->error);
+    const auto* list = std::get_if<std::vector<std::optional<SeriesEstimate>>>(&q.value);
+    if (list == nullptr) return add(name, unit, number_of(q.value));
+    // One for each principal axis, after the one of translation if there is that.
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      const std::size_t axis = k + (list->size() == 3 ? 1 : 0);
+      const SeriesEstimate one = (*list)[k].value_or(not_finite);
+      add_estimate(fmt::format("{}_{}", name, axis == 0 ? "translation" : std::to_string(axis)),
+                   unit, one.value, one.error);
+    }
+  };
+  for (const Quantity& q : record)
+    if (const auto* group = std::get_if<Quantities>(&q.value))
+      each(*group, [&](const Quantity& inner) {
+        if (!inner.column.empty()) add_quantity(inner, inner.column);
+      });
+    else if (const std::string& name = q.column.empty() ? q.key : q.column;
+             !name.empty() && name != "-")
+      add_quantity(q, name);
 }
 
 std::string documented(const Quantities& list, const std::string& prefix) {
@@ -108,6 +241,9 @@ std::string documented(const Quantities& list, const std::string& prefix) {
                            q.unit == "%" ? "" : q.unit, q.doc);
     if (const auto* group = std::get_if<Quantities>(&q.value))
       table += documented(*group, prefix + q.key + ".");
+    else if (const auto* records = std::get_if<std::vector<Quantities>>(&q.value))
+      for (const Quantities& first : std::span(*records).first(records->empty() ? 0 : 1))
+        table += documented(first, prefix + q.key + "[].");
   }
   return table;
 }
@@ -122,7 +258,10 @@ Value::Value(double number) : AnyValue(number) {}
 Value::Value(const char* text) : AnyValue(std::string(text)) {}
 Value::Value(std::string text) : AnyValue(std::move(text)) {}
 Value::Value(std::vector<double> numbers) : AnyValue(std::move(numbers)) {}
+Value::Value(std::vector<std::int64_t> counts) : AnyValue(std::move(counts)) {}
+Value::Value(std::vector<std::vector<double>> matrix) : AnyValue(std::move(matrix)) {}
 Value::Value(std::vector<std::string> texts) : AnyValue(std::move(texts)) {}
+Value::Value(const Estimate& estimate) : AnyValue(estimate) {}
 Value::Value(const SeriesEstimate& estimate) : AnyValue(estimate) {}
 Value::Value(const AxisEstimates& estimates) : AnyValue(estimates) {}
 Value::Value(std::vector<std::optional<SeriesEstimate>> estimates)
@@ -137,6 +276,11 @@ Value::~Value() = default;
 
 Quantity row(std::string label, std::string text) {
   return {"", "", std::move(text), "", std::move(label)};
+}
+
+SeriesEstimate nested(const Estimate& e) {
+  if (!std::isfinite(e.value)) return not_finite;
+  return {e.value, e.error, Known::yes};
 }
 
 void append(Quantities& list, Quantities more) {
@@ -184,9 +328,39 @@ std::string text_of(const SeriesEstimate& e, std::string_view unit) {
   return fmt::format("{}{}{}", number, unit.empty() ? "" : " ", unit);
 }
 
-std::string text_of(const Quantities& list) { return rows(list, ""); }
+std::vector<TextRow> text_rows(const Quantities& list) {
+  std::vector<TextRow> rows;
+  add_rows(rows, list, 0);
+  return rows;
+}
+
+std::string text_of(const Quantities& list) {
+  std::string text;
+  bool apart = false;  // a blank line before and after each table
+  for (const TextRow& row : text_rows(list)) {
+    const bool table = !row.table.empty();
+    if (!text.empty() && (table || apart)) text += "\n";
+    apart = table;
+    const std::string indent(2 * row.level, ' ');
+    if (table)
+      text += lines_of(row);
+    else if (row.label.empty() || row.text.empty())
+      text += indent + row.label + row.text + "\n";
+    else
+      text += fmt::format("{:<22}{}\n", indent + row.label, row.text);
+  }
+  return text;
+}
+
+Table table_of(const std::vector<Quantities>& records) {
+  Table table;
+  for (const Quantities& record : records) add_cells(table, record);
+  return table;
+}
 
 std::string json_text(const Quantities& list) { return AsJson()(list).dump(2); }
+
+std::string json_text(const std::vector<Quantities>& lists) { return AsJson()(lists).dump(2); }
 
 std::string documentation(const Quantities& list) {
   return "| key | unit | meaning |\n| --- | --- | --- |\n" + documented(list, "");

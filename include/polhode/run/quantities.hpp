@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The results of a job as a list of quantities: its text, its JSON and its table in the manual are
-// loops over the list.
+// The results of a job as a list of quantities: its text, JSON, CSV file and table in the manual
+// are loops over the list.
 #pragma once
 
 #include <array>
@@ -12,6 +12,8 @@
 #include <variant>
 #include <vector>
 
+#include "polhode/io/files/table_file.hpp"
+#include "polhode/math/fit.hpp"
 #include "polhode/measure/correlated_series.hpp"
 
 namespace polhode {
@@ -23,10 +25,13 @@ using AxisEstimates = std::array<SeriesEstimate, 3>;
 
 using AnyValue =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
-                 std::vector<std::string>, SeriesEstimate, AxisEstimates,
+                 std::vector<std::int64_t>, std::vector<std::vector<double>>,
+                 std::vector<std::string>, Estimate, SeriesEstimate, AxisEstimates,
                  std::vector<std::optional<SeriesEstimate>>, Quantities, std::vector<Quantities>>;
 
 /// What a quantity is: a number, a text, an estimate, a group of quantities, or a list of them.
+/// Those with a label are a row, a title with rows, or a title with a table of which each quantity
+/// with a label is a column.
 struct Value : AnyValue {
   Value();  ///< null
   Value(bool yes);
@@ -36,12 +41,20 @@ struct Value : AnyValue {
   Value(const char* text);
   Value(std::string text);
   Value(std::vector<double> numbers);
+  Value(std::vector<std::int64_t> counts);
+  template <std::integral T>
+  Value(const std::vector<T>& counts)
+      : Value(std::vector<std::int64_t>(counts.begin(), counts.end())) {}
+  Value(std::vector<std::vector<double>> matrix);
   Value(std::vector<std::string> texts);
+  Value(const Estimate& estimate);  ///< in JSON two numbers: "R" and "R_error"
   Value(const SeriesEstimate& estimate);
   Value(const AxisEstimates& estimates);
   Value(std::vector<std::optional<SeriesEstimate>> estimates);
   Value(Quantities group);
   Value(std::vector<Quantities> list);
+  template <class T>
+  Value(const std::optional<T>& known) : Value(known ? Value(*known) : Value()) {}
   Value(const Value&);
   Value(Value&&) noexcept;
   Value& operator=(const Value&);
@@ -52,17 +65,26 @@ struct Value : AnyValue {
 /// One result with all that is needed to show it.
 struct Quantity {
   std::string key;  ///< in JSON, where the unit follows: "potential"; empty: only a row of the text
-  std::string unit;  ///< "kJ/mol"; "" without one; "%": a fraction, in percent in the text
+  /// "kJ/mol"; "" without one; "[kJ/mol]": not part of the key; "%": a fraction, in percent in the
+  /// text.
+  std::string unit;
   /// In that unit; not finite, or null, if it is not known. A group is an object of JSON, and its
   /// rows are indented below its label.
   Value value;
   std::string doc = {};    ///< meaning of the key, for the manual
   std::string label = {};  ///< of a row of the text; empty: no row, but the rows of a group
   std::string note = {};   ///< follows the value in the text
+  /// In a CSV file; empty: the key, or none in a group; "-": none.
+  std::string column = {};
+  int digits = 4;  ///< of a number in the text
 };
 
-/// A row of the text that is not in JSON.
+/// A row of the text that is not in JSON; a line of its own without a label.
 Quantity row(std::string label, std::string text);
+
+/// An estimate of independent runs as one with value and error in an object of JSON; not known if
+/// it is not finite.
+SeriesEstimate nested(const Estimate& estimate);
 
 /// Adds quantities to a list.
 void append(Quantities& list, Quantities more);
@@ -80,12 +102,28 @@ std::string missing_error(Known known);
 /// A value with its error, "1.20 ± 0.03 ps"; with four digits if that is not known.
 std::string text_of(const SeriesEstimate& estimate, std::string_view unit = "");
 
-/// The rows with labels, each a line.
+/// What the text shows of a quantity: a row, a title, or a title with a table.
+struct TextRow {
+  std::string label, text{}, doc{};
+  std::size_t level = 0;                          ///< of indentation
+  std::vector<std::vector<std::string>> table{};  ///< its head, and its rows
+  std::vector<bool> left{};                       ///< whether columns of the table are texts
+};
+
+/// The quantities with labels, and the lines without one.
+std::vector<TextRow> text_rows(const Quantities& list);
+
+/// The same as lines.
 std::string text_of(const Quantities& list);
+
+/// The same records as a CSV file has: an estimate has two columns, "R" and "R_error".
+Table table_of(const std::vector<Quantities>& records);
 
 /// Keys with units, as in "length_ps"; an estimate is an object with "value", "error", and
 /// "error_not_known" where it is not.
 std::string json_text(const Quantities& list);
+/// The same of several, as an array.
+std::string json_text(const std::vector<Quantities>& lists);
 
 /// A table of Markdown with the keys, their units and meanings.
 std::string documentation(const Quantities& list);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/printable.hpp"
 #include "figure_script.hpp"
 #include "plot_script.hpp"
 
@@ -42,13 +43,6 @@ std::vector<std::string> legend_of(const CurvesFigure::Panel& panel) {
   for (const auto& line : panel.lines) names.push_back(line.name);
   std::erase(names, "");
   return names;
-}
-
-/// Of a text in UTF-8.
-std::size_t character_count(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) {
-    return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  }));
 }
 
 /// Entries of a legend that fit next to one another in a width [pixels], as gnuplot measures them.

@@ -4,89 +4,133 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <utility>
 
+#include "../study/temperature_differences.hpp"
+#include "io/files/with_error.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/figures/plot.hpp"
 #include "run/adviser/advice_curves.hpp"
 #include "run/simulation/system/system_notes.hpp"
-#include "run/study/temperature_differences.hpp"
 
 namespace polhode {
 namespace {
 
-constexpr const char* kinds[] = {"translation", "rotation_1", "rotation_2", "rotation_3"};
+constexpr std::array<const char*, 4> kinds = {"translation", "rotation_1", "rotation_2",
+                                              "rotation_3"};
 
 double in_kJ_per_ns(double power) { return power / unit("kJ/mol/ns", Dimension::power); }
 
-nlohmann::json as_json(const Candidate& candidate, const AdviserPoint& point) {
-  nlohmann::json json{{"step_fs", point.step * units::fs_per_ps},
-                      {"runs", point.runs.size()},
-                      {"length_ps", point.length},
-                      {"blew_up", blew_up(point.runs)},
-                      {"usable", point.usable}};
-  if (blew_up(point.runs)) return json;
-  json["bound"] = point.bound;
-  json["R"] = point.ratio().value;
-  json["R_error"] = point.ratio().error;
-  json["drift_per_molecule_kJ_per_mol_ns"] = in_kJ_per_ns(point.drift().value);
-  json["drift_error"] = in_kJ_per_ns(point.drift().error);
-  for (std::size_t k = 0; k < 4; ++k) {
-    const Estimate bias = point.bias(k);
-    if (bias.error == 0) continue;
-    json["temperature_bias"][kinds[k]] = {{"value", bias.value}, {"error", bias.error}};
+std::string percent(const Estimate& x) { return with_error(100 * x.value, 100 * x.error) + " %"; }
+
+/// What the runs with one step show; not known if one of them blew up.
+Quantities of_point(const Candidate& candidate, const AdviserPoint& point) {
+  const bool there = !blew_up(point.runs);
+  const Estimate unknown{std::nan(""), std::nan("")};
+  const Estimate R = there ? point.ratio() : unknown, drift = there ? point.drift() : unknown;
+  Quantities list = {
+      {"step", "fs", point.step * units::fs_per_ps, "time step"},
+      {"length", "ps", point.length, "length of each run"},
+      {"runs", "", point.runs.size(), "number of independent runs"},
+      {"blew_up", "", !there, "whether one of them blew up", "", "", "-"},
+      {"usable", "", point.usable, "whether no run blew up and the energy does not drift"},
+      {"R", "", R,
+       "rms fluctuation of the total energy over that of the potential; `R_error`: its "
+       "standard error"},
+      {"drift_per_molecule", "kJ/mol/ns", in_kJ_per_ns(drift.value), "energy drift per molecule"},
+      {"drift_error", "[kJ/mol/ns]", in_kJ_per_ns(drift.error), "its standard error"},
+      {"bound", "", there ? point.bound : std::nan(""),
+       "bound on the required quality that a new run meets"}};
+  Quantities biases;
+  for (std::size_t k = 0; there && k < kinds.size(); ++k)
+    if (const Estimate bias = point.bias(k); bias.error != 0)
+      biases.push_back({kinds[k], "", nested(bias)});
+  if (!biases.empty())
+    list.push_back({"temperature_bias", "", biases,
+                    "relative differences between the temperatures of `translation`, `rotation_1`, "
+                    "... and of all degrees of freedom"});
+  append(list, excesses(efficiency_point(candidate, point)));
+  list.push_back({"R_rounding", "", there ? point.max_rounding() : std::nan(""),
+                  "R of rounding alone, estimated", "", "", "-"});
+  return list;
+}
+
+/// "4 fs: 0.5, 6 fs: blew up".
+std::string tried_steps(const Candidate& candidate) {
+  std::string text;
+  for (const AdviserPoint& p : candidate.points)
+    text += fmt::format("{}{:.3g} fs: {}", text.empty() ? "" : ", ", p.step * units::fs_per_ps,
+                        p.usable          ? fmt::format("{:.3g}", 100 * p.ratio().value)
+                        : blew_up(p.runs) ? "blew up"
+                                          : "energy drifts");
+  return text;
+}
+
+/// A candidate without its points.
+Quantities of_candidate(const Candidate& candidate) {
+  const bool has_step = candidate.step > 0, timed = candidate.seconds > 0;
+  const double fs = candidate.step * units::fs_per_ps;
+  const double cost = has_step ? candidate.scheme.cost() / candidate.step : 0;
+  return {
+      {"scheme", "", candidate.name, "name of the scheme, or its stages", "scheme"},
+      {"text", "", text_of(candidate.scheme), "its stages as text"},
+      {"step", "fs", fs, "expected to meet the bound; 0: there is none"},
+      {"", "fs", has_step ? Value(fs) : Value(), "", "step"},
+      {has_step ? "force_evaluations" : "", "1/ps", has_step ? Value(cost) : Value(),
+       "cost with this step", "forces"},
+      {"ns_per_day", "", candidate.ns_per_day(), "speed with this step; 0: not measured"},
+      {"", "", timed ? Value(candidate.ns_per_day()) : Value(), "", "ns/day"},
+      {candidate.obstacle.empty() ? "" : "obstacle", "",
+       candidate.obstacle.empty() ? Value() : Value(candidate.obstacle), "why there is no step"}};
+}
+
+/// For JSON only.
+Quantities without_labels(Quantities list) {
+  for (Quantity& q : list) q.label.clear();
+  return list;
+}
+
+std::vector<Quantities> candidate_records(const Advice& advice) {
+  std::vector<Quantities> records;
+  for (const Candidate& candidate : advice.candidates) {
+    records.push_back(of_candidate(candidate));
+    std::vector<Quantities> points;
+    for (const AdviserPoint& point : candidate.points) points.push_back(of_point(candidate, point));
+    append(records.back(), {{"points", "", points, "exploratory runs with one step"},
+                            row("R % at the steps tried", tried_steps(candidate))});
   }
-  add_excesses(json, efficiency_point(candidate, point));
-  json["R_rounding"] = point.max_rounding();
-  return json;
+  return records;
 }
 
-nlohmann::json as_json(const Candidate& candidate) {
-  nlohmann::json json{{"scheme", candidate.name},
-                      {"text", text_of(candidate.scheme)},
-                      {"step_fs", candidate.step * units::fs_per_ps},
-                      {"ns_per_day", candidate.ns_per_day()},
-                      {"points", nlohmann::json::array()}};
-  if (candidate.step > 0)
-    json["force_evaluations_per_ps"] = candidate.scheme.cost() / candidate.step;
-  if (!candidate.obstacle.empty()) json["obstacle"] = candidate.obstacle;
-  for (const AdviserPoint& point : candidate.points)
-    json["points"].push_back(as_json(candidate, point));
-  return json;
+/// Runs that were to confirm a scheme and a step, and did not.
+std::vector<Quantities> point_records(
+    const Advice& advice, const std::vector<std::pair<std::size_t, AdviserPoint>>& sets) {
+  std::vector<Quantities> records;
+  for (const auto& [c, point] : sets) {
+    records.push_back({{"scheme", "", advice.candidates[c].name, "the scheme"}});
+    append(records.back(), of_point(advice.candidates[c], point));
+  }
+  return records;
 }
 
-Table point_table(const Advice& advice) {
-  Table table;
-  table.columns = {{"scheme", ""},
-                   {"step", "fs"},
-                   {"length", "ps"},
-                   {"runs", "1"},
-                   {"usable", "1"},
-                   {"R", "1"},
-                   {"R_error", "1"},
-                   {"drift_per_molecule", "kJ/mol/ns"},
-                   {"drift_error", "kJ/mol/ns"},
-                   {"bound", "1"},
-                   {"confirms", "1"}};
-  add_excess_columns(table.columns);
-  const auto add = [&](const Candidate& candidate, const AdviserPoint& p, bool confirms) {
-    const bool there = !blew_up(p.runs);
-    const Estimate R = there ? p.ratio() : Estimate{}, d = there ? p.drift() : Estimate{};
-    table.rows.push_back({candidate.name, p.step * units::fs_per_ps, p.length,
-                          static_cast<double>(p.runs.size()), p.usable ? 1.0 : 0.0, R.value,
-                          R.error, in_kJ_per_ns(d.value), in_kJ_per_ns(d.error),
-                          there ? p.bound : 0.0, confirms ? 1.0 : 0.0});
-    add_excesses(table.rows.back(), efficiency_point(candidate, p));
-  };
-  for (const Candidate& candidate : advice.candidates)
-    for (const AdviserPoint& point : candidate.points) add(candidate, point, false);
-  for (const auto* sets : {&advice.refused, &advice.surpassed})
-    for (const auto& [c, point] : *sets) add(advice.candidates[c], point, true);
-  if (advice.best) add(advice.candidates[*advice.best], advice.confirmation, true);
-  return table;
+/// All points, of which the last ones confirm.
+std::vector<Quantities> table_records(const Advice& advice) {
+  std::vector<std::pair<std::size_t, AdviserPoint>> explored, confirmed = advice.refused;
+  for (std::size_t c = 0; c < advice.candidates.size(); ++c)
+    for (const AdviserPoint& point : advice.candidates[c].points) explored.emplace_back(c, point);
+  confirmed.insert(confirmed.end(), advice.surpassed.begin(), advice.surpassed.end());
+  if (advice.best) confirmed.emplace_back(*advice.best, advice.confirmation);
+  std::vector<Quantities> records;
+  for (const auto* set : {&explored, &confirmed})
+    for (Quantities& record : point_records(advice, *set)) {
+      record.push_back({"confirms", "", set == &confirmed});
+      records.push_back(std::move(record));
+    }
+  return records;
 }
 
 std::vector<AdviceCurve> figure_curves(const Advice& advice) {
@@ -105,46 +149,101 @@ std::vector<AdviceCurve> figure_curves(const Advice& advice) {
   return figure_data;
 }
 
-nlohmann::json as_json(const AdviceReport& report) {
-  const Advice& advice = report.advice;
-  const Criterion& criterion = report.criterion;
-  nlohmann::json json{{"quality", name_of(criterion.quality)},
-                      {"requested", criterion.bound},
-                      {"probability", guarantee_probability},
-                      {"interrupted", advice.stopped},
-                      {"candidates", nlohmann::json::array()},
-                      {"refused", nlohmann::json::array()},
-                      {"surpassed", nlohmann::json::array()},
-                      {"best", nullptr},
-                      {"runner_up", nullptr}};
-  if (criterion.quality == Quality::drift)
-    json["requested"] = in_kJ_per_ns(criterion.bound), json["unit"] = "kJ/mol/ns per molecule";
-  if (criterion.quality == Quality::temperature_difference) json["unit"] = "K";
-  if (criterion.quality == Quality::energy_bias) json["unit"] = "kJ/mol per molecule";
-  if (criterion.quality == Quality::pressure_bias) json["unit"] = "kJ/mol/nm3";
+/// Why candidates have no step, and why confirming runs were not the answer, a line each.
+Quantities obstacles(const AdviceReport& r) {
+  const Advice& advice = r.advice;
+  Quantities lines;
   for (const Candidate& candidate : advice.candidates)
-    json["candidates"].push_back(as_json(candidate));
-  for (const auto& [key, sets] :
-       {std::pair("refused", &advice.refused), {"surpassed", &advice.surpassed}})
-    for (const auto& [c, point] : *sets) {
-      json[key].push_back(as_json(advice.candidates[c], point));
-      json[key].back()["scheme"] = advice.candidates[c].name;
-    }
-  const auto chosen = [&](std::size_t c) {
-    nlohmann::json one = as_json(advice.candidates[c]);
-    one.erase("points");
-    return one;
+    if (!candidate.obstacle.empty())
+      lines.push_back(row("", fmt::format("{}: {}", candidate.name, candidate.obstacle)));
+  const auto at = [&](std::size_t c, const AdviserPoint& point) {
+    return fmt::format("{} at {:.3g} fs", advice.candidates[c].name, point.step * units::fs_per_ps);
   };
-  if (advice.best) {
-    json["best"] = chosen(*advice.best);
-    json["best"]["confirmation"] = as_json(advice.candidates[*advice.best], advice.confirmation);
-    json["best"]["reached_over_asked"] = advice.confirmation.bound / criterion.bound;
-  } else {
-    json["obstacle"] = unreachable(advice, criterion);
+  const auto bound = [&](const AdviserPoint& point) {
+    return bound_text(r.criterion.quality, point.bound);
+  };
+  for (const auto& [c, point] : advice.refused)
+    lines.push_back(row(
+        "", fmt::format("not confirmed: {}, {}", at(c, point),
+                        blew_up(point.runs) ? "a run blew up"
+                                            : fmt::format("R = {}, bound {}",
+                                                          percent(point.ratio()), bound(point)))));
+  for (const auto& [c, point] : advice.surpassed)
+    lines.push_back(row("", fmt::format("longer steps were tried: with {} the bound is {}",
+                                        at(c, point), bound(point))));
+  return lines;
+}
+
+std::string temperature_text(const AdviserPoint& p) {
+  std::string text = fmt::format(
+      "{:.2f} K",
+      mean(each(p.runs, [](const Outcome& run) { return run.temperatures.all; })).value);
+  const char* before = "; off by";
+  for (std::size_t k = 0; k < kinds.size(); ++k)
+    if (p.bias(k).error > 0) {
+      text += fmt::format("{} {} {}", before, kinds[k], percent(p.bias(k)));
+      before = ",";
+    }
+  return text;
+}
+
+/// The answer.
+Quantities of_best(const AdviceReport& r) {
+  const Criterion& criterion = r.criterion;
+  const Candidate& best = r.advice.candidates[*r.advice.best];
+  const AdviserPoint& p = r.advice.confirmation;
+  const bool of_R = criterion.quality == Quality::ratio;
+  const std::string_view name = name_of(criterion.quality);
+  const Estimate drift = p.drift();
+  Quantities list = without_labels(of_candidate(best));
+  append(
+      list,
+      {{"confirmation", "", of_point(best, p), "independent runs with the answer"},
+       {"reached_over_asked", "", p.bound / criterion.bound, "the bound met over the required one"},
+       row("R", fmt::format("{}, mean of {} independent runs of {:.3g} ps", percent(p.ratio()),
+                            p.runs.size(), p.length)),
+       row(of_R ? "a new run" : std::string(name.substr(0, name.find(" of "))),
+           fmt::format("{} {} with a probability of {:g} %, {:.2g} of the requested bound",
+                       of_R ? "has R below" : "is smaller than",
+                       bound_text(criterion.quality, p.bound), 100 * guarantee_probability,
+                       p.bound / criterion.bound)),
+       row("energy drift", with_error(in_kJ_per_ns(drift.value), in_kJ_per_ns(drift.error)) +
+                               " kJ/mol/ns per molecule"),
+       row("temperature", temperature_text(p)),
+       row("speed", fmt::format("{:.3g} ns/day with {} {}", best.ns_per_day(), r.threads,
+                                r.threads == 1 ? "thread" : "threads"))});
+  return list;
+}
+
+/// The second-best, and the temperatures of both.
+Quantities of_others(const Advice& advice) {
+  if (!advice.best) return {};
+  const std::vector<Curve> all = curves(advice);
+  std::vector<Curve> shown = {all[*advice.best]};
+  Quantities list;
+  if (advice.runner_up) {
+    const Candidate& second = advice.candidates[*advice.runner_up];
+    shown.push_back(all[*advice.runner_up]);
+    list.push_back(
+        row("  runner-up", fmt::format("{} at {:.3g} fs, {:.3g} ns/day, not confirmed", second.name,
+                                       second.step * units::fs_per_ps, second.ns_per_day())));
   }
-  if (advice.runner_up) json["runner_up"] = chosen(*advice.runner_up);
-  add_limits(json, equipartition(curves(advice)));
-  return json;
+  append(list, temperature_tables(shown, equipartition(shown)));
+  return list;
+}
+
+Quantities of_criterion(const Criterion& criterion) {
+  const bool drift = criterion.quality == Quality::drift;
+  const char* unit = drift ? "kJ/mol/ns per molecule"
+                     : criterion.quality == Quality::temperature_difference ? "K"
+                     : criterion.quality == Quality::energy_bias            ? "kJ/mol per molecule"
+                     : criterion.quality == Quality::pressure_bias          ? "kJ/mol/nm3"
+                                                                            : "";
+  return {{"quality", "", std::string(name_of(criterion.quality)), "what is bounded"},
+          {"requested", "", drift ? in_kJ_per_ns(criterion.bound) : criterion.bound,
+           "the required bound"},
+          {*unit == 0 ? "" : "unit", "", *unit == 0 ? Value() : Value(unit), "its unit"},
+          {"probability", "", guarantee_probability, "with which a new run meets a bound"}};
 }
 
 void write_advice(const AdviceReport& report, const Provenance& provenance,
@@ -152,9 +251,10 @@ void write_advice(const AdviceReport& report, const Provenance& provenance,
   const Advice& advice = report.advice;
   const Criterion& criterion = report.criterion;
   const AdviceFiles& files = report.files;
-  write_file(files.points,
-             [&](std::ostream& out) { write_csv(out, point_table(advice), provenance); });
-  write_file(files.json, [&](std::ostream& out) { out << as_json(report).dump(2) << '\n'; });
+  write_file(files.points, [&](std::ostream& out) {
+    write_csv(out, table_of(table_records(advice)), provenance);
+  });
+  write_file(files.json, [&](std::ostream& out) { out << json_text(quantities(report)) << '\n'; });
   if (files.figure.empty()) return;
   AdviceFigure figure{figure_curves(advice), {}, {}};
   if (criterion.quality == Quality::ratio) figure.bound = criterion.bound;
@@ -202,10 +302,31 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
   return report;
 }
 
-std::string advice_json(const AdviceReport& report) {
-  nlohmann::json json = as_json(report);
-  json["threads"] = report.threads;
-  return json.dump(2);
+Quantities quantities(const AdviceReport& r) {
+  const Advice& advice = r.advice;
+  Quantities list = of_criterion(r.criterion);
+  append(list, {{"interrupted", "", advice.stopped, "whether the search was suspended"},
+                {"threads", "", r.threads, "number of simultaneous runs"},
+                {"candidates", "", candidate_records(advice), "the schemes", "candidates"},
+                {"refused", "", point_records(advice, advice.refused),
+                 "runs that were to confirm an answer, and did not"},
+                {"surpassed", "", point_records(advice, advice.surpassed),
+                 "runs that confirmed an answer before a better one was found"}});
+  append(list, obstacles(r));
+  if (advice.best)
+    list.push_back({"best", "", of_best(r), "the answer",
+                    fmt::format("for {} use {} at {:.3g} fs", description(r.criterion),
+                                advice.candidates[*advice.best].name,
+                                advice.confirmation.step * units::fs_per_ps)});
+  else
+    append(list, {{"best", "", {}},
+                  {"obstacle", "", unreachable(advice, r.criterion), "why there is no answer"}});
+  append(list, of_others(advice));
+  list.push_back({"runner_up", "", {}, "the second-best, not confirmed"});
+  if (advice.runner_up)
+    list.back().value = without_labels(of_candidate(advice.candidates[*advice.runner_up]));
+  append(list, limits(equipartition(curves(advice))));
+  return list;
 }
 
 }  // namespace polhode

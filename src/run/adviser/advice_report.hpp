@@ -7,6 +7,7 @@
 
 #include "polhode/run/adviser/adviser.hpp"
 #include "polhode/run/outputs.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 
@@ -33,8 +34,8 @@ AdviceReport run_adviser(const Config& config, const AdviserSettings& settings,
                          const std::string& prefix = "advice", const OutputOptions& options = {},
                          const Callbacks& callbacks = {}, Workers& workers = Workers::serial());
 
-/// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
-std::string advice_json(const AdviceReport& report);
+/// The results as a list, from which text, JSON, the table of points and the manual follow.
+Quantities quantities(const AdviceReport& report);
 
 /// A bound on a quality in the unit that users enter: "0.5 %", "0.1 kJ/mol/ns".
 std::string bound_text(Quality quality, double bound);

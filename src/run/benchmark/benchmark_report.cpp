@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/instruction_set.hpp"
 #include "base/version.hpp"
@@ -14,67 +14,7 @@
 namespace polhode {
 namespace {
 
-using nlohmann::json;
-
 constexpr double noisy = 0.1;  // a spread above which the user is warned
-
-double percent(double x) { return 100 * x; }
-
-json as_json(const Timing& t, double unit) {
-  return {{"best", unit * t.best}, {"median", unit * t.median}, {"spread", t.spread()}};
-}
-
-json as_json(const Limit& l) {
-  const auto pair = [](const BarePair& p) {
-    return json{{"inside", as_json(p.inside, 1)}, {"truncated", as_json(p.truncated, 1)}};
-  };
-  return {{"precision", name_of(l.precision)},
-          {"lanes", l.lanes},
-          {"multiply_adds_per_ns", l.multiply_adds},
-          {"pair_ns", {{"forces", pair(l.forces)}, {"energies", pair(l.energies)}}}};
-}
-
-json as_json(const SystemTiming& s) {
-  json evaluations = json::array(), steps = json::array();
-  for (const EvaluationTiming& e : s.evaluations)
-    evaluations.push_back(
-        {{"cutoff_nm", 0.9},
-         {"switch_nm", e.switch_from},
-         {"pairs", e.pairs},
-         {"forces_us", as_json(e.forces, 1e6)},
-         {"energies_us", as_json(e.energies, 1e6)},
-         {"arithmetic_us", units::us_per_s * e.arithmetic / s.threads},
-         {"energy_arithmetic_us", units::us_per_s * e.energy_arithmetic / s.threads},
-         {"share_of_limit", share(e, s.threads)},
-         {"fill", e.fill},
-         {"list_us", as_json(e.list, 1e6)}});
-  for (const StepTiming& t : s.steps)
-    steps.push_back({{"scheme", t.scheme},
-                     {"step_fs", units::fs_per_ps * t.step},
-                     {"step_us", as_json(t.all, 1e6)},
-                     {"parts_us",
-                      {{"forces", units::us_per_s * t.forces},
-                       {"list", units::us_per_s * t.list},
-                       {"drift", units::us_per_s * t.drift},
-                       {"kick", units::us_per_s * t.kick},
-                       {"rest", units::us_per_s * t.rest}}},
-                     {"non_force_share", non_force_share(t)},
-                     {"rebuilds_per_step", t.rebuilds},
-                     {"ns_per_day", t.ns_per_day()}});
-  return {{"molecules", s.molecules},
-          {"precision", name_of(s.precision)},
-          {"threads", s.threads},
-          {"evaluations", evaluations},
-          {"steps", steps}};
-}
-
-std::string join(const std::vector<std::string>& parts, const char* between = ", ") {
-  std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
-  return text;
-}
-
-}  // namespace
 
 std::string threads_text(int n) { return fmt::format("{} thread{}", n, n == 1 ? "" : "s"); }
 
@@ -105,6 +45,104 @@ std::vector<std::size_t> sizes(const Benchmark& b) {
   return found;
 }
 
+double percent(double x) { return 100 * x; }
+
+/// @param label  of the best repeat in a table
+Quantities of_timing(const Timing& t, double unit, const char* label = "", const char* in = "") {
+  return {{"best", in, unit * t.best, "", label},
+          {"median", "", unit * t.median},
+          {"spread", "", t.spread()}};
+}
+
+Quantities of_limit(const Limit& l) {
+  const auto pair = [](const BarePair& p, const char* inside, const char* truncated) {
+    return Quantities{{"inside", "", of_timing(p.inside, 1, inside, "[ns]")},
+                      {"truncated", "", of_timing(p.truncated, 1, truncated, "[ns]")}};
+  };
+  return {{"precision", "", std::string(name_of(l.precision)), "precision of pair interactions",
+           "precision"},
+          {"lanes", "", l.lanes, "numbers in a pack", "lanes"},
+          {"multiply_adds_per_ns", "", l.multiply_adds, "", "multiply-adds/ns"},
+          {"pair_ns", "",
+           Quantities{{"forces", "", pair(l.forces, "pair", "switched")},
+                      {"energies", "", pair(l.energies, "with energy", "switched, with energy")}},
+           "time of a pair of waters: best repeat, median, and spread of the repeats"}};
+}
+
+Quantities of_evaluation(const EvaluationTiming& e, int threads) {
+  constexpr double us = units::us_per_s;
+  return {{"cutoff", "nm", 0.9, "cutoff"},
+          {"switch", "nm", e.switch_from, "begin of the switch", "switch"},
+          {"pairs", "", e.pairs, "number of pairs of molecules within the cutoff", "pairs"},
+          {"forces_us", "", of_timing(e.forces, us, "forces", "[us]"), "time of the forces"},
+          {"energies_us", "", of_timing(e.energies, us, "and energies", "[us]"),
+           "time of forces and energies"},
+          {"arithmetic_us", "[us]", us * e.arithmetic / threads,
+           "time of the bare arithmetic of the pairs", "arithmetic"},
+          {"energy_arithmetic_us", "", us * e.energy_arithmetic / threads, "with energies"},
+          {"share_of_limit", "", share(e, threads), "arithmetic relative to forces", "share"},
+          {"fill", "", e.fill, "part of the lanes in use", "fill"},
+          {"list_us", "", of_timing(e.list, us, "list build", "[us]"),
+           "time to build the neighbour list"}};
+}
+
+Quantities of_step(const StepTiming& t) {
+  Quantities parts;
+  for (const auto& [name, time] : {std::pair("forces", t.forces),
+                                   {"list", t.list},
+                                   {"drift", t.drift},
+                                   {"kick", t.kick},
+                                   {"rest", t.rest}}) {
+    parts.push_back({name, "", units::us_per_s * time});
+    parts.push_back({"", "%", time / t.all.best, "", name});
+  }
+  return {{"scheme", "", t.scheme, "scheme", "scheme"},
+          {"step", "fs", units::fs_per_ps * t.step, "time step", "step"},
+          {"step_us", "", of_timing(t.all, units::us_per_s, "a step", "[us]"), "time of a step"},
+          {"parts_us", "", parts, "its parts"},
+          {"non_force_share", "", non_force_share(t), "part that is not forces"},
+          {"rebuilds_per_step", "", t.rebuilds, "rebuilds of the neighbour list"},
+          {"ns_per_day", "", t.ns_per_day(), "speed", "ns/day"}};
+}
+
+Quantities of_conditions(const SystemTiming& s) {
+  return {{"molecules", "", s.molecules, "number of waters", "waters"},
+          {"precision", "", std::string(name_of(s.precision)), "precision of pair interactions",
+           "precision"},
+          {"threads", "", s.threads, "number of threads", "threads"}};
+}
+
+/// Timings of the systems in JSON, and as two tables of the text.
+Quantities of_systems(const std::vector<SystemTiming>& systems) {
+  std::vector<Quantities> all, evaluations, steps;
+  const auto add = [&](std::vector<Quantities>& own, std::vector<Quantities>& table,
+                       const SystemTiming& s, const Quantities& timing) {
+    own.push_back(timing);
+    table.push_back(of_conditions(s));
+    append(table.back(), timing);
+  };
+  for (const SystemTiming& s : systems) {
+    std::vector<Quantities> own_evaluations, own_steps;
+    for (const EvaluationTiming& e : s.evaluations)
+      add(own_evaluations, evaluations, s, of_evaluation(e, s.threads));
+    for (const StepTiming& t : s.steps) add(own_steps, steps, s, of_step(t));
+    all.push_back(of_conditions(s));
+    for (Quantity& q : all.back()) q.label.clear();
+    append(all.back(), {{"evaluations", "", own_evaluations, "timings of a force evaluation"},
+                        {"steps", "", own_steps, "timings of a step"}});
+  }
+  return {{"systems", "", all, "timings"},
+          {"", "", evaluations, "", "a force evaluation, cutoff 0.9 nm"},
+          {"", "", steps, "", "a step and its parts"}};
+}
+
+std::string join(const std::vector<std::string>& parts, const char* between = ", ") {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : between) + part;
+  return text;
+}
+
+/// What the numbers mean, one sentence each.
 std::vector<std::string> verdict(const Benchmark& b) {
   std::vector<std::string> lines;
   for (const std::size_t molecules : sizes(b)) {
@@ -152,22 +190,28 @@ std::vector<std::string> verdict(const Benchmark& b) {
   return lines;
 }
 
-std::string benchmark_json(const Benchmark& b, const Computer& computer) {
-  json limits = json::array(), systems = json::array(), instruction_sets = json::array();
+}  // namespace
+
+Quantities quantities(const Benchmark& b, const Computer& computer) {
+  std::vector<std::string> instruction_sets, threads;
   for (const InstructionSet instruction_set : available_instruction_sets())
-    instruction_sets.push_back(name(instruction_set));
-  for (const Limit& limit : b.limits) limits.push_back(as_json(limit));
-  for (const SystemTiming& s : b.systems) systems.push_back(as_json(s));
-  return json{{"version", version()},
-              {"processor", computer.processor},
-              {"instruction_set", computer.instruction_set},
-              {"instruction_sets", instruction_sets},
-              {"threads", computer.threads},
-              {"limits", limits},
-              {"systems", systems},
-              {"spread", b.spread()},
-              {"verdict", verdict(b)}}
-      .dump(2);
+    instruction_sets.emplace_back(name(instruction_set));
+  for (const int n : computer.threads) threads.push_back(std::to_string(n));
+  std::vector<Quantities> limits;
+  for (const Limit& limit : b.limits) limits.push_back(of_limit(limit));
+  Quantities list = {
+      {"version", "", version(), "version of the program"},
+      {"processor", "", computer.processor, "name of the processor", "processor"},
+      {"instruction_set", "", computer.instruction_set, "instruction set that was measured",
+       "instruction set", fmt::format(" (available: {})", join(instruction_sets))},
+      {"instruction_sets", "", instruction_sets, "instruction sets of this computer"},
+      {"threads", "", computer.threads, "numbers of threads"},
+      row("threads", join(threads)),
+      {"limits", "", limits, "speed of one core", "one core, best of all repeats"}};
+  append(list, of_systems(b.systems));
+  append(list, {{"spread", "", b.spread(), "largest spread of the repeats"},
+                {"verdict", "", verdict(b), "what the numbers mean", "verdict"}});
+  return list;
 }
 
 }  // namespace polhode

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What a benchmark measured, as JSON and in sentences.
+// What a benchmark measured.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "polhode/run/quantities.hpp"
 #include "run/benchmark/benchmark.hpp"
 
 namespace polhode {
@@ -16,23 +16,7 @@ struct Computer {
   std::vector<int> threads;
 };
 
-/// All numbers as JSON.
-std::string benchmark_json(const Benchmark& benchmark, const Computer& computer);
-
-/// What the numbers mean, one sentence each.
-std::vector<std::string> verdict(const Benchmark& benchmark);
-
-/// The numbers of molecules that were measured, and the systems of one of them.
-std::vector<std::size_t> sizes(const Benchmark& benchmark);
-std::vector<SystemTiming> of_size(const Benchmark& benchmark, std::size_t molecules);
-
-/// The bare arithmetic of the pairs relative to the time of the forces.
-double share(const EvaluationTiming& evaluation, int threads);
-/// The part of a step that is not forces.
-double non_force_share(const StepTiming& step);
-
-std::string threads_text(int threads);  ///< "2 threads"
-/// A time [s] with three digits and a unit.
-std::string duration(double seconds);
+/// The results as a list, from which text, JSON and the manual follow.
+Quantities quantities(const Benchmark& benchmark, const Computer& computer);
 
 }  // namespace polhode

@@ -1,99 +1,108 @@
 // SPDX-License-Identifier: MIT
 #include "run/canonical/canonical_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "../study/study_job.hpp"
+#include "io/files/with_error.hpp"
 #include "io/settings/ensemble_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/figures/plot.hpp"
 #include "run/canonical/canonical_record.hpp"
-#include "run/study/study_job.hpp"
 
 namespace polhode {
 namespace {
 
-Table point_table(const CanonicalReport& report) {
-  Table table;
-  table.columns = {{"scheme", ""},
-                   {"step", "fs"},
-                   {"cost", "1/ps"},
-                   {"runs", "1"},
-                   {"stable", "1"},
-                   {"accuracy", ""},
-                   {"loose_accuracy", ""},
-                   {"correlation_time", "ps"},
-                   {"correlation_time_error", "ps"},
-                   {"evaluations_per_sample", "1"},
-                   {"evaluations_per_sample_error", "1"},
-                   {"acceptance", "1"},
-                   {"exp_dH", "1"},
-                   {"exp_dH_error", "1"}};
-  for (const CanonicalQuantity& quantity : canonical_quantities)
-    for (const char* kind : {"", "_error", "_bias", "_bias_error"})
-      table.columns.push_back({std::string(quantity.name) + kind, quantity.unit});
-  for (const CanonicalPoint& p : report.points) {
-    const Estimate sample = p.evaluations_per_sample();
-    std::vector<Cell> row = {p.method.name,
-                             p.method.step * units::fs_per_ps,
-                             p.method.cost(),
-                             static_cast<double>(p.runs),
-                             p.stable ? 1.0 : 0.0,
-                             in_words(p.accuracy(BiasCriterion::strict)),
-                             in_words(p.accuracy(BiasCriterion::loose)),
-                             p.correlation_time.value,
-                             p.correlation_time.error,
-                             sample.value,
-                             sample.error,
-                             p.acceptance.value,
-                             p.weight.value,
-                             p.weight.error};
-    for (std::size_t k = 0; k < canonical_quantities.size(); ++k)
-      for (const auto& estimate : {p.mean[k], p.bias[k]}) {
-        const Estimate known = estimate.value_or(Estimate{std::nan(""), std::nan("")});
-        row.insert(row.end(), {known.value, known.error});
-      }
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+/// Marks a bias that is known to be above its bounds.
+std::string mark_on(const CanonicalPoint& point, std::size_t quantity) {
+  if (point.accuracy(quantity, BiasCriterion::loose) == Accuracy::above) return "**";
+  return point.accuracy(quantity, BiasCriterion::strict) == Accuracy::above ? "* " : "  ";
 }
 
-nlohmann::json finite(double value) {
-  return std::isfinite(value) ? nlohmann::json(value) : nlohmann::json();
-}
-
-nlohmann::json as_json(const Estimate& e) {
-  return {{"value", finite(e.value)}, {"error", finite(e.error)}};
-}
-
-nlohmann::json as_json(const CanonicalPoint& p) {
-  nlohmann::json json{{"scheme", p.method.name},
-                      {"step_fs", p.method.step * units::fs_per_ps},
-                      {"force_evaluations_per_ps", p.method.cost()},
-                      {"hybrid_monte_carlo", p.method.hybrid},
-                      {"runs", p.runs},
-                      {"stable", p.stable},
-                      {"accuracy", in_words(p.accuracy(BiasCriterion::strict))},
-                      {"loose_accuracy", in_words(p.accuracy(BiasCriterion::loose))},
-                      {"correlation_time_ps", as_json(p.correlation_time)},
-                      {"force_evaluations_per_sample", as_json(p.evaluations_per_sample())}};
+std::string note_on(const CanonicalPoint& p) {
+  if (!p.stable) return "blew up";
+  std::string text = fmt::format("{}, loosely {}", in_words(p.accuracy(BiasCriterion::strict)),
+                                 in_words(p.accuracy(BiasCriterion::loose)));
   if (p.method.hybrid)
-    json["acceptance"] = as_json(p.acceptance), json["exp_dH"] = as_json(p.weight);
-  for (std::size_t k = 0; k < canonical_quantities.size(); ++k) {
-    nlohmann::json& one = json["quantities"][canonical_quantities[k].name];
-    one = {
-        {"mean", nullptr}, {"bias", nullptr}, {"accuracy", nullptr}, {"loose_accuracy", nullptr}};
-    if (p.mean[k]) one["mean"] = as_json(*p.mean[k]);
-    if (p.bias[k]) one["bias"] = as_json(*p.bias[k]);
-    if (!p.bias[k]) continue;
-    one["accuracy"] = in_words(*p.accuracy(k, BiasCriterion::strict));
-    one["loose_accuracy"] = in_words(*p.accuracy(k, BiasCriterion::loose));
-  }
-  return json;
+    text += fmt::format(", acceptance {:.0f} %, <exp(-dH/kT)> {}", 100 * p.acceptance.value,
+                        with_error(p.weight.value, p.weight.error));
+  return text;
+}
+
+SeriesEstimate known(const std::optional<Estimate>& e) {
+  return nested(e.value_or(Estimate{std::nan(""), std::nan("")}));
+}
+
+/// The k-th quantity of a point: its mean, its bias, and whether that is below its bounds.
+Quantity of_quantity(const CanonicalPoint& p, std::size_t k) {
+  const CanonicalQuantity& q = canonical_quantities[k];
+  const std::string column = q.name;
+  const std::string unit = std::string_view(q.unit) == "1" ? "" : fmt::format("[{}]", q.unit);
+  const auto verdict = [&](BiasCriterion criterion) -> Value {
+    const auto accuracy = p.accuracy(k, criterion);
+    return accuracy ? Value(in_words(*accuracy)) : Value();
+  };
+  const auto value = [&](const std::optional<Estimate>& e) {  // null in JSON
+    return e ? Value(nested(*e)) : Value();
+  };
+  return {q.name, "",
+          Quantities{{"mean", "", value(p.mean[k]), "mean over the runs"},
+                     {"bias", "", value(p.bias[k]), "bias of the mean"},
+                     {"", unit, known(p.mean[k]), "", "", "", column},
+                     {"", unit, known(p.bias[k]), "", q.label, mark_on(p, k), column + "_bias"},
+                     {"accuracy", "", verdict(BiasCriterion::strict), "by the strict bound"},
+                     {"loose_accuracy", "", verdict(BiasCriterion::loose), "by the loose bound"}}};
+}
+
+Quantities of_point(const CanonicalPoint& p) {
+  const std::string acceptance = p.method.hybrid ? "acceptance" : "";
+  const std::string weight = p.method.hybrid ? "exp_dH" : "";
+  Quantities by_name;
+  for (std::size_t k = 0; k < canonical_quantities.size(); ++k)
+    by_name.push_back(of_quantity(p, k));
+  return {{"scheme", "", p.method.name, "name of the scheme, or its stages", "scheme"},
+          {"step", "fs", p.method.step * units::fs_per_ps, "time step", "step"},
+          {"force_evaluations", "1/ps", p.method.cost(), "cost", "cost", "", "cost"},
+          {"hybrid_monte_carlo", "", p.method.hybrid, "whether it makes proposals", "", "", "-"},
+          {"runs", "", p.runs, "number of independent runs", "runs"},
+          {"stable", "", p.stable, "whether no run blew up"},
+          {"accuracy", "", in_words(p.accuracy(BiasCriterion::strict)),
+           "`below the bound`, `above the bound` or `undecided`, by the strict bounds"},
+          {"loose_accuracy", "", in_words(p.accuracy(BiasCriterion::loose)),
+           "the same by the loose bounds"},
+          {"correlation_time", "ps", nested(p.correlation_time),
+           "integrated autocorrelation time of U"},
+          {"force_evaluations_per_sample", "", nested(p.evaluations_per_sample()),
+           "force evaluations per independent sample of U", "cost/sample", "",
+           "evaluations_per_sample"},
+          {"", "", p.acceptance.value, "", "", "", "acceptance"},
+          {acceptance, "", nested(p.acceptance), "acceptance of proposals", "", "", "-"},
+          {weight, "", nested(p.weight), "mean of exp(-dH/kT)", "", "", "exp_dH"},
+          {"quantities", "", by_name, ""},
+          row("biases", note_on(p))};
+}
+
+std::vector<Quantities> point_records(const CanonicalReport& report) {
+  std::vector<Quantities> records;
+  for (const CanonicalPoint& point : report.points) records.push_back(of_point(point));
+  return records;
+}
+
+/// The sentences on one criterion, below its bounds.
+Quantity of_findings(const char* key, const CanonicalReport& report,
+                     const CanonicalFindings& findings) {
+  std::string bounds;
+  for (const CanonicalQuantity& q : canonical_quantities)
+    bounds += fmt::format("{} {} {:g}{}{}", bounds.empty() ? "" : ",", q.label,
+                          q.bound(findings.criterion), std::string_view(q.unit) == "1" ? "" : " ",
+                          std::string_view(q.unit) == "1" ? "" : q.unit);
+  return {key, "", canonical_sentences(findings, report.points),
+          fmt::format("what the points show by the {} bounds", in_words(findings.criterion)),
+          fmt::format("{} bounds:{}; with 95 % confidence", in_words(findings.criterion), bounds)};
 }
 
 /// The quantities of the figure, in panels: the cost of a sample is the last one.
@@ -139,7 +148,7 @@ struct CanonicalStudy {
   static constexpr const char* title = "canonical study";
   static constexpr auto identity = canonical_identity;
   static constexpr auto perform = perform_canonical_runs;
-  static constexpr auto table_of = point_table;
+  static constexpr auto records_of = point_records;
   static constexpr auto figure_of = figure;
   static constexpr auto plot = canonical_plot;
 
@@ -185,17 +194,21 @@ std::string canonical_conditions(const Config& config) {
       hybrid.steps, config.system.temperature);
 }
 
-std::string study_json(const CanonicalReport& report) {
-  nlohmann::json json;
-  json["conditions"] = canonical_conditions(report.config);
-  for (const CanonicalQuantity& quantity : canonical_quantities)
-    json["bounds"][quantity.name] = {
-        {"value", quantity.strict}, {"loose", quantity.loose}, {"unit", quantity.unit}};
-  json["points"] = nlohmann::json::array();
-  for (const CanonicalPoint& point : report.points) json["points"].push_back(as_json(point));
-  json["claims"] = canonical_sentences(report.findings[0], report.points);
-  json["loose_claims"] = canonical_sentences(report.findings[1], report.points);
-  return json.dump(2);
+Quantities quantities(const CanonicalReport& report) {
+  Quantities bounds;
+  for (const CanonicalQuantity& q : canonical_quantities)
+    bounds.push_back({q.name, "",
+                      Quantities{{"value", "", q.strict, "strict bound on the bias"},
+                                 {"loose", "", q.loose, "loose bound"},
+                                 {"unit", "", q.unit, "unit of both"}}});
+  return {{"conditions", "", canonical_conditions(report.config), "what all runs have in common"},
+          row("", canonical_conditions(report.config)),
+          {"bounds", "", bounds, ""},
+          {"points", "", point_records(report), "runs of a scheme with one step",
+           "points, with the biases of averages; * above the strict bound, ** above the loose one"},
+          of_findings("claims", report, report.findings[0]),
+          of_findings("loose_claims", report, report.findings[1]),
+          row("files", fmt::format("{}", fmt::join(report.files, " ")))};
 }
 
 CanonicalReport run_canonical_study(const Config& config, const std::string& prefix,

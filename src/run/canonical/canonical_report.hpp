@@ -67,8 +67,8 @@ CanonicalReport report_canonical_record(const Config& config, const std::string&
                                         const OutputOptions& options = {},
                                         const Callbacks& callbacks = {});
 
-/// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
-std::string study_json(const CanonicalReport& report);
+/// The results as a list, from which text, JSON, the table of points and the manual follow.
+Quantities quantities(const CanonicalReport& report);
 
 /// Forces, runs and bath of a canonical study, in a sentence.
 std::string canonical_conditions(const Config& config);

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <limits>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
 
@@ -191,22 +190,24 @@ std::string choice_text(const HybridChoice& choice) {
   return fmt::format("{} steps of {:.2g} fs", choice.steps, choice.step * units::fs_per_ps);
 }
 
-nlohmann::json as_json(const Estimate& e) {
-  if (!std::isfinite(e.value)) return {};
-  return {{"value", e.value}, {"error", e.error}};
-}
-
-nlohmann::json as_json(const std::vector<HybridChoice>& choices) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const HybridChoice& c : choices)
-    list.push_back(
-        {{"step_fs", c.step * units::fs_per_ps},
-         {"steps", c.steps},
-         {"acceptance", as_json(c.acceptance)},
-         {"exp_dH", as_json(c.weight)},
-         {"force_evaluations_per_sample",
-          c.evaluations_per_sample ? as_json(*c.evaluations_per_sample) : nlohmann::json()}});
-  return list;
+std::vector<Quantities> records_of(const std::vector<HybridChoice>& choices) {
+  std::vector<Quantities> records;
+  for (const HybridChoice& c : choices) {
+    const bool stable = std::isfinite(c.weight.value);
+    const auto known = [](const Estimate& e) {
+      return std::isfinite(e.value) ? Value(nested(e)) : Value();
+    };
+    const auto& cost = c.evaluations_per_sample;
+    records.push_back(
+        {{"step", "fs", c.step * units::fs_per_ps, "time step", "step"},
+         {"steps", "", c.steps, "number of steps of a trajectory", "steps"},
+         {"acceptance", "%", known(c.acceptance), "acceptance of proposals", "acceptance"},
+         {"exp_dH", "", known(c.weight), "mean of exp(-dH/kT)", "<exp(-dH/kT)>"},
+         {"force_evaluations_per_sample", "", cost ? Value(nested(*cost)) : Value(),
+          "force evaluations per independent sample of U", "evaluations/sample"},
+         row("remark", stable ? "" : "a run blew up")});
+  }
+  return records;
 }
 
 }  // namespace
@@ -250,13 +251,17 @@ std::string answer(const HybridAdvice& advice) {
   return text;
 }
 
-std::string hybrid_advice_json(const HybridAdvice& advice) {
-  return nlohmann::json{{"scheme", advice.scheme},
-                        {"pilots", as_json(advice.pilots)},
-                        {"finalists", as_json(advice.finalists)},
-                        {"not_distinguishable", advice.equal},
-                        {"answer", answer(advice)}}
-      .dump(2);
+Quantities quantities(const HybridAdvice& advice) {
+  Quantities list = {
+      {"scheme", "", advice.scheme, "scheme of the proposals"},
+      {"pilots", "", records_of(advice.pilots), "short runs of all choices", "pilot runs"},
+      {"finalists", "", records_of(advice.finalists), "longer runs of the best, the answer first",
+       "independent, longer runs of the best"},
+      {"not_distinguishable", "", advice.equal,
+       "the finalists, counted from 0, whose cost is not distinguishable from the best"},
+      {"answer", "", answer(advice), "the answer in words"}};
+  if (!advice.finalists.empty()) list.push_back(row("", answer(advice)));
+  return list;
 }
 
 }  // namespace polhode

@@ -12,6 +12,7 @@
 #include "polhode/io/settings/config.hpp"
 #include "polhode/math/fit.hpp"
 #include "polhode/run/callbacks.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 
@@ -57,7 +58,7 @@ HybridAdvice advise_hybrid(const Config& config, const HybridAdviserSettings& se
 /// The answer in a sentence.
 std::string answer(const HybridAdvice& advice);
 
-/// The advice as JSON. Names contain units, as in "step_fs"; unknown values are null.
-std::string hybrid_advice_json(const HybridAdvice& advice);
+/// The results as a list, from which text, JSON and the manual follow.
+Quantities quantities(const HybridAdvice& advice);
 
 }  // namespace polhode

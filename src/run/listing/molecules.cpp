@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "run/listing/molecules.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <variant>
 
+#include "base/printable.hpp"
 #include "io/settings/quantity.hpp"
 #include "model/dipole.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
@@ -13,36 +16,53 @@
 namespace polhode {
 namespace {
 
-nlohmann::json as_json(const Molecule& m) {
-  nlohmann::json sites = nlohmann::json::array();
-  for (const Site& s : m.sites)
-    sites.push_back({{"name", s.name},
-                     {"element", s.element},
-                     {"position", {s.r.x, s.r.y, s.r.z}},
-                     {"mass", s.mass},
-                     {"charge", s.charge},
-                     {"sigma", s.sigma},
-                     {"epsilon", s.epsilon},
-                     {"law", name(s.law)},
-                     {"parameters", parameters(s.sigma, s.epsilon, s.law)}});
-  return {{"name", m.name},
-          {"description", m.description},
-          {"source", m.source},
-          {"mass", m.mass},
-          {"moments", {m.J.x, m.J.y, m.J.z}},
-          {"top", name(m.top)},
-          {"charge", round_charge(m.charge())},
-          {"dipole", dipole_in_debye(m)},
-          {"sites", sites}};
-}
-
-}  // namespace
-
+/// The dipole moment [D], 0 where only rounding errors remain of it.
 double dipole_in_debye(const Molecule& m) {
   return has_dipole(m) ? m.dipole() / unit("D", Dimension::dipole) : 0;
 }
 
+/// A charge [e]; those with few digits sum to zero only up to rounding, which is removed.
 double round_charge(double charge) { return std::abs(charge) < 1e-12 ? 0.0 : charge; }
+
+Quantities of_site(const Site& s) {
+  const std::string law = printable(parameters(s.sigma, s.epsilon, s.law));
+  const bool lennard_jones = std::holds_alternative<LennardJonesLaw>(s.law);
+  return {{"name", "", s.name, "name of the site", "name"},
+          {"element", "", s.element, "chemical element"},
+          {"position", "[nm]", std::vector{s.r.x, s.r.y, s.r.z}, "in the principal frame"},
+          {"", "nm", s.r.x, "", "x", "", "", 6},
+          {"", "nm", s.r.y, "", "y", "", "", 6},
+          {"", "nm", s.r.z, "", "z", "", "", 6},
+          {"mass", "[u]", s.mass, "mass", "mass", "", "", 6},
+          {"charge", "[e]", s.charge, "charge", "q", "", "", 6},
+          {"sigma", "[nm]", s.sigma, "diameter of the short-range law", "sigma", "", "", 6},
+          {"epsilon", "[kJ/mol]", s.epsilon, "its well depth", "epsilon", "", "", 6},
+          {"law", "", name(s.law), "short-range law"},
+          {"parameters", "", parameters(s.sigma, s.epsilon, s.law), "its parameters"},
+          row("law", lennard_jones ? "" : fmt::format("{}: {}", name(s.law), law))};
+}
+
+/// @param alone  rather than a row of a table
+Quantities of_molecule(const Molecule& m, bool alone) {
+  const auto label = [&](const char* text) { return alone ? text : ""; };
+  std::vector<Quantities> sites;
+  for (const Site& s : m.sites) sites.push_back(of_site(s));
+  return {{"name", "", m.name, "name of the model", "name"},
+          {"", "", m.sites.size(), "", alone ? "" : "sites"},
+          {"mass", "[u]", m.mass, "mass", "mass", "", "", 6},
+          {"moments", "[u nm²]", std::vector{m.J.x, m.J.y, m.J.z}, "principal moments of inertia",
+           label("moments"), "", "", 6},
+          {"charge", "[e]", round_charge(m.charge()), "charge", "charge", "", "", 6},
+          {"dipole", "[D]", dipole_in_debye(m), "dipole moment", "dipole"},
+          {"top", "", name(m.top), "kind of top", "top"},
+          {"source", "", m.source, "key of the bibliography"},
+          row("source", printable(m.source)),
+          {"description", "", m.description, "what it is"},
+          row("description", printable(m.description)),
+          {"sites", "", sites, "its sites", label("sites, in the principal frame")}};
+}
+
+}  // namespace
 
 std::vector<Molecule> find_molecules(const std::string& name) {
   std::vector<Molecule> molecules;
@@ -57,10 +77,12 @@ std::vector<Molecule> find_molecules(const std::string& name) {
   return molecules;
 }
 
-std::string molecules_json(const std::vector<Molecule>& molecules, bool one) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const Molecule& molecule : molecules) list.push_back(as_json(molecule));
-  return (one ? list.at(0) : list).dump(2);
+Quantities quantities(const Molecule& molecule) { return of_molecule(molecule, true); }
+
+std::vector<Quantities> records(const std::vector<Molecule>& molecules) {
+  std::vector<Quantities> list;
+  for (const Molecule& molecule : molecules) list.push_back(of_molecule(molecule, false));
+  return list;
 }
 
 }  // namespace polhode

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polhode/model/molecule.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 
@@ -14,13 +15,10 @@ namespace polhode {
 /// @throws Error  if there is no such model, or a file cannot be read
 std::vector<Molecule> find_molecules(const std::string& name);
 
-/// The dipole moment [D], 0 where only rounding errors remain of it.
-double dipole_in_debye(const Molecule& molecule);
-/// A charge [e]; those with few digits sum to zero only up to rounding, which is removed.
-double round_charge(double charge);
+/// A molecule with its sites: lengths in nm, masses in u, charges in e, energies in kJ/mol.
+Quantities quantities(const Molecule& molecule);
 
-/// An array, or the one molecule itself if `one`. Lengths in nm, masses in u, charges in e,
-/// energies in kJ/mol, the dipole moment in D.
-std::string molecules_json(const std::vector<Molecule>& molecules, bool one);
+/// The same of each, as rows of a table.
+std::vector<Quantities> records(const std::vector<Molecule>& molecules);
 
 }  // namespace polhode

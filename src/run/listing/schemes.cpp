@@ -1,43 +1,75 @@
 // SPDX-License-Identifier: MIT
 #include "run/listing/schemes.hpp"
 
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
+#include <cmath>
+#include <string>
+
+#include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
 
 namespace polhode {
 namespace {
 
-nlohmann::json as_json(const Scheme& scheme) {
-  nlohmann::json stages = nlohmann::json::array();
-  for (const Stage& s : scheme.stages())
-    stages.push_back({{"flow", name_of(s.flow)},
-                      {"fraction", s.fraction},
-                      {"xi", s.xi},
-                      {"gradient", s.xi == 0                            ? ""
-                                   : s.has(Gradient::finite_difference) ? "finite difference"
-                                                                        : "exact"}});
-  return {{"name", scheme.name()},
-          {"order", scheme.order()},
-          {"stages", stages},
-          {"force_evaluations", scheme.force_evaluations()},
-          {"gradient_kicks", scheme.gradient_kicks()},
-          {"derivatives", scheme.derivatives()},
-          {"cost", scheme.cost()},
-          {"palindrome", scheme.palindromic()},
-          {"source", scheme.source()},
-          {"text", text_of(scheme)}};
+/// The flows in order: A for a drift, B for a kick, G for a gradient kick, O for a bath.
+std::string flows(const Scheme& scheme) {
+  std::string letters;
+  for (const Stage& s : scheme.stages()) letters += s.xi == 0 ? letter_of(s.flow) : 'G';
+  return letters;
+}
+
+Quantities of_stage(const Stage& s) {
+  const bool fd = s.has(Gradient::finite_difference);
+  const std::string gradient = s.xi == 0 ? "" : fd ? "finite difference" : "exact";
+  return {{"flow", "", std::string(name_of(s.flow)), "`drift`, `kick` or `bath`", "flow"},
+          {"fraction", "", s.fraction, "of the step", "fraction of the step", "", "", 16},
+          {"xi", "", s.xi, "prefactor of the gradient correction", "xi", "", "", 16},
+          {"gradient", "", gradient, "`exact`, `finite difference` or empty", "gradient"}};
+}
+
+/// "alpha 0.01, beta -0.02", "none", or that the scheme is not a palindrome.
+std::string error_text(const Scheme& scheme) {
+  if (!scheme.palindromic()) return "of order h in general: the scheme is not time-reversible";
+  const ErrorTerms error = error_terms(scheme);
+  constexpr double rounding = 1e-14;  // of coefficients with 15 digits
+  return (std::hypot(error.alpha, error.beta) < rounding
+              ? "none"
+              : fmt::format("alpha {:.6g}, beta {:.6g}", error.alpha, error.beta)) +
+         (scheme.has(Flow::bath) ? ", of drifts and kicks alone" : "");
+}
+
+/// @param alone  rather than a row of a table
+Quantities of_scheme(const Scheme& scheme, bool alone) {
+  const auto label = [&](const char* text) { return alone ? text : ""; };
+  std::vector<Quantities> stages;
+  for (const Stage& s : scheme.stages()) stages.push_back(of_stage(s));
+  return {
+      {"name", "", std::string(scheme.name()), "its name", "name"},
+      {"order", "", scheme.order(), "its order; 0: unknown"},
+      row("order", scheme.order() ? std::to_string(scheme.order()) : "unknown"),
+      {"force_evaluations", "", scheme.force_evaluations(), "force evaluations per step",
+       "force evaluations"},
+      {"gradient_kicks", "", scheme.gradient_kicks(), "gradient kicks per step", "gradient kicks"},
+      {"derivatives", "", scheme.derivatives(), "derivatives of the forces per step"},
+      {"cost", "", scheme.cost(), "sum of both, in force evaluations per step", "cost"},
+      {"palindrome", "", scheme.palindromic(), "whether it is time-reversible",
+       label("palindrome")},
+      {"source", "", std::string(scheme.source()), "key of the bibliography", "source"},
+      alone ? row("error of order h²", error_text(scheme)) : row("flows", flows(scheme)),
+      {"stages", "", stages, "its stages in order", label("stages")},
+      {"text", "", text_of(scheme), "its stages as text", label("as text")}};
 }
 
 }  // namespace
 
-std::string scheme_json(const Scheme& scheme) { return as_json(scheme).dump(2); }
+Quantities quantities(const Scheme& scheme) { return of_scheme(scheme, true); }
 
-std::string schemes_json() {
-  nlohmann::json all = nlohmann::json::array();
-  for (const Scheme& scheme : schemes) all.push_back(as_json(scheme));
-  return all.dump(2);
+std::vector<Quantities> all_schemes() {
+  std::vector<Quantities> all;
+  for (const Scheme& scheme : schemes) all.push_back(of_scheme(scheme, false));
+  return all;
 }
 
 }  // namespace polhode

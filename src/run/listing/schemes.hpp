@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The splitting schemes as JSON.
+// The splitting schemes as lists of quantities.
 #pragma once
 
-#include <string>
+#include <vector>
 
 #include "polhode/integrate/scheme.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 
 /// Stages, order, cost and source of a scheme.
-std::string scheme_json(const Scheme& scheme);
-/// The same of all schemes of the table, as an array.
-std::string schemes_json();
+Quantities quantities(const Scheme& scheme);
+/// The same of all schemes of the table.
+std::vector<Quantities> all_schemes();
 
 }  // namespace polhode

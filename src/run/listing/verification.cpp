@@ -4,9 +4,9 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "io/settings/nested_scheme_text.hpp"
+#include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 
 namespace polhode {
@@ -35,15 +35,29 @@ void check_lambda(const NestedScheme& scheme) {
                   name_of(scheme)));
 }
 
-std::string verification_json(const Verification& v) {
-  nlohmann::json points = nlohmann::json::array();
-  for (const auto& p : v.measured.points) points.push_back({{"step", p.step}, {"error", p.error}});
-  return nlohmann::json{{"scheme", name_of(v.scheme)},
-                        {"measured_order", v.measured.order},
-                        {"declared_order", v.declared},
-                        {"holds", v.declared ? nlohmann::json(v.holds()) : nullptr},
-                        {"points", points}}
-      .dump(2);
+Quantities quantities(const Verification& v) {
+  std::vector<Quantities> points;
+  const auto& measured = v.measured.points;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const auto& p = measured[i];
+    points.push_back(
+        {{"step", "[ps]", p.step, "time step"},
+         {"", "fs", p.step * units::fs_per_ps, "", "step"},
+         {"error", "", p.error, "error relative to the initial kinetic energy", "energy error"},
+         row("order",
+             i == 0 ? "" : fmt::format("{:.2f}", std::log2(measured[i - 1].error / p.error)))});
+  }
+  const std::string verdict =
+      v.declared == 0
+          ? "; no order is declared, so there is nothing to compare with (--order N)"
+          : fmt::format(", declared {}: {}", v.declared, v.holds() ? "confirmed" : "NOT confirmed");
+  return {{"scheme", "", name_of(v.scheme), "name of the scheme, or its stages"},
+          {"points", "", points, "energy errors by step", "energy error of a model"},
+          {"measured_order", "", v.measured.order, "order from the slope of the energy error"},
+          {"declared_order", "", v.declared, "order to compare with; 0: none is known"},
+          {"holds", "", v.declared ? Value(v.holds()) : Value(),
+           "whether both differ by less than 0.1; null: there is nothing to compare with"},
+          row("", fmt::format("measured order {:.2f}{}", v.measured.order, verdict))};
 }
 
 }  // namespace polhode

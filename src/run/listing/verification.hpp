@@ -5,6 +5,7 @@
 #include <string>
 
 #include "measure/order.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 
@@ -26,7 +27,7 @@ Verification verify(const std::string& scheme, int order = 0, double lambda = 1e
 /// @throws Error  if lambda has no effect on the scheme
 void check_lambda(const NestedScheme& scheme);
 
-/// The result as JSON: steps in ps, errors relative to the initial kinetic energy.
-std::string verification_json(const Verification& verification);
+/// The results as a list, from which text, JSON and the manual follow.
+Quantities quantities(const Verification& verification);
 
 }  // namespace polhode

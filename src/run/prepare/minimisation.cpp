@@ -2,7 +2,6 @@
 #include "polhode/run/prepare/minimisation.hpp"
 
 #include <fmt/core.h>
-#include <nlohmann/json.hpp>
 
 #include "io/coordinates/gro.hpp"
 #include "polhode/base/error.hpp"
@@ -21,10 +20,15 @@ void check_settings(const MinimisationSettings& s) {
                     s.force, s.torque));
 }
 
-nlohmann::json steepness_json(const Steepness& s, std::size_t molecules) {
-  return {{"potential_kJ_per_mol", s.potential / static_cast<double>(molecules)},
-          {"force_kJ_per_mol_nm", s.force},
-          {"torque_kJ_per_mol", s.torque}};
+Quantity of_steepness(const char* key, const Steepness& s, std::size_t molecules) {
+  return {key, "",
+          Quantities{{"potential", "kJ/mol", s.potential / static_cast<double>(molecules),
+                      "potential energy per molecule", "potential energy", " per molecule", "", 7},
+                     {"force", "kJ/mol/nm", s.force, "largest force on a molecule", "largest force",
+                      "", "", 7},
+                     {"torque", "kJ/mol", s.torque, "largest torque on a molecule",
+                      "largest torque", "", "", 7}},
+          "", key};
 }
 
 }  // namespace
@@ -64,17 +68,19 @@ std::string reason(MinimisationEnd end) {
   return "";
 }
 
-std::string minimisation_json(const MinimisationReport& r) {
+Quantities quantities(const MinimisationReport& r) {
   const Minimisation& m = r.minimisation;
-  return nlohmann::json{{"molecules", r.molecules},
-                        {"steps", m.steps},
-                        {"end", reason(m.end)},
-                        {"before", steepness_json(m.before, r.molecules)},
-                        {"after", steepness_json(m.after, r.molecules)},
-                        {"bound_force_kJ_per_mol_nm", r.settings.force},
-                        {"bound_torque_kJ_per_mol", r.settings.torque},
-                        {"files", {r.file}}}
-      .dump(2);
+  return {{"molecules", "", r.molecules, "number of molecules", "molecules"},
+          {"steps", "", m.steps, "number of steps", "steps"},
+          {"end", "", reason(m.end), "`converged`, `maximum number of steps` or `interrupted`",
+           "ended"},
+          of_steepness("before", m.before, r.molecules),
+          of_steepness("after", m.after, r.molecules),
+          {"bound_force", "kJ/mol/nm", r.settings.force, "bound on the largest force",
+           "bound of the force"},
+          {"bound_torque", "kJ/mol", r.settings.torque, "bound on the largest torque",
+           "bound of the torque"},
+          {"files", "", std::vector{r.file}, "the file that was written"}};
 }
 
 }  // namespace polhode

@@ -22,7 +22,7 @@ namespace polhode {
 ///     identity(config, system)                   of its record
 ///     read(stream, path)                         all runs of any such record
 ///     perform(config, known, keep, callbacks, workers)
-///     table_of(report), figure_of(report)
+///     records_of(report), figure_of(report)
 ///     plot(prefix, figure, format, warnings)
 /// and, as an object with the settings `config`,
 ///     points()                                   their number
@@ -122,9 +122,11 @@ class StudyJob {
   }
 
   void write(const Report& report) const {
-    write_file(files_.points,
-               [&](std::ostream& out) { write_csv(out, Study::table_of(report), made_); });
-    write_file(files_.json, [&](std::ostream& out) { out << study_json(report) << '\n'; });
+    write_file(files_.points, [&](std::ostream& out) {
+      write_csv(out, table_of(Study::records_of(report)), made_);
+    });
+    write_file(files_.json,
+               [&](std::ostream& out) { out << json_text(quantities(report)) << '\n'; });
     pass_messages(callbacks_, [&](std::ostream& warnings) {
       for (const char* format : {"svg", "png"})
         Study::plot(files_.prefix, Study::figure_of(report), format, warnings);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "run/study/study_report.hpp"
 
-#include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
@@ -21,80 +20,128 @@ namespace {
 // Values of R for which the guideline table lists costs, including those of the paper.
 const std::vector<double> table_ratios = {0.03, 0.015, 0.01, 0.007, 0.004, 0.002, 0.001, 0.0001};
 
-Table point_table(const StudyReport& report) {
-  Table table;
-  table.columns = {{"scheme", ""},
-                   {"step", "fs"},
-                   {"cost", "1/ps"},
-                   {"runs", "1"},
-                   {"stable", "1"},
-                   {"usable", "1"},
-                   {"R", "1"},
-                   {"R_error", "1"},
-                   {"drift", "kJ/mol/ps"},
-                   {"drift_error", "kJ/mol/ps"},
-                   {"drift_p_value", "1"},
-                   {"relative_drift", "1"},
-                   {"temperature", "K"},
-                   {"R_rounding", "1"},
-                   {"rounded", "1"},
-                   {"near_weight", "1"}};
-  add_excess_columns(table.columns);
+/// A mean over runs, whose error is not known from one run.
+Estimate over_runs(const EfficiencyPoint& p, Estimate mean) {
+  if (p.runs < 2) mean.error = std::nan("");
+  return mean;
+}
+
+/// What a user needs to know about a point, and why it is not part of the curve if it is not.
+std::string note_on(const EfficiencyPoint& p, bool usable) {
+  if (!p.stable) return "blew up";
+  if (!usable)
+    return p.drifts() ? "energy drifts: beyond the end of the curve"
+                      : "beyond the end of the curve";
+  if (p.drifts()) return "energy drifts, but not at longer steps";
+  if (p.drift.significant()) return "significant energy drift, but small";
+  if (p.relative_drift() >= drift_bound && std::abs(p.drift.rate.value) > 2 * p.drift.rate.error)
+    return "large energy drift, but not significant: more runs needed";
+  if (p.at_rounding()) return fmt::format("rounding alone gives {:.2g} %", 100 * p.rounding);
+  return "";
+}
+
+Quantities of_point(const EfficiencyPoint& p, bool usable) {
+  Quantities list = {
+      {"scheme", "", p.scheme, "name of the scheme, or its stages", "scheme"},
+      {"step", "fs", p.step * units::fs_per_ps, "time step", "step"},
+      {"force_evaluations", "1/ps", p.cost, "cost", "cost", "", "cost"},
+      {"runs", "", p.runs, "number of independent runs", "runs"},
+      {"stable", "", p.stable, "whether no run blew up"},
+      {"usable", "", usable, "whether the step is before the end of the curve"},
+      {"R", "%", over_runs(p, p.ratio),
+       "rms fluctuation of the total energy over that of the potential; `R_error`: its standard "
+       "error",
+       "R"},
+      {"drift", "kJ/mol/ps", over_runs(p, p.drift.rate),
+       "energy drift; `drift_error`: its standard error", "energy drift"},
+      {"drift_p_value", "", p.runs > 1 ? p.drift.p_value : std::nan(""),
+       "probability of such a drift by chance"},
+      {"relative_drift", "", p.relative_drift(),
+       "change of the energy by its drift during a run, in rms fluctuations of the energy"},
+      {"temperature", "K", p.temperature, "mean kinetic temperature"},
+      {"R_rounding", "", p.rounding, "R of rounding alone, estimated; 0 in double precision"},
+      {"rounded", "", p.at_rounding(), "whether R is below twice that"},
+      {"near_weight", "", p.near_weight,
+       "time of a near-force evaluation relative to one of all forces"}};
+  append(list, excesses(p));
+  list.push_back(row("remark", note_on(p, usable)));
+  return list;
+}
+
+std::vector<Quantities> point_records(const StudyReport& report) {
+  std::vector<Quantities> records;
   for (const Curve& curve : report.curves)
-    for (std::size_t i = 0; i < curve.points.size(); ++i) {
-      const EfficiencyPoint& p = curve.points[i];
-      table.rows.push_back(
-          {p.scheme, p.step * units::fs_per_ps, p.cost, static_cast<double>(p.runs),
-           p.stable ? 1.0 : 0.0, i < curve.usable ? 1.0 : 0.0, p.ratio.value, p.ratio.error,
-           p.drift.rate.value, p.drift.rate.error, p.drift.p_value, p.relative_drift(),
-           p.temperature, p.rounding, p.at_rounding() ? 1.0 : 0.0, p.near_weight});
-      add_excesses(table.rows.back(), p);
-    }
-  return table;
+    for (std::size_t i = 0; i < curve.points.size(); ++i)
+      records.push_back(of_point(curve.points[i], i < curve.usable));
+  return records;
 }
 
-nlohmann::json as_json(const EfficiencyPoint& p, bool usable) {
-  const auto error_of = [&](const Estimate& e) {  // not known from one run
-    return p.runs > 1 && std::isfinite(e.error) ? nlohmann::json(e.error) : nlohmann::json();
-  };
-  nlohmann::json json{
-      {"scheme", p.scheme},
-      {"step_fs", p.step * units::fs_per_ps},
-      {"force_evaluations_per_ps", p.cost},
-      {"runs", p.runs},
-      {"stable", p.stable},
-      {"usable", usable},
-      {"R", p.ratio.value},
-      {"R_error", error_of(p.ratio)},
-      {"drift_kJ_per_mol_ps", p.drift.rate.value},
-      {"drift_error", error_of(p.drift.rate)},
-      {"drift_p_value", p.runs > 1 ? nlohmann::json(p.drift.p_value) : nlohmann::json()},
-      {"relative_drift", p.relative_drift()},
-      {"temperature_K", p.temperature},
-      {"R_rounding", p.rounding},
-      {"rounded", p.at_rounding()},
-      {"near_weight", p.near_weight}};
-  add_excesses(json, p);
-  return json;
+/// The cost of scheme c, and its ratio to that of velocity Verlet where both are known.
+std::string cost_text(const Guideline& line, std::size_t c, std::size_t verlet) {
+  const std::optional<CostAtRatio>& cost = line.costs[c];
+  if (!cost) return "-";
+  std::string text = cost->at_max_step ? fmt::format("{:.0f}+", cost->cost)
+                                       : fmt::format("{:.0f} ± {:.0f}{}", cost->cost, cost->error,
+                                                     cost->extrapolated ? "*" : "");
+  if (verlet < line.costs.size() && line.costs[verlet])
+    text += fmt::format(" ({:.2f})", line.costs[verlet]->cost / cost->cost);
+  return text;
 }
 
-nlohmann::json as_json(const Guideline& line, const std::vector<Curve>& curves) {
-  nlohmann::json row{{"R", line.ratio}};
-  for (std::size_t c = 0; c < line.costs.size(); ++c)
-    if (line.costs[c])
-      row["costs"][curves[c].scheme] = {{"force_evaluations_per_ps", line.costs[c]->cost},
-                                        {"error", line.costs[c]->error},
-                                        {"step_fs", line.costs[c]->step * units::fs_per_ps},
-                                        {"extrapolated", line.costs[c]->extrapolated},
-                                        {"max_step_without_drift", line.costs[c]->at_max_step}};
-  if (line.best) row["best"] = curves[*line.best].scheme;
-  return row;
+Quantities of_guideline(const Guideline& line, const std::vector<Curve>& curves,
+                        std::size_t verlet) {
+  Quantities list = {{"R", "%", line.ratio, "an R", "R"}}, costs;
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    list.push_back(row(curves[c].scheme, cost_text(line, c, verlet)));
+    if (const std::optional<CostAtRatio>& cost = line.costs[c])
+      costs.push_back({curves[c].scheme, "",
+                       Quantities{{"force_evaluations", "1/ps", cost->cost},
+                                  {"error", "", cost->error},
+                                  {"step", "fs", cost->step * units::fs_per_ps},
+                                  {"extrapolated", "", cost->extrapolated},
+                                  {"max_step_without_drift", "", cost->at_max_step}}});
+  }
+  list.push_back({"costs", "", costs,
+                  "of each scheme that reaches it: `force_evaluations_per_ps`, its `error`, the "
+                  "time step `step_fs`, whether it is `extrapolated`, and whether it is that of "
+                  "the `max_step_without_drift`"});
+  list.push_back({line.best ? "best" : "", "", line.best ? curves[*line.best].scheme : "none",
+                  "the scheme that reaches it with the lowest cost", "best"});
+  return list;
 }
 
-nlohmann::json as_json(const Claim& claim) {
-  nlohmann::json row{{"claim", claim.text}, {"verdict", in_words(claim.verdict)}};
-  if (claim.value) row["value"] = claim.value->value, row["error"] = claim.value->error;
-  return row;
+Quantity of_guidelines(const StudyReport& report) {
+  const auto& curves = report.curves;
+  const auto verlet = static_cast<std::size_t>(
+      std::find_if(curves.begin(), curves.end(),
+                   [](const Curve& curve) { return curve.scheme == "velocity-verlet"; }) -
+      curves.begin());
+  std::vector<Quantities> lines;
+  for (const Guideline& line : report.guidelines)
+    lines.push_back(of_guideline(line, curves, verlet));
+  return {
+      "guidelines", "", lines, "the lowest costs",
+      fmt::format("minimum cost for R at or below the given value, in force evaluations per "
+                  "ps{};\n* extrapolated by the scheme's order, + the longest step of the curve",
+                  verlet < curves.size() ? " (ratio to velocity Verlet)" : "")};
+}
+
+Quantity of_claims(const StudyReport& report) {
+  const auto& molecules = report.config.system.molecules;
+  const bool of_the_paper =
+      molecules.size() == 1 && molecules[0].model == "tip4p" && molecules[0].count == 512;
+  std::vector<Quantities> list;
+  for (const Claim& claim : report.claims) {
+    list.push_back({{"claim", "", claim.text, "of the paper", "claim"},
+                    {"verdict", "", in_words(claim.verdict),
+                     "`reproduced`, `not reproduced` or `not decided by these data`", "verdict"},
+                    {"", "", claim.value, "", "value"}});
+    if (claim.value)
+      append(list.back(), {{"value", "", claim.value->value}, {"error", "", claim.value->error}});
+  }
+  return {list.empty() ? "" : "claims", "", list, "claims of the paper",
+          fmt::format("the paper's claims [vanzon2008]{}",
+                      of_the_paper ? "" : "; they refer to 512 TIP4P waters, not to this system")};
 }
 
 /// What a reader of the figure needs to know to compare the curves.
@@ -131,7 +178,7 @@ struct EnergyStudy {
   static constexpr const char* title = "study";
   static constexpr auto identity = study_identity;
   static constexpr auto perform = perform_study_runs;
-  static constexpr auto table_of = point_table;
+  static constexpr auto records_of = point_records;
   static constexpr auto figure_of = figure;
   static constexpr auto plot = efficiency_plot;
 
@@ -207,19 +254,20 @@ std::string advice(const StudyReport& report, double ratio) {
   return text;
 }
 
-std::string study_json(const StudyReport& report) {
-  nlohmann::json json;
-  json["conditions"] = conditions(report.config);
-  json["points"] = nlohmann::json::array();
-  for (const Curve& curve : report.curves)
-    for (std::size_t i = 0; i < curve.points.size(); ++i)
-      json["points"].push_back(as_json(curve.points[i], i < curve.usable));
-  add_limits(json, report.equipartition);
-  for (const Guideline& line : report.guidelines)
-    json["guidelines"].push_back(as_json(line, report.curves));
-  for (const Claim& claim : report.claims) json["claims"].push_back(as_json(claim));
-  json["advice"] = advice(report, 0.005);
-  return json.dump(2);
+Quantities quantities(const StudyReport& report) {
+  const std::string answer = advice(report, 0.005);
+  Quantities list = {
+      {"conditions", "", conditions(report.config), "what all runs have in common"},
+      row("", conditions(report.config)),
+      {"points", "", point_records(report), "runs of a scheme with one step", "points"},
+      of_guidelines(report)};
+  append(list, temperature_tables(report.curves, report.equipartition));
+  append(list, limits(report.equipartition));
+  append(list, {of_claims(report),
+                {"advice", "", answer, "the cheapest scheme for R = 0.5 %"},
+                row("", answer),
+                row("files", fmt::format("{}", fmt::join(report.files, " ")))});
+  return list;
 }
 
 StudyReport run_study(const Config& config, const std::string& prefix, const OutputOptions& options,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "polhode/run/outputs.hpp"
+#include "polhode/run/quantities.hpp"
 #include "run/study/claims.hpp"
 #include "run/study/equipartition.hpp"
 
@@ -56,8 +57,8 @@ StudyReport report_study_record(const Config& config, const std::string& record,
                                 const std::string& prefix = "study",
                                 const OutputOptions& options = {}, const Callbacks& callbacks = {});
 
-/// The report as JSON. Names contain units, as in "step_fs"; unknown values are null.
-std::string study_json(const StudyReport& report);
+/// The results as a list, from which text, JSON, the table of points and the manual follow.
+Quantities quantities(const StudyReport& report);
 
 /// Cutoff, initial configuration, runs and energies of a study, in a sentence.
 std::string conditions(const Config& config);

@@ -3,67 +3,109 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
-#include <nlohmann/json.hpp>
-#include <utility>
+#include <algorithm>
+#include <string>
+
+#include "io/files/with_error.hpp"
+#include "io/settings/output_units.hpp"
 
 namespace polhode {
 namespace {
 
-nlohmann::json estimate_json(const std::optional<Estimate>& e) {
-  if (!e) return {};
-  return {{"value", e->value}, {"error", e->error}};
+std::vector<std::optional<SeriesEstimate>> list_of(const auto& estimates) {
+  std::vector<std::optional<SeriesEstimate>> list;
+  for (const std::optional<Estimate>& e : estimates)
+    list.push_back(e ? std::optional(nested(*e)) : std::nullopt);
+  return list;
+}
+
+Quantities of_limit(const EquipartitionFit& fit, Value axis, const Line& line) {
+  return {{"scheme", "", fit.scheme, "the scheme"},
+          {"axis", "", std::move(axis), "principal axis; null: of translation"},
+          {"order", "", fit.order, "order k of the fit a + b h^k"},
+          {"without_step", "K", line.intercept, "a; `without_step_error`: its standard error [K]"},
+          {"slope", "K/ps to the order", line.slope, "b; `slope_error`: its standard error"},
+          {"degrees_of_freedom", "", line.degrees_of_freedom, "degrees of freedom of the errors"},
+          {"without_step_p_value", "", p_value(line.intercept, line.degrees_of_freedom),
+           "probability of such an a by chance"}};
+}
+
+/// The limit for h = 0, with a p-value if it differs from 0.
+Value limit_value(const std::optional<Line>& line) {
+  if (!line) return {};
+  const double p = p_value(line->intercept, line->degrees_of_freedom);
+  return with_error(line->intercept.value, line->intercept.error) +
+         (p < significance ? fmt::format(" (p {:.1g})", p) : "");
+}
+
+/// @param columns  the kinds of differences
+/// @param at       the differences at a point
+/// @param limits   the fitted lines
+Quantities table(const std::vector<Curve>& curves, const std::vector<EquipartitionFit>& fits,
+                 const char* title, const std::vector<const char*>& columns, const auto& at,
+                 const auto& limits) {
+  bool known = false;
+  std::vector<Quantities> rows;
+  const auto add = [&](const std::string& scheme, Value step, const auto& value) {
+    Quantities row = {{"", "", scheme, "", "scheme"}, {"", "fs", std::move(step), "", "step"}};
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      row.push_back({"", "K", value(k), "", columns[k]});
+    rows.push_back(std::move(row));
+  };
+  for (std::size_t c = 0; c < curves.size(); ++c) {
+    const auto& points = curves[c].points;
+    for (const EfficiencyPoint& p : points)
+      known = known || std::any_of(at(p).begin(), at(p).end(), [](auto& e) { return !!e; });
+    for (std::size_t i = 0; i < curves[c].usable; ++i)
+      add(points[i].scheme, points[i].step * units::fs_per_ps,
+          [&](std::size_t k) { return Value(at(points[i])[k]); });
+    add("", fmt::format("0, k = {}", fits[c].order),
+        [&](std::size_t k) { return limit_value(limits(fits[c])[k]); });
+  }
+  if (!known) return {};
+  return {{"", "", rows, "", fmt::format("{}, and extrapolated to h = 0 by a + b h^k", title)}};
 }
 
 }  // namespace
 
-void add_excesses(nlohmann::json& json, const EfficiencyPoint& point) {
-  for (const auto& excess : point.excess) json["excess_K"].push_back(estimate_json(excess));
-  for (const auto& excess : point.configurational_excess)
-    json["configurational_excess_K"].push_back(estimate_json(excess));
+Quantities excesses(const EfficiencyPoint& point) {
+  return {{"excess", "K", list_of(point.excess),
+           "temperature of rotation about each principal axis minus that of translation"},
+          {"configurational_excess", "K", list_of(point.configurational_excess),
+           "configurational minus kinetic temperature of translation, and of rotation about each "
+           "principal axis"}};
 }
 
-void add_limits(nlohmann::json& json, const std::vector<EquipartitionFit>& fits) {
-  const auto add = [&](const char* kind, const EquipartitionFit& fit, nlohmann::json motion,
-                       const std::optional<Line>& line) {
-    if (!line) return;
-    json[kind].push_back(
-        {{"scheme", fit.scheme},
-         {"axis", std::move(motion)},
-         {"order", fit.order},
-         {"without_step_K", line->intercept.value},
-         {"without_step_error", line->intercept.error},
-         {"slope_K_per_ps_to_the_order", line->slope.value},
-         {"slope_error", line->slope.error},
-         {"degrees_of_freedom", line->degrees_of_freedom},
-         {"without_step_p_value", p_value(line->intercept, line->degrees_of_freedom)}});
-  };
+Quantities limits(const std::vector<EquipartitionFit>& fits) {
+  std::vector<Quantities> kinetic, configurational;
   for (const EquipartitionFit& fit : fits) {
-    for (std::size_t k = 0; k < fit.axes.size(); ++k) add("equipartition", fit, k + 1, fit.axes[k]);
+    for (std::size_t k = 0; k < fit.axes.size(); ++k)
+      if (fit.axes[k]) kinetic.push_back(of_limit(fit, k + 1, *fit.axes[k]));
     for (std::size_t k = 0; k < fit.configurational.size(); ++k)
-      add("configurational", fit, k == 0 ? nlohmann::json() : nlohmann::json(k),
-          fit.configurational[k]);
+      if (fit.configurational[k])
+        configurational.push_back(
+            of_limit(fit, k == 0 ? Value() : Value(k), *fit.configurational[k]));
   }
+  return {{kinetic.empty() ? "" : "equipartition", "", kinetic, "`excess_K` for zero step"},
+          {configurational.empty() ? "" : "configurational", "", configurational,
+           "`configurational_excess_K` for zero step"}};
 }
 
-void add_excess_columns(std::vector<Table::Column>& columns) {
-  for (const char* axis : {"1", "2", "3"}) {
-    columns.push_back({fmt::format("excess_{}", axis), "K"});
-    columns.push_back({fmt::format("excess_{}_error", axis), "K"});
-  }
-  for (const char* motion : {"translation", "1", "2", "3"}) {
-    columns.push_back({fmt::format("configurational_excess_{}", motion), "K"});
-    columns.push_back({fmt::format("configurational_excess_{}_error", motion), "K"});
-  }
-}
-
-void add_excesses(std::vector<Cell>& row, const EfficiencyPoint& point) {
-  const auto add = [&](const std::optional<Estimate>& excess) {
-    const Estimate known = excess.value_or(Estimate{std::nan(""), std::nan("")});
-    row.insert(row.end(), {known.value, known.error});
-  };
-  for (const auto& excess : point.excess) add(excess);
-  for (const auto& excess : point.configurational_excess) add(excess);
+Quantities temperature_tables(const std::vector<Curve>& curves,
+                              const std::vector<EquipartitionFit>& fits) {
+  Quantities tables = table(
+      curves, fits, "temperature of rotation about each principal axis minus that of translation",
+      {"axis 1", "axis 2", "axis 3"},
+      [](const EfficiencyPoint& p) -> const auto& { return p.excess; },
+      [](const EquipartitionFit& fit) -> const auto& { return fit.axes; });
+  append(
+      tables,
+      table(
+          curves, fits, "configurational minus kinetic temperature of translation and of rotation",
+          {"translation", "axis 1", "axis 2", "axis 3"},
+          [](const EfficiencyPoint& p) -> const auto& { return p.configurational_excess; },
+          [](const EquipartitionFit& fit) -> const auto& { return fit.configurational; }));
+  return tables;
 }
 
 }  // namespace polhode

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Differences between the temperatures of translation and rotation, kinetic and configurational, as
-// functions of the step and for zero step: in the JSON and the tables of a study and of the
-// adviser.
+// functions of the step and for zero step: in the results of a study and of the adviser.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "polhode/io/files/table_file.hpp"
+#include "polhode/run/quantities.hpp"
 #include "run/study/equipartition.hpp"
 
 namespace polhode {
 
 /// The differences at a point: "excess_K", rotation about each axis minus translation, and
 /// "configurational_excess_K" of each kind of motion.
-void add_excesses(nlohmann::json& json, const EfficiencyPoint& point);
-/// Their limits for zero step: "equipartition" and "configurational".
-void add_limits(nlohmann::json& json, const std::vector<EquipartitionFit>& fits);
+Quantities excesses(const EfficiencyPoint& point);
 
-/// The differences as table columns, and as fields of a row.
-void add_excess_columns(std::vector<Table::Column>& columns);
-void add_excesses(std::vector<Cell>& row, const EfficiencyPoint& point);
+/// Their limits for zero step: "equipartition" and "configurational", each only if it is known.
+Quantities limits(const std::vector<EquipartitionFit>& fits);
+
+/// Both as tables of the text by scheme and step, each unless it is empty.
+/// @param fits  of the curves, in the same order
+Quantities temperature_tables(const std::vector<Curve>& curves,
+                              const std::vector<EquipartitionFit>& fits);
 
 }  // namespace polhode

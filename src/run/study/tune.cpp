@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "base/instruction_set.hpp"
 #include "base/version.hpp"
@@ -146,19 +145,21 @@ TuneSettings complete(TuneSettings settings, const Config& config) {
   return settings;
 }
 
-nlohmann::json as_json(const Tuned& t) {
-  nlohmann::json json{{"reference", t.reference},
-                      {"scheme", text_of(t.scheme)},
-                      {"predicted_gain", t.predicted_gain},
-                      {"R_reference", t.reference_ratio.value},
-                      {"R_reference_error", t.reference_ratio.error},
-                      {"R", t.ratio.value},
-                      {"R_error", t.ratio.error},
-                      {"gain", t.gain.value},
-                      {"gain_error", t.gain.error}};
+Quantities of_family(const Tuned& t) {
+  Quantities parameters;
   for (const TunedParameter& p : t.parameters)
-    json["parameters"][p.name] = {{"value", p.value}, {"error", p.error}};
-  return json;
+    parameters.push_back({p.name, "", nested({p.value, p.error}), "", p.name});
+  return {
+      row("", ""),
+      {"reference", "", t.reference, "scheme that is optimized", "family of"},
+      {"parameters", "", parameters, "the best parameters"},
+      {"R", "%", t.ratio, "R with them; `R_error`: its standard error", "R"},
+      {"R_reference", "%", t.reference_ratio, "R of the reference; `R_reference_error`",
+       "R of the reference"},
+      {"gain", "", t.gain, "their ratio; `gain_error`: its standard error", "gain", ", measured"},
+      {"predicted_gain", "", t.predicted_gain, "as predicted from the error brackets", "gain",
+       ", predicted"},
+      {"scheme", "", text_of(t.scheme), "stages of the optimized scheme", "as text"}};
 }
 
 }  // namespace
@@ -205,17 +206,24 @@ TuneResult tune(const Config& config, const TuneSettings& given, const Callbacks
   return result;
 }
 
-std::string tune_json(const TuneResult& r) {
-  nlohmann::json json{{"molecules", r.molecules},
-                      {"step_fs", r.settings.step * units::fs_per_ps},
-                      {"runs", r.settings.runs},
-                      {"length_ps", r.settings.length},
-                      {"rms_first_bracket_kJ_per_mol", rms_bracket(r.covariance.aa, r.settings)},
-                      {"rms_second_bracket_kJ_per_mol", rms_bracket(r.covariance.bb, r.settings)},
-                      {"correlation", correlation(r.covariance)}};
-  if (r.short_steps) json["eta_of_short_steps"] = *r.short_steps;
-  for (const Tuned& family : r.families) json["families"].push_back(as_json(family));
-  return json.dump(2);
+Quantities quantities(const TuneResult& r) {
+  std::vector<Quantities> families;
+  for (const Tuned& family : r.families) families.push_back(of_family(family));
+  Quantities list = {
+      {"molecules", "", r.molecules, "number of molecules", "molecules"},
+      {"step", "fs", r.settings.step * units::fs_per_ps, "time step", "step"},
+      {"runs", "", r.settings.runs, "number of runs, and as many that confirm", "runs"},
+      {"length", "ps", r.settings.length, "length of each run", "length"},
+      {"rms_first_bracket", "kJ/mol", rms_bracket(r.covariance.aa, r.settings),
+       "rms of the first error bracket times h²", "first bracket"},
+      {"rms_second_bracket", "kJ/mol", rms_bracket(r.covariance.bb, r.settings),
+       "rms of the second error bracket times h²", "second bracket"},
+      {"correlation", "", correlation(r.covariance), "correlation of both", "correlation"}};
+  if (r.short_steps)
+    list.push_back({"eta_of_short_steps", "", *r.short_steps, "the best eta for short steps",
+                    "eta of short steps"});
+  list.push_back({"families", "", families, "the optimized schemes"});
+  return list;
 }
 
 }  // namespace polhode

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "polhode/base/error.hpp"
 
@@ -115,6 +116,31 @@ TopTrajectory integrate_top(const Vec3<double>& J, const Vec3<double>& L, double
   TopTrajectory trajectory{step, speed * step, {}};
   integrate(trajectory, J, L, std::floor(length / step * (1 + 1e-12)), stop);
   return trajectory;
+}
+
+Quantities quantities(const TopTrajectory& top) {
+  std::vector<Quantities> samples;
+  for (const TopSample& s : top.samples) {
+    const auto number = [](const char* label, double x, int digits) {
+      return Quantity{"", "", x, "", label, "", "", digits};
+    };
+    samples.push_back({number("t", s.t, 4), number("L1", s.exact.L.x, 5),
+                       number("L2", s.exact.L.y, 5), number("L3", s.exact.L.z, 5)});
+    for (const auto& [name, track] :
+         {std::pair("series", &s.series), {"NO_SQUISH", &s.no_squish}}) {
+      const auto error = [&, of = std::string(name) + ": "](const char* what, double x) {
+        samples.back().push_back(number((of + what).c_str(), x, 2));
+      };
+      error("energy", track->energy_error);
+      error("|L|", track->momentum_error);
+      error("attitude", track->angle);
+    }
+  }
+  return {{"", "", samples, "",
+           fmt::format("step {:.6g}: the top initially turns by {:.3g} per step; L of the closed "
+                       "form; errors of energy\nand |L| step by step are relative, attitude is the "
+                       "angle [rad] from the closed form",
+                       top.step, top.angle)}};
 }
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include "polhode/io/settings/config.hpp"
 #include "polhode/run/callbacks.hpp"
 #include "polhode/run/outputs.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 
@@ -31,7 +32,7 @@ MinimisationReport minimise_configuration(const Config& config,
 /// "converged", "maximum number of steps" or "interrupted".
 std::string reason(MinimisationEnd end);
 
-/// The report as JSON. Names contain units, as in "force_kJ_per_mol_nm".
-std::string minimisation_json(const MinimisationReport& report);
+/// The results as a list, from which text, JSON and the manual follow.
+Quantities quantities(const MinimisationReport& report);
 
 }  // namespace polhode

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "polhode/base/workers.hpp"
+#include "polhode/run/quantities.hpp"
 #include "polhode/run/study/scheme_family.hpp"
 #include "polhode/run/study/study.hpp"
 
@@ -62,7 +63,7 @@ double rms_bracket(double squares, const TuneSettings& settings);
 TuneResult tune(const Config& config, const TuneSettings& settings, const Callbacks& callbacks,
                 Workers& workers = Workers::serial());
 
-/// The result as JSON. Names contain units, as in "step_fs".
-std::string tune_json(const TuneResult& result);
+/// The results as a list, from which text, JSON and the manual follow.
+Quantities quantities(const TuneResult& result);
 
 }  // namespace polhode

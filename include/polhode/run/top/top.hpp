@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "polhode/rotor/free_rotation.hpp"
+#include "polhode/run/quantities.hpp"
 
 namespace polhode {
 
@@ -45,6 +46,9 @@ struct TopTrajectory {
 /// @throws Error  as check_top(), or if there are not 1 to 10⁸ steps
 TopTrajectory integrate_top(const Vec3<double>& J, const Vec3<double>& L, double step = 0,
                             double length = 0, const std::function<bool()>& stop = {});
+
+/// The samples as a table.
+Quantities quantities(const TopTrajectory& trajectory);
 
 /// Rotates the tops of a CSV file with columns I1, I2, I3, L1, L2, L3, t. All rows are checked and
 /// computed before the text is returned.

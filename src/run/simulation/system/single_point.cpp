@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "polhode/run/simulation/system/single_point.hpp"
 
-#include <nlohmann/json.hpp>
+#include <fmt/core.h>
 
 #include "base/instruction_set.hpp"
 #include "forces/pairs/overlap.hpp"
@@ -61,22 +61,32 @@ SinglePoint single_point(const Config& config, bool derivative, const Callbacks&
   return point;
 }
 
-std::string single_point_json(const SinglePoint& point) {
-  nlohmann::json terms, tensor;
-  for (const auto& [name, value] : point.terms) terms[name] = value;
+Quantities quantities(const SinglePoint& p) {
+  const auto energy = [](const char* key, double value, const char* doc, const char* label) {
+    return Quantity{key, "kJ/mol", value, doc, label, "", "", 10};
+  };
+  Quantities terms, tensor_rows;
+  for (const auto& [name, value] : p.terms)
+    terms.push_back({name, "[kJ/mol]", value + 0.0, "", "  " + name, "", "", 10});
+  std::vector<std::vector<double>> tensor;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Vec3<double> row = point.pressure_tensor[i];
-    tensor.push_back({row.x, row.y, row.z});
+    const Vec3<double> along = p.pressure_tensor[i];
+    tensor.push_back({along.x, along.y, along.z});
+    tensor_rows.push_back(
+        {"", "bar", tensor.back(), "", fmt::format("  {}", "xyz"[i]), "", "", 10});
   }
-  return nlohmann::json{{"molecules", point.system.topology.size()},
-                        {"van_der_waals_kJ_per_mol", point.load.van_der_waals},
-                        {"coulomb_kJ_per_mol", point.load.coulomb},
-                        {"terms_kJ_per_mol", terms},
-                        {"potential_kJ_per_mol", point.load.potential()},
-                        {"pressure_tensor_bar", tensor},
-                        {"pressure_bar", point.pressure()},
-                        {"instruction_set", name(current_instruction_set())}}
-      .dump(2);
+  Quantities list = {
+      {"molecules", "", p.system.topology.size(), "number of molecules", "molecules"},
+      energy("van_der_waals", p.load.van_der_waals, "van der Waals energy", "van der Waals"),
+      energy("coulomb", p.load.coulomb, "Coulomb energy", "Coulomb"),
+      {"terms", "kJ/mol", terms.empty() ? Value() : Value(terms),
+       "its parts, and the dispersion tail"},
+      energy("potential", p.load.potential(), "potential energy", "potential"),
+      {"pressure", "bar", p.pressure(), "pressure", "pressure", "", "", 10},
+      {"pressure_tensor", "bar", tensor, "pressure tensor"}};
+  append(list, tensor_rows);
+  list.push_back({"instruction_set", "", name(current_instruction_set()), "instruction set"});
+  return list;
 }
 
 }  // namespace polhode

@@ -10,6 +10,7 @@
 #include "polhode/base/vec3.hpp"
 #include "polhode/model/state.hpp"
 #include "polhode/run/callbacks.hpp"
+#include "polhode/run/quantities.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 
 namespace polhode {
@@ -31,7 +32,7 @@ struct SinglePoint {
 SinglePoint single_point(const Config& config, bool derivative = false,
                          const Callbacks& callbacks = {});
 
-/// The result as JSON. Names contain units, as in "potential_kJ_per_mol".
-std::string single_point_json(const SinglePoint& point);
+/// Energies and pressure as a list, from which text, JSON and the manual follow.
+Quantities quantities(const SinglePoint& point);
 
 }  // namespace polhode

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "run_report.hpp"
+#include "reports.hpp"
 
 #include <fmt/core.h>
 
-#include "../terminal/streams.hpp"
-
 namespace polhode::cli {
 namespace {
+
+/// What is probably wrong, each with its remedy; nothing without warnings.
+void print_warnings(const std::vector<Warning>& warnings) {
+  if (warnings.empty()) return;
+  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
+  for (const Warning& w : warnings)
+    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
+}
 
 void print_text(const RunReport& r) {
   fmt::print("{}", run_text(r));
@@ -41,11 +47,23 @@ std::string checkpoint_of(const Simulation& simulation) {
 
 }  // namespace
 
-void print_warnings(const std::vector<Warning>& warnings) {
-  if (warnings.empty()) return;
-  fmt::print("\nWARNINGS: something is probably wrong with this run\n");
-  for (const Warning& w : warnings)
-    fmt::print("  {:<18}  {}\n  {:<18}  -> {}\n", w.kind, w.text, "", w.remedy);
+void print_results(const Quantities& results, bool json) {
+  fmt::print("{}{}", json ? json_text(results) : text_of(results), json ? "\n" : "");
+}
+
+void print_results(const std::string& title, const std::vector<Quantities>& records, bool json) {
+  if (json)
+    fmt::print("{}\n", json_text(records));
+  else
+    print_results({{"", "", records, "", title}}, false);
+}
+
+void print_preparation(const PreparationReport& r) {
+  if (!r.properties) return;
+  fmt::print("{}", preparation_text(r));
+  print_files(r.files);
+  fmt::print("next                  polhode run {}\n", r.run_file);
+  print_warnings(r.properties->warnings);
 }
 
 int print_run(const RunResult& result, const Simulation& simulation, bool json) {
