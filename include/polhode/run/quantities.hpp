@@ -89,7 +89,7 @@ SeriesEstimate nested(const Estimate& estimate);
 /// Adds quantities to a list.
 void append(Quantities& list, Quantities more);
 
-/// The same quantities with each estimate as two numbers, "potential_kJ_per_mol" and
+/// Quantities with each estimate as two numbers, "potential_kJ_per_mol" and
 /// "potential_error_kJ_per_mol", and "errors_not_known" with the reasons.
 Quantities flattened(const Quantities& list);
 
@@ -113,16 +113,16 @@ struct TextRow {
 /// The quantities with labels, and the lines without one.
 std::vector<TextRow> text_rows(const Quantities& list);
 
-/// The same as lines.
+/// Rows of a list as lines of text.
 std::string text_of(const Quantities& list);
 
-/// The same records as a CSV file has: an estimate has two columns, "R" and "R_error".
+/// Records as a CSV file has them: an estimate has two columns, "R" and "R_error".
 Table table_of(const std::vector<Quantities>& records);
 
 /// Keys with units, as in "length_ps"; an estimate is an object with "value", "error", and
 /// "error_not_known" where it is not.
 std::string json_text(const Quantities& list);
-/// The same of several, as an array.
+/// Several lists as a JSON array.
 std::string json_text(const std::vector<Quantities>& lists);
 
 /// A table of Markdown with the keys, their units and meanings.
