@@ -9,8 +9,8 @@
 #include <system_error>
 
 #include "base/from_chars.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode::cli {
 
@@ -45,7 +45,7 @@ std::string time_text(double time) {
   return time < 1 ? fmt::format("{:g} fs", time * units::fs_per_ps) : fmt::format("{:g} ps", time);
 }
 
-void set_schemes(std::vector<std::string>& schemes, const std::vector<std::string>& texts,
+void set_schemes(std::vector<NamedScheme>& schemes, const std::vector<std::string>& texts,
                  const std::string& option, const OwnSchemes& own) {
   if (!texts.empty()) schemes.clear();
   for (const std::string& text : texts) schemes.push_back(scheme_option(text, option, own));
@@ -62,15 +62,11 @@ std::string typed_command(std::string command,
   return command;
 }
 
-std::string scheme_option(const std::string& text, const std::string& option,
-                          const OwnSchemes& own) {
-  std::string whole = with_own_schemes(text, own);
-  try {
-    nested_scheme_of(whole);
-  } catch (const Error& e) {
-    throw e.at(option);
-  }
-  return whole;
+NamedScheme scheme_option(const std::string& text, const std::string& option,
+                          const OwnSchemes& own) try {
+  return with_own_schemes(text, own);
+} catch (const Error& e) {
+  throw e.at(option);
 }
 
 Config read_config_option(const std::string& file, const std::string& precision) {

@@ -40,17 +40,16 @@ std::string time_text(double time);
 /// Sets names or texts of schemes if their option is given.
 /// @param own  those of the run file, which may be given by name
 /// @throws Error  as scheme_option()
-void set_schemes(std::vector<std::string>& schemes, const std::vector<std::string>& texts,
+void set_schemes(std::vector<NamedScheme>& schemes, const std::vector<std::string>& texts,
                  const std::string& option, const OwnSchemes& own);
 
 /// The command as it could be typed, without empty options.
 std::string typed_command(std::string command,
                           const std::vector<std::pair<std::string, std::string>>& options);
 
-/// A scheme as nested_scheme_of() reads it, with the texts of the run file's own schemes in place
-/// of their names.
+/// A scheme, with the texts of the run file's own schemes in place of their names.
 /// @throws Error  naming the option, if there is no such scheme
-std::string scheme_option(const std::string& text, const std::string& option,
+NamedScheme scheme_option(const std::string& text, const std::string& option,
                           const OwnSchemes& own);
 
 /// The value of a named enumeration.

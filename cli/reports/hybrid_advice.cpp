@@ -29,7 +29,7 @@ bool HybridAdviceOptions::chosen() const {
 }
 
 int advise_hybrid(const HybridAdviceOptions& options, const Config& config,
-                  const std::vector<std::string>& schemes, bool json, Workers& workers) {
+                  const std::vector<NamedScheme>& schemes, bool json, Workers& workers) {
   HybridAdviserSettings settings;
   settings.evaluations = static_cast<std::size_t>(options.evaluations);
   if (!schemes.empty()) settings.scheme = schemes.front();

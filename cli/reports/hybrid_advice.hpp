@@ -27,6 +27,6 @@ struct HybridAdviceOptions {
 /// @throws Error     as advise_hybrid(), or if there are several schemes
 /// @throws RunError  if no choice has runs long enough
 int advise_hybrid(const HybridAdviceOptions& options, const Config& config,
-                  const std::vector<std::string>& schemes, bool json, Workers& workers);
+                  const std::vector<NamedScheme>& schemes, bool json, Workers& workers);
 
 }  // namespace polhode::cli

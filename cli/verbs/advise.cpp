@@ -40,9 +40,10 @@ int advise(const Options& o) {
   const Config config = make_config(o);
   Workers workers = o.workers();
   if (o.hybrid.chosen())
-    return advise_hybrid(o.hybrid, config,
-                         o.schemes.empty() ? o.schemes : config.integrator.candidates, o.json,
-                         workers);
+    return advise_hybrid(
+        o.hybrid, config,
+        o.schemes.empty() ? std::vector<NamedScheme>{} : config.integrator.candidates, o.json,
+        workers);
   const AdviserSettings settings{criterion_option(o.criterion, config),
                                  config.integrator.candidates, o.seconds};
   const OutputOptions output{existing_files(false, o.force),

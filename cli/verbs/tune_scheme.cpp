@@ -24,7 +24,8 @@ struct Options : JobOptions {
 
 TuneSettings make_settings(const Options& o, const OwnSchemes& own) {
   TuneSettings settings = o.settings;
-  if (!settings.scheme.empty()) settings.scheme = scheme_option(settings.scheme, "--scheme", own);
+  if (!settings.scheme.empty())
+    settings.scheme = scheme_option(settings.scheme, "--scheme", own).text;
   set_time(settings.step, o.step, "--step");
   set_time(settings.length, o.length, "--length");
   set_time(settings.decorrelate, o.decorrelate, "--decorrelate");

@@ -6,15 +6,15 @@
 #include "../options/option_values.hpp"
 #include "../reports/reports.hpp"
 #include "../verbs.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/listing/verification.hpp"
 
 namespace polhode::cli {
 namespace {
 
-void check_lambda_option(const std::string& scheme) try {
-  check_lambda(nested_scheme_of(scheme));
+void check_lambda_option(const NamedScheme& scheme) try {
+  check_lambda(scheme);
 } catch (const Error& e) {
   throw e.at("--lambda");
 }
@@ -36,8 +36,9 @@ Action verify_verb(Command& command) {
       .in_range(1e-8, 1.0);
   command.add_flag("--json", o->json, "print JSON");
   return [o, command] {
-    if (command.given("--lambda")) check_lambda_option(o->scheme);
-    const Verification v = verify(o->scheme, o->order, o->lambda);
+    const NamedScheme scheme = o->scheme;
+    if (command.given("--lambda")) check_lambda_option(scheme);
+    const Verification v = verify(scheme, o->order, o->lambda);
     print_results(quantities(v), o->json);
     return v.declared == 0 || v.holds() ? 0 : 1;
   };

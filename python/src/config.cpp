@@ -68,7 +68,7 @@ void bind_config(nb::module_& m) {
           "prefix", [](const Config& c) { return c.output.prefix; },
           [](Config& c, const std::string& prefix) { c.output.prefix = prefix; })
       .def_prop_ro("step", [](const Config& c) { return c.integrator.step; })
-      .def_prop_ro("scheme", [](const Config& c) { return c.integrator.scheme; })
+      .def_prop_ro("scheme", [](const Config& c) { return c.integrator.scheme.text; })
       .def_prop_ro("kept_temperature", &kept_temperature)
       .def_prop_ro("pressure", &pressure_in_bar)
       .def_prop_ro("thermostat", [](const Config& c) { return kind_of(c.ensemble.thermostat); })

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "base/suggest.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/quantity.hpp"
 #include "job.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/workers.hpp"
 #include "polhode/io/settings/config.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/outputs.hpp"
 
 namespace polhode::python {
@@ -57,14 +57,12 @@ inline std::optional<double> positive(const Text& text, Dimension dimension,
   return value;
 }
 
-inline void set_schemes(std::vector<std::string>& schemes, const Texts& texts,
+inline void set_schemes(std::vector<NamedScheme>& schemes, const Texts& texts,
                         const Config& config) {
   if (!texts) return;
   schemes.clear();
-  for (const std::string& text : *texts) {
-    schemes.push_back(with_own_schemes(text, config.schemes));
-    nested_scheme_of(schemes.back());
-  }
+  for (const std::string& text : *texts)
+    schemes.emplace_back(with_own_schemes(text, config.schemes));
 }
 
 }  // namespace polhode::python

@@ -9,10 +9,10 @@
 
 #include "base/suggest.hpp"
 #include "bind.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/io/topology/molecule_file.hpp"
 #include "polhode/measure/correlated_series.hpp"
 #include "run/listing/molecules.hpp"
@@ -49,8 +49,8 @@ Dimension dimension_of(const std::string& name) {
               "; there are: " + join_names(names));
 }
 
-Verification measured(const std::string& scheme, int order, std::optional<double> lambda) {
-  if (lambda) check_lambda(nested_scheme_of(scheme));
+Verification measured(const NamedScheme& scheme, int order, std::optional<double> lambda) {
+  if (lambda) check_lambda(scheme);
   const nb::gil_scoped_release released;
   return verify(scheme, order, lambda.value_or(1e-4));
 }

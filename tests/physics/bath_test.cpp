@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/schemes.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/math/random.hpp"
 #include "run/simulation/system/near_forces.hpp"
 #include "scenes.hpp"

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <string>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "measure/order.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/measure/energy.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/simulation/system/near_forces.hpp"

@@ -9,9 +9,9 @@
 #include <random>
 #include <vector>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/integrate/with_bath.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/files/checkpoint.hpp"
 #include "scenes.hpp"
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/forces/force_field.hpp"
 #include "polhode/integrate/nested_integrator.hpp"
 #include "polhode/integrate/rodrigues.hpp"
 #include "polhode/integrate/schemes.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/system/near_forces.hpp"
 #include "scenes.hpp"
 

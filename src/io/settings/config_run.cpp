@@ -6,31 +6,32 @@
 #include "base/suggest.hpp"
 #include "config_tables.hpp"
 #include "io/formats/format.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/figures/plot.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {
 
-// Throws, with the place of the key, unless the name or text is a valid scheme.
-void check_scheme(const std::string& scheme, std::string_view key, const TomlTable& table) {
+/// The scheme of a name or text.
+/// @throws Error  with the place of the key, if it is none
+NamedScheme scheme_of(const std::string& text, std::string_view key, const TomlTable& table,
+                      const OwnSchemes& own) {
   try {
-    nested_scheme_of(scheme);
+    return with_own_schemes(text, own);
   } catch (const Error& e) {
     throw e.at(table.where(key));
   }
 }
 
-// A list of schemes, if the key exists.
-void take_schemes(TomlTable& table, std::string_view key, std::vector<std::string>& schemes,
+/// A list of schemes, if the key exists.
+void take_schemes(TomlTable& table, std::string_view key, std::vector<NamedScheme>& schemes,
                   const OwnSchemes& own) {
-  take(schemes, table.texts(key));
-  table.require(!schemes.empty(), key, "must name at least one scheme");
-  for (std::string& scheme : schemes) {
-    scheme = with_own_schemes(scheme, own);
-    check_scheme(scheme, key, table);
-  }
+  const auto texts = table.texts(key);
+  if (!texts) return;
+  table.require(!texts->empty(), key, "must name at least one scheme");
+  schemes.clear();
+  for (const std::string& text : *texts) schemes.push_back(scheme_of(text, key, table, own));
 }
 
 /// "0.5 %" of R, or the bias of an average.
@@ -63,10 +64,10 @@ constexpr auto must_be_time = "must be 0 ps or longer, and at most 1e6 us (one s
 
 void read_integrator(TomlTable table, IntegratorSettings& integrator, const OwnSchemes& own) {
   integrator.scheme_given = table.has("scheme");
-  take(integrator.scheme, table.text("scheme"));
-  table.require(!integrator.scheme.empty(), "scheme", "must name a scheme, for example \"hoa2\"");
-  integrator.scheme = with_own_schemes(integrator.scheme, own);
-  check_scheme(integrator.scheme, "scheme", table);
+  if (const auto text = table.text("scheme")) {
+    table.require(!text->empty(), "scheme", "must name a scheme, for example \"hoa2\"");
+    integrator.scheme = scheme_of(*text, "scheme", table, own);
+  }
   take_time(table, "step", integrator.step, "2 fs");
   table.require(integrator.step > 0, "step", "must be longer than 0 fs");
   integrator.accuracy = read_accuracy(table);

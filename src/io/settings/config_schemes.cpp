@@ -2,8 +2,8 @@
 #include <sstream>
 
 #include "config_tables.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 

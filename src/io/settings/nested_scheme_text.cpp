@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 #include <fmt/core.h>
 
 #include <charconv>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 #include "io/settings/quantity.hpp"
 #include "polhode/base/error.hpp"
@@ -107,13 +108,15 @@ NestedScheme nested_scheme_of(std::string_view text) {
   return scheme;
 }
 
-Scheme single_scheme_of(std::string_view text) {
-  const NestedScheme scheme = nested_scheme_of(text);
+NamedScheme::NamedScheme(std::string given)
+    : NestedScheme(nested_scheme_of(given)), text(std::move(given)) {}
+
+Scheme single_scheme_of(const NamedScheme& scheme) {
   if (scheme.inner)
     throw Error(
         fmt::format("scheme '{}' has an inner scheme, but error brackets and advice are available "
                     "for single schemes only; give one of those, such as hoa2",
-                    text));
+                    scheme.text));
   return scheme.outer;
 }
 
@@ -124,9 +127,9 @@ std::string name_of(const NestedScheme& scheme) {
                 fmt::format("{:g}", inner.switch_from), fmt::format("{:g}", inner.cutoff));
 }
 
-std::string label_of(std::string_view text) {
-  const bool plain = text.find_first_of(":;") == std::string_view::npos;
-  return plain ? one_line(text) : name_of(nested_scheme_of(text));
+std::string label_of(const NamedScheme& scheme) {
+  const bool plain = scheme.text.find_first_of(":;") == std::string::npos;
+  return plain ? one_line(scheme.text) : name_of(scheme);
 }
 
 std::string named_text_of(const NestedScheme& scheme) {

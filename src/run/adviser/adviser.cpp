@@ -14,9 +14,9 @@
 #include "base/stopwatch.hpp"
 #include "candidate_time.hpp"
 #include "first_step.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "polhode/run/study/study.hpp"
 #include "run/adviser/bias_conversion.hpp"
@@ -79,8 +79,8 @@ class Adviser {
         callbacks_(callbacks),
         workers_(workers),
         base_(build_system(config)) {
-    for (const std::string& text : settings.schemes)
-      advice_.candidates.push_back({label_of(text), single_scheme_of(text), {}, {}, 0, 0, {}});
+    for (const NamedScheme& scheme : settings.schemes)
+      advice_.candidates.push_back({label_of(scheme), single_scheme_of(scheme), {}, {}, 0, 0, {}});
     settled_.resize(advice_.candidates.size());
   }
 

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/output_error.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/io/files/table_file.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/adviser/adviser.hpp"
 #include "run/adviser/advice_report.hpp"
 #include "run/simulation/system/system_notes.hpp"
@@ -55,12 +55,10 @@ std::optional<Guarantee> choose_guaranteed_step(Config& config, const Callbacks&
 
 void write_guarantee(const std::string& file, const Guarantee& guarantee,
                      const IntegratorSettings& integrator) {
-  const nlohmann::json json{{"accuracy", text_of(guarantee.accuracy)},
-                            {"length_ps", guarantee.length},
-                            {"R_expected", guarantee.expected.value},
-                            {"R_expected_error", guarantee.expected.error},
-                            {"scheme", integrator.scheme},
-                            {"step_ps", integrator.step}};
+  const nlohmann::json json{
+      {"accuracy", text_of(guarantee.accuracy)}, {"length_ps", guarantee.length},
+      {"R_expected", guarantee.expected.value},  {"R_expected_error", guarantee.expected.error},
+      {"scheme", integrator.scheme.text},        {"step_ps", integrator.step}};
   write_file(file, [&](std::ostream& out) { out << json.dump(2) << '\n'; });
 }
 
@@ -69,10 +67,10 @@ Guarantee read_guarantee(const std::string& file, IntegratorSettings& integrator
   const auto quoted = [](const std::string& text) { return '"' + text + '"'; };
   check_same(file, "accuracy", quoted(json.at("accuracy").get<std::string>()),
              quoted(text_of(integrator.accuracy.value())));
+  const NamedScheme chosen = json.at("scheme").get<std::string>();
   if (integrator.scheme_given)
-    check_same(file, "scheme", text_of(nested_scheme_of(json.at("scheme").get<std::string>())),
-               text_of(nested_scheme_of(integrator.scheme)));
-  integrator.scheme = json.at("scheme");
+    check_same(file, "scheme", text_of(chosen), text_of(integrator.scheme));
+  integrator.scheme = chosen;
   integrator.step = json.at("step_ps");
   return {*integrator.accuracy,
           json.at("length_ps"),

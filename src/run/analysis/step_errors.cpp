@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/base/units.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {
@@ -19,7 +19,7 @@ double rounding(double time) { return 0.6e-6 + 0x1p-22 * std::abs(time); }
 
 StepErrorSettings step_error_settings(const std::string& energies, const Config& config) {
   const EnsembleSettings& ensemble = config.ensemble;
-  if (const auto fixed = fixed_means(ensemble, nested_scheme_of(config.integrator.scheme).outer))
+  if (const auto fixed = fixed_means(ensemble, config.integrator.scheme.outer))
     return {energies, *fixed, config.system.temperature};
   if (ensemble.hybrid_monte_carlo)
     throw Error("hybrid Monte Carlo has no bias of the step; leave the energies out");

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/ensemble/hybrid_monte_carlo.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/canonical/canonical_study.hpp"
 
 namespace polhode {
@@ -27,12 +27,12 @@ std::vector<double> default_steps(const CanonicalMethod& method, bool coarse) {
   return fs;
 }
 
-CanonicalMethod method_of(const std::string& text) {
-  const Scheme scheme = single_scheme_of(text);
+CanonicalMethod method_of(const NamedScheme& given) {
+  const Scheme scheme = single_scheme_of(given);
   const bool hybrid = !scheme.has(Flow::bath);
   const std::string prefix = hybrid ? "hmc-" : "";
   if (hybrid) check_hybrid(scheme);
-  return {.name = prefix + label_of(text),
+  return {.name = prefix + label_of(given),
           .text = prefix + named_text_of(NestedScheme(scheme)),
           .scheme = scheme,
           .hybrid = hybrid};
@@ -40,9 +40,9 @@ CanonicalMethod method_of(const std::string& text) {
 
 /// Whether the schemes are those that a study of energy conservation has unless it names others, by
 /// itself or in the default run file.
-bool of_energy_study(const std::vector<std::string>& schemes) {
+bool of_energy_study(const std::vector<NamedScheme>& schemes) {
   return schemes == StudySettings{}.schemes ||
-         schemes == std::vector<std::string>{"velocity-verlet", "hoa2", "gier4-fd"};
+         schemes == std::vector<NamedScheme>{"velocity-verlet", "hoa2", "gier4-fd"};
 }
 
 bool same(const CanonicalMethod& one, const CanonicalMethod& other) {
@@ -51,16 +51,16 @@ bool same(const CanonicalMethod& one, const CanonicalMethod& other) {
 
 }  // namespace
 
-std::vector<std::string> canonical_schemes() {
+std::vector<NamedScheme> canonical_schemes() {
   return {"obabo",      "baoab",        "aboba",         "hoa2-ends",       "hoa2-middle",
           "bcss3-ends", "bcss3-middle", "gier4-fd-ends", "gier4-fd-middle", "hoa2"};
 }
 
 std::vector<CanonicalMethod> canonical_methods(const StudySettings& settings) {
   std::vector<CanonicalMethod> methods;
-  for (const std::string& text :
+  for (const NamedScheme& scheme :
        of_energy_study(settings.schemes) ? canonical_schemes() : settings.schemes) {
-    CanonicalMethod method = method_of(text);
+    CanonicalMethod method = method_of(scheme);
     for (const double h :
          settings.steps.empty() ? default_steps(method, settings.coarse) : settings.steps) {
       method.step = h;

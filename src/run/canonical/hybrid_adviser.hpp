@@ -17,7 +17,7 @@
 namespace polhode {
 
 struct HybridAdviserSettings {
-  std::string scheme = "hoa2";      ///< of the proposals
+  NamedScheme scheme = "hoa2";      ///< of the proposals
   std::size_t evaluations = 5'000;  ///< of the forces, in each pilot run
   int runs = 4;                     ///< from independent initial configurations, of each choice
   /// Pilot runs are of all choices; runs of the best ones, this many times longer and with other

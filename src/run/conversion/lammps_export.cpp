@@ -8,13 +8,13 @@
 #include <cmath>
 #include <sstream>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/quantity.hpp"
 #include "io/topology/lammps_export.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/force_program.hpp"
 #include "polhode/integrate/scheme_text.hpp"
 #include "polhode/io/files/table_file.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/system/system.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
@@ -45,8 +45,7 @@ void check(const Config& config) {
 
 // The scheme with finite differences in place of exact gradients.
 Scheme lammps_scheme(const Config& config, const Callbacks& callbacks) {
-  const Scheme scheme =
-      single_scheme_of(with_own_schemes(config.integrator.scheme, config.schemes));
+  const Scheme scheme = single_scheme_of(config.integrator.scheme);
   if (!scheme.starts_with_kick() || !scheme.ends_with_kick())
     throw Error(fmt::format("the scheme '{}' does not begin with a kick, as fix polhode needs; "
                             "choose another, such as bcss3 or gier4-fd",

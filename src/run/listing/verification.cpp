@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 
@@ -15,13 +15,13 @@ bool Verification::holds() const {
   return declared != 0 && std::abs(measured.order - declared) < 0.1;
 }
 
-Verification verify(const std::string& scheme, int order, double lambda) {
-  Verification v{nested_scheme_of(scheme), {}, order};
+Verification verify(const NamedScheme& scheme, int order, double lambda) {
+  Verification v{scheme, {}, order};
   if (v.scheme.has(Flow::bath))
     throw Error(
         fmt::format("'{}' has a bath O, which exchanges energy with the system, so that the error "
                     "of the energy measures no order; verify the scheme without its stages O",
-                    scheme));
+                    scheme.text));
   v.measured = measure_order(v.scheme, lambda);
   if (order == 0) v.declared = v.scheme.order();
   return v;

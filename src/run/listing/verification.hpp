@@ -2,9 +2,8 @@
 // The order of a scheme, measured and compared with the declared one.
 #pragma once
 
-#include <string>
-
 #include "measure/order.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/quantities.hpp"
 
 namespace polhode {
@@ -19,10 +18,9 @@ struct Verification {
   bool holds() const;
 };
 
-/// @param scheme  name, or stages as text
 /// @param order   expected order; 0: that of the table
 /// @param lambda  of finite-difference gradients
-Verification verify(const std::string& scheme, int order = 0, double lambda = 1e-4);
+Verification verify(const NamedScheme& scheme, int order = 0, double lambda = 1e-4);
 
 /// @throws Error  if lambda has no effect on the scheme
 void check_lambda(const NestedScheme& scheme);

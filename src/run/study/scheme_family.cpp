@@ -7,9 +7,9 @@
 #include <cmath>
 #include <limits>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/schemes.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {
@@ -80,11 +80,11 @@ Values newton_step(const std::vector<ErrorTerms>& s, const Metric& metric, const
 
 }  // namespace
 
-SchemeFamily::SchemeFamily(const std::string& text, const std::string& label)
-    : text_(text),
-      label_(label.empty() ? label_of(text) : label),
-      parameters_(free_parameters(text)),
-      reference_(single_scheme_of(text)) {
+SchemeFamily::SchemeFamily(const NamedScheme& scheme, const std::string& label)
+    : text_(scheme.text),
+      label_(label.empty() ? label_of(scheme) : label),
+      parameters_(free_parameters(text_)),
+      reference_(single_scheme_of(scheme)) {
   check_count(parameters_);
   if (!reference_.palindromic())
     throw Error(fmt::format(

@@ -11,10 +11,10 @@
 #include <mutex>
 #include <numeric>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "math/prediction.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/simulation/system/near_forces.hpp"
 
@@ -217,12 +217,10 @@ StudySettings quick(StudySettings settings) {
 
 std::vector<StudyPoint> study_points(const StudySettings& settings) {
   std::vector<StudyPoint> points;
-  for (const std::string& text : settings.schemes) {
-    const NestedScheme scheme = nested_scheme_of(text);
-    const std::string name = label_of(text);
+  for (const NamedScheme& scheme : settings.schemes) {
     for (const double h :
          settings.steps.empty() ? default_steps(scheme, settings.coarse) : settings.steps)
-      add_point(points, {name, scheme, h});
+      add_point(points, {label_of(scheme), scheme, h});
   }
   return points;
 }

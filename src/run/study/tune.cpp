@@ -9,10 +9,10 @@
 
 #include "base/instruction_set.hpp"
 #include "base/version.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/run/simulation/trajectory/trajectory.hpp"
 #include "run/simulation/system/system_notes.hpp"
 
@@ -123,8 +123,8 @@ Tuned tuned(Series& series, const SchemeFamily& family, const Runs& measured) {
 /// The requested family, or those of hoa2 and gier4.
 std::vector<SchemeFamily> families(const TuneSettings& settings, const Config& config) {
   if (!settings.scheme.empty()) return {SchemeFamily(settings.scheme)};
-  const std::string& scheme = config.integrator.scheme;
-  if (!free_parameters(scheme).empty()) return {SchemeFamily(scheme)};
+  const NamedScheme& scheme = config.integrator.scheme;
+  if (!free_parameters(scheme.text).empty()) return {SchemeFamily(scheme)};
   return {hoa2_family(), gier4_family()};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "../fuzz.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/base/error.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 // A scheme has no place of its own: its reader gives the key or the option.
 void polhode::fuzz::read(std::string_view text) try {

@@ -87,6 +87,11 @@ std::string settings_text(const Config& c) {
     for (const std::string& name : names) text += name + ",";
     return text;
   };
+  const auto texts_of = [](const std::vector<NamedScheme>& schemes) {
+    std::vector<std::string> texts;
+    for (const NamedScheme& scheme : schemes) texts.push_back(scheme.text);
+    return texts;
+  };
   const auto& [s, f, i, r, o, y] =
       std::tie(c.system, c.forces, c.integrator, c.run, c.output, c.study);
   std::string text = fmt::format("{} {} ", s.temperature, s.seed);
@@ -95,12 +100,13 @@ std::string settings_text(const Config& c) {
                   f.switch_from, f.smoothness, static_cast<int>(f.electrostatics), f.dielectric,
                   f.skin, static_cast<int>(f.precision), static_cast<int>(f.mixing.rule),
                   f.pme_accuracy, f.damping, f.dispersion_correction);
-  text += fmt::format("{} {} {} {} ", i.scheme, joined(i.candidates), i.step, i.lambda);
+  text +=
+      fmt::format("{} {} {} {} ", i.scheme.text, joined(texts_of(i.candidates)), i.step, i.lambda);
   text += fmt::format("{} {} {} {} ", r.equilibrate, r.length, r.sample, r.configurational_sample);
   text += fmt::format("{} {} {} {} {} {} {} ", o.prefix, o.trajectory_every, joined(o.formats),
                       o.massless_sites, o.velocities, o.plot, o.checkpoint_every);
-  text += fmt::format("{} {} {} {} {}", joined(y.schemes), y.runs, y.length, y.decorrelate,
-                      y.configurational_sample);
+  text += fmt::format("{} {} {} {} {}", joined(texts_of(y.schemes)), y.runs, y.length,
+                      y.decorrelate, y.configurational_sample);
   for (const auto& [key, value] : ensemble_texts(c.ensemble)) text += " " + key + " " + value;
   return text;
 }

@@ -111,7 +111,7 @@ TEST_CASE("every key of an integrator, a run, its output and a study is read") {
   CHECK(config.output.trajectory_every == 1);
   CHECK(config.output.formats == std::vector<std::string>{"gro"});
   CHECK(config.output.plot == "png");
-  CHECK(config.study.schemes == std::vector<std::string>{"hoa2"});
+  CHECK(config.study.schemes == std::vector<NamedScheme>{"hoa2"});
   CHECK(config.study.steps == std::vector<double>{1 * 1e-3, 2 * 1e-3});
   CHECK(config.study.runs == 3);
   CHECK(config.study.length == 4);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-StudySettings settings_of(std::vector<std::string> schemes, std::vector<double> steps) {
+StudySettings settings_of(std::vector<NamedScheme> schemes, std::vector<double> steps) {
   StudySettings settings;
   settings.schemes = std::move(schemes);
   settings.steps = std::move(steps);

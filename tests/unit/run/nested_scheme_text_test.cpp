@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/settings/nested_scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 #include <doctest/doctest.h>
 

@@ -46,7 +46,8 @@ TEST_CASE("the style of a scheme does not depend on the others of a figure") {
 }
 
 TEST_CASE("no two methods of a canonical study share a colour") {
-  std::vector<std::string> names = canonical_schemes();
+  std::vector<std::string> names;
+  for (const NamedScheme& scheme : canonical_schemes()) names.push_back(scheme.text);
   REQUIRE(names.back() == "hoa2");
   names.back() = "hmc-hoa2";
   std::set<std::string> colours;

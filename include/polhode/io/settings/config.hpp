@@ -16,6 +16,7 @@
 #include "polhode/base/vec3.hpp"
 #include "polhode/forces/laws/settings.hpp"
 #include "polhode/io/coordinates/frame_file.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/io/settings/requirement.hpp"
 #include "polhode/io/topology/topology_file.hpp"
 #include "polhode/model/ensemble_settings.hpp"
@@ -52,12 +53,12 @@ struct SystemSettings {
 Molecule molecule_of(const SystemSettings::Component& component);
 
 struct IntegratorSettings {
-  std::string scheme = "hoa2";  ///< name, or stages as text
+  NamedScheme scheme = "hoa2";
   bool scheme_given = false;
   /// If set, the adviser chooses the step, and the scheme unless one is given.
   std::optional<Requirement> accuracy;
-  /// Schemes that the adviser chooses from, as names or texts.
-  std::vector<std::string> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
+  /// Schemes that the adviser chooses from.
+  std::vector<NamedScheme> candidates = {"velocity-verlet", "hoa2", "bcss3", "gier4-fd"};
   double step = 0.002;  ///< [ps]
   /// For the finite-difference gradient [vanzon2008, Eq. 6]. Default: 1e-4 in double precision, 1
   /// in mixed precision, because the rounding of the forces is amplified by 1/lambda, while the
@@ -108,7 +109,7 @@ template <>
 inline constexpr std::array<std::string_view, 2> enum_names<StudyEnsemble> = {"nve", "nvt"};
 
 struct StudySettings {
-  std::vector<std::string> schemes = {"velocity-verlet", "hoa2", "gier4"};
+  std::vector<NamedScheme> schemes = {"velocity-verlet", "hoa2", "gier4"};
   std::vector<double> steps;  ///< [ps]; empty: a default ladder per scheme
   bool coarse = false;        ///< a ladder with fewer steps
   StudyEnsemble ensemble = StudyEnsemble::nve;

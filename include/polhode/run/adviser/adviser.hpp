@@ -20,7 +20,7 @@ namespace polhode {
 
 struct AdviserSettings {
   Criterion criterion;
-  std::vector<std::string> schemes;  ///< candidates: names, or stages as text
+  std::vector<NamedScheme> schemes;  ///< candidates
   double seconds = 60;               ///< approximate wall-clock time of the whole search
 };
 

@@ -100,7 +100,7 @@ struct CanonicalPoint {
 };
 
 /// The schemes of a canonical study if the run file names none of its own.
-std::vector<std::string> canonical_schemes();
+std::vector<NamedScheme> canonical_schemes();
 
 /// The methods that a study measures, by schemes and steps. Schemes without a bath make the
 /// proposals of hybrid Monte Carlo; such a method is named "hmc-SCHEME".

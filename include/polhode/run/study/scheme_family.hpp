@@ -9,6 +9,7 @@
 
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/scheme_text.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "polhode/measure/shadow.hpp"
 
 namespace polhode {
@@ -20,7 +21,7 @@ class SchemeFamily {
   /// @throws Error  unless the text is a palindrome whose α and β depend on each of one or two free
   ///                parameters independently, and whose drifts and kicks sum to 1 for any values
   /// @param label  of the reference; empty: its own name, or its stages
-  explicit SchemeFamily(const std::string& text, const std::string& label = {});
+  explicit SchemeFamily(const NamedScheme& scheme, const std::string& label = {});
 
   const std::vector<FreeParameter>& parameters() const { return parameters_; }
   /// The member with the values of the text.

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "base/output_error.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "polhode/io/files/table_file.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/files/identity.hpp"
 
 namespace polhode {
@@ -260,7 +260,7 @@ std::string run_identity(const Config& config, const System& system) {
                {config.integrator.step, config.run.equilibrate, config.run.sample,
                 config.run.shadow_sample.value_or(-1), config.run.configurational_sample,
                 config.output.trajectory_every, config.forces.skin});
-  all += ' ' + text_of(nested_scheme_of(config.integrator.scheme));
+  all += ' ' + text_of(config.integrator.scheme);
   all += motion_of_start(config, system) + outputs_of(config.output, system.topology);
   return text_hash(all) + '\n' + settings_text(config);
 }

@@ -109,7 +109,7 @@ std::string settings_text(const Config& config) {
       forces.coulomb_cutoff ? fmt::format("{:.12g} nm", *forces.coulomb_cutoff) : "chosen");
   add("forces.dispersion_correction", forces.dispersion_correction);
   add("forces.skin", fmt::format("{:.12g} nm", forces.skin));
-  add("integrator.scheme", integrator.scheme);
+  add("integrator.scheme", integrator.scheme.text);
   add("integrator.step", fs(integrator.step));
   add("integrator.lambda", integrator.lambda);
   for (const auto& [key, value] : ensemble_texts(config.ensemble)) add(key.c_str(), value);

@@ -9,9 +9,9 @@
 #include "averages.hpp"
 #include "io/files/with_error.hpp"
 #include "io/settings/ensemble_text.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 
 namespace polhode {
 namespace {

@@ -9,9 +9,9 @@
 
 #include "forces/pairs/cutoff_treatment.hpp"
 #include "integrate/stability.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "io/settings/quantity.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/report/ensemble_warnings.hpp"
 #include "run/simulation/report/truncation_walk.hpp"
 #include "run/simulation/system/stable_step.hpp"

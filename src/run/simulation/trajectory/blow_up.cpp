@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "forces/laws/law_range.hpp"
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/system/contact.hpp"
 #include "run/simulation/system/stable_step.hpp"
 

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "io/settings/nested_scheme_text.hpp"
 #include "io/settings/output_units.hpp"
 #include "polhode/base/error.hpp"
 #include "polhode/integrate/error_terms.hpp"
 #include "polhode/integrate/with_bath.hpp"
+#include "polhode/io/settings/nested_scheme_text.hpp"
 #include "run/simulation/trajectory/ensemble_moves.hpp"
 
 namespace polhode {
@@ -118,7 +118,7 @@ void TrajectorySettings::check_shadow() const {
 }
 
 TrajectorySettings trajectory_settings(const Config& config, double stretch) try {
-  NestedScheme scheme = nested_scheme_of(config.integrator.scheme);
+  NestedScheme scheme = config.integrator.scheme;
   if (config.ensemble.thermostat && !scheme.has(Flow::bath))
     scheme.outer = with_bath(scheme.outer, BathPlace::ends, name_with_bath(scheme.outer));
   TrajectorySettings settings{.scheme = scheme.outer,

@@ -18,18 +18,29 @@ inline constexpr double default_near_switch = 0.7;
 ///                domain, or if the inner scheme has a bath
 NestedScheme nested_scheme_of(std::string_view text);
 
-/// The scheme of a name or text that must not be nested, for callers that support no multiple time
-/// steps.
-/// @throws Error  as nested_scheme_of(), or if the scheme is nested
-Scheme single_scheme_of(std::string_view text);
+/// A scheme as it was given, parsed once.
+struct NamedScheme : NestedScheme {
+  std::string text;  ///< name, or stages
+
+  /// @throws Error  as nested_scheme_of()
+  NamedScheme(std::string text);
+  NamedScheme(const char* text) : NamedScheme(std::string(text)) {}
+
+  friend bool operator==(const NamedScheme& one, const NamedScheme& other) {
+    return one.text == other.text;
+  }
+};
+
+/// A scheme that must not be nested, for callers that support no multiple time steps.
+/// @throws Error  if it is
+Scheme single_scheme_of(const NamedScheme& scheme);
 
 /// The same as text: the names of schemes that have one, otherwise their stages.
 std::string name_of(const NestedScheme& scheme);
 
 /// The label of a scheme in tables and figures: its own name if it has one; otherwise the text with
 /// single spaces between its words, or the stages if it defines names.
-/// @throws Error  as nested_scheme_of()
-std::string label_of(std::string_view text);
+std::string label_of(const NamedScheme& scheme);
 
 /// Names of the table, and stages with user-given names, as text that nested_scheme_of() reads back
 /// to the same bits.
